@@ -80,7 +80,7 @@ def spent() -> None:
 @main.command()
 @quick_option
 def floors(quick: bool) -> None:
-    """What proofs, undercuts and the page cost beside the sweep."""
+    """Measure proofs, undercuts and the page beside the sweep."""
     console = Console(width=max(WIDTH, Console().width))
     console.print(machine())
     for table in floors_runs.tabulate(quick=quick):

@@ -1,8 +1,8 @@
-"""What a batch costs on a Dask cluster, measured over two decades of pairs, and the model of it.
+"""The cost of a batch on a Dask cluster, measured over two decades of pairs, and its model.
 
 Processor time of the client with its scheduler, and of the workers, on one machine. The model: each
 pair takes the workers the same time, and each chunk the client with its scheduler, however many
-pairs are in it. Both are taken from the batches but the largest, and held against that.
+pairs are in it. Both come from all batches except the largest, and are compared with the largest.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from exactsweep.batch.job import Job
 from exactsweep.batch.parts import Part
 
 SIDES = (1, 10, 32, 100)
-"""How many parts each of the two lists has; one pair alone is what it takes to start and end."""
+"""The number of parts of each of the two lists; one pair alone measures start and end."""
 LARGE, LARGE_CHUNK = 10**9, 512
 _SAMPLE = 1000
 
 
 class BatchCost(NamedTuple):
-    """What a batch took: seconds of processor time, and bytes of its records."""
+    """The cost of a batch: seconds of processor time, and bytes of its records."""
 
     pairs: int
     chunks: int
@@ -84,7 +84,7 @@ def tabulate(*, workers: int, quick: bool) -> Iterator[Table]:
 
 
 def tabulate_costs(costs: Sequence[BatchCost], workers: int) -> Table:
-    """What was measured; and of each batch, what a pair more took than in the one before."""
+    """The measurements, and for each batch the cost of a further pair since the batch before."""
     table = Table(
         *("pairs", "chunks", "client and scheduler", "workers", "records"),
         *("workers, ms a further pair", "client, ms a further chunk"),

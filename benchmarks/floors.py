@@ -1,4 +1,4 @@
-"""What evidence and proof cost beside the sweep: `verify`, undercuts and the page.
+"""The cost of evidence and proof beside the sweep: `verify`, undercuts and the page.
 
 The sweep is its three loops, of polygons that are made; `verify` is given the certificate as
 `json.loads` gives it; what is least of all, reading the numbers of a certificate, is shown apart.

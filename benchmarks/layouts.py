@@ -36,7 +36,7 @@ RECORDS = ((24, 8), (28, 8), (30, 12), (48, 20), (99, 8), (64, 12), (50, 116), (
 DOUBLINGS = (625, 1250, 2500, 5000, 10_000)
 GROWING = 52
 CGAL_BAR, SHAPELY_BAR = 5.0, 10.0
-"""How many times as fast as CGAL the judge has to be, and as slow as shapely it may be."""
+"""The least speed of the judge beside CGAL, and its greatest time beside shapely."""
 
 Pairs = set[tuple[int, int]]
 Offsets = list[tuple[int, int]]

@@ -1,7 +1,7 @@
-"""How the procedures grow: operations, seconds and bytes over doubling sizes, with a verdict.
+"""The growth of the procedures: operations, seconds and bytes over doubling sizes.
 
-What is run on what, and by how much an exponent may be above that of the paper's bound, stands in
-`exactsweep.paper.costs`; the ledger's rows on costs use the same.
+`exactsweep.paper.costs` defines the pairs and the largest exponent above that of the paper's bound,
+also for the ledger's rows on costs.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""How no-fit polygons of any shape grow: what their steps come to, counted, and seconds.
+"""The growth of no-fit polygons of any shape: counts of their steps, and seconds.
 
 The steps are those of `exactsweep.procedures.ss`. There are at most 2 m n contact segments; what
 lies in squares that are known to be overlapped is left out, and of the rest few pieces remain at
@@ -33,7 +33,7 @@ _RISE = 0.3
 
 
 def count_steps(family: str, size: int) -> tuple[int, ...]:
-    """What the STEPS come to on the pair of a family with m = n = size."""
+    """Count the STEPS on the pair of a family with m = n = size."""
     generatrix, directrix = ANY_SHAPE[family](size, size, 0)
     moving = [inverse(generatrix)]
     stretches = find_contact_stretches([directrix], moving)

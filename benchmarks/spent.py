@@ -1,4 +1,4 @@
-"""What a small pair is spent on: counts of what the interpreter does, the same on every run.
+"""The work of a small pair: counts of the interpreter's instructions, the same on every run.
 
 Seconds of a pair that takes less than a millisecond say little about where they go, and profilers
 add more to a call than most functions take. So the instructions are counted, by what they do.

@@ -32,9 +32,9 @@ _starting = RLock()
 class Started:
     """A process in a group of its own, with pipes to it, and a mark that its descendants inherit.
 
-    The mark is a word in the environment. Ending kills the group and then, where the system shows
-    the environment of processes under /proc, whatever has left the group but bears the mark. One
-    that has left the group with another environment is not found: this is no sandbox.
+    The mark is a word in the environment. Ending kills the group, its descendants and, where the
+    system shows the environment of processes under /proc, all that bear the mark. A process in
+    another group and environment whose parents have ended is not found: this is no sandbox.
 
     Args:
         command: the program and its arguments.
@@ -82,10 +82,14 @@ class Started:
 
     def end(self) -> None:
         """Kill it and all that it started, and close the pipes."""
+        descendants = _find_family(self.process.pid)[1:]
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.process.pid, signal.SIGKILL)
         # It may have moved to the group of one that it started.
         self.process.kill()
+        for pid in descendants:
+            with suppress(ProcessLookupError, PermissionError):
+                os.kill(pid, signal.SIGKILL)
         self.process.wait()
         for pipe in (self.process.stdin, self.process.stdout, self.process.stderr):
             if pipe is not None:

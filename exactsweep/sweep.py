@@ -1,4 +1,4 @@
-"""The front door: reads shapes, chooses the class of the pair, and returns answers."""
+"""The public functions: they read shapes, choose the class of the pair, and return answers."""
 
 from __future__ import annotations
 
@@ -66,16 +66,16 @@ def sweep(
     direction: Iterable[object] | None = None,
     reference: Iterable[object] = (0, 0),
 ) -> Sweep:
-    """Sweep a generatrix, given first, around a directrix: always in contact, never overlapping.
+    """Sweep a generatrix (first argument) around a directrix, in contact and without overlap.
 
-    In the order of the paper's (G, D); with `generatrix=` and `directrix=` no order matters.
+    The order of the arguments is that of the paper's (G, D); keywords allow any order.
 
     Args:
         generatrix: G, a Polygon, a Region or the vertices of a polygon.
         directrix: D, likewise.
-        direction: a pair of numbers, the shared direction of monotonicity to be used; chosen as
-            by `choose_direction` if left out. The loops do not depend on it.
-        reference: the point of G whose path the trajectory is, in the coordinates of G.
+        direction: a pair of numbers, a shared direction of monotonicity; by default the choice of
+            `choose_direction`. The loops do not depend on it.
+        reference: the point of G whose path is the trajectory, in the coordinates of G.
 
     Returns:
         A Sweep with trajectory, inner and outer loop.
@@ -83,9 +83,9 @@ def sweep(
     Raises:
         PolygonError: a polygon is not simple; the message begins with its name.
         NumberError: a coordinate is not an exact number; likewise.
-        DirectionError: a polygon is not monotone to the direction asked for, or has a hole.
+        DirectionError: a polygon is not monotone to the requested direction, or has a hole.
 
-    Cost: O(m + n) for CC, O(m n) for CM; for MM O(m n log n) for the trajectory and
+    Cost: O(m + n) for CC and O(m n) for CM. For MM, O(m n log n) for the trajectory and
     O(m n^2 log n) for the loops (Corollaries 3.4, 4.5, 4.6, 5.7, 5.8).
 
     Example:
@@ -112,7 +112,7 @@ def sweep(
 
 
 def _share(generatrix: AnyPolygon, directrix: AnyPolygon) -> Vector | None:
-    """The shared direction, if the paper's procedures can sweep the pair."""
+    """Return the shared direction, if the paper's procedures can sweep the pair."""
     if generatrix.holes or directrix.holes:
         return None
     return find_shared_direction(generatrix.exterior, directrix.exterior)
@@ -125,18 +125,19 @@ def no_fit_polygon(
     *,
     reference: Iterable[object] = (0, 0),
 ) -> NoFitPolygon:
-    """Find where an orbiting polygon overlaps a stationary one, which is given first.
+    """Find the positions where an orbiting polygon overlaps a stationary one (first argument).
 
-    With `stationary=` and `orbiting=` no order matters; `sweep` takes what moves first.
+    Keywords allow any order. Note that the first argument of `sweep` is the moving polygon.
 
     Args:
         stationary: D, a Polygon, a Region or the vertices of a polygon.
         orbiting: G, likewise.
-        reference: the point of G whose positions are told, in the coordinates of G.
+        reference: the point of G that marks a position, in the coordinates of G.
 
     Returns:
-        A NoFitPolygon: its exterior, the trajectory of the sweep (G, D); its holes, where G fits
-        inside D without overlap; and its exact fits, free positions without room around them.
+        A NoFitPolygon with its exterior, the trajectory of the sweep (G, D); its holes, where G
+        fits inside D without overlap; and its exact fits, free positions without room to either
+        side.
 
     Raises:
         PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
@@ -166,18 +167,18 @@ def inner_fit_polygon(
     *,
     reference: Iterable[object] = (0, 0),
 ) -> InnerFit:
-    """Find all positions inside a container, which is given first, of a part.
+    """Find all positions of a part inside a container (first argument).
 
-    With `container=` and `part=` no order matters.
+    Keywords allow any order.
 
     Args:
         container: a Polygon, a Region, whose holes are defects, or the vertices of a polygon.
         part: likewise.
-        reference: the point of the part whose positions are told, in the coordinates of the part.
+        reference: the point of the part that marks a position, in the coordinates of the part.
 
     Returns:
-        An InnerFit: its regions, and its exact fits, where a container is exactly as wide as the
-        part. A part that does not fit has neither.
+        An InnerFit with its regions, and its exact fits, where the container is exactly as wide as
+        the part. Both are empty if the part does not fit.
 
     Raises:
         PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
@@ -209,15 +210,14 @@ def free_positions(
 
     Args:
         container: a Polygon, a Region, whose holes are defects, or the vertices of a polygon.
-        placed: shapes, likewise, where they stand. They may touch or overlap each other and the
-            container.
+        placed: the placed shapes, likewise, in their positions. They may touch or overlap each
+            other and the container.
         part: likewise.
-        reference: the point of the part whose positions are reported, in the coordinates of the
-            part.
+        reference: the point of the part that marks a position, in the coordinates of the part.
 
     Returns:
-        An InnerFit: its regions, and its exact fits, where the part touches what is around it on
-        two sides at least. It is false if there is no position.
+        An InnerFit with its regions, and its exact fits, where the part touches obstacles on at
+        least two sides. It is false if there is no position.
 
     Raises:
         PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its

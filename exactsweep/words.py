@@ -1,4 +1,4 @@
-"""Words for people: points, directions and numbers of things."""
+"""Points, directions and counts in words."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -17,7 +17,7 @@ CLASSES = {
 
 
 def write_pair(point: Iterable[object]) -> str:
-    """Write a point or a vector without blanks, long numbers cut short.
+    """Write a point or a vector without blanks, with long numbers shortened.
 
     >>> write_pair((1, "-7/2"))
     '(1,-7/2)'
@@ -26,7 +26,7 @@ def write_pair(point: Iterable[object]) -> str:
 
 
 def write_vector(direction: Iterable[object]) -> str:
-    """Write a direction as Python writes a pair of ints, long numbers cut short.
+    """Write a direction as Python writes a pair of ints, with long numbers shortened.
 
     >>> write_vector((1, -2)), write_vector((1, 10**5000))
     ('(1, -2)', '(1, 100000000000000000000...)')
@@ -35,7 +35,7 @@ def write_vector(direction: Iterable[object]) -> str:
 
 
 def count(number: int, thing: str) -> str:
-    """Write how many there are, in the plain plural.
+    """Write a count with a noun in the regular plural.
 
     >>> count(0, "step"), count(1, "step"), count(20, "step")
     ('no steps', '1 step', '20 steps')
@@ -44,7 +44,7 @@ def count(number: int, thing: str) -> str:
 
 
 def write_size(vertices: int, area: Fraction) -> str:
-    """Say how large a polygon is.
+    """Write the size of a polygon.
 
     >>> write_size(3, Fraction(1, 2))
     '3 vertices, area 1/2'
@@ -53,7 +53,7 @@ def write_size(vertices: int, area: Fraction) -> str:
 
 
 def name_heading(vector: Vertex) -> str:
-    """Say where a vector points.
+    """Name the heading of a vector.
 
     >>> name_heading((-3, 1)), name_heading((0, -1))
     ('left and up', 'down')
@@ -66,7 +66,7 @@ def name_heading(vector: Vertex) -> str:
 
 
 def write_degrees(vector: Vertex) -> str:
-    """Write by how much a vector is turned from the X axis, counter-clockwise, about.
+    """Write the rounded angle of a vector from the X axis, counter-clockwise, in degrees.
 
     >>> write_degrees((1, -2)), write_degrees((0, 10**400)), write_degrees((-1, 1))
     ('-63.4', '90', '135')
@@ -78,7 +78,7 @@ def write_degrees(vector: Vertex) -> str:
 
 
 def suggest(word: str, words: Iterable[str]) -> str:
-    """Ask whether a similar word is meant, if there is one.
+    """Suggest a similar word, if there is one.
 
     >>> suggest("brakcet", ["plate", "bracket"])
     "; did you mean 'bracket'?"

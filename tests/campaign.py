@@ -1,8 +1,9 @@
 """Compare the kernel with a reference on many random pairs: `python -m tests.campaign NAME`.
 
 NAME says how pairs are drawn: `monotone` (every degeneracy on purpose, placed anywhere), `small`
-(small ints, of all classes, most of them bred from another), `shapes` (any shapes with holes) or
-`touching` (Regions whose rings touch). Pair NUMBER is drawn by a `random.Random` of its own, seeded
+(small ints, of all classes, most of them bred from another), `shapes` (any shapes with holes),
+`touching` (Regions whose rings touch) or `around` (containers with defects, and parts whose holes
+may go around these). Pair NUMBER is drawn by a `random.Random` of its own, seeded
 with "SEED:NUMBER": a failing one comes again with `--seed SEED --first NUMBER --pairs 1`.
 """
 
@@ -64,6 +65,7 @@ STRATEGIES: dict[str, Callable[[Random], SmallPair]] = {
     "small": draw_small,
     "shapes": draw_shapes,
     "touching": small_pairs.draw_touching,
+    "around": small_pairs.draw_around,
 }
 
 
@@ -73,7 +75,7 @@ def draw(name: str, seed: int, number: int) -> SmallPair:
 
 def by_definition(name: str, seed: int, numbers: range) -> list[str]:
     """Compare pairs with the definition: loops of all, every answer of one in ten."""
-    share = 1 if name == "touching" else DEEP_SHARE
+    share = 1 if name in ("touching", "around") else DEEP_SHARE
     return [find_failure(draw(name, seed, k), deep=k % share == 0) for k in numbers]
 
 

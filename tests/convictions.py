@@ -16,14 +16,14 @@ import click
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 
 from mistakes import MISTAKES, Mistake
+from ring_mistakes import RING_MISTAKES, RingMistake, spoil_rings
 from shipped_cases import shipped_cases
 from spoiling import LOOPS, answer_exactly
 
 from exactsweep import Point, Polygon
-from exactsweep.conform.judge.answer import read_loop
+from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.rounding import grant_rounding
-from exactsweep.conform.run.outcome import Outcome, judge_answer
-from exactsweep.conform.run.peer import Answer
+from exactsweep.conform.judge.verdict import Comparison, read_loop
 from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt
 from exactsweep.corpus import Case
 from exactsweep.numbers.number import to_fraction
@@ -40,34 +40,48 @@ def list_cases() -> list[Case]:
     return sorted([*shipped_cases(), *own], key=lambda case: (case.size, case.id))
 
 
+ALL: dict[str, Mistake | RingMistake] = {**MISTAKES, **RING_MISTAKES}
+
+
 class Judged(NamedTuple):
     """A wrong answer, judged."""
 
     case: Case
-    outcome: Outcome
+    found: Comparison
+
+    def list_sayings(self) -> list[str]:
+        """List reasons, mistakes, and what witnesses show."""
+        parts = self.found.parts
+        return [self.found.reason, *(w for p in parts for w in (p.reason, p.kind, *p.diagnosis))]
+
+    def is_right(self, mistake: Mistake | RingMistake) -> bool:
+        """Decide whether the verdict is right, and the mistake is named."""
+        is_named = any(re.search(mistake.says, words) for words in self.list_sayings())
+        return self.found.verdict in mistake.verdicts and is_named
 
 
-def judge_wrong_answers(mistake: Mistake, cases: Iterable[Case]) -> Iterator[Judged]:
+def judge_wrong_answers(name: str, cases: Iterable[Case]) -> Iterator[Judged]:
     """Judge what a mistake makes of exact answers, where that is something else."""
-    hello = Hello("mistaken", LOOPS, mistake.numbers)
+    mistake = ALL[name]
     for case in cases:
-        try:
-            put = adapt(case, hello)
-        except UnsupportedError:
+        if isinstance(mistake, RingMistake):
+            rings = spoil_rings(mistake, case)
+            if rings is not None:
+                yield Judged(case, compare(case, rings, numbers="rational"))
             continue
-        exact = answer_exactly(put)
         try:
+            put = adapt(case, Hello("mistaken", LOOPS, mistake.numbers))
+            exact = answer_exactly(put)
             answer = mistake.change(put, dict(exact))
-        except OverflowError:
+        except (UnsupportedError, OverflowError):
             continue
-        is_rounded = hello.numbers == "binary64" and is_near(put, answer, exact)
+        is_rounded = mistake.numbers == "binary64" and is_near(put, answer, exact)
         if not is_rounded and not is_same(answer, exact):
-            given = Answer(result=answer)
-            yield Judged(case, judge_answer(case, put, given, hello.loops, hello.numbers))
+            yield Judged(case, compare(put, answer, promised=LOOPS, numbers=mistake.numbers))
 
 
 def is_same(answer: dict[str, Any], exact: dict[str, Any]) -> bool:
-    """Whether an answer is right, in whatever way it is written: found out without the judge."""
+    """Decide without the judge whether an answer is right, in whatever way it is written."""
     try:
         loops = all(Polygon(answer[name]) == Polygon(exact[name]) for name in LOOPS)
         fits, others = (
@@ -80,7 +94,7 @@ def is_same(answer: dict[str, Any], exact: dict[str, Any]) -> bool:
 
 
 def is_near(case: Case, answer: dict[str, Any], exact: dict[str, Any]) -> bool:
-    """Whether each vertex of an answer in floats is off by no more than is granted."""
+    """Decide whether each vertex of an answer in floats is off by no more than is granted."""
     for name in LOOPS:
         loop = read_loop(answer[name], name)
         granted = grant_rounding(case, name, loop, "binary64")
@@ -94,20 +108,6 @@ def is_near(case: Case, answer: dict[str, Any], exact: dict[str, Any]) -> bool:
     return True
 
 
-def list_sayings(outcome: Outcome) -> list[str]:
-    """All that is said of an answer: reasons, mistakes, and what witnesses show."""
-    said = [outcome.reason]
-    for part in outcome.parts:
-        said += [part["reason"], part["kind"], *part["diagnosis"]]
-    return said
-
-
-def is_right(mistake: Mistake, outcome: Outcome) -> bool:
-    """Whether a wrong answer has the right verdict, and the right thing is said of it."""
-    said = any(re.search(mistake.says, words) for words in list_sayings(outcome))
-    return outcome.verdict in mistake.verdicts and said
-
-
 @click.command()
 @click.option(
     "--wrong",
@@ -116,29 +116,29 @@ def is_right(mistake: Mistake, outcome: Outcome) -> bool:
     help="How many wrong answers of each program are judged; 20 if left out.",
 )
 def main(wrong: int) -> None:
-    """Judge faulty programs on the shipped cases, and write what is said of each in Markdown.
+    """Judge faulty programs on the shipped cases, and write the verdicts in Markdown.
 
-    A row has the program, the verdicts on its wrong answers, and what is said of most of them. The
-    exit code is 1 if one of them is acquitted, or something else is said than should be.
+    A row has the program, the verdicts on its wrong answers, and the most frequent diagnosis. The
+    exit code is 1 if the judge accepts one of them, or gives another diagnosis.
     """
     chosen = list_cases()
     click.echo("| program | verdicts | what is said |")
     click.echo("|---|---|---|")
     failed = 0
-    for name, mistake in MISTAKES.items():
-        judged = [j.outcome for j in islice(judge_wrong_answers(mistake, chosen), wrong)]
-        verdicts = Counter(outcome.verdict.value for outcome in judged)
+    for name, mistake in ALL.items():
+        judged = [*islice(judge_wrong_answers(name, chosen), wrong)]
+        verdicts = Counter(one.found.verdict.value for one in judged)
         said = Counter(
-            next(words for words in list_sayings(o) if re.search(mistake.says, words) and words)
-            for o in judged
-            if is_right(mistake, o)
+            next(words for words in one.list_sayings() if re.search(mistake.says, words) and words)
+            for one in judged
+            if one.is_right(mistake)
         )
         failed += len(judged) - said.total() + (not judged)
         listed = ", ".join(f"{number} {verdict}" for verdict, number in verdicts.most_common())
         words, _ = next(iter(said.most_common(1)), ("", 0))
-        # What is named comes before what it does.
+        # The name comes before the description.
         click.echo(f"| {name} | {listed} | {words.partition(';')[0]} |")
-    click.echo(f"\n{len(MISTAKES)} programs, {failed} answers misjudged.")
+    click.echo(f"\n{len(ALL)} programs, {failed} answers misjudged.")
     sys.exit(1 if failed else 0)
 
 

@@ -15,8 +15,9 @@ import os
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from itertools import islice
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
@@ -33,9 +34,25 @@ from exactsweep.evidence.proof import add_proof
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from families import random_pair
+from shape_families import random_shapes
 
 Certificate = dict[str, Any]
 Place = tuple[Any, ...]
+
+CLASSES = "CC", "CM", "MM", "SS"
+BATCH = 200
+# Run by Python alone: proves a certificate a line, and prints how many it refuses.
+ALONE = """
+import runpy, sys
+checker, failed = runpy.run_path(sys.argv[1]), 0
+for line in open(sys.argv[2], encoding="utf-8"):
+    try:
+        checker["prove"](checker["load"](line))
+    except checker["Refused"] as refused:
+        print(refused, file=sys.stderr)
+        failed += 1
+print(failed)
+"""
 
 # Reasons for people, which the checker does not read; and what has no order or no meaning.
 UNREAD = ("contacts", "inner_drawn", "outer_drawn")
@@ -43,17 +60,38 @@ TESTS = ("tests/check/test_standalone.py", "tests/check/test_standalone_layouts.
 ANSWERS = ("exterior", "holes", "exact_fits", "inner", "outer", "unswept", "area", "trajectory")
 
 
+def draw_pair(rng: Random, has_direction: bool) -> tuple[Any, Any]:
+    """Draw G and D: with a shared direction, or shapes of any kind."""
+    if has_direction:
+        pair = random_pair(rng)
+        return pair.generatrix, pair.directrix
+    drawn = random_shapes(rng)
+    return Region(*drawn.generatrix), Region(*drawn.directrix)
+
+
 def draw(rng: Random) -> Iterator[Certificate]:
     """Draw certificates of related pairs: of one polygon that moves and two that stay."""
-    pair, other = random_pair(rng), random_pair(rng)
-    g = pair.generatrix
-    for d in (pair.directrix, other.directrix):
+    has_direction = rng.random() < 0.5
+    g, d = draw_pair(rng, has_direction)
+    for still in (d, draw_pair(rng, has_direction)[1]):
         shapes = [
-            lambda d=d: sweep(g, d).certificate(),
-            lambda d=d: no_fit_polygon(d, g).certificate(),
-            lambda d=d: inner_fit_polygon(d, g).certificate(),
+            lambda d=still: sweep(g, d).certificate(),
+            lambda d=still: no_fit_polygon(d, g).certificate(),
+            lambda d=still: inner_fit_polygon(d, g).certificate(),
         ]
         yield json.loads(json.dumps(rng.choice(shapes)()))
+
+
+def draw_classes(rng: Random, pairs: int) -> Iterator[Certificate]:
+    """Draw the certificates of as many pairs of every class: sweeps, and inner fits."""
+    missing = dict.fromkeys(CLASSES, pairs)
+    while any(missing.values()):
+        g, d = draw_pair(rng, any(missing[kind] for kind in CLASSES[:3]) and rng.random() < 0.8)
+        swept = sweep(g, d)
+        if missing[swept.kind]:
+            missing[swept.kind] -= 1
+            yield swept.certificate()
+            yield inner_fit_polygon(d, g).certificate()
 
 
 def list_places(item: Any, path: Place = ()) -> list[Place]:
@@ -209,15 +247,16 @@ def read_region(item: Any) -> Any:
     return Polygon(item) if type(item) is list else Region(item["exterior"], item["holes"] or ())
 
 
-def prove_alone(certificates: list[Certificate], folder: Path) -> int:
-    """Prove certificates by the file alone; return how many it does not prove."""
-    failed = 0
-    for certificate in certificates:
-        path = folder / "certificate.json"
-        path.write_text(json.dumps(certificate), encoding="utf-8")
-        done = subprocess.run([sys.executable, "-I", standalone.__file__, str(path)], check=False)
-        failed += done.returncode != 0
-    return failed
+def prove_alone(certificates: Iterable[Certificate]) -> Iterator[tuple[int, int]]:
+    """Prove certificates by the file alone, in batches; count a batch and those it refuses."""
+    found = map(add_proof, certificates)
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "certificates.jsonl"
+        while batch := list(islice(found, BATCH)):
+            path.write_text("".join(f"{json.dumps(one)}\n" for one in batch), encoding="utf-8")
+            command = [sys.executable, "-I", "-c", ALONE, standalone.__file__, str(path)]
+            done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+            yield len(batch), int(done.stdout)
 
 
 def list_corpus() -> Iterator[Certificate]:
@@ -275,7 +314,9 @@ def _pass(tests: tuple[str, ...], folder: str) -> bool:
 
 
 @click.command()
-@click.option("--pairs", default=20, show_default=True, help="How many pairs of certificates.")
+@click.option(
+    "--pairs", default=20, show_default=True, help="How many pairs; with --prove, of each class."
+)
 @click.option("--changes", default=100, show_default=True, help="How many changes of each pair.")
 @click.option("--seed", default=1, show_default=True)
 @click.option("--prove", "proved", is_flag=True, help="Prove certificates, unchanged, instead.")
@@ -292,12 +333,11 @@ def main(
         sys.exit(bool(unnoticed))
     rng = Random(seed)
     if proved:
-        drawn = list_corpus() if corpus else (c for _ in range(pairs) for c in draw(rng))
+        drawn = list_corpus() if corpus else draw_classes(rng, pairs)
         count = failed = 0
-        with TemporaryDirectory() as folder:
-            for certificate in drawn:
-                found = add_proof(json.loads(json.dumps(certificate)))
-                count, failed = count + 1, failed + prove_alone([found], Path(folder))
+        for number, refused in prove_alone(drawn):
+            count, failed = count + number, failed + refused
+            click.echo(f"{count - failed} of {count} proved", err=True)
         click.echo(f"{count - failed} of {count} proved")
         sys.exit(bool(failed))
     tried, missed = falsify(rng, pairs, changes)

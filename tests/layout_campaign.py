@@ -39,7 +39,7 @@ class LayoutOutcome(NamedTuple):
 
 
 def try_layout(seed: int, number: int) -> LayoutOutcome:
-    """Judge one random layout and hold everything that is said against the definition."""
+    """Judge one random layout and compare all results with the definition."""
     rng = random.Random(f"{seed}:{number}")
     family, layout = draw_layout(rng)
     try:

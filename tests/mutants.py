@@ -33,6 +33,8 @@ pytest_add_cli_args=
     -x
 use_git_change_detection=False
 """
+ELSEWHERE = {"canvas": "tests/draw"}
+"""Where the tests of a room are that has no folder of its own."""
 NOTICED = ("killed", "timeout", "segfault", "suspicious")
 
 
@@ -47,7 +49,8 @@ def find_files(room: str) -> list[str]:
 
 def find_tests(room: str) -> str:
     """The folder of the tests of a room."""
-    folder = f"tests/{room.split('/')[0].removesuffix('.py')}"
+    name = room.split("/")[0].removesuffix(".py")
+    folder = ELSEWHERE.get(name, f"tests/{name}")
     return folder if (ROOT / folder).is_dir() else "tests"
 
 

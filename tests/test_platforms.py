@@ -1,4 +1,4 @@
-"""What is said where the system lacks something, and metadata of the package."""
+"""Messages on systems without some feature, and metadata of the package."""
 
 import importlib
 import os

@@ -1,4 +1,4 @@
-"""The walks through the house that PROJECT.md tells are those that calls take."""
+"""The walks that PROJECT.md lists, compared with the calls that they describe."""
 
 import re
 import sys
@@ -88,7 +88,7 @@ WALKS: dict[str, Callable[[Path], object]] = {
 def tell_walks() -> dict[str, list[Step]]:
     """The steps of each walk in PROJECT.md: file and name."""
     text = (PACKAGE / "PROJECT.md").read_text(encoding="utf-8")
-    told = text.split("## Five walks through the house")[1].split("\n## ")[0]
+    told = text.split("## Five walks through the code")[1].split("\n## ")[0]
     parts = re.split(r"^### (.*)$", told, flags=re.M)[1:]
     return {
         title: re.findall(r"^\d+\. `([\w/.]+)`, `([\w.]+)`: ", body, flags=re.M)
@@ -97,7 +97,7 @@ def tell_walks() -> dict[str, list[Step]]:
 
 
 def follow(walk: Callable[[Path], object], folder: Path) -> list[Step]:
-    """What of the package a call gets to, in order, each the first time."""
+    """Return the functions of the package that a call enters, in order of their first entry."""
     seen: dict[Step, None] = {}
 
     def note(frame: FrameType, event: str, argument: object) -> None:

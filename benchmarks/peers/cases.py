@@ -63,7 +63,7 @@ CASES += tuple(
     Case(family, m, n, (TRAJECTORY,)) for family, bars in ANY_SHAPE.items() for m, n in bars
 )
 
-# Trajectories that are held against the making of the output's Fractions and nothing else.
+# Trajectories that are compared only with the making of the output's Fractions.
 FLOOR_CASES = (
     Case("cc", 100_000, 100_000, (TRAJECTORY,)),
     Case("cm_hard", 1024, 256, (TRAJECTORY,)),

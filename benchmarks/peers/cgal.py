@@ -1,15 +1,14 @@
-"""CGAL: its exact Minkowski sums by every strategy it has, from our own small program.
+"""CGAL: its exact Minkowski sums by every strategy it has, timed in the program of the adapter.
 
-The program (`benchmarks/cgal/minkowski.cpp`) times what is between reading exact numbers and
-having exact coordinates of the result. The three loops are three runs: D + I(G); the result
-plus G; and the result eroded by I(G), each by the strategy that is fastest for it.
+The program (`cgal_sums.cpp` in `exactsweep/conform/adapters`) times what is between reading exact
+numbers and having exact coordinates of the result. The three loops are three runs: D + I(G); the
+result plus G; and the result eroded by I(G), each by the strategy that is fastest for it.
 """
 
 from __future__ import annotations
 
 import subprocess
 from collections import Counter
-from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 from shutil import which
@@ -20,25 +19,17 @@ from benchmarks.peers.process import StoppedError, TooSlowError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
 from exactsweep.conform.adapters import MissingError
+from exactsweep.conform.adapters.cgal_sum import SOURCE, TAKE_HOLES
+from exactsweep.conform.adapters.names import CGAL_STRATEGIES
+from exactsweep.conform.adapters.program import write_shape
 from exactsweep.geometry.canonical import PolygonError
 
-SOURCE = Path(__file__).parent.parent / "cgal" / "minkowski.cpp"
 SECONDS = 0.5
 
-STRATEGIES = (
-    "reduced",
-    "full",
-    "bisectors",
-    "Hertel-Mehlhorn",
-    "Greene",
-    "optimal",
-    "vertical",
-    "triangulation",
-)
-SUMS = tuple(("sum", strategy) for strategy in STRATEGIES)
+SUMS = tuple((strategy, "sum") for strategy in CGAL_STRATEGIES)
 EROSIONS = (
-    *(("frame", strategy) for strategy in ("reduced", "vertical", "triangulation")),
-    *(("halves", strategy) for strategy in STRATEGIES),
+    *((strategy, "frame") for strategy in TAKE_HOLES),
+    *((strategy, "halves") for strategy in CGAL_STRATEGIES),
 )
 
 # A strategy this many times slower than the fastest on a smaller pair of the same family is not
@@ -139,24 +130,17 @@ class Cgal:
         self, way: tuple[str, str], p: Loop, q: Loop, allowed: float, mode: str
     ) -> Best | None:
         """Run one strategy; None if it is too slow. On collinear vertices some of them crash."""
-        given = "\n".join(line for part in (p, q) for line in [str(len(part)), *_lines(part)])
-        command: list[str | Path] = [
-            self._program,
-            *way,
-            str(self._seconds),
-            *([mode] if mode else []),
-        ]
+        command: list[str | Path] = [self._program, *way, str(self._seconds)]
+        given = " ".join(write_shape([[*ring]]) for ring in (p, q))
         try:
-            written = run(command, given, allowed, overhead=self._seconds)
+            written = run(
+                [*command, *([mode] if mode else [])], given, allowed, overhead=self._seconds
+            )
         except TooSlowError:
             return None
         times, memory, *lines = written.splitlines()
         if min(map(float, times.split())) > 1000 * allowed:
             return None
         loop = [(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)]
-        name = way[1] if way[0] == "sum" else f"{way[1]}, {way[0]}"
+        name = way[0] if way[1] == "sum" else ", ".join(way)
         return Best(name, Times.of([*map(float, times.split())]), loop, 1024 * int(memory))
-
-
-def _lines(part: Sequence[tuple[object, object]]) -> list[str]:
-    return [f"{x} {y}" for x, y in part]

@@ -21,7 +21,7 @@ def peak() -> int:
     """The most bytes that this process has held in memory."""
     described = Path("/proc/self/status")
     if described.exists():
-        # What getrusage says on Linux includes the parent, up to the start of this program.
+        # The result of getrusage on Linux includes the parent, up to the start of this program.
         for line in described.read_text(encoding="utf-8").splitlines():
             if line.startswith("VmHWM:"):
                 return 1024 * int(line.split()[1])

@@ -50,7 +50,7 @@ def compare(
         limit: seconds that one program may take on one case.
         quick: pairs up to 64 vertices only.
         cgal_program: CGAL's program, if it is compiled already.
-        say: is told what is under way.
+        say: a function that is called with the current activity.
     """
     found = Comparison(machine(), versions={OURS: ours.version()})
     cgal: Cgal | None = None
@@ -206,7 +206,7 @@ def _result(
 
 
 def same(right: Loop, answer: Loop) -> bool:
-    """Whether a loop is the same set of points as a canonical one."""
+    """Decide whether a loop is the same set of points as a canonical one."""
     try:
         return list(Polygon(answer).vertices) == list(right)
     except ValueError:

@@ -111,7 +111,7 @@ def _time(result: Result | None) -> str:
 
 
 def ratio(slow: Result | None, fast: Result | None, *, least: bool = False) -> float | None:
-    """How many times the one's median, or least time, is the other's."""
+    """Return the ratio of two medians, or of two least times."""
     if slow is None or fast is None or slow.times is None or fast.times is None:
         return None
     if least:

@@ -23,9 +23,9 @@ from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import format_fraction, quote
 
 CHUNK_PAIRS = 16
-"""How many pairs a process is given at a time in a small batch."""
+"""The number of pairs in a chunk of a small batch."""
 
-# In a large one as many as it takes for this many chunks: who gives them out is one process alone.
+# The number of chunks of a large batch, limited because a single process distributes them.
 _CHUNKS = 2**14
 _MAX_CHUNK_PAIRS = 512
 _CHUNK_BYTES = 2**20

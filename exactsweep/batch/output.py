@@ -1,7 +1,7 @@
-"""Records on their way to a file, so that a batch that ends anywhere can go on from there.
+"""The output file of a batch, which can be continued after any interruption.
 
-Records go, in order, to FILE.part; only when the last one is there does it become FILE, in one
-step. FILE.job says which batch the records belong to, and is locked while a batch runs.
+Records go to FILE.part in order. After the last record, FILE.part becomes FILE in one step.
+FILE.job identifies the batch of the records, and is locked while the batch runs.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from exactsweep.formats.files import show_path
 from exactsweep.processes import lock
 
 PARQUET = ".parquet"
-"""What the name of a Parquet file ends with."""
+"""The suffix of a Parquet file."""
 
 CSV = ".csv"
-"""What the name of a CSV file ends with."""
+"""The suffix of a CSV file."""
 
 
 class Output:
@@ -157,7 +157,7 @@ class Output:
         error: BaseException | None,
         traceback: TracebackType | None,
     ) -> None:
-        # What could not be written would fail again.
+        # A failed write would fail again.
         with suppress(OSError):
             if error is not None and not self.done:
                 self.part.unlink()

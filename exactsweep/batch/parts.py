@@ -11,7 +11,7 @@ from exactsweep.numbers.arguments import tells_arguments
 
 
 class Part(NamedTuple):
-    """A polygon of a part list, or the reason why it is none.
+    """A polygon of a part list, or the reason for its refusal.
 
     Attributes:
         name: its id, or else its index in the list.

@@ -13,8 +13,8 @@ from exactsweep.text.results import direction_to_json
 
 Quantities = Literal["trajectory", "loops", "areas", "nfp"]
 QUANTITIES: tuple[Quantities, ...] = ("trajectory", "loops", "areas", "nfp")
-"""What a batch computes: the trajectory alone, all loops and areas, the areas alone, or the no-fit
-polygon of each pair with its holes and exact fits."""
+"""The quantities of a batch: the trajectory alone, all loops and areas, the areas alone, or the
+no-fit polygon of each pair with its holes and exact fits."""
 
 COLUMNS = {
     "trajectory": ("kind", "direction", "trajectory"),

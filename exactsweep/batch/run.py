@@ -16,11 +16,11 @@ from exactsweep.numbers.number import quote
 
 # Chunks under way at a time, for each process: enough to keep all busy while one is slow.
 _CHUNKS_AHEAD = 8
-# How often a pair may be computed alone before it is blamed for the end of its process.
+# The number of times that a pair alone may end its process before it is refused.
 _TRIES = 3
 
 MAX_WORKERS = 1024
-"""The most processes that compute."""
+"""The largest number of worker processes."""
 
 
 class Counts(NamedTuple):
@@ -67,18 +67,18 @@ def run(
     restart: bool = False,
     progress: Callable[[int], None] | None = None,
 ) -> Counts:
-    """Compute a batch, or go on with one that was interrupted.
+    """Compute a batch, or continue one after an interruption.
 
     Args:
         job: of `take_all_pairs` or `take_listed_pairs`.
         output: a file for the records, a line of JSON for each pair, in order; or, if it ends in
             ".parquet", for a table of them. Until the last record is there, they are in
             `output` + ".part".
-        workers: how many processes compute; as many as there are processors if left out.
-        scheduler: the address of a Dask scheduler whose workers compute instead, or "local" for
-            a Dask cluster of its own.
-        restart: whether to throw away what an earlier run left, instead of going on.
-        progress: is called with the number of records there are, each time that it grows.
+        workers: the number of processes; one for each processor by default.
+        scheduler: the address of a Dask scheduler whose workers compute instead, or "local" for a
+            new Dask cluster on this machine.
+        restart: whether to discard the records of an earlier run instead of continuing it.
+        progress: a function that is called with the number of records whenever it grows.
 
     Returns:
         Counts.

@@ -1,1 +1,1 @@
-"""Exact places to pixels, and the one writer of SVG."""
+"""Conversion of exact places to pixels, and the one writer of SVG."""

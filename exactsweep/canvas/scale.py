@@ -1,8 +1,8 @@
 """The exact scale of a picture: from coordinates of any size to floats near 1.
 
-A coordinate is moved and divided as a Fraction and only then becomes a float, so that a picture of
-coordinates around 10^30, or of two shapes that differ in the last of 500 digits, is as true as one
-of small integers.
+A coordinate is moved and divided as a Fraction, and only then converted to a float. So a picture of
+coordinates around 10^30, or of two shapes that differ in the last of 500 digits, is as accurate as
+one of small integers.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from exactsweep.canvas.window import MOST_STRETCHED
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Rational, Vertex
 
-# Axes are left as they are while their numbers have few digits: these powers of ten, and an origin
-# that is no further off than so many times the size of the picture.
+# An axis keeps its numbers if they have few digits: for these powers of ten, and for an origin no
+# further away than this number of picture sizes.
 _PLAIN = range(-2, 4)
 _NEAR = 1000
 _SHOWN_DIGITS = 12
@@ -29,8 +29,8 @@ class AxisScale(NamedTuple):
     """One axis: a coordinate v is drawn at (v - origin) / 10**exponent.
 
     Attributes:
-        origin: Fraction, the coordinate that is drawn at 0.
-        exponent: int, the power of ten that is drawn as 1.
+        origin: the coordinate drawn at 0, a Fraction.
+        exponent: the power of ten drawn as 1, an int.
     """
 
     origin: Fraction
@@ -38,15 +38,15 @@ class AxisScale(NamedTuple):
 
     @property
     def unit(self) -> Fraction:
-        """The length that is drawn as 1, a power of ten."""
+        """The length drawn as 1, a power of ten."""
         return Fraction(10) ** self.exponent
 
     def place(self, value: Rational) -> float:
-        """Return where a coordinate is drawn, correctly rounded.
+        """Return the place of a coordinate, correctly rounded.
 
-        Raises DrawError for one so far outside that a float cannot hold its place.
+        Raises DrawError if the coordinate is so far outside that a float cannot hold its place.
         """
-        # Ints by hand: a division of them is rounded once, and Fractions would be reduced between.
+        # One division of ints rounds once; Fractions would also be reduced on the way.
         (n, d), (a, b), (p, q) = (
             number.as_integer_ratio() for number in (value, self.origin, self.unit)
         )
@@ -56,7 +56,7 @@ class AxisScale(NamedTuple):
             raise DrawError("a point is too far outside the picture") from None
 
     def label(self, name: str) -> str:
-        r"""Say what the numbers along the axis are, for matplotlib.
+        r"""Write the label of the axis for matplotlib.
 
         >>> AxisScale(Fraction(0), 30).label("x")
         '$x\\,/\\,10^{30}$'
@@ -77,8 +77,8 @@ class Scale(NamedTuple):
     """The scale of a picture, made by `Scale.of`.
 
     Attributes:
-        x, y: an AxisScale each.
-        is_true: whether a length is drawn alike in all directions.
+        x, y: the AxisScale of each axis.
+        is_true: whether both axes have the same unit.
     """
 
     x: AxisScale
@@ -87,15 +87,14 @@ class Scale(NamedTuple):
 
     @classmethod
     def of(cls, *shapes: Iterable[Vertex]) -> Self:
-        """Find the scale of a picture that is to hold all of some points.
+        """Find the scale of a picture of some points.
 
         Args:
             shapes: iterables of points with Fraction (or int) coordinates: vertices, chains.
 
         Returns:
-            A Scale. Both axes have one unit, unless the points are over 12 times as wide as high,
-            or as high as wide: then each axis has its own. Coordinates of a few digits are drawn
-            as they are.
+            A Scale. Both axes have the same unit, unless the points are over 12 times as wide as
+            high, or as high as wide. Coordinates of a few digits are drawn unchanged.
 
         Raises:
             DrawError: no points.
@@ -125,12 +124,12 @@ class Scale(NamedTuple):
         return cls(x, y, is_true)
 
     def place(self, point: Vertex) -> tuple[float, float]:
-        """Return where a point is drawn, as `AxisScale.place` does."""
+        """Return the place of a point, as `AxisScale.place` does."""
         x, y = point
         return self.x.place(x), self.y.place(y)
 
     def places(self, points: Iterable[Vertex]) -> list[tuple[float, float]]:
-        """Return where each of some points is drawn, as `place` does."""
+        """Return the places of points, as `place` does."""
         return [self.place(point) for point in points]
 
 
@@ -145,9 +144,9 @@ def _axis(low: Fraction, high: Fraction, size: Fraction) -> AxisScale:
 
 
 def _round_number(low: Fraction, high: Fraction, step: Fraction) -> Fraction:
-    """The multiple of a power of ten next below `low`, or a rounder one from low to high.
+    """Return a multiple of a power of ten just below `low`, or a rounder one up to `high`.
 
-    0 is not from low to high.
+    0 is not between low and high.
     """
     found = floor(low / step) * step
     while (rounder := ceil(low / step) * step) <= high:
@@ -157,9 +156,9 @@ def _round_number(low: Fraction, high: Fraction, step: Fraction) -> Fraction:
 
 
 def _magnitude(value: Fraction) -> int:
-    """The power of ten at or next below a positive number."""
+    """Return the exponent of the greatest power of ten up to a positive number."""
     bits = value.numerator.bit_length() - value.denominator.bit_length()
-    # log10(2) is a little more than 3/10; the loops make up for the rest.
+    # log10(2) is a little more than 3/10; the loops correct the rest.
     exponent = bits * 30103 // 100000
     while Fraction(10) ** exponent > value:
         exponent -= 1
@@ -169,7 +168,7 @@ def _magnitude(value: Fraction) -> int:
 
 
 def _size(value: Fraction) -> str:
-    """A positive number in few characters, for mathtext; dots say where digits are left out."""
+    """Write a positive number in few characters for mathtext; dots replace missing digits."""
     text = format_fraction(value)
     if len(text) <= _SHOWN_DIGITS:
         return text

@@ -1,10 +1,10 @@
 """One style for all pictures, for print and for colour-blind readers.
 
-One colour, one meaning, in pictures, pages and sheets alike: LIGHT and DARK. Any two of a ground
-are apart for readers who confuse red and green, too, as a test computes. No two things differ by
-colour alone: they differ in line width, dashes, hatching or markers, too, and so remain apart in
-black and white. Where colours mean nothing but first, second, third, they are those of Okabe and
-Ito.
+A colour has the same meaning in all pictures, pages and sheets; LIGHT and DARK define the colours
+for the two backgrounds. A test computes that readers who confuse red and green can distinguish any
+two of them. No two things differ by colour alone. They also differ in line width, dashes, hatching
+or markers, so black-and-white prints remain readable. Colours that only count things are those of
+Okabe and Ito.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ RED = "#d55e00"
 PURPLE = "#cc79a7"
 
 PALETTE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
-"""The order in which things of one kind, such as chains, take colours."""
+"""The colours of several things of one kind, such as chains, in order."""
 
 LIGHT = {
     "directrix": "#5f5f5f",
@@ -45,7 +45,7 @@ LIGHT = {
     "EE": "#a0aa4d",
     "VV": "#6a4000",
 }
-"""The colour of each thing on a light ground."""
+"""The colour of each thing on a light background."""
 
 DARK = {
     "directrix": "#b9bbbd",
@@ -66,14 +66,14 @@ DARK = {
     "EE": "#d4dd6b",
     "VV": "#b06a35",
 }
-"""The colour of each thing on a dark ground."""
+"""The colour of each thing on a dark background."""
 
 JUDGED = {"theirs": "#e7298a", "witness": "#4daf4a"}
-"""The colours of another program's answer and of a witness against it, beside those of LIGHT."""
+"""The colours of another program's answer and of a witness, in addition to LIGHT."""
 
 
 def write_style_sheet() -> str:
-    """Write all colours as variables of CSS, those for a dark ground where the reader has one.
+    """Write all colours as CSS variables, also those for readers with a dark background.
 
     >>> write_style_sheet().splitlines()[0][:24]
     ':root { --directrix: #5f'
@@ -103,9 +103,9 @@ _SETTINGS: Any = {
     "mathtext.fontset": "dejavusans",
     "pdf.fonttype": 42,
     "savefig.dpi": 200,
-    # Text that can be searched, read aloud and edited.
+    # Keep text as text, so that it can be searched, read aloud and edited.
     "svg.fonttype": "none",
-    # Names inside an SVG file are made from this instead of at random.
+    # A salt that replaces random names inside an SVG file.
     "svg.hashsalt": "exactsweep",
     "xtick.labelsize": 8,
     "ytick.labelsize": 8,
@@ -113,7 +113,7 @@ _SETTINGS: Any = {
 
 
 def use_style() -> AbstractContextManager[None]:
-    """Return a context in which matplotlib has the settings of the style."""
+    """Return a context in which matplotlib uses the settings of the style."""
     from matplotlib import rc_context
 
     return rc_context(_SETTINGS)
@@ -124,16 +124,16 @@ class Look:
     """The look of one kind of thing.
 
     Attributes:
-        color: of lines, markers and hatching.
-        width: of lines, in points.
-        dash: line style of matplotlib.
-        fill: colour of the inside, None for an empty one.
-        hatch: hatching of matplotlib, None for none.
-        marker: marker of matplotlib at each point, None for none.
+        color: the colour of lines, markers and hatching.
+        width: the width of lines, in points.
+        dash: the line style of matplotlib.
+        fill: the colour of the inside, or None.
+        hatch: the hatching of matplotlib, or None.
+        marker: the marker of matplotlib at each point, or None.
         hollow: whether markers are filled with white.
-        order: what is drawn later, over the rest, has a higher one.
-        size: of markers, in points.
-        halo: whether markers have a white rim, on which they stand out.
+        order: the drawing order; higher numbers are drawn later, over the rest.
+        size: the size of markers, in points.
+        halo: whether markers have a white rim.
     """
 
     color: str
@@ -149,7 +149,7 @@ class Look:
 
     @property
     def as_line(self) -> dict[str, Any]:
-        """Keyword arguments for `Axes.plot`."""
+        """Return keyword arguments for `Axes.plot`."""
         return {
             "color": self.color,
             "linewidth": self.width,
@@ -164,7 +164,7 @@ class Look:
 
     @property
     def as_area(self) -> dict[str, Any]:
-        """Keyword arguments for `Axes.fill`."""
+        """Return keyword arguments for `Axes.fill`."""
         return {
             "facecolor": self.fill or "none",
             "edgecolor": self.color,
@@ -189,7 +189,7 @@ EXACT_FIT = _look("fit", 2.2, marker="o", order=6)
 MANY_EXACT_FITS = _look("fit", 0.5, order=6)
 POINT_FIT = _look("fit", 0, dash="none", marker="*", order=7.2, size=12)
 FREE = _look("free", 1.6, fill=LIGHT["free-fill"], dash=(0, (6, 1.5)), order=4.5)
-"""Positions without overlap: holes of a no-fit polygon, regions of an inner fit."""
+"""The look of positions without overlap: holes of a no-fit polygon, regions of an inner fit."""
 HANGING_END = _look("fit", 0, dash="none", marker="o", hollow=True, order=6.1)
 TRAJECTORY = _look("path", 1.2, order=5)
 REFERENCE = _look("generatrix", 0, dash="none", marker="o", order=7, size=5.5, halo=True)
@@ -198,21 +198,21 @@ EVENTS = {
     "VE": _look("VE", 1.6, dash=(0, (3, 1.5)), order=5),
     "EE": _look("EE", 2.4, dash=(0, (1, 1)), order=5),
 }
-"""The trajectory by contact event."""
+"""The look of the trajectory, by contact event."""
 CONTACTS = {
     "EV": _look("EV", 0, dash="none", marker="s", order=8, size=5.5, halo=True),
     "VE": _look("VE", 0, dash="none", marker="^", order=8, size=6.5, halo=True),
     "EE": _look("EE", 3.2, order=7.5),
     "VV": _look("VV", 0, dash="none", marker="D", order=8, size=5.5, halo=True),
 }
-"""Where G touches D, by contact event."""
+"""The look of places where G touches D, by contact event."""
 SEVERAL_EVENTS = _look("path", 1.8, dash="-.", order=5)
 SUB_TRAJECTORY = Look(GREY, 0.9, dash=(0, (4, 2)), order=3)
 ENVELOPE = Look(BLACK, 2.2, order=4)
 
 
 def choose_chain_look(k: int) -> Look:
-    """The look of chain number k of several: by colour, marker and dashes.
+    """Choose the look of chain number k of several: colour, marker and dashes.
 
     >>> choose_chain_look(0) == choose_chain_look(1)
     False

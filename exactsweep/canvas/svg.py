@@ -1,6 +1,6 @@
 """Small SVG pictures without matplotlib, for the display of notebooks.
 
-They are for looking at: coordinates are scaled exactly and then rounded to a hundredth of a pixel.
+Coordinates are scaled exactly and then rounded to a hundredth of a pixel.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _HATCH = "exactsweep-hatch"
 
 
 class Shape(NamedTuple):
-    """A loop, or several loops or chains, and how they look."""
+    """One or several loops or chains, and their look."""
 
     loops: Sequence[Iterable[Vertex]]
     look: Look
@@ -31,11 +31,11 @@ def write_svg(shapes: Iterable[Shape], title: str) -> str:
     """Write shapes as one SVG image on a white ground.
 
     Args:
-        shapes: what is drawn, from the ground up; points have Fraction coordinates.
-        title: what the picture shows.
+        shapes: the shapes in drawing order; points have Fraction coordinates.
+        title: the title of the picture.
 
     Returns:
-        An `write_svg` element.
+        An `svg` element.
 
     Raises:
         DrawError: there is nothing to draw.
@@ -59,7 +59,7 @@ def _path(shape: Shape, window: Window) -> str:
     look = shape.look
     fill, hatching = look.fill or "none", ""
     if look.hatch:
-        # Equal in all pictures of a page, so that it does not matter whose is found.
+        # The id is equal in all pictures of a page, and so is the pattern.
         fill = f"url(#{_HATCH})"
         hatching = (
             f'<pattern id="{_HATCH}" width="5" height="5" patternUnits="userSpaceOnUse" '
@@ -101,9 +101,9 @@ def write_path(
     """Write lines as the data of one SVG path.
 
     Args:
-        lines: of points, in pixels; empty ones are left out.
+        lines: lists of points, in pixels; empty lists are left out.
         closed: whether each line is a loop.
-        digits: how many decimals there are.
+        digits: the number of decimals.
 
     Cost: linear in the number of points.
 

@@ -1,4 +1,4 @@
-"""A part of the plane and the picture that shows it: exact places to pixels."""
+"""A part of the plane, and the conversion of its exact places to pixels."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from exactsweep.canvas.error import DrawError
 from exactsweep.numbers.point import Vertex
 
 MOST_STRETCHED = 12
-"""Both axes have one unit unless the picture would be so many times as long as wide."""
+"""The ratio of length to width from which the axes have different units."""
 # No pixel is further away: what is far outside is outside.
 _FAR = 100_000
 
 
 class Window(NamedTuple):
-    """A box of the plane, and the pixels that show it, y upwards there and downwards here.
+    """A box of the plane with Y upwards, and a picture of it in pixels with Y downwards.
 
     Attributes:
         left, bottom, right, top: the box, Fractions, of positive width and height.
-        width, height: of the picture, in pixels.
+        width, height: the size of the picture, in pixels.
     """
 
     left: Fraction
@@ -32,17 +32,17 @@ class Window(NamedTuple):
 
     @classmethod
     def around(cls, points: Iterable[Vertex], width: int, height: int, margin: int = 0) -> Self:
-        """Return the window that shows points as large as they fit.
+        """Return the window that shows points as large as possible.
 
         Args:
-            points: with Fraction or int coordinates.
-            width: of the picture, in pixels.
-            height: likewise.
-            margin: pixels around the points.
+            points: points with Fraction or int coordinates.
+            width: the width of the picture, in pixels.
+            height: the height of the picture, in pixels.
+            margin: the margin around the points, in pixels.
 
         Returns:
-            A Window whose axes have one unit, unless the points are over 12 times as wide as high,
-            or as high as wide.
+            A Window whose axes have the same unit, unless the points are over 12 times as wide as
+            high, or as high as wide.
 
         Raises:
             DrawError: no points.
@@ -73,7 +73,7 @@ class Window(NamedTuple):
 
     @property
     def is_true(self) -> bool:
-        """Decide whether both axes have one unit."""
+        """Decide whether both axes have the same unit."""
         return (self.right - self.left) * self.height == (self.top - self.bottom) * self.width
 
     @property
@@ -82,7 +82,7 @@ class Window(NamedTuple):
         return max(self.right - self.left, self.top - self.bottom)
 
     def place(self, point: Vertex) -> tuple[float, float]:
-        """Return where a point is drawn, in pixels from the upper left corner."""
+        """Return the place of a point, in pixels from the upper left corner."""
         x, y = point
         return (
             _limit((x - self.left) * self.width / (self.right - self.left)),

@@ -12,23 +12,28 @@ ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y 
    has outside it. A turn by an irrational angle is a rational one that is off by e, which moves a
    point at r by at most e r; so much is added to s.
 3. Positions. O, the positions t at which the interiors of D and G + t meet, is the union of the
-   open sums D_i + I(G_j) of their pieces: interiors that meet have an open set in common, and the
-   cuts between pieces hold none. Let L be all claimed loops, with O on their left, and fits.
+   open sums D_i + H_j of their pieces, H = -G: interiors that meet have an open set in common, and
+   the cuts between pieces hold none. The interiors of D and H are connected, and so is O. Let L be
+   all loops, walked with O on their left, and fits; let U be the union of the sums that are listed.
    (a) No sum has a point of an edge of L.
-   (b) The boundary of O is in L. There D and G + t touch, and their interiors do not meet: so a
-       vertex with a convex angle is on an edge, its angle on the other side of it; or it is one of
-       two points at which rings touch, each with angles in gaps of the other. Each such segment
-       of positions is covered, end to end, by sums and edges of L.
-   (c) Sums that have a side along an edge of L cover all of its left but points, and nothing of
-       its right if it is of a loop, all of it if it is a fit. No edge of L is along another.
-   Crossing L anywhere but at some points, the indicator of O and the sum of the winding numbers of
-   the loops change alike. Far away both are 0 (in 4 the first is 1), so off L they are equal.
-4. Inner fits are 3 with D all that is outside the container: pieces of a frame without it, and the
-   four half-planes beyond the frame, whose sums are half-planes.
-5. Sweeps. P, inside the trajectory T, is the exterior of 3. A point p is in T + int G if p - int G,
-   which is connected, meets T: if it meets both int P and what is outside. So T + G is P + G
-   (3, for P and -G; holes there are unswept) without the inner fit of -G in P (4; the region
-   around D is the inner loop, others are unswept), but for slits, which are the fits of both.
+   (b) The sides of listed sums are covered, end to end, by listed sums and edges of L. So all of
+       the boundary of U is in L: a component of the plane without L is in U or apart from U.
+   (c) Listed sums have a side along the left of each loop, and along both sides of each fit, but
+       for points. No edge of L is along another.
+   O is connected and avoids L, so O is U. Let W be the sum of the winding numbers of all loops. It
+   is the same on all of O, and one less right of each loop, where O is not. What is far away is not
+   in U, so it is right of a loop; there W is 0, and it is 1 on O. Each component of the plane
+   without L is beside an edge of L: in U, or right of a loop. So off L, O is where W is 1. As O is
+   connected, its loops meet like the rings of a cactus, and are simple in one way only.
+4. Inner fits are 3 with D all that is outside the container. A frame holds it; B are the positions
+   at which G is in the frame. Beyond B there is O, and its four half-planes are listed as well; (b)
+   is asked of the edges of B, too, and L is in B. O may have components, the sums of H and of what
+   is connected in D. So W, which is 1 far away, has to be 1 at one point of D_i + H for every i;
+   then it is 1 on O and left of each loop, 0 right of it, and the rest is as before.
+5. Sweeps. T, the trajectory, is the exterior of 3. T + G is the closure of the sums of the edges of
+   T and pieces of G. The union of these is connected: T + G_j is, and along a cut of G two of them
+   meet, at an edge of T that is not parallel to the cut. So 3 serves again, with the edges of T for
+   the pieces of D, and slits, positions between sums, for fits. The inner loop is the one around D.
 """
 
 from __future__ import annotations
@@ -36,11 +41,10 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
-from functools import cache
 from itertools import chain, pairwise
 from math import gcd, lcm
 from pathlib import Path
@@ -53,7 +57,7 @@ PI = Fraction(  # cut off after 99 decimals
     10**99,
 )
 BOX = (1, 0), (0, 1), (-1, 0), (0, -1)
-NONE, ALL = Fraction(0), (Fraction(-1), Fraction(2))
+NONE, ALL, NOWHERE = Fraction(0), (Fraction(-1), Fraction(2)), (Fraction(2), Fraction(-1))
 
 Node = tuple[int, int, int]
 Grid = tuple[int, int, int, int]
@@ -104,7 +108,7 @@ def items(item: Any, length: int | None = None) -> list[Any]:
 
 def integer(item: Any, low: int, end: int) -> int:
     """Require an int from low on and below end."""
-    need(type(item) is int and low <= item < end, f"not an int from {low} on and below {end}")
+    need(type(item) is int and low <= item < end, "not an int in its range")
     return int(item)
 
 
@@ -112,7 +116,7 @@ def number(item: Any) -> Fraction:
     """Read a rational in lowest terms from a string; Decimal reads what is too long for int."""
     need(type(item) is str and len(item) <= MAX_DIGITS, "not a number in a string, or a long one")
     written = re.fullmatch("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?", item) and item != "-0"
-    need(bool(written), f"not a number: {item[:40]!r}")
+    need(bool(written), "not a number")
     above, below = (int(Decimal(text)) for text in [*item.split("/"), "1"][:2])
     need(gcd(above, below) == 1 and not item.endswith("/1"), "a number not in lowest terms")
     return Fraction(above, below)
@@ -176,7 +180,7 @@ def turn(points: Sequence[Node]) -> Ring:
     return [(-x, -y, w) for x, y, w in points]
 
 
-def edges(points: Ring) -> list[Edge]:
+def edges(points: Sequence[Node]) -> list[Edge]:
     """Return the edges of a ring."""
     return list(zip(points, [*points[1:], *points[:1]], strict=True))
 
@@ -223,29 +227,30 @@ def grid_box(points: Sequence[Node], scale: int) -> Grid:
     return low + high
 
 
-def add_boxes(one: Grid, other: Grid) -> Grid:
-    """Return the box of the sum of two sets."""
-    return one[0] + other[0], one[1] + other[1], one[2] + other[2], one[3] + other[3]
-
-
 def are_near(one: Grid, other: Grid, reach: int = 0) -> bool:
     """Return whether boxes are no more than a reach apart, in x and in y."""
     in_x = one[0] <= other[1] + reach and other[0] <= one[1] + reach
     return in_x and one[2] <= other[3] + reach and other[2] <= one[3] + reach
 
 
+def list_near(boxes: list[Grid], reach: int, work: Work) -> Iterator[tuple[int, int]]:
+    """List pairs of boxes no more than a reach apart, the lower number first."""
+    order = sorted(range(len(boxes)), key=lambda k: boxes[k])
+    for n, a in enumerate(order):
+        for b in order[n + 1 :]:
+            work.take(1)
+            if boxes[b][0] > boxes[a][1] + reach:
+                break
+            if are_near(boxes[a], boxes[b], reach):
+                yield min(a, b), max(a, b)
+
+
 def check_simple(points: Ring, work: Work) -> None:
     """Refuse a ring that is not simple."""
-    boxed = sorted((grid_box(e, work.scale), k, e) for k, e in enumerate(edges(points)))
-    for i, (box, k, one) in enumerate(boxed):
-        for against, m, other in boxed[i + 1 :]:
-            work.take(1)
-            if against[0] > box[1]:
-                break
-            clash = are_near(box, against) and do_clash(
-                *one, *other, (m - k) % len(points), len(points)
-            )
-            need(not clash, "a ring is not simple")
+    around = edges(points)
+    for k, m in list_near([grid_box(e, work.scale) for e in around], 0, work):
+        clash = do_clash(*around[k], *around[m], m - k, len(points))
+        need(not clash, "a ring is not simple")
 
 
 def loop(item: Any, work: Work) -> Ring:
@@ -259,30 +264,13 @@ def loop(item: Any, work: Work) -> Ring:
     return points
 
 
-def touching(rings: list[Ring], work: Work) -> list[tuple[Node, list[int]]]:
-    """List the points at which rings touch, with these."""
-    found, corners = [], {p for points in rings for p in points} if len(rings) > 1 else []
-    for p in sorted(corners):
-        work.take(sum(map(len, rings)))
-        of = [k for k, points in enumerate(rings) if any(lies(p, *e) for e in edges(points))]
-        found += [(p, of)] if len(of) > 1 else []
-    return found
+def from_lowest(points: Ring) -> Ring:
+    """Let a ring begin with its lowest point, the left one of two."""
+    least = min(range(len(points)), key=lambda k: place(points[k])[::-1])
+    return points[least:] + points[:least]
 
 
-class Solid(NamedTuple):
-    """A shape: its rings, its pieces, and half-planes that belong to it."""
-
-    rings: list[Ring]
-    pieces: list[Ring]
-    beyond: list[Node]
-
-    def turned(self) -> Solid:
-        """Turn it by half a turn about the origin."""
-        rings, pieces = ([*map(turn, listed)] for listed in self[:2])
-        return Solid(rings, pieces, [])
-
-
-def solid(rings: list[Ring], item: Any, work: Work, frame: Ring | None = None) -> Solid:
+def solid(rings: list[Ring], item: Any, work: Work, frame: Ring | None = None) -> list[Ring]:
     """Read the pieces of a shape, by (1), or with a frame of all that is outside, by (4)."""
     pieces = [ring(piece) for piece in items(item)]
     need(all(map(is_convex, pieces)), "a piece is not convex")
@@ -294,158 +282,222 @@ def solid(rings: list[Ring], item: Any, work: Work, frame: Ring | None = None) -
             left[of, p] += sign
             left[of, q] -= sign
     need(not any(left.values()), "the edges of pieces do not cancel to those of their shape")
-    parts = list(range(len(rings)))
     for points in rings:
         check_simple(points, work)
-    for _, of_rings in touching(rings, work):
-        met = [parts[k] for k in of_rings]
+    check_connected(rings, work)
+    return pieces
+
+
+def check_connected(rings: list[Ring], work: Work) -> None:
+    """Refuse rings that with the points at which they touch form a circle."""
+    parts = list(range(len(rings)))
+    corners = {p for points in rings for p in points} if len(rings) > 1 else []
+    for p in corners:
+        work.take(sum(map(len, rings)))
+        on = [k for k, points in enumerate(rings) if any(lies(p, *e) for e in edges(points))]
+        met = [parts[k] for k in on]
         need(len({*met}) == len(met), "the interior of a shape falls apart")
         parts = [met[0] if part in met else part for part in parts]
-    return Solid(target[bool(frame) :], pieces, [line(q, p) for p, q in edges(frame or [])])
 
 
-def add_convex(one: Ring, other: Ring) -> list[Node]:
-    """Return the sides of the sum of two convex rings: their edges, by direction."""
-    a, b = (
-        points[k:] + points[:k]
-        for points in (one, other)
-        for k in [min(range(len(points)), key=lambda k: place(points[k])[::-1])]
-    )
-    u, v, i, j, found = ways(a), ways(b), 0, 0, []
-    while i < len(a) or j < len(b):
-        found.append(add(a[i % len(a)], b[j % len(b)]))
-        last = (i == len(a)) - (j == len(b))
+def add_convex(one: Ring, other: Ring) -> Ring:
+    """Return the sum of two convex rings that begin with their lowest points."""
+    u, v, i, j, found = ways(one), ways(other), 0, 0, []
+    while i < len(one) or j < len(other):
+        found.append(add(one[i % len(one)], other[j % len(other)]))
+        last = (i == len(one)) - (j == len(other))
         left = -last or u[i][0] * v[j][1] - u[i][1] * v[j][0]
         i, j = i + (left >= 0), j + (left <= 0)
-    return [line(*edge) for edge in edges(found)]
+    return found
 
 
-def sum_sides(d: Solid, h: Solid, k: int) -> list[Node]:
-    """Return the sides of sum k: of pieces of both, in order, or of a half-plane and the second."""
-    i, j = divmod(k, len(h.pieces))
-    if i < len(d.pieces):
-        return add_convex(d.pieces[i], h.pieces[j])
-    a, b, c = d.beyond[k - len(d.pieces) * len(h.pieces)]
-    at = min(Fraction(a * x + b * y, w) for piece in h.pieces for x, y, w in piece)
-    return [(a * at.denominator, b * at.denominator, c * at.denominator - at.numerator)]
+def misses(sides: list[Node], a: Node, b: Node) -> bool:
+    """Return whether open half-planes have no point of a segment in common."""
+    (x, y, w), (u, v, z) = a, b
+    for k, m, n in sides:
+        if k * x + m * y + n * w <= 0 and k * u + m * v + n * z <= 0:
+            return True
+    return clip(sides, a, b) is None
 
 
 def clip(sides: list[Node], a: Node, b: Node) -> Span | None:
     """Return the shares of a segment inside open half-planes, from -1 or to 2 if beyond an end."""
-    low, high = ALL
-    for of in sides:
-        at_a, at_b = side(of, a) * b[2], side(of, b) * a[2]
-        if at_a <= 0 and at_b <= 0:
-            return None
+    (x, y, w), (u, v, z) = a, b
+    low, high = (-1, 1), (2, 1)
+    for k, m, n in sides:
+        at_a, at_b = (k * x + m * y + n * w) * z, (k * u + m * v + n * z) * w
         if at_a <= 0:
-            low = max(low, Fraction(at_a, at_a - at_b))
-        elif at_b <= 0:
-            high = min(high, Fraction(at_a, at_a - at_b))
-    return (low, high) if low < high else None
+            if at_b <= 0:
+                return None
+            if -at_a * low[1] > low[0] * (at_b - at_a):
+                low = -at_a, at_b - at_a
+        elif at_b <= 0 and at_a * high[1] < high[0] * (at_a - at_b):
+            high = at_a, at_a - at_b
+    if (low, high) == ((-1, 1), (2, 1)):
+        return ALL
+    return (Fraction(*low), Fraction(*high)) if low[0] * high[1] < high[0] * low[1] else None
 
 
 def share(a: Node, b: Node, p: Node, q: Node) -> Span | None:
     """Return the shares of a segment from a to b that are on an edge from p to q."""
-    on, other = line(a, b), line(p, q)
-    at_p, at_q, at_a, at_b = side(on, p), side(on, q), side(other, a) * b[2], side(other, b) * a[2]
-    if a == b:
-        return ALL if lies(a, p, q) else None
+    on = line(a, b)
+    at_p, at_q = side(on, p), side(on, q)
     if at_p == at_q == 0:
         k = int(a[0] * b[2] == b[0] * a[2])
-        s, t, u = (place(e)[k] - place(a)[k] for e in (p, q, b))
-        return min(s / u, t / u), max(s / u, t / u)
+        s, t = (
+            Fraction((e[k] * a[2] - a[k] * e[2]) * b[2], (b[k] * a[2] - a[k] * b[2]) * e[2])
+            for e in (p, q)
+        )
+        return (s, t) if s <= t else (t, s)
+    other = line(p, q)
+    at_a, at_b = side(other, a) * b[2], side(other, b) * a[2]
     if at_p * at_q > 0 or at_a * at_b > 0 or at_a == at_b:
         return None
     return (Fraction(at_a, at_a - at_b),) * 2
 
 
-def is_covered(spans: list[Span]) -> bool:
-    """Return whether spans cover all from 0 to 1 but for points."""
-    reach = NONE
-    for low, high in sorted(spans):
-        reach = max(reach, high) if low <= reach else reach
-    return reach >= 1
+class Tree(NamedTuple):
+    """A box around two trees, and how large it is, or around one shape, with the number of it."""
+
+    box: Grid
+    size: int
+    parts: Any
 
 
-def list_contacts(d: Solid, h: Solid, work: Work) -> Iterator[Edge]:
-    """List, by (3b), sums of a vertex of one and an edge of the other, and where rings touch."""
-    for one, other in ((d.rings, h.rings), (h.rings, d.rings)):
-        found = [pair for points in other for pair in zip(edges(points), ways(points), strict=True)]
-        for points in one:
-            out = ways(points)
-            for k, v in enumerate(points):
-                (x, y), (z, w) = out[k - 1], out[k]
-                work.take(len(found) if x * w >= y * z else 1)
-                for (p, q), (s, t) in found if x * w >= y * z else []:
-                    if s * w >= t * z and t * x >= s * y:
-                        yield add(v, p), add(v, q)
-    both = touching(d.rings, work), touching(h.rings, work)
-    yield from ((add(p, q), add(p, q)) for p, _ in both[0] for q, _ in both[1])
+def tree(boxes: list[tuple[Grid, int]]) -> Tree:
+    """Halve a list of boxes again and again."""
+    need(boxes != [], "there are no pieces")
+    if len(boxes) == 1:
+        return Tree(boxes[0][0], -1, boxes[0][1])
+    lefts, rights, lows, highs = zip(*(box for box, _ in boxes), strict=True)
+    box = min(lefts), max(rights), min(lows), max(highs)
+    wide, high = box[1] - box[0], box[3] - box[2]
+    boxes = sorted(boxes, key=lambda of: sum(of[0][:2] if wide > high else of[0][2:]))
+    half = len(boxes) // 2
+    return Tree(box, wide + high, (tree(boxes[:half]), tree(boxes[half:])))
 
 
-def list_near(d: Solid, h: Solid, known: list[Edge], work: Work) -> Iterator[list[int]]:
-    """List for each edge the sums whose boxes meet its own."""
-    ones, others = ([grid_box(e, work.scale) for e in pieces] for pieces in (d.pieces, h.pieces))
-    whole, width = grid_box([p for piece in h.pieces for p in piece], work.scale), len(others)
-    far = [k + len(ones) * width for k in range(len(d.beyond))]
-    for edge in known:
-        box = grid_box(edge, work.scale)
-        rows = [(i, one) for i, one in enumerate(ones) if are_near(box, add_boxes(one, whole))]
-        work.take(len(ones) + len(rows) * width)
-        near = [
-            i * width + j
-            for i, one in rows
-            for j, other in enumerate(others)
-            if are_near(box, add_boxes(one, other))
-        ]
-        yield near + far
+def meet(first: Tree, second: Tree, third: Tree, work: Work) -> Iterator[tuple[int, int, int]]:
+    """List numbers of three trees: the first box meets the sum of the others."""
+    stack = [(first, second, third)]
+    while stack:
+        (left, right, low, high), size, of = (found := stack.pop())[0]
+        (a, b, c, d), wide, ones = found[1]
+        (e, f, g, h), far, others = found[2]
+        work.left -= 1
+        if work.left < 0:
+            work.take(0)
+        if a + e < right and left < b + f and c + g < high and low < d + h:
+            if size < 0 > wide and far < 0:
+                yield of, ones, others
+            elif size >= wide and size >= far:
+                stack += [(part, *found[1:]) for part in of]
+            elif wide >= far:
+                stack += [(found[0], part, found[2]) for part in ones]
+            else:
+                stack += [(*found[:2], part) for part in others]
+
+
+class Sums:
+    """The sums of pieces of two shapes, numbered through, and then the half-planes beyond B."""
+
+    def __init__(
+        self, d: list[Ring], h: list[Ring], work: Work, around: Sequence[Node] = ()
+    ) -> None:
+        self.d, self.h, self.work = [*map(from_lowest, d)], [*map(from_lowest, h)], work
+        boxes = ([(grid_box(e, work.scale), k) for k, e in enumerate(of)] for of in (d, h))
+        self.first, self.second = map(tree, boxes)
+        self.beyond, self.count = [(q, p) for p, q in edges(around)], len(d) * len(h)
+        self.known: dict[int, tuple[list[Node], list[Edge]]] = {}
+
+    def get(self, k: int) -> tuple[list[Node], list[Edge]]:
+        """Return the lines around a sum and its sides, of a half-plane the one that is B's."""
+        if k not in self.known:
+            if k < self.count:
+                i, j = divmod(k, len(self.h))
+                sides = edges(add_convex(self.d[i], self.h[j]))
+            else:
+                sides = [self.beyond[k - self.count]]
+            self.work.take(len(sides))
+            self.known[k] = [line(*e) for e in sides], sides
+        return self.known[k]
+
+    def near(self, of: Tree) -> Iterator[tuple[int, int]]:
+        """List the numbers of a tree and of sums of pieces whose boxes meet."""
+        for n, i, j in meet(of, self.first, self.second, self.work):
+            yield n, i * len(self.h) + j
+
+
+def is_chain(spans: list[tuple[Span, bool]]) -> bool:
+    """Return whether spans, open or closed ones, cover all from 0 to 1, each from the last on."""
+    reach, shut = NONE, False
+    for (low, high), closed in spans:
+        if low > high or low > reach or (low == reach and not (closed or shut)):
+            return False
+        if high > reach or (high == reach and closed):
+            reach, shut = high, closed
+    return reach > 1 or (shut and reach == 1)
 
 
 def prove_positions(
-    d: Solid, h: Solid, loops: list[Ring], fits: list[Edge], chains: Any, work: Work
+    sums: Sums, loops: list[Ring], fits: list[Edge], listed: Any, around: Any = ()
 ) -> None:
-    """Prove by (3) that loops, O on their left, and fits are the boundary of O = D + H."""
-    known = [*chain.from_iterable(map(edges, loops)), *fits]
-    sides = cache(lambda k: sum_sides(d, h, k))
+    """Prove by (a) to (c) that loops, O on their left, and fits are the boundary of O."""
+    known, work = [*chain.from_iterable(map(edges, loops)), *fits], sums.work
+    beyond = range(sums.count, sums.count + len(sums.beyond))
     along: dict[Node, list[list[tuple[Fraction, Fraction]]]] = {}
     for p, q in known:
         ends = sorted((place(p), place(q)))
         along.setdefault(max(line(p, q), line(q, p)), []).append(ends)
     for found in along.values():
         need(all(e[1] <= f[0] for e, f in pairwise(sorted(found))), "edges overlap")
+    boxes = [(grid_box(e, work.scale), n) for n, e in enumerate(known)]
+    far = [(n, k) for n in range(len(known)) for k in beyond]
+    for n, k in chain(sums.near(tree(boxes)) if boxes else (), far):
+        lines = sums.get(k)[0]
+        work.take(len(lines))
+        need(misses(lines, *known[n]), "an edge of a loop or a fit is overlapped")
 
-    for n, near in enumerate(list_near(d, h, known, work)):
-        (a, b), on = known[n], line(*known[n])
-        spans: tuple[list[Span], list[Span]] = [], []
-        for k in near:
-            work.take(len(sides(k)))
-            touch = next((of for of in sides(k) if side(of, a) <= 0 >= side(of, b)), None)
-            if touch is None:
-                need(clip(sides(k), a, b) is None, "an edge of a loop or a fit is overlapped")
-            elif side(touch, a) == 0 == side(touch, b):
-                rest = [of for of in sides(k) if of != touch]
-                if a == b and all(side(of, a) >= 0 for of in rest):
-                    spans = [ALL], [ALL]
-                elif a != b and (span := clip(rest, a, b)):
-                    spans[touch[0] * on[0] + touch[1] * on[1] < 0].append(span)
-        right = is_covered(spans[1]) if n >= len(known) - len(fits) else not spans[1]
-        need(is_covered(spans[0]) and right, "a loop or a fit does not part what it should")
-        alone = a != b or not any(lies(a, *e) for k, e in enumerate(known) if k != n)
+    entries = [(integer([*e, None][0], 0, sums.count), e[1:]) for e in map(items, items(listed))]
+    entries += [(k, [found]) for k, found in zip(beyond, around, strict=True)]
+    beside: defaultdict[tuple[int, bool], list[tuple[Span, bool]]] = defaultdict(list)
+    for k, chains in entries:
+        sides = sums.get(k)[1]
+        for (a, b), found in zip(sides, items(chains, len(sides)), strict=True):
+            spans = []
+            for n in [found] if type(found) is int else items(found):
+                if integer(n, -len(known), len(entries)) >= 0:
+                    lines = sums.get(entries[n][0])[0]
+                    work.take(len(lines))
+                    spans.append((clip(lines, a, b) or NOWHERE, False))
+                    continue
+                p, q = known[-1 - n]
+                low, high = share(a, b, p, q) or NOWHERE
+                spans.append(((low, high), True))
+                if p == q and 0 <= low <= 1:
+                    beside[-1 - n, True] = beside[-1 - n, False] = [(ALL, True)]
+                elif low < high:
+                    (x, y), (u, v) = ways([a, b, p, q])[::2]
+                    on = share(p, q, a, b) or NOWHERE
+                    beside[-1 - n, x * u + y * v > 0].append((on, True))
+            need(spans[:1] == [(ALL, False)] or is_chain(spans), "chains: a gap")
+    for n, (p, q) in enumerate(known):
+        for left in [True] if n < len(known) - len(fits) else [True, False]:
+            parts = is_chain([e for e in sorted(beside[n, left]) if e[0][0] <= 1])
+            need(parts, "a loop or a fit does not part what it should")
+        alone = p != q or not any(lies(p, *e) for k, e in enumerate(known) if k != n)
         need(alone, "a fit of one point is on a loop or another fit")
 
-    contacts = list(list_contacts(d, h, work))
-    count = len(d.pieces) * len(h.pieces) + len(d.beyond)
-    for (a, b), listed in zip(contacts, items(chains, len(contacts)), strict=True):
-        reach, closed = NONE, False
-        for n in items(listed):
-            work.take(8)
-            on_edge = integer(n, -len(known), count) < 0
-            low, high = (share(a, b, *known[-1 - n]) if on_edge else clip(sides(n), a, b)) or (1, 0)
-            meets = low < reach or (low == reach and (on_edge or closed))
-            need(meets and low <= high, "chains: a gap")
-            if high > reach or (high == reach and on_edge):
-                reach, closed = Fraction(high), on_edge
-        need(reach > 1 or (closed and reach == 1), "chains: one does not reach the end")
+
+def winding(known: list[Edge], p: Node) -> int:
+    """Return how many times edges of rings go around a point, which is on none of them."""
+    found = 0
+    for a, b in known:
+        is_up, ends = a[1] * p[2] <= p[1] * a[2], b[1] * p[2] <= p[1] * b[2]
+        if is_up != ends:
+            at = side(line(a, b), p)
+            found += is_up * (at > 0) - ends * (at < 0)
+    return found
 
 
 def count(rings: list[Ring]) -> int:
@@ -453,11 +505,23 @@ def count(rings: list[Ring]) -> int:
     return sum(map(len, rings))
 
 
-def read_frame(item: Any) -> Ring:
-    """Read the left, lower, right and upper end of a rectangle."""
-    left, low, right, high = map(number, items(item, 4))
+def middle(points: Ring) -> Node:
+    """Return a point inside a convex ring."""
+    x, y, w = add(add(points[0], points[1]), points[2])
+    return x, y, 3 * w
+
+
+def frame(left: Fraction, low: Fraction, right: Fraction, high: Fraction) -> Ring:
+    """Return a rectangle."""
     need(left < right and low < high, "frame: not the ends of a rectangle")
     return [node(left, low), node(right, low), node(right, high), node(left, high)]
+
+
+def find_positions(outer: Ring, h: list[Ring]) -> Ring:
+    """Return the positions at which a part, turned by half a turn, is in a frame."""
+    xs, ys = zip(*(place(p) for p in chain.from_iterable(h)), strict=True)
+    (left, low), (right, high) = place(outer[0]), place(outer[2])
+    return frame(left + max(xs), low + max(ys), right + min(xs), high + min(ys))
 
 
 def check_kind(kind: Any, d: Ring, g: Ring, direction: list[Any]) -> None:
@@ -472,24 +536,15 @@ def check_kind(kind: Any, d: Ring, g: Ring, direction: list[Any]) -> None:
         need(sum(signs[k - 1] != one for k, one in enumerate(signs)) == 2, "direction: not shared")
 
 
-def winds(points: Ring, p: Node) -> bool:
-    """Return whether a ring winds around a point, which is not on it."""
-    sides = [
-        (place(a)[1] <= place(p)[1], place(b)[1] <= place(p)[1], line(a, b))
-        for a, b in edges(points)
-    ]
-    return sum(up != to and (side(of, p) > 0) == up for up, to, of in sides) % 2 == 1
-
-
 def prove_no_fit(c: dict[str, Any], work: Work) -> str:
     """Prove a no-fit polygon by (3)."""
     head = "directrix generatrix exterior holes exact_fits proof"
     d, g, exterior, holes, fits, proof = fields(c, head, "format version claim")[:6]
-    (first, second, chains), d, g = fields(proof, "directrix generatrix chains"), shape(d), shape(g)
+    (first, second, listed), d, g = fields(proof, "directrix generatrix sums"), shape(d), shape(g)
     work.fit(d + g)
     loops = [loop(exterior, work), *(loop(hole, work)[::-1] for hole in items(holes))]
-    stationary, moving = solid(d, first, work), solid(g, second, work).turned()
-    prove_positions(stationary, moving, loops, read_fits(fits), chains, work)
+    still, moving = solid(d, first, work), [*map(turn, solid(g, second, work))]
+    prove_positions(Sums(still, moving, work), loops, read_fits(fits), listed)
     answer = f"{count(loops)} in {len(loops)} loops, {len(fits)} exact fits"
     return f"no-fit polygon of {count(g)} around {count(d)} vertices, {answer}"
 
@@ -498,18 +553,27 @@ def prove_inner_fit(c: dict[str, Any], work: Work) -> str:
     """Prove an inner fit by (4)."""
     head = "container part regions exact_fits proof"
     d, g, regions, fits, proof = fields(c, head, "format version claim")[:5]
-    frame, first, second, chains = fields(proof, "frame outside part chains")
+    ends, first, second, listed, around = fields(proof, "frame outside part sums around")
     d, g, loops = shape(d), shape(g), []
     work.fit(d + g)
     for exterior, holes in (fields(region, "exterior holes") for region in items(regions)):
-        around, inside = loop(exterior, work), [loop(hole, work) for hole in items(holes)]
-        for one in inside:
-            middles = [(x, y, 2 * w) for x, y, w in (add(p, q) for p, q in edges(one))]
-            free = [p for p in middles if not any(lies(p, *e) for e in edges(around))]
-            need(any(winds(around, p) for p in free), "a hole is not in its region")
-        loops += [around[::-1], *inside]
-    outside, moving = solid(d, first, work, read_frame(frame)), solid(g, second, work).turned()
-    prove_positions(outside, moving, loops, read_fits(fits), chains, work)
+        one, inside = loop(exterior, work), [loop(hole, work) for hole in items(holes)]
+        for hole in inside:
+            middles = [(x, y, 2 * w) for x, y, w in (add(p, q) for p, q in edges(hole))]
+            free = [p for p in middles if not any(lies(p, *e) for e in edges(one))]
+            held = any(winding(edges(one), p) for p in free)
+            need(held, "a hole is not in its region")
+        check_connected([one, *inside], work)
+        loops += [one[::-1], *inside]
+    outer = frame(*map(number, items(ends, 4)))
+    still, moving = solid(d, first, work, outer), [*map(turn, solid(g, second, work))]
+    sums = Sums(still, moving, work, find_positions(outer, moving))
+    prove_positions(sums, loops, read_fits(fits), listed, items(around, 4))
+    known = [*chain.from_iterable(map(edges, loops))]
+    for k in range(0, sums.count, len(moving)):
+        work.take(len(known))
+        outside = winding(known, middle([p for p, _ in sums.get(k)[1]])) == 0
+        need(outside, "a part of the outside is not outside the regions")
     answer = f"{count(loops)} in {len(loops)} loops, {len(fits)} exact fits"
     return f"inner fit of {count(g)} in {count(d)} vertices, {answer}"
 
@@ -529,27 +593,20 @@ def prove_sweep(c: dict[str, Any], work: Work) -> str:
         d, g, at, holes, unswept = [ring(d)], [ring(g)], turn([point(reference)])[0], [], []
         check_kind(kind, d[0], g[0], items(direction, 2))
     inner, outer, area, fits, proof = rest[:5]
-    keys = "frame directrix generatrix trajectory outside slits within chains"
-    frame, *cut, slits, within, chains = fields(proof, keys)
+    first, second, listed, swept, slits = fields(proof, "directrix generatrix sums swept slits")
     work.fit(d + g)
     t, inner, outer = (loop(e, work) for e in (t, inner, outer))
     t = [node(*place(add(p, at))) for p in t]
     fits = [(add(p, at), add(q, at)) for p, q in read_fits(fits)]
     holes, unswept = ([loop(hole, work)[::-1] for hole in items(e)] for e in (holes, unswept))
-    inside = [integer(k, 0, len(unswept)) for k in items(within)]
-    between, beside = map(read_fits, items(slits, 2))
-    first, second, third = items(chains, 3)
-    still, moving = solid(d, cut[0], work), solid(g, cut[1], work)
-    prove_positions(still, moving.turned(), [t, *holes], fits, first, work)
-    loops = [outer, *(hole for k, hole in enumerate(unswept) if k not in inside)]
-    prove_positions(solid([t], cut[2], work), moving, loops, between, second, work)
-    loops = [inner[::-1], *(hole for k, hole in enumerate(unswept) if k in inside)]
-    prove_positions(solid([t], cut[3], work, read_frame(frame)), moving, loops, beside, third, work)
-    p, q, r = still.pieces[0][:3]
-    x, y, w = add(add(p, q), r)
-    need(winds(inner, (x, y, 3 * w)), "inner: not the loop around the directrix")
-    swept = double_area(outer) - double_area(inner) + sum(map(double_area, unswept))
-    need(swept == 2 * number(area), "area: not that between the loops")
+    still, moving = solid(d, first, work), solid(g, second, work)
+    prove_positions(Sums(still, [*map(turn, moving)], work), [t, *holes], fits, listed)
+    loops = [outer, inner[::-1], *unswept]
+    sums = Sums([*map(list, edges(t))], moving, work)
+    prove_positions(sums, loops, read_fits(slits), swept)
+    need(winding(edges(inner), middle(still[0])) == 1, "inner: not the loop around the directrix")
+    left = sum(map(double_area, loops), NONE)
+    need(left == 2 * number(area), "area: not that between the loops")
     answer = f"trajectory {len(t)}, inner {len(inner)}, outer {len(outer)}, area {area}"
     return f"{kind} sweep of {count(g)} around {count(d)} vertices, {answer}"
 
@@ -615,17 +672,14 @@ class Layout:
 
     def __init__(self, c: dict[str, Any], work: Work) -> None:
         head = "layout valid turns frame pieces outside apart faults"
-        layout, self.valid, turns, frame, cut, outside, *lists = fields(
+        layout, self.valid, turns, ends, cut, outside, *lists = fields(
             c, head, "format version kind"
         )[:8]
         keys = "container parts placements", "spacing margin"
         container, parts, placements, *gaps = fields(layout, *keys)
         self.spacing, self.margin = (NONE if gap is None else number(gap) for gap in gaps)
-        self.work, self.frame, (self.apart, self.faults) = (
-            work,
-            read_frame(frame),
-            map(items, lists),
-        )
+        self.work, (self.apart, self.faults) = work, map(items, lists)
+        self.frame = frame(*map(number, items(ends, 4)))
         need(type(self.valid) is bool, "valid: neither true nor false")
         need(not self.valid or None not in (outside, *items(cut)), "pieces: some are missing")
         need(self.spacing >= 0 <= self.margin, "a spacing or a margin below 0")
@@ -638,7 +692,7 @@ class Layout:
         need(unique, "parts: ids are strings, each of one part")
         self.rings = [shape(part, f"id {rules}") for part in parts]
         both = zip(items(cut, len(parts)), self.rings, strict=True)
-        pieces = [[] if e is None else solid(rings, e, work).pieces for e, rings in both]
+        pieces = [[] if e is None else solid(rings, e, work) for e, rings in both]
         self.facts: list[tuple[int, Any, bool]] = []
         self.placed: list[Placed] = []
         for item, rational in zip(items(placements), items(turns, len(placements)), strict=True):
@@ -653,7 +707,7 @@ class Layout:
             self.put([move_ring(e, to, bool(mirrored), point(move)) for e in pieces[k]], error)
         # All that is outside comes last, for its number is -1.
         within = shape(container)
-        self.put([] if outside is None else solid(within, outside, work, self.frame).pieces, NONE)
+        self.put([] if outside is None else solid(within, outside, work, self.frame), NONE)
 
     def put(self, pieces: list[Ring], error: Fraction) -> None:
         """Put pieces where they are."""
@@ -704,14 +758,9 @@ class Layout:
             need(inside, "a part reaches beyond the frame")
         widest = max(self.spacing, self.margin) + 2 * max(one.error for one in self.placed)
         reach = -int(-widest * self.work.scale // 1)
-        order = sorted(range(-1, len(self.facts)), key=lambda a: self.placed[a].box)
-        for n, a in enumerate(order):
-            for b in order[n + 1 :]:
-                self.work.take(1)
-                if self.placed[b].box[0] > self.placed[a].box[1] + reach:
-                    break
-                if are_near(self.placed[a].box, self.placed[b].box, reach):
-                    self.prove_pair(min(a, b), max(a, b), reach, normals)
+        boxes = [one.box for one in (self.placed[-1], *self.placed[:-1])]
+        for a, b in list_near(boxes, reach, self.work):
+            self.prove_pair(a - 1, b - 1, reach, normals)
 
     def prove_pair(self, a: int, b: int, reach: int, normals: dict[Any, tuple[int, int]]) -> None:
         """Prove that two shapes are apart: by one normal of both, or for all pairs of pieces."""

@@ -1,4 +1,4 @@
-"""The command line: `exactsweep`, a module for each of its commands."""
+"""The command line: `exactsweep`, with one module per command."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -65,7 +65,7 @@ def _refuse_in_one_line() -> Iterator[None]:
         place = "" if error.filename is None else f"{show_path(str(error.filename))}: "
         raise click.ClickException(f"{place}{error.strerror or error}") from None
     except MemoryError as error:
-        # What the functions held that have ended, so that there is room to say so.
+        # Release the locals of the failed functions, so that there is room for the message.
         clear_frames(error.__traceback__)
         raise click.ClickException("out of memory") from None
 
@@ -78,7 +78,7 @@ def _on_one_line(message: str) -> str:
 @click.group(cls=_Commands)
 @click.version_option(__version__, prog_name="exactsweep")
 def main() -> None:
-    """Sweep polygons around polygons, in exact arithmetic."""
+    """Sweep polygons around polygons in exact arithmetic."""
 
 
 main.add_command(sweep_command)

@@ -32,15 +32,15 @@ class _Rate(ProgressColumn):
 def show_bar(
     total: int, console: Console | None = None, clock: Callable[[], float] = monotonic
 ) -> Iterator[Callable[[int], None]]:
-    """Show a bar on standard error, if that is a terminal, from the second second on.
+    """Show a progress bar on standard error, if that is a terminal, after the first second.
 
     Args:
         total: the number at its end.
-        console: where it is shown.
-        clock: tells the time, in seconds.
+        console: the console of the bar.
+        clock: returns the time in seconds.
 
     Yields:
-        A function to be told how far it is; where it starts does not count for the rate.
+        A function that sets the progress. Its first value does not count for the rate.
     """
     console, begun = console or Console(stderr=True), clock()
     if not console.is_terminal:
@@ -65,14 +65,14 @@ def show_bar(
 def words(
     console: Console | None = None, timer: Callable[[float, Callable[[], None]], Timer] = Timer
 ) -> Iterator[Callable[[str], None]]:
-    """Say on standard error what is being done, if that is a terminal, from the second second on.
+    """Show the current activity on standard error, if that is a terminal, after the first second.
 
     Args:
-        console: where it is said.
-        timer: begins to say it, later.
+        console: the console of the words.
+        timer: starts the display later.
 
     Yields:
-        A function to be told what is done from now on.
+        A function that sets the activity.
     """
     console = console or Console(stderr=True)
     if not console.is_terminal:

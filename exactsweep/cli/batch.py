@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import click
 
 from exactsweep.cli.export import takes_rounding
+from exactsweep.cli.options import PATH, checked, takes_file, takes_workers
 from exactsweep.cli.output import say_limit, write
-from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
+from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.exact_json import measure_file
@@ -22,20 +23,15 @@ from exactsweep.words import count
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from exactsweep.batch import Job, Part, Rounding
+    from exactsweep.batch import Part, Rounding
 
 
-def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -> list[str] | None:
-    if text is None:
-        return None
+def _to_degrees(text: str) -> list[str]:
     from exactsweep.geometry.turn import TURN_BITS, read_turn
 
     found = text.split(",")
     for word in found:
-        try:
-            turn = read_turn(word)
-        except ValueError as error:
-            raise click.BadParameter(str(error)) from None
+        turn = read_turn(word)
         if turn.exact is None:
             cosine, sine = map(format_fraction, turn.near()[:2])
             click.echo(
@@ -56,7 +52,7 @@ def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -
     metavar="GENERATRICES DIRECTRICES",
     help="All pairs of the polygons of two files, folders, or patterns such as 'parts/*.dxf'.",
 )
-@click.option("--parts", type=PATH, metavar="FILE", help="Polygons that PAIRS names.")
+@takes_file("--parts", "Polygons that PAIRS names.")
 @click.option(
     "--compute",
     "what",
@@ -64,12 +60,7 @@ def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -
     default="loops",
     help="The trajectory alone, all loops (if left out), just areas, or no-fit polygons.",
 )
-@click.option(
-    "--workers",
-    type=click.IntRange(1, 1024),
-    metavar="N",
-    help="How many processes compute; one for each processor if left out.",
-)
+@takes_workers("How many processes compute; one for each processor if left out.")
 @click.option(
     "--scheduler",
     metavar="ADDRESS",
@@ -77,7 +68,7 @@ def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -
 )
 @click.option(
     "--rotations",
-    callback=_to_degrees,
+    callback=checked(_to_degrees),
     metavar="DEGREES",
     help="With --all, each generatrix turned by these degrees, such as 0,90,180,270; "
     "by a rational turn near others than multiples of 90, which is told.",
@@ -110,22 +101,28 @@ def batch_command(
 
     PAIRS has a line of JSON for each pair, {"generatrix": ..., "directrix": ...}, perhaps with
     "id", "direction" and "reference". A polygon is a list of pairs or another form of JSON that
-    'exactsweep sweep' reads, or the name of one in the file of --parts. Instead of PAIRS, --all
-    sweeps each polygon of GENERATRICES around each of DIRECTRICES. A folder stands for all files
-    in it; polygons are named by file, layer and id. What is no polygon is left out, which is told
-    on standard error.
+    'exactsweep sweep' reads, or the name of a polygon in the file of --parts. Instead of PAIRS,
+    --all sweeps each polygon of GENERATRICES around each of DIRECTRICES. A folder means all files
+    in it; the names of polygons consist of file, layer and id. Standard error lists the elements
+    that are left out because they are not polygons.
 
-    --round makes all numbers of the records decimals near them, which other programs read as
-    numbers. With --round-outward no loop moves to where it would permit an overlap.
+    --round rounds all numbers of the records to decimals, which other programs read as numbers.
+    With --round-outward no loop moves to where it would permit an overlap.
 
     A record of --compute nfp has the exterior, the holes and the exact fits of the no-fit polygon,
-    as 'exactsweep nfp --json' writes them; the generatrix is the one that orbits.
+    as 'exactsweep nfp --json' writes them; the generatrix is the orbiting polygon.
 
-    The records are in the order of the pairs. A pair that is refused has a record that says why,
-    and does not end the batch. A batch that is interrupted, however, goes on from where it was
-    when the same command is given again; until it is whole, its records are in FILE.part. If all
-    pairs were refused, the exit code is 1.
-    """
+    The records have the order of the pairs. The record of a refused pair has the reason, and the
+    batch continues. After an interruption of any kind, the same command continues the batch. Until
+    the batch is complete, its records are in FILE.part. If all pairs were refused, the exit code
+    is 1.
+
+    Example:
+      exactsweep batch --all parts.dxf sheets.json -o results.jsonl
+      exactsweep batch pairs.jsonl --parts parts.svg --compute areas -o areas.parquet
+      exactsweep batch --all drawings 'sheets/*.dxf' --flatten 0.01 --compute areas --round 3 -o areas.csv
+      exactsweep batch --all parts.json parts.json --compute nfp --rotations 0,90,180,270 -o nfp.jsonl
+    """  # noqa: E501
     if (pairs is None) == (lists is None):
         raise click.UsageError("Give either PAIRS or --all.")
     if pairs is None and parts is not None:
@@ -134,7 +131,8 @@ def batch_command(
         raise click.UsageError("--rotations goes with --all.")
     if "-" in (pairs, output):
         raise click.UsageError("PAIRS and the output are files: a batch may have to be resumed.")
-    from exactsweep.batch import run
+    from exactsweep.batch import run, take_all_pairs, take_listed_pairs
+    from exactsweep.batch.parts import rotate_parts
     from exactsweep.cli.bar import show_bar
 
     if scheduler is not None:
@@ -143,7 +141,15 @@ def batch_command(
         # Dask tells a long story of each connection that it loses.
         logging.disable(logging.CRITICAL)
     _require_new(output, [path for path in (pairs, parts, *(lists or ())) if path is not None])
-    job = _job(pairs, lists, parts, what, rounding, rotations, reading)
+    if lists is None:
+        assert pairs is not None
+        listed = () if parts is None else _parts(parts, reading)
+        job = take_listed_pairs(pairs, listed, what, rounding)
+    else:
+        first = _parts(lists[0], reading)
+        second = first if lists[0] == lists[1] else _parts(lists[1], reading)
+        turned = first if rotations is None else rotate_parts(first, rotations)
+        job = take_all_pairs(turned, second, what, rounding)
     done = 0
     try:
         with show_bar(job.total) as show:
@@ -183,30 +189,6 @@ def _require_new(output: str, paths: Sequence[str]) -> None:
     for name in (output, f"{output}.part", f"{output}.job"):
         if os.path.realpath(name) in read:
             raise FormatError(f"{show_path(name)}: read and written by the same batch")
-
-
-def _job(
-    pairs: str | None,
-    lists: tuple[str, str] | None,
-    parts: str | None,
-    what: str,
-    rounding: Rounding | None,
-    rotations: list[str] | None,
-    reading: ReadingOptions,
-) -> Job:
-    from exactsweep.batch import take_all_pairs, take_listed_pairs
-    from exactsweep.batch.parts import rotate_parts
-
-    if pairs is not None:
-        return take_listed_pairs(
-            pairs, () if parts is None else _parts(parts, reading), what, rounding
-        )
-    assert lists is not None
-    generatrices, directrices = lists
-    first = _parts(generatrices, reading)
-    second = first if generatrices == directrices else _parts(directrices, reading)
-    turned = first if rotations is None else rotate_parts(first, rotations)
-    return take_all_pairs(turned, second, what, rounding)
 
 
 def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:

@@ -9,8 +9,8 @@ from fractions import Fraction
 import click
 
 from exactsweep.cli.complete import list_cases, offer
-from exactsweep.cli.output import takes_output, write
-from exactsweep.cli.pair import PATH
+from exactsweep.cli.options import PATH, takes_json, takes_output
+from exactsweep.cli.output import write
 from exactsweep.cli.reports import takes_accept, takes_rounding
 
 
@@ -19,18 +19,18 @@ from exactsweep.cli.reports import takes_accept, takes_rounding
 @click.argument("result", type=PATH)
 @takes_rounding
 @takes_accept
-@click.option("--json", "as_json", is_flag=True, help="Write everything, exactly, as JSON.")
+@takes_json
 @takes_output
 def compare_command(
     case: str, result: str, rounding: Fraction | None, accept: str, as_json: bool, output: str
 ) -> None:
-    """Hold an answer against the exact one.
+    """Compare an answer with the exact one.
 
     CASE is a file with a case, or with a pair of polygons as 'exactsweep sweep --json' writes it;
     or the id of a case of the corpus. RESULT is a file, or - for standard input: a JSON object
     with any of "trajectory", "inner" and "outer", each a list of pairs of numbers or, if there
     are several rings, a list of such lists; and "exact_fits", a list of pairs of points. A number
-    is an integer, a decimal, which is read as the binary64 next to it, or a string, "-7/2".
+    is an integer, a decimal, which stands for the nearest binary64, or a string, "-7/2".
 
     \b
     Verdicts, the worst part of the answer deciding:
@@ -44,20 +44,24 @@ def compare_command(
       wrong          both
       malformed      no region: nan, too few vertices, edges that cross, ...
       unsupported    nothing to compare
+      undecided      not compared in 60 seconds of the processor
 
     For each part: how far the loops are apart, the area between them, and a place to check by hand.
 
-    The exit code is 0 if the verdict is not worse than --accept, and 1 otherwise.
+    The exit code is 0 if there is a verdict no worse than --accept, and 1 otherwise.
+
+    Example:
+      exactsweep compare directions-y answer.json
     """  # noqa: D301
-    from exactsweep.conform.judge.compare import compare
     from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import describe
     from exactsweep.conform.run.cases import read_case, read_result
+    from exactsweep.conform.run.outcome import compare_in_time
     from exactsweep.conform.run.tally import fails
 
     if case == result == "-":
         raise click.UsageError("Only one file can be read from standard input.")
-    found = compare(read_case(case), read_result(result), rounding=rounding)
+    found = compare_in_time(read_case(case), read_result(result), rounding=rounding)
     write(f"{json.dumps(found.to_json(), indent=2)}\n" if as_json else describe(found), output)
-    nothing = found.verdict is Verdict.UNSUPPORTED
-    sys.exit(1 if nothing or fails(found.verdict, Verdict(accept)) else 0)
+    passed = found.verdict.is_judgement and not fails(found.verdict, Verdict(accept))
+    sys.exit(0 if passed else 1)

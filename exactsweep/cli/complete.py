@@ -1,4 +1,4 @@
-"""Completion by the shell: names of cases, flags, families, claims and verdicts."""
+"""Completion in the shell: names of cases, flags, families, claims and verdicts."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import click
 from click.shell_completion import CompletionItem
 
 Offer = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
-"""What click calls with the beginning of a word."""
+"""A function that click calls with the beginning of a word."""
 
 
 def list_cases() -> Iterable[str]:

@@ -14,14 +14,16 @@ from typing import Any, NoReturn
 import click
 
 from exactsweep.cli.complete import list_filters, offer
-from exactsweep.cli.pair import PATH, takes_reading
+from exactsweep.cli.options import checked, takes_file
+from exactsweep.cli.pair import takes_reading
 from exactsweep.cli.reports import Reports, require_own_files, takes_reports, takes_rounding
+from exactsweep.formats import FormatError
 
 
-def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> float:
+def _refuse_nan(seconds: float) -> float:
     """Refuse the one float that is in no range and outside of none."""
     if isnan(seconds):
-        raise click.BadParameter("nan is no number of seconds.")
+        raise FormatError("nan is no number of seconds.")
     return seconds
 
 
@@ -36,21 +38,17 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     help="Only cases whose id starts with id=..., with flag=..., class=CC to SS, or at most "
     "size=... vertices. May be repeated.",
 )
-@click.option(
-    "--cases", "path", type=PATH, metavar="FILE", help="Cases as JSON lines; else the corpus."
-)
-@click.option(
+@takes_file("--cases path", "Cases as JSON lines; else the corpus.")
+@takes_file(
     "--pairs",
-    type=PATH,
-    metavar="FILE",
-    help="Polygons of your own instead, each around each, in any format; or lines of JSON with a "
+    "Polygons of your own instead, each around each, in any format; or lines of JSON with a "
     "directrix and a generatrix. The exact answers are made here.",
 )
 @takes_reading
 @click.option(
     "--timeout",
     type=click.FloatRange(min=0, min_open=True),
-    callback=_no_nan,
+    callback=checked(_refuse_nan),
     default=10.0,
     metavar="SECONDS",
     help="For one answer; 10 if left out.",
@@ -69,7 +67,7 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     metavar="MIB",
     help="MiB that a process of the command may hold, with what it starts; any if left out.",
 )
-@click.option("--journal", type=PATH, metavar="FILE", help="Keep the outcomes as they come.")
+@takes_file("--journal", "Keep the outcomes as they come.")
 @click.option("--resume", is_flag=True, help="Go on with the journal where it ends.")
 @click.option(
     "--shrink",
@@ -98,12 +96,16 @@ def conform_command(
     """Judge a program by exact answers.
 
     COMMAND is started, with its arguments, and gets a JSON case a line on its standard input; it
-    answers with a JSON result a line on its standard output. The README.md of exactsweep/conform
-    has the protocol, on a page. Write -- before COMMAND.
+    answers with a JSON result a line on its standard output. PROTOCOL.md in
+    exactsweep/conform describes the protocol. Write -- before COMMAND.
 
     Prints how many cases of each class and flag got which verdict, and each fault with its smallest
     case. The exit code is 0 if no verdict is worse than --accept, the program ended well, and
     enough cases could be judged; and 1 otherwise.
+
+    Example:
+      exactsweep conform --filter class=CC -- python adapter.py
+      exactsweep conform --pairs parts.svg -- node adapter.js
     """
     from exactsweep.conform.report.text import progress
     from exactsweep.conform.run.cases import Selection, SelectionError, read_cases, require_distinct

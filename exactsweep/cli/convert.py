@@ -5,8 +5,8 @@ from pathlib import PurePath
 import click
 
 from exactsweep.cli.export import export, takes_rounding
-from exactsweep.cli.output import takes_output
-from exactsweep.cli.pair import PATH, ReadingOptions, keep_coordinates, takes_reading
+from exactsweep.cli.options import PATH, takes_output
+from exactsweep.cli.pair import ReadingOptions, keep_coordinates, takes_reading
 from exactsweep.cli.parts import read_named
 from exactsweep.formats import (
     FORMATS,
@@ -44,21 +44,26 @@ def convert_command(
 ) -> None:
     """Write the polygons of files in another format.
 
-    FILES are read as by 'exactsweep sweep', but with all their polygons, or just those after a #,
-    their holes, names and layers; a folder stands for all files in it, and a pattern such as
-    'parts/*.dxf' for those that fit it. What cannot be read is left out, which is told on standard
-    error; if nothing is left, the exit code is 1.
+    The command reads FILES as 'exactsweep sweep' does, but with all their polygons, or the choice
+    after a #, and with holes, names and layers. A folder means all files in it, and a pattern such
+    as 'parts/*.dxf' all matching files. Standard error lists the elements that cannot be read; if
+    nothing is left, the exit code is 1.
 
-    What is written is exactly what was read: WKT, GeoJSON, SVG and DXF hold finite decimals only,
-    and 1/3 is none. --round makes decimals of all coordinates. DXF has no holes: their rings become
-    polylines like the exterior.
+    The output is exactly the input. WKT, GeoJSON, SVG and DXF hold finite decimals only, so they
+    cannot hold 1/3. --round rounds all coordinates to decimals. DXF has no holes: their rings
+    become polylines like the exterior.
+
+    Example:
+      exactsweep convert drawing.dxf --flatten 1/100 --join 1e-6 --unit mm -o parts.json
+      exactsweep convert drawings --flatten 0.01 --nested -o parts.json
+      exactsweep convert parts.json#0 --to wkt --round 6
     """
     form = form or PurePath(output).suffix[1:].lower()
     if form not in FORMATS:
         raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
     polygons = read_named(files, reading, keep=True)
     keep_coordinates(polygons.coordinates)
-    # Of a part it is not known what is forbidden.
+    # The forbidden side of a part is unknown.
     side: Side = "closest"
     if rounding is not None and rounding.outward:
         side = "inward" if free else "outward"

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from itertools import chain, islice
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -18,7 +19,8 @@ from exactsweep.cli.complete import (
     list_themes,
     offer,
 )
-from exactsweep.cli.output import Command, takes_output, write
+from exactsweep.cli.options import gather, takes_output
+from exactsweep.cli.output import write
 from exactsweep.words import count
 
 if TYPE_CHECKING:
@@ -33,26 +35,34 @@ def corpus_command() -> None:
 _LISTS = ("cases", "themes", "flags", "families")
 
 
-def _takes_filters(command: Command) -> Command:
-    for option in (
-        click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
-        click.option(
-            "--class",
-            "kind",
-            metavar="CLASS",
-            shell_complete=offer(list_classes),
-            help="CC, CM, MM or SS.",
-        ),
-        click.option(
-            "--flag",
-            "flags",
-            multiple=True,
-            shell_complete=offer(list_flags),
-            help="A flag; repeatable.",
-        ),
-    ):
-        command = option(command)
-    return command
+def _make_filters(flags: tuple[str, ...], kind: str | None, max_size: int | None) -> dict[str, Any]:
+    return {"flags": flags, "kind": kind, "max_size": max_size}
+
+
+_takes_filters = gather(
+    "filters",
+    _make_filters,
+    click.option(
+        "--flag",
+        "flags",
+        multiple=True,
+        shell_complete=offer(list_flags),
+        help="A flag; repeatable.",
+    ),
+    click.option(
+        "--class",
+        "kind",
+        metavar="CLASS",
+        shell_complete=offer(list_classes),
+        help="CC, CM, MM or SS.",
+    ),
+    click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
+)
+"""Gives a command the options that choose among cases, as `filters`, arguments of `cases`."""
+
+
+def _is_any(filters: dict[str, Any]) -> bool:
+    return any(value not in ((), None, "") for value in filters.values())
 
 
 @corpus_command.command("list")
@@ -65,24 +75,22 @@ def _takes_filters(command: Command) -> Command:
 # As it was before names were given as to 'export'.
 @click.option("--prefix", hidden=True)
 @_takes_filters
-def list_command(
-    names: tuple[str, ...],
-    prefix: str | None,
-    flags: tuple[str, ...],
-    kind: str | None,
-    max_size: int | None,
-) -> None:
+def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, Any]) -> None:
     """List cases, a line each; or themes, flags, or families of the generator.
 
     An ID is that of a case, or the beginning of ids, such as a theme, as for 'corpus export'. A
     case's line has its id, its class, the number of vertices of D and G together, and its title.
+
+    Example:
+      exactsweep corpus list --class MM --max-size 20
+      exactsweep corpus list families
     """
     from exactsweep.corpus import FAMILIES, notes, themes
     from exactsweep.corpus.shipped import list_summaries
 
     what = names[0] if len(names) == 1 and names[0] in _LISTS else "cases"
     starts = [prefix or ""] if names in ((), ("cases",)) else names
-    if what != "cases" and (prefix or flags or kind or max_size is not None):
+    if what != "cases" and (prefix or _is_any(filters)):
         raise click.UsageError("The options choose among cases.")
     match what:
         case "themes":
@@ -95,9 +103,7 @@ def list_command(
             rows = (
                 (case.id, case.kind, f"{case.size:3}", case.title)
                 for start in starts
-                for case in list_summaries(
-                    prefix=_require_start(start), flags=flags, kind=kind, max_size=max_size
-                )
+                for case in list_summaries(prefix=_require_start(start), **filters)
             )
     write(_columns([*rows]), "-")
 
@@ -113,6 +119,9 @@ def show_command(name: str, as_json: bool) -> None:
     """Show a case, with the notes on its flags; or a flag; or a family of the generator.
 
     The id is that of a shipped case, or gen-FAMILY-SEED-NUMBER: then it is made again.
+
+    Example:
+      exactsweep corpus show directions-y
     """
     from exactsweep.corpus import find_case
     from exactsweep.corpus.case_json import case_to_line
@@ -125,7 +134,13 @@ def show_command(name: str, as_json: bool) -> None:
 @click.argument("name", required=False, metavar="[ID]")
 @click.option("--json", "as_json", is_flag=True, help="Write layouts and expected faults as JSON.")
 def layouts_command(name: str | None, as_json: bool) -> None:
-    """List layouts with known faults, or write the one of this id for 'exactsweep layout'."""
+    """List layouts with known faults, or write the one of this id for 'exactsweep layout'.
+
+    Example:
+      exactsweep corpus layouts
+      exactsweep corpus layouts layouts-slot
+      exactsweep corpus layouts --json
+    """
     from exactsweep.corpus.layouts import find_layout_case, layout_cases
 
     found = [*layout_cases()] if name is None else [find_layout_case(name)]
@@ -160,49 +175,43 @@ def layouts_command(name: str | None, as_json: bool) -> None:
 )
 @takes_output
 def export_command(
-    whole: bool,
-    names: tuple[str, ...],
-    flags: tuple[str, ...],
-    kind: str | None,
-    max_size: int | None,
-    form: str,
-    output: str,
+    whole: bool, names: tuple[str, ...], filters: dict[str, Any], form: str, output: str
 ) -> None:
     """Write cases for other programs.
 
-    An ID names a case, gen-FAMILY-SEED-NUMBER a generated one, and the beginning of ids, such as a
-    theme, all cases whose ids begin so; of these, and of all shipped cases where no ID is given,
-    the options choose.
+    An ID names a case. gen-FAMILY-SEED-NUMBER names a generated case, and the beginning of an id,
+    such as a theme, all cases whose ids begin with it. The options select from these cases, or from
+    all shipped cases if there is no ID.
 
-    json: a case a line, as 'exactsweep corpus schema' describes it. Nothing is lost.
+    json: one case per line, as 'exactsweep corpus schema' describes it, without loss.
 
-    wkt: a table of comma-separated values, a ring or segment a row. WKT has decimals only: a row
-    with a coordinate that is none has no geometry, and says why.
+    wkt: a table of comma-separated values, one ring or segment per row. WKT has decimals only. If
+    a coordinate is not a decimal, the row has the reason instead of the geometry.
 
-    geojson: a FeatureCollection, a ring or segment a feature. Its readers take numbers for
-    doubles: a feature whose coordinates are not all doubles has "exact": false, the nearest
+    geojson: a FeatureCollection, one ring or segment per feature. Its readers convert numbers to
+    doubles. If some coordinates are not doubles, the feature has "exact": false, the nearest
     doubles, and the exact vertices as strings.
 
     svg: a sheet of small pictures.
+
+    Example:
+      exactsweep corpus export directions --to svg -o directions.svg
     """
     from exactsweep.corpus import export
     from exactsweep.corpus.case_json import case_to_line
 
     if whole:
-        if names or flags or kind or max_size is not None or form != "json":
+        if names or _is_any(filters) or form != "json":
             raise click.UsageError("--all goes with -o alone.")
         _publish(output)
         return
-    chosen = _choose(names, flags, kind, max_size)
-    match form:
-        case "json":
-            parts: Iterable[str] = map(case_to_line, chosen)
-        case "wkt":
-            parts = export.cases_to_wkt(chosen)
-        case "geojson":
-            parts = export.cases_to_geojson(chosen)
-        case _:
-            parts = export.cases_to_svg(chosen)
+    writers: dict[str, Callable[[Iterable[Case]], Iterable[str]]] = {
+        "json": partial(map, case_to_line),
+        "wkt": export.cases_to_wkt,
+        "geojson": export.cases_to_geojson,
+        "svg": export.cases_to_svg,
+    }
+    parts = writers[form](_choose(names, filters))
     for text in parts if output == "-" else ["".join(parts)]:
         write(text, output)
 
@@ -222,6 +231,9 @@ def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
 
     They are the same on every machine and in every version of Python. Of several families the
     first cases come first, then the second ones. 'exactsweep corpus list families' lists families.
+
+    Example:
+      exactsweep corpus generate --family notched --seed 1 --count 100
     """
     from exactsweep.corpus import FAMILIES, generate
     from exactsweep.corpus.case_json import case_to_line
@@ -233,7 +245,11 @@ def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
 
 @corpus_command.command("schema")
 def schema_command() -> None:
-    """Write the JSON Schema (2020-12) of a case."""
+    """Write the JSON Schema (2020-12) of a case.
+
+    Example:
+      exactsweep corpus schema
+    """
     from exactsweep.corpus.shipped import read_schema
 
     write(read_schema(), "-")
@@ -251,21 +267,18 @@ def _publish(output: str) -> None:
     click.echo(f"{folder}: {count(number, 'file')}", err=True)
 
 
-def _choose(
-    names: tuple[str, ...], flags: tuple[str, ...], kind: str | None, max_size: int | None
-) -> Iterator[Case]:
+def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:
     """The cases of these names; the names are looked at at once, the cases one by one."""
     from exactsweep.corpus import cases, find_case
     from exactsweep.corpus.shipped import list_ids
 
     ids = list_ids()
-    found: list[Iterable[Case]] = []
-    for name in names or ("",):
-        if name in ids or name.startswith("gen-"):
-            found.append([find_case(name)])
-            continue
-        start = _require_start(name)
-        found.append(cases(prefix=start, flags=flags, kind=kind, max_size=max_size))
+    found: list[Iterable[Case]] = [
+        [find_case(name)]
+        if name in ids or name.startswith("gen-")
+        else cases(prefix=_require_start(name), **filters)
+        for name in names or ("",)
+    ]
     return chain.from_iterable(found)
 
 

@@ -5,29 +5,19 @@ from collections.abc import Callable
 import click
 
 from exactsweep import InnerFit, NoFitPolygon, Point, Sweep
+from exactsweep.cli.options import PATH, checked
 from exactsweep.cli.output import beside
-from exactsweep.cli.pair import PATH, coordinates_of_files, takes_pair, takes_question
+from exactsweep.cli.pair import coordinates_of_files, takes_pair, takes_question, to_point
 from exactsweep.cli.working import working
 from exactsweep.draw import make_figure, plot_positions, plot_sweep, read_suffix, save
 from exactsweep.formats import FormatError, show_path
-from exactsweep.numbers.number import to_fraction
+from exactsweep.numbers.error import name_refusals
 
 
-def _with_suffix(ctx: click.Context, option: click.Parameter, path: str) -> str:
-    try:
+def _require_suffix(path: str) -> str:
+    with name_refusals(show_path(path)):
         read_suffix(path)
-    except ValueError as error:
-        raise click.BadParameter(f"{show_path(path)}: {error}") from None
     return path
-
-
-def _to_points(
-    ctx: click.Context, option: click.Parameter, pairs: tuple[tuple[str, str], ...]
-) -> list[Point]:
-    try:
-        return [Point(*map(to_fraction, pair)) for pair in pairs]
-    except ValueError as error:
-        raise click.BadParameter(str(error)) from None
 
 
 @click.command("draw")
@@ -38,7 +28,7 @@ def _to_points(
     "positions",
     nargs=2,
     multiple=True,
-    callback=_to_points,
+    callback=checked(lambda pairs: [*map(to_point, pairs)]),
     metavar="X Y",
     help="Draw the generatrix with its reference point here; may be given several times.",
 )
@@ -55,7 +45,7 @@ def _to_points(
     "--output",
     type=PATH,
     required=True,
-    callback=_with_suffix,
+    callback=checked(_require_suffix),
     metavar="FILE",
     help="The picture: a file that ends in .svg, .pdf or .png.",
 )
@@ -71,11 +61,17 @@ def draw_command(
     The picture has both polygons, the inner and the outer loop, the trajectory with a colour for
     each contact event, undercuts hatched, exact fits marked, and the generatrix at some positions:
     closing undercuts, in exact fits and at the first vertex of the trajectory if none are given.
-    Details are enlarged below where one polygon is far smaller than the picture, or all are flat.
+    If a polygon is far smaller than the picture, or the picture is flat, enlarged details stand
+    below.
 
-    Of a no-fit polygon or an inner fit it has all loops, free positions filled, and exact fits.
+    For a no-fit polygon or an inner fit the picture has all loops, free positions filled, and exact
+    fits.
 
-    Files are read as by 'exactsweep sweep'; without files, its example is drawn.
+    The command reads files as 'exactsweep sweep' does; without files, it draws the example.
+
+    Example:
+      exactsweep draw house.json block.wkt --position 13/5 13/5 -o block.svg
+      exactsweep draw --of nfp block.wkt house.json -o nfp.svg
     """
     figure = make_figure(size=size)
     (axes,) = figure.axes

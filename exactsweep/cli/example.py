@@ -7,7 +7,8 @@ from pathlib import Path
 
 import click
 
-from exactsweep.cli.output import takes_output, write
+from exactsweep.cli.options import takes_output
+from exactsweep.cli.output import write
 from exactsweep.formats import FormatError, show_path
 
 
@@ -19,6 +20,10 @@ def example_command(name: str | None, output: str) -> None:
 
     Each of them speaks the protocol and does convex pairs only. Without NAME, their paths are
     printed; with NAME, such as convex.py, the program, or it is copied by -o FILE.
+
+    Example:
+      exactsweep example
+      exactsweep example convex.py -o adapter.py
     """
     from exactsweep.corpus.names import require_known
 

@@ -3,7 +3,8 @@
 import click
 
 from exactsweep import Sweep
-from exactsweep.cli.output import measure_terminal, takes_output, write
+from exactsweep.cli.options import takes_output
+from exactsweep.cli.output import measure_terminal, write
 from exactsweep.cli.pair import takes_pair
 from exactsweep.cli.working import working
 from exactsweep.text.explanation import tell
@@ -17,13 +18,16 @@ from exactsweep.text.results import explanation_to_json
 def explain_command(result: Sweep, as_json: bool, output: str) -> None:
     """Explain a sweep, step by step.
 
-    A step is an edge of the trajectory. For each one: what touches and slides, in which direction,
-    from where to where, and why it ends; and the undercuts and exact fits on the way. Then come the
-    holes of the no-fit polygon, in which there is room for the generatrix, and the exact fits, with
-    what touches there. Vertices and edges have their index in the files, edge i being the one from
+    A step is an edge of the trajectory. The explanation names its direction and ends, the features
+    that touch and slide, the reason for its end, and the undercuts and exact fits on the way. Then
+    it describes the holes of the no-fit polygon, which have room for the generatrix, and the exact
+    fits, with their contacts. Vertices and edges have their index in the files; edge i runs from
     vertex i to the next.
 
     Files are read as by 'exactsweep sweep'; without files, its example is explained.
+
+    Example:
+      exactsweep explain house.json block.wkt
     """
     with working("explaining the sweep"):
         lines = [explanation_to_json(result)] if as_json else [f"{one}\n" for one in tell(result)]

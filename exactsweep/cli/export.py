@@ -2,11 +2,10 @@
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import wraps
-from typing import Any
 
 import click
 
+from exactsweep.cli.options import gather
 from exactsweep.cli.output import write_readable
 from exactsweep.cli.pair import coordinates_of_files
 from exactsweep.cli.parts import say_all
@@ -19,42 +18,39 @@ from exactsweep.text.report import approximate
 from exactsweep.words import count
 
 
-def takes_rounding(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command --round and --round-outward, as `rounding`; None without them."""
+def _make_rounding(places: int | None, outward: bool) -> Rounding | None:
+    if outward and places is None:
+        raise click.UsageError("--round-outward goes with --round PLACES.")
+    return None if places is None else Rounding(places, outward)
 
-    @click.option(
+
+takes_rounding = gather(
+    "rounding",
+    _make_rounding,
+    click.option(
         "--round",
         "places",
         type=click.IntRange(0, MAX_PLACES),
         metavar="PLACES",
         help="Round to so many decimal places, and say on standard error what that changed.",
-    )
-    @click.option(
+    ),
+    click.option(
         "--round-outward",
         "outward",
         is_flag=True,
         help="With --round: never to where it would permit an overlap, which is proved. What is "
         "forbidden grows, what is free shrinks.",
-    )
-    @wraps(command)
-    def with_rounding(*arguments: Any, places: int | None, outward: bool, **options: Any) -> None:
-        if outward and places is None:
-            raise click.UsageError("--round-outward goes with --round PLACES.")
-        rounding = None if places is None else Rounding(places, outward)
-        command(*arguments, rounding=rounding, **options)
+    ),
+)
+"""Gives a command --round and --round-outward, as `rounding`; None without them."""
 
-    return with_rounding
-
-
-def takes_format(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command --to FORMAT, as `target`; None if left out."""
-    option = click.option(
-        "--to",
-        "target",
-        type=click.Choice(FORMATS),
-        help="Write the polygons of the result in this format, for other programs and 'convert'.",
-    )
-    return option(command)
+takes_format = click.option(
+    "--to",
+    "target",
+    type=click.Choice(FORMATS),
+    help="Write the polygons of the result in this format, for other programs and 'convert'.",
+)
+"""Gives a command --to FORMAT, as `target`; None if left out."""
 
 
 def export(

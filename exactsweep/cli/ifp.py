@@ -3,24 +3,27 @@
 import click
 
 from exactsweep import Point, Region, free_positions
-from exactsweep.cli.pair import takes_shapes
+from exactsweep.cli.options import PATH
+from exactsweep.cli.pair import read_placed, takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
-from exactsweep.formats import NamedRegion
-from exactsweep.formats.rounding import Side
-from exactsweep.text.report import report_inner_fit
-from exactsweep.text.results import inner_fit_to_json, inner_fit_to_regions, inner_fit_to_wkt
+
+_takes_placed = click.option(
+    "--placed",
+    multiple=True,
+    type=PATH,
+    metavar="FILE",
+    help="Polygons that PART must not overlap either; may be repeated.",
+)
 
 
 @click.command("ifp")
-@takes_shapes("CONTAINER", "PART", others="placed")
+@takes_shapes("CONTAINER", "PART", read_placed, _takes_placed)
 @takes_form("the positions")
-def ifp_command(
-    container: Region, part: Region, placed: list[Region], reference: Point, form: Form
-) -> None:
+def ifp_command(shapes: tuple[Region, Region, list[Region]], reference: Point, form: Form) -> None:
     """Find all positions of a part inside a container.
 
-    Given --placed FILE, once or several times, PART does not overlap the polygons of the files
-    either. They stand where the files have them.
+    With --placed FILE, once or several times, PART also stays clear of the polygons in these files,
+    in their positions in the files.
 
     Holes of CONTAINER are defects, which PART has to avoid. The answer has regions of positions,
     perhaps with holes, and exact fits, at which CONTAINER is exactly as wide as PART. It is empty
@@ -29,18 +32,11 @@ def ifp_command(
     Files are read as by 'exactsweep sweep'. --wkt writes a POLYGON for each region and a LINESTRING
     or a POINT for each exact fit, or POLYGON EMPTY, if all coordinates are finite decimals, and is
     refused otherwise.
+
+    Example:
+      exactsweep ifp sheet.json part.wkt
+      exactsweep ifp sheet.json part.wkt --placed first.wkt --placed others.dxf --json
+      exactsweep ifp sheet.json part.wkt --certificate -o proof.json
     """
-    result = free_positions(container, placed, part, reference=reference)
-    write_result(
-        result,
-        form,
-        to_json=inner_fit_to_json,
-        to_wkt=inner_fit_to_wkt,
-        to_regions=inner_fit_to_regions,
-        side_of=_side,
-        report=report_inner_fit,
-    )
-
-
-def _side(region: NamedRegion) -> Side:
-    return "inward"
+    container, part, placed = shapes
+    write_result(free_positions(container, placed, part, reference=reference), form)

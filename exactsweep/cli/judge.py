@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import click
 
-from exactsweep.cli.pair import PATH
+from exactsweep.cli.options import takes_file
 from exactsweep.cli.reports import Reports, takes_reports
 
 
 @click.command("judge")
-@click.option(
-    "--cases",
-    "path",
-    type=PATH,
-    metavar="FILE",
-    help="The cases, as JSON lines, if they are neither of the corpus nor generated.",
+@takes_file(
+    "--cases path", "The cases, as JSON lines, if they are neither of the corpus nor generated."
 )
 @takes_reports
 def judge_command(path: str | None, reports: Reports) -> None:
@@ -27,6 +23,9 @@ def judge_command(path: str | None, reports: Reports) -> None:
     Prints how many cases of each class and flag got which verdict, and each fault with its smallest
     case. The exit code is 0 if no verdict is worse than --accept, all lines were answers, and
     enough cases could be judged; and 1 otherwise.
+
+    Example:
+      exactsweep judge --cases cases.jsonl
     """
     from exactsweep.conform.run.cases import open_standard_input, read_cases, require_distinct
     from exactsweep.conform.run.stream import Stream, finder

@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from exactsweep.cli.output import measure_terminal, takes_output, write, write_readable
-from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
+from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_output, takes_workers
+from exactsweep.cli.output import measure_terminal, write, write_readable
+from exactsweep.cli.pair import ReadingOptions, takes_reading
+from exactsweep.cli.reports import to_gap
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
 from exactsweep.formats.layouts import FoundLayout, read_layouts
 from exactsweep.numbers.limits import limits, list_limits
-from exactsweep.numbers.number import format_fraction, to_fraction
+from exactsweep.numbers.number import format_fraction
 
 if TYPE_CHECKING:
     from exactsweep.layout import Judgement
@@ -40,23 +42,27 @@ class LayoutRow(NamedTuple):
     worst: str = ""
 
 
-def _to_gap(ctx: click.Context, option: click.Parameter, text: str | None) -> Fraction | None:
-    try:
-        found = None if text is None else to_fraction(text)
-    except ValueError as error:
-        raise click.BadParameter(str(error)) from None
-    if found is not None and found < 0:
-        raise click.BadParameter(f"{text} is negative")
-    return found
+def _make_gaps(spacing: Fraction | None, margin: Fraction | None) -> dict[str, str]:
+    given = {"spacing": spacing, "margin": margin}
+    return {name: format_fraction(gap) for name, gap in given.items() if gap is not None}
+
+
+class _Wanted(NamedTuple):
+    """The outputs that are asked for of a layout, and their files."""
+
+    as_json: bool
+    everything: bool
+    certificate: str | None
+    html: str | None
+    svg: str | None
+    output: str
 
 
 @click.command("layout")
 @click.argument("files", nargs=-1, required=True, type=PATH)
-@click.option(
+@takes_file(
     "--instance",
-    type=PATH,
-    metavar="FILE",
-    help="The instance that a solution answers: its parts, how many of each, and which turns are "
+    "The instance that a solution answers: its parts, how many of each, and which turns are "
     "allowed.",
 )
 @click.option(
@@ -65,145 +71,124 @@ def _to_gap(ctx: click.Context, option: click.Parameter, text: str | None) -> Fr
     help="Which outline of a drawing is the container, by name, index or layer; the one around all "
     "others if left out.",
 )
-@click.option(
-    "--spacing",
-    callback=_to_gap,
-    metavar="DISTANCE",
-    help="How far apart any two parts have to be; what the file says if left out, or 0.",
-)
-@click.option(
-    "--margin",
-    callback=_to_gap,
-    metavar="DISTANCE",
-    help="How far parts have to be from the edge of the container and from its defects.",
+@gather(
+    "gaps",
+    _make_gaps,
+    click.option(
+        "--spacing",
+        callback=checked(to_gap),
+        metavar="DISTANCE",
+        help="How far apart any two parts have to be; what the file says if left out, or 0.",
+    ),
+    click.option(
+        "--margin",
+        callback=checked(to_gap),
+        metavar="DISTANCE",
+        help="How far parts have to be from the edge of the container and from its defects.",
+    ),
 )
 @takes_reading
-@click.option("--json", "as_json", is_flag=True, help="Write the judgement, exactly, as JSON.")
-@click.option("--all", "everything", is_flag=True, help="List all faults.")
-@click.option(
-    "--certificate",
-    type=PATH,
-    metavar="FILE",
-    help="Write what 'exactsweep verify' proves the verdict by, from its definition.",
+@gather(
+    "wanted",
+    _Wanted,
+    click.option("--json", "as_json", is_flag=True, help="Write the judgement, exactly, as JSON."),
+    click.option("--all", "everything", is_flag=True, help="List all faults."),
+    takes_file(
+        "--certificate",
+        "Write what 'exactsweep verify' proves the verdict by, from its definition.",
+    ),
+    takes_file("--html", "Write a page with pictures of faults."),
+    takes_file("--svg", "Write a picture, faults enlarged below."),
+    takes_workers("How many processes judge several files; one for each processor if left out."),
+    takes_output,
 )
-@click.option("--html", type=PATH, metavar="FILE", help="Write a page with pictures of faults.")
-@click.option("--svg", type=PATH, metavar="FILE", help="Write a picture, faults enlarged below.")
-@click.option(
-    "--workers",
-    type=click.IntRange(1, 1024),
-    metavar="N",
-    help="How many processes judge several files; one for each processor if left out.",
-)
-@takes_output
 def layout_command(
     files: tuple[str, ...],
     instance: str | None,
     container: str | None,
-    spacing: Fraction | None,
-    margin: Fraction | None,
+    gaps: dict[str, str],
     reading: ReadingOptions,
-    as_json: bool,
-    everything: bool,
-    certificate: str | None,
-    html: str | None,
-    svg: str | None,
+    wanted: _Wanted,
     workers: int | None,
-    output: str,
 ) -> None:
-    """Judge what a nesting program put out.
+    """Judge the output of a nesting program.
 
     Each of FILES is a file, a folder of files, a pattern such as 'nests/*.json', or - for standard
     input: Layout JSON; solutions of sparrow, jagua-rs, spyrrow, packingsolver or CG:SHOP 2024 as
-    JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; or any drawing, SVG and DXF among them, its
-    outlines where they stand. What a file does not say, --instance may. Of a file with several
-    sheets, each a layout, FILE#0 is the first.
+    JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; or any drawing, such as SVG or DXF, with
+    the outlines in place. --instance adds rules that a file lacks. In a file with several sheets
+    each sheet is a layout; FILE#0 is the first.
 
     A layout is valid if all parts are inside the container and clear of its defects, no two
-    overlap, all distances are kept, and as many of each part are placed as are wanted, turned and
-    mirrored as is allowed. Each fault is listed with what proves it, how bad it is and the shortest
-    move that repairs it, the worst first. If a whole layout is wrong, the usual mistakes are
-    tried: radians, another center, another sign, Y downward, another scale.
+    overlap, all distances are kept, and the number, the turns and the mirroring of parts obey the
+    rules. The report lists each fault, the worst first, with its proof, its measure and the
+    shortest move that repairs it. If most of a layout is wrong, the command tries other
+    conventions: radians, another center, another sign, Y downward, another scale.
 
     The exit code is 0 only if all layouts are valid.
+
+    Example:
+      exactsweep layout nest.svg --html nest.html
+      exactsweep layout final.json --spacing 0.5 --certificate proof.json
+      exactsweep layout solution.json --instance instance.json
+      exactsweep layout nests 'more/*.svg' --workers 4
     """
     found = [path for given in files for path in find_files(given)]
     options = {"instance": instance, "container": container, **reading}
-    gaps = {
-        name: format_fraction(gap)
-        for name, gap in (("spacing", spacing), ("margin", margin))
-        if gap is not None
-    }
     if len(found) == 1:
         layouts = read_layouts(found[0], **options)
         if len(layouts) == 1:
-            (layout,) = layouts
             y_down = reading["y_down"]
             if y_down is None:
                 y_down = found[0].split("#")[0].lower().endswith(".svg")
-            files_out = {"certificate": certificate, "html": html, "svg": svg}
-            form = "json" if as_json else "all" if everything else "report"
-            title = show_path(found[0])
-            sys.exit(0 if _judge_one(layout, gaps, title, form, files_out, y_down, output) else 1)
-    if certificate or html or svg:
+            valid = _judge_one(layouts[0], gaps, show_path(found[0]), wanted, y_down=y_down)
+            sys.exit(0 if valid else 1)
+    if wanted.certificate or wanted.html or wanted.svg:
         raise click.UsageError("--certificate, --html and --svg are for a single layout.")
     rows = [*_judge_all(found, options, gaps, workers)]
-    if as_json:
+    if wanted.as_json:
         text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
     else:
-        terminal = measure_terminal(output)
+        terminal = measure_terminal(wanted.output)
         text = _write_rows(rows, terminal and terminal.columns)
-    write(text, output)
+    write(text, wanted.output)
     sys.exit(0 if all(row.valid for row in rows) else 1)
 
 
 def _judge_one(
-    found: FoundLayout,
-    gaps: Mapping[str, str],
-    title: str,
-    form: str,
-    files_out: Mapping[str, str | None],
-    y_down: bool,
-    output: str,
+    found: FoundLayout, gaps: Mapping[str, str], title: str, wanted: _Wanted, *, y_down: bool
 ) -> bool:
     """Judge a layout, write what is wanted, and tell whether it is valid."""
     from exactsweep.cli.bar import words
-    from exactsweep.layout import judge_layout
+    from exactsweep.layout import judge_layout, report
     from exactsweep.layout.diagnose import diagnose
-    from exactsweep.layout.report import (
-        draw_layout,
-        rank_faults,
-        report_layout,
-        write_layout_json,
-        write_layout_page,
-    )
 
     layout = _make_layout(found, gaps)
     with words() as tell:
         tell(f"judging {len(layout.placements)} placements")
         judgement = judge_layout(layout)
         notes = [*found.notes, *diagnose(judgement)]
-        ranked = rank_faults(judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"))
+        ranked = report.rank_faults(judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"))
         tell("writing")
-        if files_out["html"]:
-            page = write_layout_page(judgement, ranked, title, notes, y_down=y_down)
-            write(page, files_out["html"])
-        if files_out["svg"]:
-            write(draw_layout(judgement, ranked, title, y_down=y_down), files_out["svg"])
-        if files_out["certificate"]:
-            text = json.dumps(judgement.certificate()) + "\n"
-            write_readable(text, files_out["certificate"])
-        if form == "json":
-            text = write_layout_json(judgement, notes)
+        if wanted.html:
+            page = report.write_layout_page(judgement, ranked, title, notes, y_down=y_down)
+            write(page, wanted.html)
+        if wanted.svg:
+            write(report.draw_layout(judgement, ranked, title, y_down=y_down), wanted.svg)
+        if wanted.certificate:
+            write_readable(json.dumps(judgement.certificate()) + "\n", wanted.certificate)
+        if wanted.as_json:
+            text = report.write_layout_json(judgement, notes)
         else:
-            terminal = measure_terminal(output)
-            text = report_layout(
+            terminal = measure_terminal(wanted.output)
+            text = report.report_layout(
                 judgement,
                 ranked,
                 terminal and terminal.columns,
                 notes=notes,
-                everything=form == "all",
+                everything=wanted.everything,
             )
-    write(text, output)
+    write(text, wanted.output)
     return judgement.valid
 
 
@@ -263,15 +248,9 @@ def _sum_up(name: str, judgement: Judgement) -> LayoutRow:
 
 
 def _write_rows(rows: Sequence[LayoutRow], terminal_width: int | None) -> str:
-    from rich.table import Table
+    from exactsweep.text.report import lay_out, make_table
 
-    from exactsweep.text.report import lay_out
-
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("layout", style="bold", overflow="fold")
-    table.add_column("placements", justify="right")
-    table.add_column("verdict", overflow="fold")
-    table.add_column("worst or nearest", overflow="fold")
+    table = make_table(("layout", "placements", "verdict", "worst or nearest"), {"placements"})
     for row in rows:
         placements = "" if row.valid is None else str(row.placements)
         table.add_row(row.name, placements, row.verdict, row.worst)

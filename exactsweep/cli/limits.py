@@ -2,21 +2,23 @@
 
 import click
 
+from exactsweep.cli.options import checked
 from exactsweep.numbers.limits import DEFAULT_DIGITS, DEFAULT_MIB, limits
 
 _READING_NOTHING = {"corpus", "example", "reproduce"}
 
 
-def add_limits(main: click.Group) -> None:
-    """Give each command that reads files the options --max-mib and --max-digits."""
-    for name, command in main.commands.items():
-        if name not in _READING_NOTHING:
-            command.params += [_make_mib(), _make_digits()]
+def _raise_limit(ctx: click.Context, option: click.Parameter, value: float | None) -> None:
+    """Change a limit for as long as the command runs."""
+    if not ctx.resilient_parsing:
+        checked(lambda most: ctx.with_resource(limits(**{str(option.name): most})))(
+            ctx, option, value
+        )
 
 
-def _make_mib() -> click.Option:
-    return click.Option(
-        ["--max-mib"],
+_LIMITS = (
+    click.option(
+        "--max-mib",
         type=click.FloatRange(min=0, min_open=True),
         expose_value=False,
         is_eager=True,  # before options that are numbers
@@ -24,12 +26,9 @@ def _make_mib() -> click.Option:
         metavar="MIB",
         help="Read files that count for no more than this, by their bytes, and 16 for each vertex; "
         f"{DEFAULT_MIB} if left out.",
-    )
-
-
-def _make_digits() -> click.Option:
-    return click.Option(
-        ["--max-digits"],
+    ),
+    click.option(
+        "--max-digits",
         type=click.IntRange(min=1),
         expose_value=False,
         is_eager=True,
@@ -37,13 +36,13 @@ def _make_digits() -> click.Option:
         metavar="N",
         help="Read numbers of up to so many digits above and below the fraction bar, and 32 times "
         f"as many where they are written out; {DEFAULT_DIGITS} if left out.",
-    )
+    ),
+)
 
 
-def _raise_limit(ctx: click.Context, option: click.Parameter, value: float | None) -> None:
-    """Change a limit for as long as the command runs."""
-    if value is not None and not ctx.resilient_parsing:
-        try:
-            ctx.with_resource(limits(**{str(option.name): value}))  # type: ignore[arg-type]
-        except ValueError as error:
-            raise click.BadParameter(str(error)) from None
+def add_limits(main: click.Group) -> None:
+    """Give each command that reads files the options --max-mib and --max-digits."""
+    for name, command in main.commands.items():
+        if name not in _READING_NOTHING:
+            for option in _LIMITS:
+                option(command)

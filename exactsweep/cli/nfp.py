@@ -5,33 +5,37 @@ import click
 from exactsweep import NoFitPolygon, Point, no_fit_polygon
 from exactsweep.cli.export import export
 from exactsweep.cli.output import measure_terminal, write, write_readable
-from exactsweep.cli.pair import takes_shapes
+from exactsweep.cli.pair import read_each, takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion
-from exactsweep.formats.rounding import Side
-from exactsweep.text.report import approximate, lay_out, report_no_fit
-from exactsweep.text.results import no_fit_to_json, no_fit_to_regions, no_fit_to_wkt
+from exactsweep.text.report import approximate, lay_out, make_table
+from exactsweep.text.results import no_fit_to_regions
 
 
 @click.command("nfp")
-@takes_shapes("STATIONARY", "ORBITING", several=True)
+@takes_shapes("STATIONARY", "ORBITING", read_each)
 @takes_form("the no-fit polygon and the exact fits")
 def nfp_command(
-    stationary: list[NamedRegion], orbiting: list[NamedRegion], reference: Point, form: Form
+    shapes: tuple[list[NamedRegion], list[NamedRegion]], reference: Point, form: Form
 ) -> None:
     """Find no-fit polygons, of one pair or of several.
 
-    That is where ORBITING overlaps STATIONARY: the exterior, which is the trajectory of a sweep;
-    holes, where ORBITING fits into a cave or a hole; and exact fits, single positions and segments
-    of them, at which it fits without any room.
+    A no-fit polygon is the set of positions where ORBITING overlaps STATIONARY. It has an exterior,
+    which is the trajectory of a sweep; holes, where ORBITING fits into a cave or a hole; and exact
+    fits, positions and segments of positions at which it fits without any room.
 
     Files are read as by 'exactsweep sweep'; each may be a folder or a pattern, too. Of several
     pairs the report has a line for each, --json a line of JSON, and --to writes all of them.
     --wkt writes a POLYGON with its holes, and a LINESTRING or a POINT for each exact fit, if all
     coordinates are finite decimals, and is refused otherwise.
+
+    Example:
+      exactsweep nfp plate.json fork.wkt
+      exactsweep nfp sheet.dxf#0 parts.svg#bracket --reference 1/2 0 --json -o result.json
+      exactsweep nfp sheet.dxf#0 part.svg --to dxf --round 3 --round-outward -o nfp.dxf
     """
-    pairs = [(d, g) for d in stationary for g in orbiting]
+    pairs = [(d, g) for d in shapes[0] for g in shapes[1]]
     found = []
     with working("no-fit polygons") as tell:
         for k, (d, g) in enumerate(pairs, 1):
@@ -40,15 +44,7 @@ def nfp_command(
             # It is found when it is asked for.
             _ = found[-1].holes
     if len(pairs) == 1:
-        write_result(
-            found[0],
-            form,
-            to_json=no_fit_to_json,
-            to_wkt=no_fit_to_wkt,
-            to_regions=no_fit_to_regions,
-            side_of=_side,
-            report=report_no_fit,
-        )
+        write_result(found[0], form)
         return
     names = [(str(d.name), str(g.name)) for d, g in pairs]
     if form.kind == "to":
@@ -58,7 +54,7 @@ def nfp_command(
             for one in no_fit_to_regions(result)
         ]
         fits = [fit for result in found for fit in result.exact_fits]
-        export(regions, fits, form.target, form.rounding, form.output, _side)
+        export(regions, fits, form.target, form.rounding, form.output, lambda region: "outward")
     elif form.kind == "json":
         from exactsweep.batch.record import write_result_line
 
@@ -75,19 +71,10 @@ def nfp_command(
 
 def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) -> str:
     """A line for each pair."""
-    from rich.table import Table
-
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    for head in ("stationary", "orbiting", "class"):
-        table.add_column(head)
-    for head in ("vertices", "holes", "exact fits", "area about"):
-        table.add_column(head, justify="right")
+    numbers = ("vertices", "holes", "exact fits", "area about")
+    table = make_table(("stationary", "orbiting", "class", *numbers), numbers)
     for (d, g), n in zip(names, found, strict=True):
         sizes = (len(n.exterior), len(n.holes), len(n.exact_fits))
         table.add_row(d, g, n.kind, *map(str, sizes), approximate(n.area))
     terminal = measure_terminal(output)
     return lay_out([table], terminal and terminal.columns)
-
-
-def _side(region: NamedRegion) -> Side:
-    return "outward"

@@ -2,48 +2,36 @@
 
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from shutil import copymode, get_terminal_size
-from typing import TypeVar
 
 import click
 
-from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.parsing import measure_written
 from exactsweep.formats.size import find_needed_mib
 
-Command = TypeVar("Command", bound=Callable[..., None])
-
-
-def takes_output(command: Command) -> Command:
-    """Give a command the option -o FILE, as `output`; "-" if left out."""
-    option = click.option(
-        "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
-    )
-    return option(command)
-
 
 def measure_terminal(output: str) -> os.terminal_size | None:
-    """Return the size of the terminal that the output goes to, or None if that is none."""
+    """Return the size of the terminal of the output, or None if it is not a terminal."""
     if output == "-" and sys.stdout is not None and sys.stdout.isatty():
         return get_terminal_size()
     return None
 
 
 def write_readable(text: str, output: str) -> None:
-    """Write what commands read again, and say under which limit if they do not without one."""
+    """Write an output for other commands, and report the limit if they need a higher one."""
     write(text, output)
     say_limit(measure_written(text), output)
 
 
 def say_limit(size: int, output: str) -> None:
-    """Say on standard error which limit reads what has been written, if there has to be one.
+    """Report on standard error the limit that is needed to read the output, if it is a higher one.
 
     Args:
-        size: for how many bytes it counts.
+        size: the size of the output in bytes, for the limit.
         output: the file, or "-".
     """
     needed = find_needed_mib(size)
@@ -54,9 +42,9 @@ def say_limit(size: int, output: str) -> None:
 
 @contextmanager
 def beside(output: str) -> Iterator[str]:
-    """Yield the name of a new file beside the output, which takes its place when it is whole.
+    """Yield the name of a new file beside the output, which replaces the output when complete.
 
-    A device, and a file in a folder where no other can be made, is written in place.
+    Devices, and files in folders without room for another, are written in place.
     """
     path = Path(output).resolve()
     folder = path.parent
@@ -92,7 +80,7 @@ def write(text: str, output: str) -> None:
     except OSError as error:
         name = show_path(output)
         if output == "-":
-            # What could not be written is still in the buffer and would fail again on exit.
+            # The buffer still has the rest, which would fail again on exit.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             name = "standard output"
         raise FormatError(f"{name}: {error.strerror or error}") from None

@@ -1,8 +1,6 @@
-"""The pair that a command works on: its files and options."""
+"""The polygons that a command works on: its files and options."""
 
 from collections.abc import Callable, Iterable, Sequence
-from fractions import Fraction
-from functools import wraps
 from typing import Any
 
 import click
@@ -12,10 +10,12 @@ from exactsweep import (
     NoFitPolygon,
     Point,
     Region,
+    Sweep,
     inner_fit_polygon,
     no_fit_polygon,
     sweep,
 )
+from exactsweep.cli.options import PATH, Decorator, checked, gather
 from exactsweep.cli.parts import find_parts, read_named, say_all, say_left_out
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
@@ -33,21 +33,17 @@ from exactsweep.numbers.number import to_fraction
 GENERATRIX = Polygon([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
 DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 
-# Not checked by click, for which a file that cannot be read is a mistake in the usage.
-PATH = click.Path(allow_dash=True, readable=False)
-
-
 ReadingOptions = dict[str, Any]
-"""The arguments "tolerance" and `Options` of what reads files."""
+"""The arguments "tolerance" and `Options` of the readers of files."""
 
 SAME_LAYER = "layer"
-"""The value of --nested that `give_values` adds where there is none."""
+"""The value of --nested that `give_values` adds if it is missing."""
 
 _COORDINATES = "exactsweep.coordinates"
 
 
 def give_values(arguments: Sequence[str]) -> list[str]:
-    """Give --nested a value where the next word is none, for it need not have one.
+    """Add the optional value of --nested if the next word is not a value.
 
     >>> give_values(["--nested", "a.dxf", "--nested", "all", "--nested", "OUTER,INNER"])
     ['--nested=layer', 'a.dxf', '--nested', 'all', '--nested', 'OUTER,INNER']
@@ -59,67 +55,67 @@ def give_values(arguments: Sequence[str]) -> list[str]:
     ]
 
 
-def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the arguments and options of a pair.
+def to_point(pair: Iterable[str]) -> Point:
+    """Read the two words of an option that is a point."""
+    return Point(*map(to_fraction, pair))
 
-    Args:
-        command: a function of a `Sweep`, the pair's, and of the command's own options.
 
-    Returns:
-        The same as a function of all options, for `click.command`.
-    """
+def _make_reading(
+    tolerance: object, join: object, nested: str | None, unit: str, hidden: bool, y_down: bool
+) -> ReadingOptions:
+    reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden}
+    return reading | {"nested": nested == SAME_LAYER or nested or False, "y_down": y_down}
 
-    @click.argument("generatrix", required=False, type=PATH)
-    @click.argument("directrix", required=False, type=PATH)
-    @click.option(
-        "--direction",
-        nargs=2,
-        callback=_to_direction,
-        metavar="P Q",
-        help="The shared direction of monotonicity; chosen if left out.",
-    )
-    @click.option(
+
+takes_reading = gather(
+    "reading",
+    _make_reading,
+    click.option(
+        "--flatten",
+        "tolerance",
+        callback=checked(lambda text: how.Reading(text).tolerance),
+        metavar="TOLERANCE",
+        help="Read curves of SVG and DXF as lines no farther from them than this; refused if "
+        "left out.",
+    ),
+    click.option(
+        "--join",
+        callback=checked(lambda text: how.Reading(join=text).join),
+        metavar="DISTANCE",
+        help="Join ends of lines of SVG and DXF that are no farther apart; only equal ends if left "
+        "out.",
+    ),
+    click.option(
+        "--nested",
+        metavar="[all|OUTER,INNER]",
+        help="Closed outlines inside others of their layer are holes, which DXF has no other way "
+        "to draw; with 'all', of any layer; with names of layers, of any of these.",
+    ),
+    click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too."),
+    click.option(
+        "--y-down/--y-up",
+        default=None,
+        help="Whether Y points down in the files; if left out, it does in SVG only.",
+    ),
+    click.option(
+        "--unit",
+        type=click.Choice(list(how.UNITS)),
+        help="Scale SVG and DXF that say their unit to this one; numbers as they stand if left "
+        "out.",
+    ),
+)
+"""Gives a command the options of how files are read, as `reading`, a dict of arguments."""
+
+
+def _make_reference(help: str) -> Decorator:
+    return click.option(
         "--reference",
         nargs=2,
         default=("0", "0"),
-        callback=_to_point,
+        callback=checked(to_point),
         metavar="X Y",
-        help="The point of the generatrix whose path the trajectory is; 0 0 if left out.",
+        help=f"{help}; 0 0 if left out.",
     )
-    @takes_reading
-    @wraps(command)
-    def with_pair(
-        generatrix: str | None,
-        directrix: str | None,
-        direction: Vector | None,
-        reference: Point,
-        reading: ReadingOptions,
-        **options: Any,
-    ) -> None:
-        if generatrix is not None and directrix is None:
-            raise click.UsageError("Give both GENERATRIX and DIRECTRIX, or neither.")
-        asked = _ASKED.get(options.pop("asked", "sweep"))
-        if generatrix is None or directrix is None:
-            g, d = Region(GENERATRIX), Region(DIRECTRIX)
-            g, d = (d, g) if asked else (g, d)
-        else:
-            g, d = read_two(generatrix, directrix, reading)
-        if asked:
-            if direction is not None:
-                raise click.UsageError("--direction is for sweeps.")
-            command(asked(g, d, reference=reference), **options)
-            return
-        try:
-            result = sweep(g, d, direction=direction, reference=reference)
-        except DirectionError as error:
-            if generatrix is None or directrix is None:
-                raise
-            raise DirectionError(
-                f"{show_path(generatrix)}, {show_path(directrix)}: {error}"
-            ) from None
-        command(result, **options)
-
-    return with_pair
 
 
 _ASKED: dict[str, Callable[..., NoFitPolygon | InnerFit]] = {
@@ -128,17 +124,83 @@ _ASKED: dict[str, Callable[..., NoFitPolygon | InnerFit]] = {
 }
 
 
-def takes_question(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command of `takes_pair` the option --of, by which its result is no sweep."""
-    option = click.option(
-        "--of",
-        "asked",
-        type=click.Choice(["sweep", *_ASKED]),
-        default="sweep",
-        help="Show a sweep, or the no-fit polygon of STATIONARY and ORBITING, or the inner fit of "
-        "CONTAINER and PART, the files in this order.",
+def _answer(
+    generatrix: str | None,
+    directrix: str | None,
+    direction: Vector | None,
+    reference: Point,
+    reading: ReadingOptions,
+    asked: str = "sweep",
+) -> Sweep | NoFitPolygon | InnerFit:
+    """Answer the question of a command about the polygons of its files, or of its example."""
+    answer = _ASKED.get(asked)
+    if generatrix is not None and directrix is not None:
+        g, d = read_two(generatrix, directrix, reading)
+    elif generatrix is None:
+        g, d = map(Region, (DIRECTRIX, GENERATRIX) if answer else (GENERATRIX, DIRECTRIX))
+    else:
+        raise click.UsageError("Give both GENERATRIX and DIRECTRIX, or neither.")
+    if answer:
+        if direction is not None:
+            raise click.UsageError("--direction is for sweeps.")
+        return answer(g, d, reference=reference)
+    try:
+        return sweep(g, d, direction=direction, reference=reference)
+    except DirectionError as error:
+        if files := name_files_of_pair():
+            raise DirectionError(f"{', '.join(map(show_path, files))}: {error}") from None
+        raise
+
+
+takes_pair = gather(
+    "result",
+    _answer,
+    click.argument("generatrix", required=False, type=PATH),
+    click.argument("directrix", required=False, type=PATH),
+    click.option(
+        "--direction",
+        nargs=2,
+        callback=checked(read_direction),
+        metavar="P Q",
+        help="The shared direction of monotonicity; chosen if left out.",
+    ),
+    _make_reference("The point of the generatrix whose path the trajectory is"),
+    takes_reading,
+)
+"""Gives a command the arguments and options of a pair, as `result`, the pair's Sweep."""
+
+
+takes_question = click.option(
+    "--of",
+    "asked",
+    type=click.Choice(["sweep", *_ASKED]),
+    default="sweep",
+    help="Show a sweep, or the no-fit polygon of STATIONARY and ORBITING, or the inner fit of "
+    "CONTAINER and PART, the files in this order.",
+)
+"""Gives a command of `takes_pair` the option --of, by which its result is no sweep."""
+
+
+def takes_shapes(
+    first: str, second: str, read: Callable[..., object], *options: Decorator
+) -> Decorator:
+    """Give a command two polygons, of which the second one moves, as `shapes`.
+
+    Args:
+        first: what the file of the one that stays is called.
+        second: what the file of the other one is called.
+        read: reads both; a function of "stays", "moves", "reading" and the values of the options.
+        options: further ones.
+    """
+    return gather(
+        "shapes",
+        read,
+        *options,
+        click.argument("stays", metavar=first, type=PATH),
+        click.argument("moves", metavar=second, type=PATH),
+        _make_reference(f"The point of {second} whose positions are listed"),
+        takes_reading,
     )
-    return option(command)
 
 
 def name_files_of_pair() -> tuple[str, str] | None:
@@ -157,55 +219,6 @@ def coordinates_of_files() -> Coordinates:
     return coordinates
 
 
-def takes_shapes(
-    first: str, second: str, *, several: bool = False, others: str = ""
-) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a command two polygons, of which the second one moves, as positional arguments.
-
-    Args:
-        first: what the file of the one that stays is called.
-        second: what the file of the other one is called.
-        several: whether each may be several files with several polygons.
-        others: the name of an option that reads further polygons, if there is one.
-
-    Returns:
-        A decorator for a function of two Regions, or of two lists of NamedRegion, and of options,
-        of which "reference" is one.
-    """
-
-    def decorated(command: Callable[..., None]) -> Callable[..., None]:
-        @click.argument("stays", metavar=first, type=PATH)
-        @click.argument("moves", metavar=second, type=PATH)
-        @click.option(
-            "--reference",
-            nargs=2,
-            default=("0", "0"),
-            callback=_to_point,
-            metavar="X Y",
-            help=f"The point of {second} whose positions are told; 0 0 if left out.",
-        )
-        @takes_reading
-        @wraps(command)
-        def with_shapes(stays: str, moves: str, reading: ReadingOptions, **options: Any) -> None:
-            read = _read_each if several else read_two
-            shapes = read(stays, moves, reading)
-            if others:
-                options[others] = _read_all(options[others], reading)
-            command(*shapes, **options)
-
-        if not others:
-            return with_shapes
-        return click.option(
-            f"--{others}",
-            multiple=True,
-            type=PATH,
-            metavar="FILE",
-            help=f"Polygons that {second} must not overlap either; may be repeated.",
-        )(with_shapes)
-
-    return decorated
-
-
 def keep_coordinates(coordinates: Coordinates, notes: Iterable[str] = ()) -> None:
     """Keep the meaning of the coordinates for what the command writes, and say what changed."""
     click.get_current_context().meta[_COORDINATES] = coordinates
@@ -217,33 +230,40 @@ def _require_one_input(first: str, second: str) -> None:
         raise click.UsageError("Only one polygon can be read from standard input.")
 
 
-def _read_each(
-    first: str, second: str, reading: ReadingOptions
+def read_each(
+    stays: str, moves: str, reading: ReadingOptions
 ) -> tuple[list[NamedRegion], list[NamedRegion]]:
-    _require_one_input(first, second)
-    found = [(show_path(path), read_named([path], reading)) for path in (first, second)]
+    """Read the polygons of two files, folders or patterns, with Y the same way up."""
+    _require_one_input(stays, moves)
+    found = [(show_path(path), read_named([path], reading)) for path in (stays, moves)]
     keep_coordinates(*bring_to_one(found))
     return found[0][1], found[1][1]
 
 
-def _read_all(paths: Sequence[str], reading: ReadingOptions) -> list[Region]:
-    """Read all polygons of files, with Y as in the pair; none may be left out as not simple."""
+def read_placed(
+    stays: str, moves: str, placed: Sequence[str], reading: ReadingOptions
+) -> tuple[Region, Region, list[Region]]:
+    """Read two polygons, and all of other files, with Y as in the two."""
+    first, second = read_two(stays, moves, reading)
     regions: list[Region] = []
-    listing = find_parts(paths, reading) if paths else None
-    for part in listing.parts if listing else ():
+    if not placed:
+        return first, second, regions
+    listing = find_parts(placed, reading)
+    for part in listing.parts:
+        # None may be left out as not simple.
         with name_refusals(part.file):
             regions.append(part.candidate.named_region().region)
-    if listing and listing.coordinates.y_down != coordinates_of_files().y_down:
-        say_all([f"{', '.join(map(show_path, paths))}: Y turned, to point as in the other files"])
+    if listing.coordinates.y_down != coordinates_of_files().y_down:
+        say_all([f"{', '.join(map(show_path, placed))}: Y turned, to point as in the other files"])
         regions = [region.scaled((1, -1)) for region in regions]
-    return regions
+    return first, second, regions
 
 
-def read_two(first: str, second: str, reading: ReadingOptions) -> tuple[Region, Region]:
+def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, Region]:
     """Read two polygons, each from a file, with Y the same way up, and say what is left out."""
-    _require_one_input(first, second)
+    _require_one_input(stays, moves)
     with working("reading"):
-        files = [(path, read_choice(path, **reading)) for path in (first, second)]
+        files = [(path, read_choice(path, **reading)) for path in (stays, moves)]
     keep_coordinates(*bring_to_one([(show_path(path), found) for path, found in files]))
     regions = []
     for path, found in files:
@@ -253,82 +273,3 @@ def read_two(first: str, second: str, reading: ReadingOptions) -> tuple[Region, 
         with working("reading"), name_file(name):
             regions.append(found[0].region())
     return regions[0], regions[1]
-
-
-def takes_reading(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the options of how files are read, as `reading`, a dict of arguments."""
-
-    @click.option(
-        "--flatten",
-        "tolerance",
-        callback=_to_positive,
-        metavar="TOLERANCE",
-        help="Read curves of SVG and DXF as lines no farther from them than this; refused if "
-        "left out.",
-    )
-    @click.option(
-        "--join",
-        callback=_to_positive,
-        metavar="DISTANCE",
-        help="Join ends of lines of SVG and DXF that are no farther apart; only equal ends if left "
-        "out.",
-    )
-    @click.option(
-        "--nested",
-        metavar="[all|OUTER,INNER]",
-        help="Closed outlines inside others of their layer are holes, which DXF has no other way "
-        "to draw; with 'all', of any layer; with names of layers, of any of these.",
-    )
-    @click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too.")
-    @click.option(
-        "--y-down/--y-up",
-        default=None,
-        help="Whether Y points down in the files; if left out, it does in SVG only.",
-    )
-    @click.option(
-        "--unit",
-        type=click.Choice(list(how.UNITS)),
-        help="Scale SVG and DXF that say their unit to this one; numbers as they stand if left "
-        "out.",
-    )
-    @wraps(command)
-    def with_reading(
-        tolerance: Fraction | None,
-        join: Fraction | None,
-        nested: str | None,
-        unit: str | None,
-        hidden: bool,
-        y_down: bool | None,
-        **options: Any,
-    ) -> None:
-        reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden}
-        reading |= {"nested": nested == SAME_LAYER or nested or False, "y_down": y_down}
-        command(reading=reading, **options)
-
-    return with_reading
-
-
-def _to_positive(ctx: click.Context, option: click.Parameter, text: str | None) -> Fraction | None:
-    """Read the tolerance of curves, or the distance of ends."""
-    try:
-        if option.name == "join":
-            return how.Reading(join=text).join
-        return how.Reading(text).tolerance
-    except ValueError as error:
-        raise click.BadParameter(str(error)) from None
-
-
-def _to_direction(
-    ctx: click.Context, option: click.Parameter, pair: tuple[str, str] | None
-) -> Vector | None:
-    try:
-        return None if pair is None else read_direction(pair)
-    except ValueError as error:
-        raise click.BadParameter(str(error)) from None
-
-
-def _to_point(ctx: click.Context, option: click.Parameter, pair: tuple[str, str]) -> Point:
-    try:
-        return Point(*map(to_fraction, pair))
-    except ValueError as error:
-        raise click.BadParameter(str(error)) from None

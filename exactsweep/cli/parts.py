@@ -1,4 +1,4 @@
-"""The polygons of files and folders, and what is said of those that are left out."""
+"""The polygons of files and folders, and the report of omissions."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
@@ -14,14 +14,14 @@ _MOST_REASONS = 100
 
 
 def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
-    """Find the polygons of files, and say what is none.
+    """Find the polygons of files, and report elements that are not polygons.
 
     Args:
-        paths: files, folders and patterns, as `list_parts` takes them.
-        reading: how they are read.
+        paths: files, folders and patterns, as for `list_parts`.
+        reading: the options of the reader.
 
     Raises:
-        FormatError: nothing is there.
+        FormatError: there is no polygon.
     """
     with working("reading"):
         listing = list_parts(paths, **reading)
@@ -36,7 +36,7 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
 def read_named(
     paths: Sequence[str], reading: Mapping[str, Any], *, keep: bool = False
 ) -> PartList[NamedRegion]:
-    """Read the polygons of files, named among all of them, and say what is left out.
+    """Read the polygons of files, with unique names, and report the omissions.
 
     Args:
         paths: as for `find_parts`.

@@ -48,6 +48,10 @@ def reproduce_command(
     the figures, as SVG and as PDF, all that was found as ledger.json and as tables, and the
     counterexamples, as files that 'exactsweep sweep' reads. Every check looks for counterexamples.
     The exit code is 1 if the evidence for a row fails.
+
+    Example:
+      exactsweep reproduce "Lemma 5.3"
+      exactsweep reproduce --quick --out report
     """
     # All of this is needed by no other command.
     from exactsweep.paper.claim import Effort, reproduce

@@ -1,27 +1,26 @@
 """The result of a sweep or a fit: as a report, as JSON or WKT, as a certificate, as polygons."""
 
 from collections.abc import Callable
-from functools import wraps
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import click
 
 from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
-from exactsweep.cli.output import measure_terminal, takes_output, write, write_readable
+from exactsweep.cli.options import Decorator, gather, takes_output
+from exactsweep.cli.output import measure_terminal, write, write_readable
 from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion
 from exactsweep.formats.rounding import Rounding, Side
-from exactsweep.text.results import certificate_to_json
-
-_Result = TypeVar("_Result", Sweep, NoFitPolygon, InnerFit)
+from exactsweep.text import report as reports
+from exactsweep.text import results
 
 
 class Form(NamedTuple):
-    """In which form a result is wanted.
+    """The form in which a result is wanted.
 
     Attributes:
-        kind: "report", "json", "wkt", "certificate", or "polygons".
+        kind: "report", "json", "wkt", "certificate", or "to".
         target: the format of the polygons.
         rounding: how they are rounded.
         output: the file, or "-".
@@ -35,89 +34,107 @@ class Form(NamedTuple):
     everything: bool
 
 
-def takes_form(wkt: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a command the options of its answer, as `form`.
+def _make_form(
+    json: bool,
+    wkt: bool,
+    certificate: bool,
+    target: str | None,
+    everything: bool,
+    rounding: Rounding | None,
+    output: str,
+) -> Form:
+    given = {"json": json, "wkt": wkt, "certificate": certificate, "to": target}
+    chosen = [name for name, value in (given | {"all": everything}).items() if value]
+    if len(chosen) > 1:
+        raise click.UsageError(f"--{chosen[0]} and --{chosen[1]} exclude each other.")
+    kind = chosen[0] if chosen else "report"
+    if rounding is not None:
+        if kind not in ("json", "wkt", "to"):
+            raise click.UsageError("--round goes with --to FORMAT, --json or --wkt.")
+        kind, target = "to", target or kind
+    return Form(kind, target or "", rounding, output, everything)
 
-    Args:
-        wkt: what --wkt writes.
-    """
 
-    def decorated(command: Callable[..., None]) -> Callable[..., None]:
-        @click.option("--json", is_flag=True, help="Write everything, exactly, as JSON.")
-        @click.option("--wkt", is_flag=True, help=f"Write {wkt}, exactly, as WKT.")
-        @click.option(
+def takes_form(wkt: str) -> Decorator:
+    """Give a command the options of its answer, as `form`; --wkt writes what is named."""
+    return gather(
+        "form",
+        _make_form,
+        click.option("--json", is_flag=True, help="Write everything, exactly, as JSON."),
+        click.option("--wkt", is_flag=True, help=f"Write {wkt}, exactly, as WKT."),
+        click.option(
             "--certificate",
             is_flag=True,
             help="Write everything, and the reasons, as JSON for 'exactsweep verify'.",
-        )
-        @click.option("--all", "everything", is_flag=True, help="Report all vertices.")
-        @takes_format
-        @takes_rounding
-        @takes_output
-        @wraps(command)
-        def with_form(
-            *arguments: Any,
-            json: bool,
-            wkt: bool,
-            certificate: bool,
-            everything: bool,
-            target: str | None,
-            rounding: Rounding | None,
-            output: str,
-            **options: Any,
-        ) -> None:
-            given = {
-                "--json": json,
-                "--wkt": wkt,
-                "--certificate": certificate,
-                "--to": target,
-                "--all": everything,
-            }
-            chosen = [name for name, value in given.items() if value]
-            if len(chosen) > 1:
-                raise click.UsageError(f"{chosen[0]} and {chosen[1]} exclude each other.")
-            kind = chosen[0].removeprefix("--") if chosen else "report"
-            if rounding is not None:
-                if kind not in ("json", "wkt", "to"):
-                    raise click.UsageError("--round goes with --to FORMAT, --json or --wkt.")
-                kind, target = "to", target or kind
-            form = Form(kind, target or "", rounding, output, everything)
-            command(*arguments, form=form, **options)
-
-        return with_form
-
-    return decorated
+        ),
+        click.option("--all", "everything", is_flag=True, help="Report all vertices."),
+        takes_format,
+        takes_rounding,
+        takes_output,
+    )
 
 
-def write_result(
-    result: _Result,
-    form: Form,
-    *,
-    to_json: Callable[[_Result], str],
-    to_wkt: Callable[[_Result], str],
-    to_regions: Callable[[_Result], list[NamedRegion]],
-    side_of: Callable[[NamedRegion], Side],
-    report: Callable[..., str],
-) -> None:
+class _Writers(NamedTuple):
+    """Functions that write a kind of result, and the side to which a region is rounded."""
+
+    to_json: Callable[[Any], str]
+    to_wkt: Callable[[Any], str]
+    to_regions: Callable[[Any], list[NamedRegion]]
+    report: Callable[..., str]
+    side_of: Callable[[NamedRegion], Side]
+
+
+def _find_side(region: NamedRegion) -> Side:
+    return "inward" if (region.name or "").startswith(("inner", "unswept")) else "outward"
+
+
+_WRITERS = {
+    Sweep: _Writers(
+        results.sweep_to_json,
+        results.sweep_to_wkt,
+        results.sweep_to_regions,
+        reports.report,
+        _find_side,
+    ),
+    NoFitPolygon: _Writers(
+        results.no_fit_to_json,
+        results.no_fit_to_wkt,
+        results.no_fit_to_regions,
+        reports.report_no_fit,
+        lambda region: "outward",
+    ),
+    InnerFit: _Writers(
+        results.inner_fit_to_json,
+        results.inner_fit_to_wkt,
+        results.inner_fit_to_regions,
+        reports.report_inner_fit,
+        lambda region: "inward",
+    ),
+}
+
+
+def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
     """Write a result in a form of `takes_form`."""
-    terminal = measure_terminal(form.output)
+    terminal, writers = measure_terminal(form.output), _WRITERS[type(result)]
     with working("computing"):
-        if form.kind == "to":
-            fits = () if isinstance(result, Sweep) else result.exact_fits
-            regions = to_regions(result)
-        elif form.kind == "json":
-            text = to_json(result)
-        elif form.kind == "certificate":
-            text = certificate_to_json(result)
-        elif form.kind == "wkt":
-            try:
-                text = to_wkt(result)
-            except FormatError as error:
-                raise FormatError(f"{error}; use --json, or --round") from None
-        else:
-            text = report(result, terminal and terminal.columns, everything=form.everything)
+        match form.kind:
+            case "to":
+                fits = () if isinstance(result, Sweep) else result.exact_fits
+                regions = writers.to_regions(result)
+            case "json":
+                text = writers.to_json(result)
+            case "certificate":
+                text = results.certificate_to_json(result)
+            case "wkt":
+                try:
+                    text = writers.to_wkt(result)
+                except FormatError as error:
+                    raise FormatError(f"{error}; use --json, or --round") from None
+            case _:
+                columns = terminal and terminal.columns
+                text = writers.report(result, columns, everything=form.everything)
     if form.kind == "to":
-        export(regions, fits, form.target, form.rounding, form.output, side_of)
+        export(regions, fits, form.target, form.rounding, form.output, writers.side_of)
     elif form.kind == "report":
         write(text, form.output)
     else:

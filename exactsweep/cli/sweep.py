@@ -5,10 +5,6 @@ import click
 from exactsweep import Sweep
 from exactsweep.cli.pair import takes_pair
 from exactsweep.cli.result import Form, takes_form, write_result
-from exactsweep.formats import NamedRegion
-from exactsweep.formats.rounding import Side
-from exactsweep.text.report import report
-from exactsweep.text.results import sweep_to_json, sweep_to_regions, sweep_to_wkt
 
 
 @click.command("sweep")
@@ -29,17 +25,9 @@ def sweep_command(result: Sweep, form: Form) -> None:
     WKT has no fractions: --wkt writes the trajectory, the inner and the outer loop, and further
     holes of the swept area, a POLYGON a line, if all their coordinates are finite decimals, and is
     refused otherwise.
+
+    Example:
+      exactsweep sweep house.json block.wkt
+      exactsweep sweep parts.svg#bracket sheet.dxf#0 --flatten 1/1000 --json -o result.json
     """
-    write_result(
-        result,
-        form,
-        to_json=sweep_to_json,
-        to_wkt=sweep_to_wkt,
-        to_regions=sweep_to_regions,
-        side_of=_side,
-        report=report,
-    )
-
-
-def _side(region: NamedRegion) -> Side:
-    return "inward" if (region.name or "").startswith(("inner", "unswept")) else "outward"
+    write_result(result, form)

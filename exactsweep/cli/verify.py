@@ -6,8 +6,8 @@ from typing import Any
 
 import click
 
+from exactsweep.cli.options import PATH
 from exactsweep.cli.output import write
-from exactsweep.cli.pair import PATH
 from exactsweep.cli.working import working
 from exactsweep.formats import read_certificate, read_region
 from exactsweep.text.results import verification_to_json
@@ -46,6 +46,9 @@ def verify_command(
     one that stays; of an inner fit, the part and the container.
 
     'exactsweep sweep', 'nfp' and 'ifp' write certificates, given --certificate.
+
+    Example:
+      exactsweep verify proof.json
     """
     from exactsweep.check import verify
 

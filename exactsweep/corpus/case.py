@@ -14,6 +14,7 @@ from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
+from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Fit, Loop, Point
 from exactsweep.procedures.solution import Kind
@@ -22,7 +23,7 @@ from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
 KINDS: tuple[Kind, ...] = get_args(Kind)
 Shapes = Literal["convex", "monotone", "simple", "any"]
 SHAPES: tuple[Shapes, ...] = get_args(Shapes)
-"""What pairs there are, each kind with those before it: without a hole they are simple."""
+"""The kinds of pairs; each includes those before it. A pair without holes is simple."""
 _SHAPES_OF: dict[Kind, Shapes] = {
     "CC": "convex",
     "CM": "monotone",
@@ -38,7 +39,7 @@ class CaseError(ExactSweepError):
 
 @dataclass(frozen=True)
 class Case:
-    """A pair of polygons with the exact answers that an implementation is held against.
+    """A pair of polygons with the exact answers for tests of an implementation.
 
     Attributes:
         id: the name of the case; it never changes its meaning.
@@ -87,6 +88,7 @@ class Case:
     version: int = 1
 
     @classmethod
+    @tells_arguments
     def of(
         cls,
         id: str,

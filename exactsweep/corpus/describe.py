@@ -8,9 +8,8 @@ from exactsweep.corpus.generator import FAMILIES
 from exactsweep.corpus.names import require_known
 from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.corpus.shipped import find_case, list_ids, notes
-from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Fit, Point
+from exactsweep.numbers.point import Point
 from exactsweep.words import CLASSES
 
 _WIDTH = 100
@@ -53,41 +52,32 @@ def _case(case: Case) -> Iterator[str]:
     yield f"integer scale  {case.integer_scale}\n"
     yield f"input fits     {_types(case.representable)}\n"
     yield f"answer fits    {_types(case.answer_representable)}\n\n"
-    for name, rings in (
-        ("directrix", case.directrix_rings),
-        ("generatrix", case.generatrix_rings),
-    ):
-        yield _points(name, rings[0])
-        for hole in rings[1:]:
-            yield _points("  hole", hole)
+    yield from _rings("directrix", case.directrix_rings)
+    yield from _rings("generatrix", case.generatrix_rings)
     yield _points("reference", [case.reference])
     yield "\n"
-    yield _points("trajectory", case.trajectory.vertices)
-    for loop in case.holes:
-        yield _points("  hole", loop.vertices)
-    for fit in case.exact_fits:
-        yield _points("exact fit", fit)
+    yield from _rings("trajectory", [loop.vertices for loop in (case.trajectory, *case.holes)])
+    yield from (_points("exact fit", fit) for fit in case.exact_fits)
     yield _points("inner loop", case.inner.vertices)
     yield _points("outer loop", case.outer.vertices)
-    for loop in case.unswept:
-        yield _points("unswept", loop.vertices)
+    yield from (_points("unswept", loop.vertices) for loop in case.unswept)
     yield f"swept area  {format_fraction(case.area)}\n"
-    if case.inner_regions is not None:
-        yield from _inside(case.inner_regions, case.inner_exact_fits)
+    if (regions := case.inner_regions) is not None:
+        fits = case.inner_exact_fits
+        yield "\nG inside D\n" if regions or fits else "\nG inside D: it does not fit\n"
+        for region in regions:
+            yield from _rings("region", region.rings)
+        yield from (_points("exact fit", fit) for fit in fits)
     if case.note:
         yield f"\n{fill(case.note, _WIDTH)}\n"
     for flag in case.flags:
         yield f"\n{flag}\n{_note(flag, '  ')}"
 
 
-def _inside(regions: Sequence[Region], fits: Sequence[Fit]) -> Iterator[str]:
-    yield "\nG inside D\n" if regions or fits else "\nG inside D: it does not fit\n"
-    for region in regions:
-        yield _points("region", region.exterior.vertices)
-        for hole in region.holes:
-            yield _points("  hole", hole.vertices)
-    for fit in fits:
-        yield _points("exact fit", fit)
+def _rings(name: str, rings: Sequence[Sequence[Point]]) -> Iterator[str]:
+    """Write an exterior under a name, and its holes."""
+    for k, ring in enumerate(rings):
+        yield _points("  hole" if k else name, ring)
 
 
 def _note(flag: str, indent: str) -> str:

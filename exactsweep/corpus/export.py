@@ -104,17 +104,17 @@ def _row(*fields: str) -> str:
 
 
 def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
-    """Write cases as one FeatureCollection (RFC 7946), a polygon or segment a feature.
+    """Write cases as one FeatureCollection (RFC 7946), with one polygon or segment per feature.
 
     Args:
         cases: the cases.
 
     Returns:
-        An iterator of lines, a feature a line. Rings are closed, exteriors counter-clockwise and
-        holes clockwise, as RFC 7946 wants them; apart from that those of D and G are as given.
-        Readers take numbers for doubles: where some coordinate is none, "exact" is false, the
-        geometry has the nearest doubles, or is null beyond their range, and "vertices" are the
-        exact ones, as strings, a list of rings where there are holes.
+        An iterator of lines with one feature each. Rings are closed, exteriors counter-clockwise
+        and holes clockwise, as RFC 7946 requires; otherwise D and G have their input vertices.
+        Readers convert numbers to doubles. If some coordinate is not a double, "exact" is false,
+        the geometry has the nearest doubles, or is null beyond their range, and "vertices" has the
+        exact vertices as strings, in a list of rings if there are holes.
 
     Cost: linear in the length of the result.
 

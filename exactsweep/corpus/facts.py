@@ -1,8 +1,8 @@
-"""Flags that can be seen from a pair and its answer, so that none is taken on trust."""
+"""Flags that are computed from a pair and its answer, so that a test can check them."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, pairwise
 from math import lcm
 
 from exactsweep.check import classify
@@ -182,7 +182,7 @@ def _slopes(s: Sweep) -> Iterator[str]:
     if d & g:
         yield "parallel-edges"
     ordered = sorted(d | g, key=_slope)
-    if any(_near(u, v) for u, v in zip(ordered, [*ordered[1:], ordered[0]], strict=True)):
+    if any(_near(u, v) for u, v in pairwise((*ordered, ordered[0]))):
         yield "near-parallel"
 
 
@@ -212,4 +212,4 @@ def _all_edges(s: Sweep) -> Iterator[tuple[Point, Point]]:
 
 
 def _edges(ring: Sequence[Point]) -> Iterator[tuple[Point, Point]]:
-    yield from zip(ring, [*ring[1:], ring[0]], strict=True)
+    return pairwise((*ring, ring[0]))

@@ -1,4 +1,4 @@
-"""Layouts with their faults, worked out by hand: what a judge of layouts is held against."""
+"""Layouts with faults worked out by hand, for tests of judges of layouts."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def find_layout_case(id: str) -> LayoutCase:
     """Return the shipped layout of this id.
 
     Raises:
-        UnknownNameError: there is none.
+        UnknownNameError: no layout has this id.
 
     Example:
         >>> find_layout_case("layouts-slot").expected["valid"]

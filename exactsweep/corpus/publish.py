@@ -10,19 +10,19 @@ from pathlib import Path
 from exactsweep.corpus.case_json import case_to_json
 from exactsweep.corpus.shipped import cases, read_schema, themes
 
-VERSION = 2
-"""The number of the corpus: one more whenever cases come in. Nothing that is there changes."""
+VERSION = 3
+"""The version of the corpus. New cases increase it; existing cases never change."""
 
 
 def write_corpus(folder: Path) -> int:
-    """Write all shipped cases, with all that it takes to read them without this package.
+    """Write all shipped cases, with everything needed to read them without this package.
 
     Args:
-        folder: where to; it may be there, and files of these names are written anew.
+        folder: the folder; if it exists, files of these names are replaced.
 
     Returns:
-        How many files were written: cases by theme as JSON lines, the schema, notes on flags,
-        a page on how to read a case, the licence, a reader in each of six languages, checksums.
+        The number of files: cases by theme as JSON lines, the schema, notes on flags, a page on how
+        to read a case, the licence, a reader in each of six languages, checksums.
 
     Raises:
         OSError: a file cannot be written.

@@ -111,7 +111,7 @@ def find_shipped_case(id: str) -> Case:
     """Return the shipped case of this id.
 
     Raises:
-        UnknownNameError: there is none.
+        UnknownNameError: no case has this id.
 
     Example:
         >>> find_shipped_case("figures-10-2-4-6").title
@@ -162,7 +162,7 @@ def find_case(id: str) -> Case:
     """Return the case of this id: a shipped one, or a generated one, made again.
 
     Raises:
-        UnknownNameError: there is none; the message suggests one whose id is similar.
+        UnknownNameError: no case has this id; the message suggests a similar id.
 
     Example:
         >>> find_case("gen-convex-1-0").kind

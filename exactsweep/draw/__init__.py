@@ -1,7 +1,7 @@
 """Pictures, drawn with matplotlib (the `plot` extra) at an exact scale.
 
-`plot_sweep` draws all of a sweep, `plot_positions` all of a no-fit polygon or of an inner fit. For
-other pictures make a `Picture` on an Axes, with the `Scale` of what it is to hold, and draw on it:
+`plot_sweep` draws a sweep, `plot_positions` a no-fit polygon or an inner fit. For other pictures
+make a `Picture` on an Axes, with a `Scale` that covers all points, and draw on it:
 
     figure = make_figure()
     picture = Picture(figure.axes[0], Scale.of(d.vertices, *chains))
@@ -10,8 +10,8 @@ other pictures make a `Picture` on an Axes, with the `Scale` of what it is to ho
     picture.legend()
     save(figure, "out.svg")
 
-`Picture` takes points with int or Fraction coordinates; `draw_...` draw the parts of a sweep, and
-`style` says how each looks. Nothing here needs matplotlib before it draws.
+`Picture` accepts points with int or Fraction coordinates. The functions `draw_...` draw parts of a
+sweep, and `style` defines the look of each. The package imports matplotlib only when it draws.
 """
 
 from exactsweep.canvas import style

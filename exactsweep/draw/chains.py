@@ -12,11 +12,11 @@ from exactsweep.numbers.point import Vertex
 
 @tells_arguments
 def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> None:
-    """Draw chains by name, each in a colour and with a marker of its own.
+    """Draw named chains, each with its own colour and marker.
 
     Args:
         picture: a Picture.
-        chains: the points of each chain by the name that it has in the legend.
+        chains: the points of each chain, by its name in the legend.
     """
     for k, (name, chain) in enumerate(chains.items()):
         picture.line(chain, style.choose_chain_look(k), name)
@@ -31,7 +31,7 @@ def draw_sub_trajectories(
     Args:
         picture: a Picture.
         chains: the points of each sub-trajectory.
-        envelope: the points of the envelope; none is drawn if left out.
+        envelope: the points of the envelope; no envelope by default.
     """
     for chain in chains:
         picture.line(chain, style.SUB_TRAJECTORY, "sub-trajectory")

@@ -1,4 +1,4 @@
-"""Vertices and edges of G and D by the numbers that contacts have, and where they touch."""
+"""Vertices and edges of G and D by their numbers in contacts, and the places where they touch."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Ends = tuple[Point, Point]
 
 
 class Features:
-    """The features of the polygons of a sweep, numbered as its contacts are.
+    """The features of the polygons of a sweep, with the numbers of its contacts.
 
     Args:
         s: a Sweep.
@@ -27,7 +27,7 @@ class Features:
         self.d_vertices, self._d_ends = number_features(s.directrix)
 
     def span(self, contact: Contact) -> Ends:
-        """Return the ends of the positions, all on one line, at which two features touch."""
+        """Return the ends of the segment of positions at which two features touch."""
         event, i, j = contact
         (a, b), (c, d) = (
             ends[k] if letter == "E" else (k, k)
@@ -36,12 +36,12 @@ class Features:
         return self._position(a, c), self._position(b, d)
 
     def _position(self, i: int, j: int) -> Point:
-        """The position of the reference point at which vertex i of G is on vertex j of D."""
+        """Return the reference point's position at which vertex i of G is on vertex j of D."""
         (x, y), g, d = self._reference, self.g_vertices[i], self.d_vertices[j]
         return Point(d.x - g.x + x, d.y - g.y + y)
 
     def spot(self, contact: Contact, position: Point) -> Ends:
-        """Return where two features touch at a position: the ends of a segment, or a point twice.
+        """Find where two features touch at a position: the ends of a segment, or a point twice.
 
         Example:
             >>> from exactsweep import sweep

@@ -1,4 +1,4 @@
-"""Figures of matplotlib in the style, and files of them that are the same byte by byte."""
+"""Figures of matplotlib in the project's style, and files with reproducible bytes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 SUFFIXES = (".svg", ".pdf", ".png")
 
-# What each format would otherwise say about the time and the program of its making.
+# Metadata of each format without the time and the program.
 _MOST_AXES = 400
 _METADATA: dict[str, dict[str, Any]] = {
     ".svg": {"Date": None, "Creator": "exactsweep"},
@@ -27,19 +27,19 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def require_matplotlib() -> None:
-    """Raise DrawError where matplotlib is not installed, saying how to get it, or does not load."""
+    """Raise DrawError if matplotlib is missing or does not load; say how to install it."""
     with require_imports("matplotlib", "plot", "a picture", DrawError):
         import matplotlib  # noqa: F401
 
 
 @tells_arguments
 def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
-    """Make a Figure in the style, with empty Axes; it is for a file and belongs to no window.
+    """Make a Figure in the project's style, with empty Axes, for a file and without a window.
 
     Args:
         rows: number of rows of Axes.
         columns: number of Axes in a row.
-        size: width and height in inches; 7.2 and 4.8 if left out. Files are cut to what is drawn.
+        size: width and height in inches; 7.2 and 4.8 by default. Files are cropped to the drawing.
 
     Returns:
         A Figure; its `axes` are a list of Axes, row by row.
@@ -63,7 +63,7 @@ def read_suffix(path: str) -> str:
     """Return the suffix of a picture file, in lower case.
 
     Raises:
-        DrawError: it is not that of a format that can be written.
+        DrawError: the suffix is not that of a supported format.
 
     Example:
         >>> read_suffix("fig/block.SVG")
@@ -80,7 +80,7 @@ def read_suffix(path: str) -> str:
 def save(figure: Figure, path: str) -> None:
     """Write a figure to a file, in the format of its suffix: .svg, .pdf or .png.
 
-    The same figure gives the same bytes with one release of matplotlib.
+    The same figure gives the same bytes with the same release of matplotlib.
 
     Raises:
         DrawError: another suffix.
@@ -93,7 +93,7 @@ def save(figure: Figure, path: str) -> None:
 
 @tells_arguments
 def save_svg(figure: Figure) -> str:
-    """Write a figure as the text of an SVG document, the same each time, as `save` does."""
+    """Write a figure as the text of an SVG document; the text is reproducible, as for `save`."""
     text = StringIO()
     with use_style():
         figure.savefig(text, format="svg", metadata=_METADATA[".svg"], bbox_inches="tight")

@@ -1,4 +1,4 @@
-"""Details of a picture, enlarged below it: where one polygon is far smaller, or both are flat."""
+"""Enlarged details below a picture, for a polygon that is far smaller or a flat picture."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from exactsweep.draw.picture import Picture
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.point import Point, Vertex
 
-# A polygon is enlarged if the picture is so many times as long, but not beyond what floats resolve.
+# The ratio of sizes from which a polygon is enlarged, up to the resolution of floats.
 _SMALL = range(25, 10**9)
 _MOST = 3
-# In widths of the picture: of a detail, from one to the next, and from the picture to them.
+# In widths of the picture: the width of a detail, the gap between details, the gap above them.
 _WIDTH, _APART, _BELOW = 0.3, 0.35, 0.18
-# How much more than the small polygon is shown.
+# The size of a detail in sizes of the small polygon.
 _ROUND = Fraction(5, 2)
 
 
@@ -25,8 +25,8 @@ class Detail(NamedTuple):
     """A square of the plane that is enlarged.
 
     Attributes:
-        left, bottom: Fractions, its lower left corner.
-        side: Fraction, its length.
+        left, bottom: the lower left corner, Fractions.
+        side: the length of a side, a Fraction.
     """
 
     left: Fraction
@@ -46,7 +46,7 @@ class Detail(NamedTuple):
         return Point(left, bottom), Point(left + side, bottom + side)
 
     def is_near(self, other: Detail) -> bool:
-        """Decide whether it shows nearly the same."""
+        """Decide whether another detail shows nearly the same."""
         reach = self.side / 2
         return abs(self.left - other.left) < reach and abs(self.bottom - other.bottom) < reach
 
@@ -57,20 +57,19 @@ def find_details(
     placed: Sequence[AnyPolygon],
     spots: Iterable[Vertex],
 ) -> list[Detail]:
-    """Choose what is enlarged.
+    """Choose the details of a picture.
 
     Args:
-        shown: all points that the picture holds.
+        shown: all points of the picture.
         directrix: D.
-        placed: G, at each place where it is drawn; one of any place if it is not.
-        spots: places where the two touch.
+        placed: G at each of its positions; at any position if it is not drawn.
+        spots: the places where the two touch.
 
     Returns:
-        list of Detail, three at most: around G where it is 25 times as small as the picture, around
-        D where that is; where the picture is 25 times as long as wide, as much as it is wide at
-        each of some spots.
+        list of Detail, three at most: around G and around D, if they are 25 times as small as the
+        picture; and around some spots, if the picture is 25 times as long as wide.
 
-    Cost: linear in the number of points.
+    Cost: O(n) for n points.
 
     Example:
         >>> from exactsweep import Polygon
@@ -114,16 +113,16 @@ def _middle(shape: AnyPolygon) -> Point:
 def draw_details(
     picture: Picture, details: Sequence[Detail], paint: Callable[[Picture], None]
 ) -> None:
-    """Draw details below a picture, each to scale, and frames in it around what they show.
+    """Draw details below a picture, each to scale, and their frames in the picture.
 
     Args:
         picture: a Picture.
-        details: what is enlarged.
-        paint: draws all of the picture on another one.
+        details: the details.
+        paint: a function that draws the whole content on another Picture.
     """
     for k, detail in enumerate(details):
         low, high = detail.corners
-        # Of a picture so many times as high as wide, a share of the width is so much of the height.
+        # Convert a share of the width to a share of the height.
         height = picture.aspect
         axes = picture.axes.inset_axes(
             (k * _APART, -(_BELOW + _WIDTH) / height, _WIDTH, _WIDTH / height)

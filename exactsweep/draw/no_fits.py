@@ -33,17 +33,17 @@ if TYPE_CHECKING:
 
 
 class Positions(NamedTuple):
-    """The parts of a no-fit polygon or of an inner fit that are drawn.
+    """The content of a picture of a no-fit polygon or an inner fit.
 
     Attributes:
-        directrix: the shape that stays, a Region.
-        generatrix: the one that moves, a Region.
-        reference: the point of the latter whose positions are told.
-        called: how the two and the free regions are called.
-        exterior: the loop around the positions of overlap, if it is one of these.
+        directrix: the stationary shape, a Region.
+        generatrix: the moving shape, a Region.
+        reference: the point of the moving shape that marks a position.
+        called: the names of the two shapes and of the free regions.
+        exterior: the loop around the positions of overlap, if drawn for a no-fit polygon.
         free: the free regions inside.
-        exact_fits: as of a `NoFitPolygon`.
-        placed: further shapes that stay.
+        exact_fits: the exact fits, as of a `NoFitPolygon`.
+        placed: further stationary shapes.
     """
 
     directrix: Region
@@ -57,7 +57,7 @@ class Positions(NamedTuple):
 
     @classmethod
     def of(cls, found: NoFitPolygon | InnerFit) -> Positions:
-        """Gather what is drawn."""
+        """Collect the content of a picture."""
         from exactsweep.evidence.no_fit import InnerFit
 
         if isinstance(found, InnerFit):
@@ -76,12 +76,12 @@ class Positions(NamedTuple):
 
     @property
     def loops(self) -> list[Polygon]:
-        """All loops of positions that have free ones beside them."""
+        """All loops between positions of overlap and free positions."""
         regions = self.free if self.exterior is None else (self.exterior, *self.free)
         return [ring for region in regions for ring in (region.exterior, *region.holes)]
 
     def choose_positions(self) -> list[Point]:
-        """Choose positions worth drawing: one in each kind of exact fit, one free, one outside."""
+        """Choose positions to draw: one in each kind of exact fit, one free, one outside."""
         segments, points = part_fits(self.exact_fits)
         found = [inside for _, inside in segments[:1]] + points[:1]
         found += [region.vertices[0] for region in self.free[:1]]
@@ -103,8 +103,8 @@ def plot_positions(
     Args:
         found: a NoFitPolygon or an InnerFit.
         axes: as for `plot_sweep`.
-        positions: pairs of numbers, where the reference point of what moves is when that is drawn;
-            if left out, some in exact fits and among free positions, and one on the exterior.
+        positions: pairs of numbers, the positions in which to draw the moving shape; by default
+            some exact fits and free positions, and one on the exterior.
         y_down: as for `plot_sweep`.
 
     Returns:
@@ -113,7 +113,7 @@ def plot_positions(
     Raises:
         DrawError, PolygonError, NumberError: as by `plot_sweep`.
 
-    Cost: that of all that was found, and linear in its size.
+    Cost: that of all loops and fits, and linear in their size.
 
     Example:
         >>> from exactsweep import no_fit_polygon

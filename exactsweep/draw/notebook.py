@@ -49,7 +49,7 @@ def draw_sweep(s: Sweep) -> str:
 
 
 def _fit_shapes(fits: Iterable[Fit], by: Point) -> list[Shape]:
-    """Exact fits, moved by a vector."""
+    """Make the shapes of exact fits, moved by a vector."""
     segments, points = part_fits(fits)
     lines = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in segments]
     # A line without length and with round ends is a dot.

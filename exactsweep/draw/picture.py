@@ -15,12 +15,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
 
-# In inches: of an entry, of all entries side by side, and around the Axes.
+# In inches: the size of an entry, of all entries side by side, and the margin around the Axes.
 _LEGEND_LINE, _LEGEND_WIDTH = 0.18, 2.0
 _LEFT, _RIGHT, _ABOVE, _BELOW = 0.75, 0.1, 0.35, 0.55
 _LEAST_WIDTH = 0.5
 _LEGEND_COLUMNS = 3
-# Of a picture whose axes have units of their own.
+# The aspect of a picture whose axes have different units.
 _STRETCHED_ASPECT = 0.6
 
 
@@ -28,16 +28,16 @@ class Picture:
     r"""An Axes on which shapes with exact coordinates are drawn.
 
     Args:
-        axes: an Axes of matplotlib; its aspect and its labels are set.
-        scale: a Scale that holds the shapes.
+        axes: an Axes of matplotlib; the class sets its aspect and its labels.
+        scale: a Scale that covers the shapes.
         y_down: whether Y points down, as in SVG.
-        window: the lower left and the upper right corner of what is shown, of shapes that are far
-            larger; all of them if left out.
+        window: the lower left and the upper right corner of the visible part; by default the
+            picture shows everything.
 
     Attributes:
         axes: the Axes, for anything else.
-        scale: the Scale; `scale.place` says where on the Axes a point is.
-        y_down: as given.
+        scale: the Scale; `scale.place` returns the place of a point on the Axes.
+        y_down: see the argument.
 
     Example:
         >>> from exactsweep import Polygon
@@ -75,7 +75,7 @@ class Picture:
             axes.yaxis.set_inverted(True)
 
     def area(self, loop: Iterable[Vertex], look: Look, label: str | None = None) -> None:
-        """Fill, hatch and outline a loop; things of one label are one entry of the legend."""
+        """Fill, hatch and outline a loop; equal labels share one entry of the legend."""
         if self._window is not None:
             self.shape([loop], look, label)
             return
@@ -85,13 +85,13 @@ class Picture:
     def ring(
         self, outer: Iterable[Vertex], inner: Iterable[Vertex], look: Look, label: str | None = None
     ) -> None:
-        """Fill what lies between two loops; `inner` lies in `outer`."""
+        """Fill the area between two loops; `inner` lies in `outer`."""
         self.shape([outer, inner], look, label)
 
     def shape(
         self, rings: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
-        """Fill what lies in the first of some counter-clockwise loops and in no other."""
+        """Fill the inside of the first counter-clockwise loop except that of the others."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
@@ -102,7 +102,7 @@ class Picture:
         ]
         path = Path.make_compound_path(*paths)
         if self._window is not None:
-            # What is far outside would lose its place in formats of single precision.
+            # Clip points far outside: formats of single precision would misplace them.
             path = path.clip_to_bbox(self._box(of=3))
             if not path.to_polygons():
                 return
@@ -123,7 +123,7 @@ class Picture:
     def lines(
         self, chains: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
-        """Draw several chains as one thing."""
+        """Draw several chains as one item."""
         xs: list[float] = []
         ys: list[float] = []
         for chain in chains:
@@ -151,26 +151,26 @@ class Picture:
         return abs(high - low) / abs(right - left)
 
     def reserve(self, share: float) -> None:
-        """Keep room below, as a share of the width, for what is drawn there."""
+        """Reserve room below for details, as a share of the width."""
         self._reserved = share
 
     def show_window(self) -> None:
-        """Show what is in the window, and no numbers along the axes."""
+        """Show the window only, without numbers along the axes."""
         box = self._box()
         self.axes.set_xlim(box.x0, box.x1)
         self.axes.set_ylim(*((box.y1, box.y0) if self.y_down else (box.y0, box.y1)))
         self.axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
 
     def legend(self) -> None:
-        """Put the legend beside the picture, or, where it would be higher than that, below.
+        """Put the legend beside the picture, or below if it is higher than the picture.
 
-        A figure of this picture alone, with a layout of matplotlib's, is laid out for both.
+        If this picture is alone in a figure with a layout of matplotlib, the method lays out both.
         """
         if not self.scale.is_true:
             self.axes.set_box_aspect(_STRETCHED_ASPECT)
         entries = len(self.axes.get_legend_handles_labels()[1])
         width, height = self._room()
-        # Of a picture so many times as high as wide, with what is below it.
+        # The ratio of height to width, with the details below.
         whole = self.aspect + self._reserved
         drawn = min(width - _LEGEND_WIDTH, height / whole)
         is_beside = entries * _LEGEND_LINE <= drawn * whole
@@ -187,7 +187,7 @@ class Picture:
             self.axes.legend(loc="upper left", borderaxespad=0.0, **place)
 
     def _alone(self) -> Figure | None:
-        """The figure, if it has a layout and nothing but this picture."""
+        """Return the figure, if it has a layout and only this picture."""
         from matplotlib.figure import Figure
 
         figure = self.axes.figure
@@ -200,7 +200,7 @@ class Picture:
         return figure.bbox.width / figure.dpi, figure.bbox.height / figure.dpi
 
     def _room(self) -> tuple[float, float]:
-        """The room for the Axes and the legend, in inches."""
+        """Return the room for the Axes and the legend, in inches."""
         width, height = self._figure_size()
         if self._alone():
             return width - _LEFT - _RIGHT, height - _ABOVE - _BELOW
@@ -208,7 +208,7 @@ class Picture:
         return width * room.width, height * room.height
 
     def _lay_out(self, drawn: float) -> None:
-        """Give the Axes their place, so many inches wide, if they are alone."""
+        """Place the Axes with a width in inches, if they are alone."""
         figure = self._alone()
         if figure is None:
             return
@@ -220,7 +220,7 @@ class Picture:
         )
 
     def _box(self, of: int = 1) -> Bbox:
-        """The window, or one so many times as large around it."""
+        """Return the window, enlarged by a factor."""
         from matplotlib.transforms import Bbox
 
         assert self._window is not None

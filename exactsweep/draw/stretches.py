@@ -1,4 +1,4 @@
-"""Loops of positions by contact: along which stretch of them which features touch."""
+"""Stretches of loops of positions, each with the features that touch along it."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ class ContactStretch(NamedTuple):
     """A piece of an edge of a loop of positions along which the same contacts last.
 
     Attributes:
-        edge: number of the edge, from that vertex of the loop to the next.
-        start, end: Point, in the order of travel.
-        contacts: tuple of Contact, all that last from start to end.
+        edge: the number of the edge, from that vertex of the loop to the next.
+        start, end: its ends in the order of travel, Points.
+        contacts: tuple of all Contacts that last from start to end.
     """
 
     edge: int
@@ -31,7 +31,7 @@ class ContactStretch(NamedTuple):
 
     @property
     def event(self) -> str:
-        """The event, "EV", "VE" or "EE", or "several" if contacts differ in it."""
+        """The event of the contacts, "EV", "VE" or "EE", or "several" if they differ."""
         events = {contact.event for contact in self.contacts}
         return events.pop() if len(events) == 1 else "several"
 
@@ -44,9 +44,9 @@ def cut_trajectory(s: Sweep) -> list[ContactStretch]:
         s: a Sweep.
 
     Returns:
-        list of ContactStretch, all the way around from the first vertex of the trajectory.
+        list of ContactStretch, once around from the first vertex of the trajectory.
 
-    Cost: that of `Sweep.contacts`, and O(c log c) for an edge of c contacts, beside what is found.
+    Cost: that of `Sweep.contacts`, plus O(c log c) for each edge with c contacts, plus the output.
 
     Example:
         >>> from exactsweep import sweep
@@ -58,11 +58,11 @@ def cut_trajectory(s: Sweep) -> list[ContactStretch]:
 
 
 def cut_loops(s: Sweep, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
-    """Cut other loops of positions likewise.
+    """Cut other loops of positions as `cut_trajectory` cuts the trajectory.
 
     Args:
         s: a Sweep.
-        loops: of positions, as for `Sweep.contacts_along`.
+        loops: the loops of positions, as for `Sweep.contacts_along`.
 
     Yields:
         For each loop, list of ContactStretch.

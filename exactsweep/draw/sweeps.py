@@ -1,4 +1,4 @@
-"""The picture of a sweep, and the pictures of its parts from which it is made."""
+"""The picture of a sweep, and functions that draw its parts."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _MANY = 60
 
 
 class Moving(Protocol):
-    """G, which moves by D: a Sweep, or the shapes of a no-fit polygon."""
+    """A pair of shapes of which G moves: a Sweep, or the shapes of a no-fit polygon."""
 
     @property
     def generatrix(self) -> AnyPolygon:
@@ -45,7 +45,7 @@ class Moving(Protocol):
 
     @property
     def reference(self) -> Point:
-        """The point of G whose positions are told."""
+        """The point of G that marks a position."""
 
 
 @tells_arguments
@@ -60,14 +60,14 @@ def plot_sweep(
 
     Args:
         s: a Sweep.
-        axes: an Axes of matplotlib; a new figure of `matplotlib.pyplot` if left out.
-        positions: pairs of numbers, where the reference point of G is when G is drawn; if left
-            out, those of `choose_telling_positions`.
-        y_down: whether Y points down, as viewers of SVG have it.
+        axes: an Axes of matplotlib; by default a new figure of `matplotlib.pyplot`.
+        positions: pairs of numbers, the positions in which to draw G; by default those of
+            `choose_telling_positions`.
+        y_down: whether Y points down, as in viewers of SVG.
 
     Returns:
-        The Axes. Where the reference point is far from G, the path that is drawn is that of the
-        first vertex of G, and the legend says so. What `find_details` chooses is enlarged below.
+        The Axes. If the reference point is far from G, the picture shows the path of the first
+        vertex of G instead, and the legend says so. Below it are the details of `find_details`.
 
     Raises:
         DrawError: matplotlib is not installed.
@@ -123,10 +123,10 @@ def read_positions(positions: Iterable[Iterable[object]]) -> list[Point]:
 
 
 def find_anchor(s: Moving) -> Point:
-    """Return the point of G whose path is drawn: the reference point, or a vertex of G.
+    """Return the point of G whose path the picture shows: the reference point, or a vertex of G.
 
-    A vertex where the reference point is off G by more than the sizes of G and D together: its
-    path would be far from both polygons, which would shrink to points.
+    The choice is a vertex if the distance of the reference point from G exceeds the sizes of G and
+    D together. The path of the reference point would be far away, and both polygons would be tiny.
 
     >>> from exactsweep import sweep
     >>> triangle, far = [(0, 0), (1, 0), (0, 1)], [(99, 0), (100, 0), (99, 1)]
@@ -142,7 +142,7 @@ def find_anchor(s: Moving) -> Point:
 
 
 def name_anchor(s: Moving) -> str:
-    """Return what the anchor is, in words."""
+    """Name the anchor in words."""
     if find_anchor(s) == s.reference:
         return "reference point of G"
     return f"vertex {s.generatrix.vertex_index(0)} of G"
@@ -167,12 +167,11 @@ def place_generatrix(s: Moving, position: Point) -> AnyPolygon:
 
 @tells_arguments
 def choose_telling_positions(s: Sweep) -> list[Point]:
-    """Choose positions worth drawing: in undercuts and exact fits, far from each other.
+    """Choose positions to draw: in undercuts and exact fits, far from each other.
 
     Returns:
-        list of Point, four at most: where G closes two undercuts, as far as may be from the first
-        vertex of the trajectory and from each other, inner ends of exact fits, likewise, and that
-        vertex.
+        list of at most four Points: positions that close undercuts, inner ends of exact fits, and
+        the first vertex of the trajectory, all as far from each other as possible.
 
     Cost: O(u) for u undercuts and exact fits.
     """
@@ -185,7 +184,7 @@ def choose_telling_positions(s: Sweep) -> list[Point]:
 
 
 def _far_apart(points: Iterable[Point], others: Iterable[Point], most: int) -> list[Point]:
-    """Choose some points, each as far as may be from the others and from those before."""
+    """Choose some points, each as far as possible from the others and from the earlier ones."""
     far = list(others)
     listed = list(dict.fromkeys(points))
     off = {p: min(_square(p, other) for other in far) for p in listed}
@@ -232,7 +231,7 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
 
 @tells_arguments
 def draw_trajectory(picture: Picture, s: Sweep) -> None:
-    """Draw the path of the anchor, each stretch as its contact event has it."""
+    """Draw the path of the anchor, each stretch in the style of its contact event."""
     dx, dy = find_shift(s)
     of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
     chains: dict[str, list[list[Point]]] = {}
@@ -254,16 +253,16 @@ def draw_trajectory(picture: Picture, s: Sweep) -> None:
 def draw_exact_fits(
     picture: Picture, s: Moving, fits: Iterable[Fit], loops: Iterable[Polygon]
 ) -> None:
-    """Mark exact fits as positions of the anchor, hollow where they hang on a loop.
+    """Mark exact fits as positions of the anchor, with hollow marks at ends on a loop.
 
-    Many segments are thin lines without marks, so that they do not hide each other. A single
-    position is a star.
+    If there are many segments, they are thin lines without marks, so that none hides another. A
+    single position is a star.
 
     Args:
         picture: a Picture.
-        s: what moves.
+        s: the pair with the moving shape.
         fits: the exact fits.
-        loops: of positions with free ones beside them.
+        loops: the loops between positions of overlap and free positions.
     """
     segments, points = part_fits(fits)
     if segments:
@@ -281,13 +280,13 @@ def draw_exact_fits(
 
 
 def part_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
-    """Part exact fits into segments and single positions."""
+    """Split exact fits into segments and single positions."""
     listed = list(fits)
     return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
 
 
 def _move(points: Iterable[Point], s: Moving) -> list[Point]:
-    """Positions of the reference point as those of the anchor."""
+    """Convert positions of the reference point to positions of the anchor."""
     dx, dy = find_shift(s)
     return [Point(p.x + dx, p.y + dy) for p in points]
 
@@ -296,7 +295,7 @@ def _move(points: Iterable[Point], s: Moving) -> list[Point]:
 def draw_generatrix(
     picture: Picture, s: Moving, positions: Iterable[Point], label: str = "generatrix G"
 ) -> None:
-    """Draw G with its reference point at each of some positions, and dots where the anchor is."""
+    """Draw G with its reference point at each of some positions, and dots at the anchor."""
     dots = []
     for position in positions:
         draw_shape(picture, place_generatrix(s, position), style.GENERATRIX, label)

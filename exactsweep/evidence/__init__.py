@@ -1,1 +1,1 @@
-"""Reasons for a sweep: contacts, undercuts, exact fits, and the certificate."""
+"""Sweeps and fits with their reasons: contacts, undercuts, exact fits, certificates."""

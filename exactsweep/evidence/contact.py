@@ -1,14 +1,14 @@
 """Contact events: which features of G and D touch (Table 1, Lemma A.1).
 
-An edge of the trajectory is a piece of the segment of translations at which two features touch:
-EV (edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
-edges): d - e. Every pair whose segment shares a piece with the edge is a contact there, since all
-of the trajectory is free of overlap. All pairs that can touch without overlap (see `find_facing`)
-are found by looking up lines, without regard to how the trajectory was computed.
+An edge of the trajectory is a piece of a segment of translations at which two features touch: EV
+(edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
+edges): d - e. All of the trajectory is free of overlap. So two features are in contact along the
+edge if their segment shares a piece with it. Look-ups of lines find all pairs that can touch
+without overlap (see `find_facing`), without regard to how the trajectory was computed.
 
 An edge e touches a vertex v from outside only if both edges at v run on the other side of the line
-through e: v is convex, and e reversed has its place between them in the order of directions. For
-two convex polygons that leaves one vertex for each edge, or two where edges are parallel.
+through e. Then v is convex, and the direction of the reversed e lies between those of the two
+edges. For two convex polygons this leaves one vertex for each edge, or two if edges are parallel.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ class Contact(NamedTuple):
     """Two features that touch.
 
     Attributes:
-        event: "EV", "VE", "EE" or "VV", the feature of the generatrix first (Table 1).
-        generatrix: index of the vertex of G, or of the edge of G by its first vertex.
+        event: "EV", "VE", "EE" or "VV", with the feature of the generatrix first (Table 1).
+        generatrix: the index of the vertex of G, or of the first vertex of the edge of G.
         directrix: the same for D.
     """
 
@@ -45,16 +45,17 @@ class Contact(NamedTuple):
 
 
 def number_as_given(shape: AnyPolygon, outline: Outline, k: int, *, of_edge: bool) -> int:
-    """The index in the caller's input of feature k of an outline, whose holes run clockwise.
+    """Return the index in the caller's input of feature k of an outline.
 
     Args:
         shape: a shape.
-        outline: its features.
-        k: the number of a vertex, or of an edge.
-        of_edge: whether it is an edge.
+        outline: the features of the shape, with holes clockwise.
+        k: the number of a vertex or of an edge.
+        of_edge: whether k is an edge.
     """
     if k >= len(shape.exterior):
-        # Of a hole, vertex 0 is the same both ways; its edge k ends where the edge as given starts.
+        # Vertex 0 of a hole is the same in both orientations; its edge k ends where the input edge
+        # starts.
         ring = bisect_right(outline.starts, k)
         first, size = outline.starts[ring - 1], len(shape.holes[ring - 2])
         k = first + (first - (outline.after[k] if of_edge else k)) % size
@@ -62,14 +63,14 @@ def number_as_given(shape: AnyPolygon, outline: Outline, k: int, *, of_edge: boo
 
 
 def list_edges(loop: Sequence[Vertex]) -> list[Edge]:
-    """The edges of a loop, edge k from vertex k to vertex k + 1."""
+    """List the edges of a loop, edge k from vertex k to vertex k + 1."""
     return list(pairwise([*loop, *loop[:1]]))
 
 
 def find_edge_contacts(
     edges: Sequence[Edge], generatrix: Outline, directrix: Outline
 ) -> list[list[Contact]]:
-    """Find all contacts along each edge of a trajectory, or of other loops of free translations.
+    """Find all contacts along each edge of a trajectory or another loop of free translations.
 
     Args:
         edges: the edges, in the order of travel.
@@ -77,11 +78,11 @@ def find_edge_contacts(
         directrix: the features of D.
 
     Returns:
-        For each edge the sorted contacts that last for a piece of positive length of it. An EV or
-        VE that is part of an EE contact is not listed beside it.
+        For each edge, the sorted contacts that last along a piece of positive length. The list
+        omits an EV or VE contact that is part of an EE contact.
 
-    Cost: O((t + m + n) log(t + m + n)) for t edges, and a look-up, O(log t), for each pair that can
-    touch without overlap: O(m + n) pairs for convex polygons, O(m n) for any.
+    Cost: O((t + m + n) log(t + m + n)) for t edges, plus a look-up in O(log t) for each pair that
+    can touch without overlap. Convex polygons have O(m + n) such pairs, others O(m n).
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
     for k, edge in enumerate(edges):
@@ -97,7 +98,7 @@ def find_edge_contacts(
         if key not in lines:
             return
         touching = make_segment((first, last), u)
-        # Of many pieces on one line only those nearby.
+        # If a line has many pieces, test only those nearby.
         line = lines[key]
         start = bisect_left(line, touching.low - longest[key], key=_low)
         for piece, k in line[start : bisect_right(line, touching.high, key=_low)]:
@@ -119,10 +120,10 @@ def find_edge_contacts(
     for i, (p, q) in g_edges.items():
         for j in parallel[g_along[i]]:
             r, s = d_edges[j]
-            # Both run with D and G on their left, so that facing edges run opposite ways.
+            # Both run with their shape on the left, so facing edges have opposite directions.
             if (p < q) != (r < s):
                 note("EE", i, j, g_along[i], minus(r, p), minus(s, q))
-                # Where rings touch, vertices lie inside edges.
+                # Where rings touch, a vertex may lie inside an edge.
                 for k in directrix.vertices_inside(j):
                     v = directrix.vertices[k]
                     note("EV", i, k, g_along[i], minus(v, p), minus(v, q))
@@ -145,7 +146,7 @@ def _low(item: tuple[Segment, int]) -> Rational:
 
 
 def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contact]:
-    """Leave out each EV and VE contact whose vertex is an end of an edge in an EE contact."""
+    """Drop each EV and VE contact whose vertex is an end of an edge in an EE contact."""
     implied = set()
     for event, i, j in contacts:
         if event == "EE":
@@ -155,10 +156,10 @@ def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contac
 
 
 class MonotoneOutline(Outline):
-    """The outline of an X-monotone polygon, for finding quickly what lies at a point.
+    """The outline of an X-monotone polygon, with fast look-ups of features at a point.
 
     Args:
-        loop: vertices, counter-clockwise; the numbering of the features follows it.
+        loop: vertices, counter-clockwise; they number the features.
     """
 
     def __init__(self, loop: Sequence[Vertex]) -> None:
@@ -171,11 +172,11 @@ class MonotoneOutline(Outline):
             self._chains.append((sign, [sign * loop[k][0] for k in numbers], numbers))
 
     def scaled(self, factor: int) -> MonotoneOutline:
-        """The boundary, enlarged by a positive factor. Cost: O(n)."""
+        """Return the boundary enlarged by a positive factor. Cost: O(n)."""
         return MonotoneOutline([(factor * x, factor * y) for x, y in self.vertices])
 
     def edges_through(self, point: Vertex) -> Iterator[int]:
-        """The numbers of the edges whose interior holds a point. Cost: O(log n)."""
+        """Find the numbers of the edges with a point in their interior. Cost: O(log n)."""
         for sign, xs, numbers in self._chains:
             x = sign * point[0]
             first = max(bisect_left(xs, x) - 1, 0)
@@ -200,19 +201,19 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     """
     scale = lcm(t[0].denominator, t[1].denominator)
     if scale > 1:
-        # On a lattice that holds the translation too, all is ints: ten times as fast.
+        # On a lattice with the translation all numbers are ints, which is ten times as fast.
         generatrix, directrix = generatrix.scaled(scale), directrix.scaled(scale)
     t = int(scale * t[0]), int(scale * t[1])
     found: set[Contact] = set()
     for i, w in enumerate(generatrix.vertices):
         point = w[0] + t[0], w[1] + t[1]
-        # Where rings touch, a point is a vertex of one and in an edge of another.
+        # Where rings touch, a point may be a vertex of one and inside an edge of another.
         found.update(Contact("VV", i, j) for j in directrix.vertices_at(point))
         found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
     for j, v in enumerate(directrix.vertices):
         found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
-    # What two edges share ends, towards the start of G's edge, in that start or in an end of D's: a
-    # contact of the kinds found.
+    # The common part of two edges has an end towards the start of G's edge. It is that start or an
+    # end of D's edge, so one of the contacts above.
     for event, i, j in list(found):
         piece = make_segment(generatrix.edge(i))
         for d in [j] if event == "VE" else [j, directrix.before[j]]:
@@ -225,11 +226,11 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
 
 
 def find_facing(edges: Mapping[int, Edge], outline: Outline) -> Iterator[tuple[int, int]]:
-    """Pairs of an edge and a vertex that can touch without overlap.
+    """Find the pairs of an edge and a vertex that can touch without overlap.
 
     Args:
-        edges: edges of a polygon that has its interior on their left, by number.
-        outline: the other one, no three neighbours collinear.
+        edges: the edges of a polygon by number, with the interior on the left.
+        outline: the other polygon, no three neighbours collinear.
 
     Returns:
         (number of the edge, index of the vertex).
@@ -254,7 +255,7 @@ def find_facing(edges: Mapping[int, Edge], outline: Outline) -> Iterator[tuple[i
 
 
 def _angle(edge: Edge) -> tuple[bool, Any]:
-    """A key that orders directed edges by angle, from -90 degrees, exclusive, all round."""
+    """Return a key that orders directed edges by angle, from -90 degrees, exclusive."""
     (px, py), (qx, qy) = edge
     backward = qx < px or (qx == px and qy < py)
     return backward, angle_key(find_direction(edge))

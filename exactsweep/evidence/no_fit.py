@@ -25,13 +25,13 @@ from exactsweep.words import write_pair
 class NoFitPolygon(Shown):
     """The positions where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
 
-    Each part is computed when it is first read.
+    Each property is computed on first access.
 
     Attributes:
         stationary: D, a Region.
         orbiting: G, a Region.
-        reference: the point of G whose positions are told, a Point.
-        kind: "CC", "CM" or "MM" where the paper's procedures apply, else "SS".
+        reference: the point of G that marks a position, a Point.
+        kind: "CC", "CM" or "MM" if the paper's procedures apply, else "SS".
     """
 
     asked = ("stationary", "orbiting", "reference")
@@ -57,10 +57,10 @@ class NoFitPolygon(Shown):
 
     @made_once
     def exact_fits(self) -> tuple[Fit, ...]:
-        """Free positions without free ones around them: segments and points, sorted.
+        """Free positions without room to either side: segments and points, sorted.
 
-        The end that hangs on a loop comes first, where only one does; a single position is a
-        segment of two equal ends.
+        If only one end of a segment lies on a loop, it comes first. A single position is a segment
+        with two equal ends.
         """
         return place_fits(self.solution.fits, self.reference)
 
@@ -68,11 +68,11 @@ class NoFitPolygon(Shown):
         """Locate a position of the orbiting polygon.
 
         Args:
-            position: a pair of numbers, where the reference point of the orbiting polygon is.
+            position: a pair of numbers, the place of the orbiting polygon's reference point.
 
         Returns:
-            "overlap", where interiors overlap; "contact", where the polygons touch only: on a loop
-            or in an exact fit; "free", where they are apart.
+            "overlap" if the interiors overlap; "contact" if the polygons only touch, on a loop or
+            in an exact fit; "free" if they are apart.
 
         Raises:
             NumberError: a coordinate is not an exact number.
@@ -92,9 +92,9 @@ class NoFitPolygon(Shown):
         return "overlap" if self.exterior.contains(t) and not in_hole else "free"
 
     def certificate(self) -> dict[str, Any]:
-        """Plain JSON data from which anyone can check the answer, told in translations of G.
+        """Return plain JSON data that proves the answer; positions are translations of G.
 
-        Whatever the class of the pair, holes and exact fits are claimed to be all there are.
+        The certificate claims that the holes and exact fits are complete, for every kind of pair.
         """
         found = self.solution
         return claim_no_fit(
@@ -124,14 +124,14 @@ class NoFitPolygon(Shown):
 
 
 class InnerFit(Shown):
-    """The positions of a part inside a container, and free of placed shapes if there are any.
+    """The positions of a part inside a container, free of placed shapes if there are any.
 
-    `inner_fit_polygon` and `free_positions` make it. It is true if there is any position.
+    `inner_fit_polygon` and `free_positions` return it. It is true if there is any position.
 
     Attributes:
         container: a Region, whose holes are defects.
         part: a Region.
-        reference: the point of the part whose positions are told, a Point.
+        reference: the point of the part that marks a position, a Point.
         placed: the Regions that the part must not overlap.
     """
 
@@ -158,11 +158,11 @@ class InnerFit(Shown):
         """Locate a position: "inside" where the part can move in all directions.
 
         Args:
-            position: a pair of numbers, where the reference point of the part is.
+            position: a pair of numbers, the place of the part's reference point.
 
         Returns:
-            "inside" a region; on the "boundary" of one, where the part touches what it must not
-            overlap, or in an exact fit; or "outside", where it overlaps.
+            "inside" for a position inside a region; "boundary" on the boundary of a region or in an
+            exact fit, where the part touches an obstacle; "outside" where the part overlaps one.
 
         Raises:
             NumberError: a coordinate is not an exact number.
@@ -183,7 +183,7 @@ class InnerFit(Shown):
 
     @made_once
     def regions(self) -> tuple[Region, ...]:
-        """The free regions, sorted; none where the part does not fit."""
+        """The free regions, sorted; none if the part does not fit."""
         return self._regions(self.reference)
 
     def _regions(self, reference: Point) -> tuple[Region, ...]:
@@ -199,10 +199,10 @@ class InnerFit(Shown):
         return place_fits(self.solution.fits, self.reference)
 
     def certificate(self) -> dict[str, Any]:
-        """Plain JSON data from which anyone can check the answer, told in translations.
+        """Return plain JSON data that proves the answer; positions are translations of the part.
 
         Raises:
-            PolygonError: shapes are placed, of which certificates do not tell.
+            PolygonError: shapes are placed; certificates do not cover them.
         """
         if self.placed:
             raise PolygonError("positions among placed shapes have no certificate")

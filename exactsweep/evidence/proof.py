@@ -1,17 +1,17 @@
-"""Proofs for certificates, as `check/CERTIFICATES.md` describes them: pieces and chains.
+"""Proofs for certificates, as `check/CERTIFICATES.md` describes them: pieces, sums and chains.
 
-Nothing here is trusted. The checker's own functions list the segments and the sums; along each
-segment the finder goes from point to point, to the sum or edge around the point that reaches
-farthest. Where nothing is around a point there is a slit: a position that is free, between others
-that are not.
+Nothing here is trusted. The finder lists a sum beside each edge of a loop or fit, and then, as long
+as a side of a listed sum has a point that neither listed sums nor edges cover, the largest sum
+around that point. Where no sum is around it there is a slit: a position that is free, between
+others that are not.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, pairwise
 from math import lcm
 from typing import Any
 
@@ -22,7 +22,8 @@ from exactsweep.check.standalone import (
     Edge,
     Node,
     Ring,
-    Solid,
+    Span,
+    Sums,
     Work,
     add,
     edges,
@@ -31,13 +32,14 @@ from exactsweep.check.standalone import (
     place,
     ring,
     shape,
+    turn,
 )
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Vertex
 
-_STRIPS = 64
 _LONG = 2000  # bits of a common denominator that are worth while
-_RECENT = 8  # sums that are tried before others
+_STRIPS = 64
+_EDGES = 3  # of a convex polygon, on either side of a slice
 
 
 def add_proof(certificate: dict[str, Any]) -> dict[str, Any]:
@@ -47,13 +49,9 @@ def add_proof(certificate: dict[str, Any]) -> dict[str, Any]:
         certificate: of a sweep, a no-fit polygon or an inner fit, without a proof.
 
     Returns:
-        A new dict.
+        A new dict. If the answer is wrong, it is not proved.
 
-    Raises:
-        Refused: the answer is wrong.
-
-    Cost: O(m n) sums of pieces, and those of them that are around the ends of the others on each
-        contact segment.
+    Cost: O(k log k) sums of pieces, with k those that are near edges of the answer.
 
     Example:
         >>> from exactsweep import sweep
@@ -61,44 +59,66 @@ def add_proof(certificate: dict[str, Any]) -> dict[str, Any]:
         >>> standalone.prove(add_proof(sweep(square, square).certificate()))
         'CC sweep of 4 around 4 vertices, trajectory 4, inner 4, outer 4, area 8'
     """
-    work = Work(standalone.MAX_STEPS)
     claim = certificate.get("claim", "sweep")
-    if claim == "inner_fit":
-        container, part = (shape(certificate[key]) for key in ("container", "part"))
-        work.fit(container + part)
-        frame, around = _frame(container)
-        outside, moving = _cut_outside(container, around), _cut(part)
-        loops = [
-            one if k else one[::-1]
-            for region in certificate["regions"]
-            for k, one in enumerate(map(ring, (region["exterior"], *region["holes"])))
-        ]
-        fits = standalone.read_fits(certificate["exact_fits"])
-        chains, _ = _Finder(outside, moving.turned(), loops, fits, work).find()
-        pieces = {"outside": outside, "part": moving}
-        return {**certificate, "proof": {"frame": frame, **_write(pieces), "chains": chains}}
-    if claim == "no_fit":
-        directrix, generatrix = (
-            _cut(shape(certificate[key])) for key in ("directrix", "generatrix")
-        )
-        work.fit(directrix.rings + generatrix.rings)
-        exterior = ring(certificate["exterior"])
-        holes = [ring(hole)[::-1] for hole in certificate["holes"]]
-        fits = standalone.read_fits(certificate["exact_fits"])
-        finder = _Finder(directrix, generatrix.turned(), [exterior, *holes], fits, work)
-        pieces = {"directrix": directrix, "generatrix": generatrix}
-        return {**certificate, "proof": {**_write(pieces), "chains": finder.find()[0]}}
-    return {**certificate, "proof": _prove_sweep(certificate, work)}
+    return {**certificate, "proof": _PROVERS[claim](certificate, Work(standalone.MAX_STEPS))}
+
+
+def _prove_no_fit(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
+    d, g = (shape(certificate[key]) for key in ("directrix", "generatrix"))
+    work.fit(d + g)
+    still, moving = _cut(d), _cut(g)
+    holes = [ring(hole)[::-1] for hole in certificate["holes"]]
+    finder = _Finder(
+        Sums(still, [*map(turn, moving)], work),
+        [ring(certificate["exterior"]), *holes],
+        standalone.read_fits(certificate["exact_fits"]),
+    )
+    return {"directrix": _write(still), "generatrix": _write(moving), "sums": finder.find()}
+
+
+def _prove_inner_fit(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
+    container, part = (shape(certificate[key]) for key in ("container", "part"))
+    work.fit(container + part)
+    wide, high = (
+        max(of) - min(of) for of in zip(*map(place, chain.from_iterable(part)), strict=True)
+    )
+    xs, ys = zip(*map(place, chain.from_iterable(container)), strict=True)
+    ends = (
+        min(xs) // 1 - wide // 1 - 1,
+        min(ys) // 1 - high // 1 - 1,
+        max(xs) // 1 + wide // 1 + 2,
+        max(ys) // 1 + high // 1 + 2,
+    )
+    frame = standalone.frame(*map(Fraction, ends))
+    outer, *defects = (one[::-1] for one in container)
+    outside = [*_cut([frame, outer]), *chain.from_iterable(_cut([one]) for one in defects)]
+    moving = _cut(part)
+    turned = [*map(turn, moving)]
+    loops = [
+        one if k else one[::-1]
+        for region in certificate["regions"]
+        for k, one in enumerate(map(ring, (region["exterior"], *region["holes"])))
+    ]
+    sums = Sums(outside, turned, work, standalone.find_positions(frame, turned))
+    finder = _Finder(sums, loops, standalone.read_fits(certificate["exact_fits"]))
+    return {
+        "frame": [format_fraction(Fraction(end)) for end in ends],
+        "outside": _write(outside),
+        "part": _write(moving),
+        "sums": finder.find(),
+        "around": finder.around,
+    }
 
 
 def _prove_sweep(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
     is_any = "claim" in certificate
-    directrix, generatrix = (
-        _cut(shape(certificate[key]) if is_any else [ring(certificate[key])])
+    d, g = (
+        shape(certificate[key]) if is_any else [ring(certificate[key])]
         for key in ("directrix", "generatrix")
     )
-    work.fit(directrix.rings + generatrix.rings)
-    back = (0, 0, 1) if is_any else standalone.turn([standalone.point(certificate["reference"])])[0]
+    work.fit(d + g)
+    still, moving = _cut(d), _cut(g)
+    back = (0, 0, 1) if is_any else turn([standalone.point(certificate["reference"])])[0]
     trajectory = ring(certificate["exterior" if is_any else "trajectory"])
     trajectory = [node(*place(add(p, back))) for p in trajectory]
     fits = [
@@ -108,157 +128,217 @@ def _prove_sweep(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
         [ring(hole)[::-1] for hole in certificate.get(key, [])] for key in ("holes", "unswept")
     )
     inner, outer = (ring(certificate[key]) for key in ("inner", "outer"))
-    x, y, w = generatrix.rings[0][0]
-    within = [
-        k
-        for k, hole in enumerate(unswept)
-        # Is G, with a vertex of it at the middle of an edge of the hole, inside the trajectory?
-        if standalone.winds(trajectory, add(_inside(hole), (-x, -y, w)))
-    ]
-    frame, around = _frame([trajectory])
-    region, outside = _cut([trajectory]), _cut_outside([trajectory], around)
-    first = _Finder(directrix, generatrix.turned(), [trajectory, *holes], fits, work).find()[0]
-    free = [outer, *(hole for k, hole in enumerate(unswept) if k not in within)]
-    second, between = _Finder(region, generatrix, free, [], work).find()
-    free = [inner[::-1], *(hole for k, hole in enumerate(unswept) if k in within)]
-    third, beside = _Finder(outside, generatrix, free, [], work).find()
-    pieces = {
-        "directrix": directrix,
-        "generatrix": generatrix,
-        "trajectory": region,
-        "outside": outside,
-    }
+    first = _Finder(Sums(still, [*map(turn, moving)], work), [trajectory, *holes], fits)
+    sums = Sums([*map(list, edges(trajectory))], moving, work)
+    second = _Finder(sums, [outer, inner[::-1], *unswept], [])
+    found = {"sums": first.find(), "swept": second.find()}
     return {
-        "frame": frame,
-        **_write(pieces),
-        "slits": [[[_write_point(p) for p in fit] for fit in fits] for fits in (between, beside)],
-        "within": within,
-        "chains": [first, second, third],
+        "directrix": _write(still),
+        "generatrix": _write(moving),
+        **found,
+        "slits": _write(second.slits),
     }
+
+
+_PROVERS = {"no_fit": _prove_no_fit, "inner_fit": _prove_inner_fit, "sweep": _prove_sweep}
 
 
 class _Finder:
-    """Chains that cover the contact segments of two shapes by sums, loops, fits and slits."""
+    """Sums whose sides are covered by each other, by loops, fits and slits.
 
-    def __init__(
-        self, d: Solid, h: Solid, loops: Sequence[Ring], fits: Sequence[Edge], work: Work
-    ) -> None:
-        self._d, self._h, self._work = d, h, work
+    Attributes:
+        around: a chain for each edge of B, once found.
+        slits: the slits, once found.
+    """
+
+    def __init__(self, sums: Sums, loops: Sequence[Ring], fits: Sequence[Edge]) -> None:
+        self._sums, self._count = sums, len(fits)
         self._known: list[Edge] = [*chain.from_iterable(map(edges, loops)), *fits]
-        self._sides: dict[int, list[Node]] = {}
-        self._recent: list[int] = []
-        boxes = [[self._box(piece) for piece in pieces] for pieces in (d.pieces, h.pieces)]
-        sums = [standalone.add_boxes(one, other) for one in boxes[0] for other in boxes[1]]
-        left = min((box[0] for box in sums), default=0)
-        self._left = left
-        self._width = 1 + (max((box[1] for box in sums), default=0) - left) // _STRIPS
-        # Large ones first.
-        order = sorted(
-            range(len(sums)),
-            key=lambda k: (sums[k][0] - sums[k][1]) * (sums[k][3] - sums[k][2]),
+        self._fits = range(len(self._known) - len(fits), len(self._known))
+        self._beyond = range(sums.count, sums.count + len(sums.beyond))
+        self._listed: dict[int, int] = {}
+        self._areas: dict[int, int] = {}
+        left, right, *_ = (
+            one + other for one, other in zip(sums.first.box, sums.second.box, strict=True)
         )
-        self._boxes, self._beyond = sums, range(len(sums), len(sums) + len(d.beyond))
-        self._strips: dict[int, list[int]] = defaultdict(list)
-        for k in order:
-            for strip in self._list_strips(sums[k]):
-                self._strips[strip].append(k)
-        self._edges: dict[int, list[int]] = defaultdict(list)
-        self._list_edges(0)
+        self._left, self._width = left, (right - left) // _STRIPS + 1
+        self._strips: dict[int, list[tuple[standalone.Grid, int]]] = defaultdict(list)
+        self._gaps: list[Edge] = []
+        self.around: list[list[int] | int] = []
+        self.slits: list[Edge] = []
 
-    def find(self) -> tuple[list[list[int]], list[Edge]]:
-        """Find a chain for each segment, and the slits that some of them need."""
-        contacts = list(standalone.list_contacts(self._d, self._h, self._work))
-        found: list[list[int]] = []
-        slits: list[Edge] = []
-        again = []
-        for n, (a, b) in enumerate(contacts):
-            missing = len(slits)
-            found.append(self._cover(a, b, slits))
-            if len(slits) > missing:
-                again.append(n)
-        first = len(self._known)
-        self._known += _unite(slits, self._known)
-        self._list_edges(first)
-        for n in again:
-            found[n] = self._cover(*contacts[n], slits)
-        return found, self._known[first:]
+    def find(self) -> list[list[Any]]:
+        """List sums, each with a chain for each of its sides."""
+        for n in range(len(self._known)):
+            self._list_beside(n)
+        found = self._list_chains()
+        if self._gaps:
+            first = len(self._known)
+            self.slits = _unite(self._gaps, self._known)
+            self._known += self.slits
+            self._fits = range(self._fits.start, len(self._known))
+            for n in range(first, len(self._known)):
+                self._list_beside(n)
+            found = self._list_chains()
+        # Half-planes are numbered after sums.
+        numbers = list(self._listed)
+        at = {k: n for n, k in enumerate(numbers)} | {
+            k: len(numbers) + n for n, k in enumerate(self._beyond)
+        }
+        written = {
+            k: [
+                one[0] if len(one) == 1 else one
+                for one in ([n if n < 0 else at[n] for n in side] for side in sides)
+            ]
+            for k, sides in found.items()
+        }
+        self.around = [written[k][0] for k in self._beyond]
+        return [[k, *written[k]] for k in numbers]
 
-    def _box(self, points: Sequence[Node]) -> standalone.Grid:
-        return standalone.grid_box(points, self._work.scale)
-
-    def _list_strips(self, box: standalone.Grid) -> range:
-        first, last = ((end - self._left) // self._width for end in box[:2])
-        # All that is left or right of the sums is in the first or the last strip.
-        return range(min(max(first, 0), _STRIPS), min(max(last, 0), _STRIPS) + 1)
-
-    def _list_edges(self, first: int) -> None:
-        for k in range(first, len(self._known)):
-            for strip in self._list_strips(self._box(self._known[k])):
-                self._edges[strip].append(k)
-
-    def _clip(self, k: int, a: Node, b: Node) -> standalone.Span | None:
-        if k not in self._sides:
-            self._sides[k] = standalone.sum_sides(self._d, self._h, k)
-        return standalone.clip(self._sides[k], a, b)
-
-    def _cover(self, a: Node, b: Node, slits: list[Edge]) -> list[int]:
-        reach, closed, found = Fraction(0), False, []
-        while reach < 1 or (reach == 1 and not closed):
-            best = self._reach_from(a, b, reach, closed)
-            if best is None:
-                # Free from here to where the next sum begins.
-                lows = [low for low, _ in self._list_spans(a, b)]
-                ahead = [low for low in lows if low > reach or (low == reach and not closed)]
-                end = min([*ahead, Fraction(1)])
-                slits.append((_along(a, b, reach), _along(a, b, end)))
-                reach, closed = end, True
-                continue
-            (reach, closed), k = best
-            found.append(k)
-            if k >= 0 and k not in self._recent:
-                self._recent = [k, *self._recent[: _RECENT - 1]]
-        return found
-
-    def _reach_from(
-        self, a: Node, b: Node, reach: Fraction, closed: bool
-    ) -> tuple[tuple[Fraction, bool], int] | None:
-        """The sum or edge around a point that reaches farthest, and how far."""
-        best: tuple[tuple[Fraction, bool], int] | None = None
-        for k in self._list_around(_along(a, b, reach)):
-            span = self._clip(k, a, b) if k >= 0 else standalone.share(a, b, *self._known[-1 - k])
-            if span is None:
-                continue
-            low, high = span
-            if low > reach or (low == reach and not (closed or k < 0)):
-                continue
-            farther = (high, k < 0)
-            if farther > (reach, closed) and (best is None or farther > best[0]):
-                best = farther, k
-                if high > 1 or (high == 1 and k < 0):
+    def _list_beside(self, n: int) -> None:
+        """List sums with sides along an edge, on the left of one of a loop, and both of a fit."""
+        a, b = self._known[n]
+        near = self._near([a, b])
+        if a == b:
+            at = [
+                k for k in near if min(standalone.side(of, a) for of in self._sums.get(k)[0]) == 0
+            ]
+            self._list_one(at)
+            return
+        for start, end in ((a, b), (b, a))[: 1 + (n in self._fits)]:
+            spans = [
+                (k, span)
+                for k in near
+                for of, side in zip(*self._sums.get(k), strict=True)
+                if standalone.side(of, start) == 0 == standalone.side(of, end)
+                and (span := standalone.share(start, end, *side))
+                and _is_along(start, end, *side)
+            ]
+            reach = Fraction(0)
+            while reach < 1:
+                on = {k: high for k, (low, high) in spans if low <= reach < high}
+                if not on:
                     break
+                reach = on[self._list_one(on)]
+
+    def _list_one(self, numbers: Iterable[int]) -> int:
+        """List the largest of some sums, unless one is listed."""
+        best = max(numbers, key=lambda k: (k in self._listed, self._measure(k)), default=-1)
+        if 0 <= best < self._sums.count and best not in self._listed:
+            self._listed[best] = len(self._listed)
+            box = self._box([p for p, _ in self._sums.get(best)[1]])
+            first, last = ((end - self._left) // self._width for end in box[:2])
+            for strip in range(first, last + 1):
+                self._strips[strip].append((box, best))
         return best
 
-    def _list_around(self, p: Node) -> Iterator[int]:
-        """The sums and edges whose boxes have a point, those of late first."""
-        yield from self._recent
-        yield from self._beyond
-        box = self._box([p])
-        strip = self._list_strips(box)[0]
-        for k in self._edges.get(strip, ()):
-            if standalone.are_near(self._box(self._known[k]), box):
-                yield -1 - k
-        for k in self._strips.get(strip, ()):
-            if standalone.are_near(self._boxes[k], box):
-                yield k
+    def _measure(self, k: int) -> int:
+        """Measure a sum, roughly: twice its area, its corners rounded to the grid of boxes."""
+        if k not in self._areas:
+            corners = [p for p, _ in self._sums.get(k)[1]]
+            scale = self._sums.work.scale
+            points = [(x * scale // w, y * scale // w) for x, y, w in corners]
+            around = pairwise([*points, points[0]])
+            self._areas[k] = sum(x * v - u * y for (x, y), (u, v) in around)
+        return self._areas[k]
 
-    def _list_spans(self, a: Node, b: Node) -> Iterator[standalone.Span]:
-        """The shares of a segment in all sums and edges."""
-        box = self._box((a, b))
-        for k in chain(range(len(self._boxes)), self._beyond):
-            near = k >= len(self._boxes) or standalone.are_near(self._boxes[k], box)
-            if near and (span := self._clip(k, a, b)):
-                yield span
-        yield from filter(None, (standalone.share(a, b, *edge) for edge in self._known))
+    def _list_chains(self) -> dict[int, list[list[int]]]:
+        """Find a chain for each side of listed sums, which may list more."""
+        found: dict[int, list[list[int]]] = {}
+        self._gaps = []
+        boxes = [(self._box(edge), n) for n, edge in enumerate(self._known)]
+        self._trees = [standalone.tree(boxes)] if boxes else []
+        for k in self._beyond:
+            found[k] = [self._cover(*side) for side in self._sums.get(k)[1]]
+        numbers = list(self._listed)
+        for k in numbers:
+            before = len(self._listed)
+            found[k] = [self._cover(*side) for side in self._sums.get(k)[1]]
+            numbers += list(self._listed)[before:]
+        return found
+
+    def _box(self, points: Sequence[Node]) -> standalone.Grid:
+        return standalone.grid_box(points, self._sums.work.scale)
+
+    def _near(self, points: Sequence[Node]) -> list[int]:
+        """List the half-planes, and the sums whose boxes meet that of points or touch it."""
+        left, right, low, high = self._box(points)
+        box = standalone.Tree((left - 1, right + 1, low - 1, high + 1), -1, 0)
+        return [*self._beyond, *(k for _, k in self._sums.near(box))]
+
+    def _cover(self, a: Node, b: Node) -> list[int]:
+        """Cover a segment: entries -1 - n for edges, and numbers of sums."""
+        reach, closed, found = Fraction(0), False, list[tuple[int, Fraction, bool]]()
+        while reach < 1 or (reach == 1 and not closed):
+            p = _along(a, b, reach)
+            box = self._box([p])
+            spans = [
+                (span, -1 - n)
+                for tree in self._trees
+                for n in _list_near(tree, box)
+                if (span := standalone.share(a, b, *self._known[n])) and span[0] <= reach
+            ]
+            strip = self._strips[(box[0] - self._left) // self._width]
+            listed = [k for around, k in strip if standalone.are_near(around, box)]
+            spans += self._clip([*self._beyond, *listed], a, b, reach, closed)
+            best = max(spans, key=lambda e: (e[0][1], e[1] < 0), default=None)
+            if best is None or (best[0][1], best[1] < 0) <= (reach, closed):
+                around = [k for _, k in self._clip(self._near([p]), a, b, reach, closed)]
+                if not around:
+                    end = self._find_end(a, b, reach, closed)
+                    self._gaps.append((p, _along(a, b, end)))
+                    reach, closed = end, True
+                    continue
+                k = self._list_one(around)
+                best = self._clip([k], a, b, reach, closed)[0]
+            (low, high), n = best
+            # What the last entries have this one may have, too.
+            while found and _meets(low, n, *found[-1][1:]):
+                _, reach, closed = found.pop()
+            found.append((n, reach, closed))
+            reach, closed = high, n < 0
+        return [n for n, *_ in found]
+
+    def _clip(
+        self, numbers: Iterable[int], a: Node, b: Node, reach: Fraction, closed: bool
+    ) -> list[tuple[Span, int]]:
+        """List what sums around a point of a segment have of it."""
+        spans = [(standalone.clip(self._sums.get(k)[0], a, b), k) for k in numbers]
+        return [
+            (span, k)
+            for span, k in spans
+            if span and span[1] > reach and _meets(span[0], k, reach, closed)
+        ]
+
+    def _find_end(self, a: Node, b: Node, reach: Fraction, closed: bool) -> Fraction:
+        """Find where a slit ends: where the next sum or edge begins."""
+        near = self._near([a, b])
+        spans = [standalone.clip(self._sums.get(k)[0], a, b) for k in near]
+        spans += [standalone.share(a, b, *edge) for edge in self._known]
+        lows = [span[0] for span in spans if span]
+        ahead = [low for low in lows if low > reach or (low == reach and not closed)]
+        return min([*ahead, Fraction(1)])
+
+
+def _meets(low: Fraction, n: int, reach: Fraction, closed: bool) -> bool:
+    """Return whether an entry of a chain that begins at low goes on from what is reached."""
+    return low < reach or (low == reach and (closed or n < 0))
+
+
+def _list_near(tree: standalone.Tree, box: standalone.Grid) -> Iterator[int]:
+    """List the numbers of a tree whose boxes meet another one."""
+    if standalone.are_near(tree.box, box):
+        if isinstance(tree.parts, int):
+            yield tree.parts
+        else:
+            for part in tree.parts:
+                yield from _list_near(part, box)
+
+
+def _is_along(a: Node, b: Node, p: Node, q: Node) -> bool:
+    """Return whether parallel edges go the same way."""
+    (x, y), (u, v) = standalone.ways([a, b, p, q])[::2]
+    return x * u + y * v > 0
 
 
 def _along(a: Node, b: Node, share: Fraction) -> Node:
@@ -288,7 +368,7 @@ def _unite(slits: Sequence[Edge], known: Sequence[Edge]) -> list[Edge]:
     return sorted(joined)
 
 
-def _cut(rings: list[Ring]) -> Solid:
+def _cut(rings: list[Ring]) -> list[Ring]:
     """Cut a shape into convex pieces, in ints where a common denominator is of use."""
     scale = lcm(*(w for one in rings for _, _, w in one))
     if scale.bit_length() > _LONG:
@@ -297,42 +377,18 @@ def _cut(rings: list[Ring]) -> Solid:
     for points in rings:
         found = [(x * scale, y * scale) for x, y in map(place, points)]
         scaled.append(tuple(found if scale == 1 else [(int(x), int(y)) for x, y in found]))
-    cut = cut_to_convex((scaled[0], *scaled[1:]), UNLIMITED)
-    pieces = [[node(Fraction(x) / scale, Fraction(y) / scale) for x, y in piece] for piece in cut]
-    return Solid(rings, pieces, [])
+    cut = chain.from_iterable(map(_slice, cut_to_convex((scaled[0], *scaled[1:]), UNLIMITED)))
+    return [[node(Fraction(x) / scale, Fraction(y) / scale) for x, y in piece] for piece in cut]
 
 
-def _cut_outside(rings: list[Ring], around: Ring) -> Solid:
-    """Cut what a frame has outside a shape."""
-    outer, *defects = (one[::-1] for one in rings)
-    pieces = _cut([around, outer]).pieces
-    for defect in defects:
-        pieces += _cut([defect]).pieces
-    beyond = [line(q, p) for p, q in edges(around)]
-    return Solid([outer, *defects], pieces, beyond)
+def _slice(points: Sequence[Vertex]) -> Iterator[Sequence[Vertex]]:
+    """Cut a convex polygon across into slices of few sides, whose sums have few sides."""
+    last = (len(points) - 1) // 2
+    for k in range(0, last, _EDGES):
+        end = min(k + _EDGES, last)
+        start = max(len(points) - 1 - end, end + 1)
+        yield [*points[k : end + 1], *points[start : len(points) - k]]
 
 
-def _frame(rings: Sequence[Ring]) -> tuple[list[str], Ring]:
-    """A rectangle with ints around a shape."""
-    xs, ys = zip(*(place(p) for one in rings for p in one), strict=True)
-    ends = [min(xs) // 1 - 1, min(ys) // 1 - 1, max(xs) // 1 + 2, max(ys) // 1 + 2]
-    written = [format_fraction(Fraction(end)) for end in ends]
-    return written, standalone.read_frame(written)
-
-
-def _inside(hole: Ring) -> Node:
-    """A point inside a clockwise ring."""
-    p, q, r = _cut([hole[::-1]]).pieces[0][:3]
-    x, y, w = add(add(p, q), r)
-    return x, y, 3 * w
-
-
-def _write(solids: dict[str, Solid]) -> dict[str, Any]:
-    return {
-        name: [[_write_point(p) for p in piece] for piece in solid.pieces]
-        for name, solid in solids.items()
-    }
-
-
-def _write_point(p: Node) -> list[str]:
-    return [format_fraction(c) for c in place(p)]
+def _write(lists: Sequence[Sequence[Node]]) -> list[list[list[str]]]:
+    return [[[format_fraction(c) for c in place(p)] for p in points] for points in lists]

@@ -1,4 +1,4 @@
-"""Answers as values: equal by what was asked, shown by pictures, made of what the kernel found."""
+"""Answers as values: equality by question, pictures, and the choice of a Solution."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Display(NamedTuple):
     """The functions that show answers of one kind.
 
     Attributes:
-        plot: draws one on an Axes of matplotlib.
+        plot: draws an answer on matplotlib Axes.
         draw: writes its picture as SVG.
         show: writes the picture and a table as HTML.
     """
@@ -32,16 +32,16 @@ class Display(NamedTuple):
 
 
 class Shown:
-    """An answer, equal to another one if the same was asked of the same polygons.
+    """An answer. Two answers are equal if they answer the same question about equal polygons.
 
-    Polygons are equal as sets of points: in which order their vertices were given shows in the
-    numbers of features, and not here.
+    Polygons are equal as sets of points. The order of their vertices in the input does not matter
+    here, though the numbers of features depend on it.
     """
 
     asked: ClassVar[tuple[str, ...]]
-    """The names of the attributes that say what was asked."""
+    """The names of the attributes that define the question."""
     _display: ClassVar[Callable[[], Display]]
-    """Loads what shows such an answer. It lies above all evidence: `exactsweep.sweep` sets it."""
+    """Loads the Display of such an answer, from a higher package; `exactsweep.sweep` sets it."""
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
@@ -60,7 +60,7 @@ class Shown:
     ) -> Axes:
         """Draw the answer with matplotlib, the `plot` extra.
 
-        Arguments are those of `exactsweep.draw.plot_sweep`, or of `plot_positions` for a no-fit
+        The arguments are those of `exactsweep.draw.plot_sweep`, or of `plot_positions` for a no-fit
         polygon and an inner fit.
         """
         return type(self)._display().plot(self, axes, positions=positions, y_down=y_down)
@@ -73,15 +73,15 @@ class Shown:
 
 
 def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | None) -> Solution:
-    """Choose what computes a pair.
+    """Choose the Solution that computes a pair.
 
     Args:
         generatrix: G.
         directrix: D.
-        direction: a direction to which both are monotone; None, if there is none.
+        direction: a direction to which both are monotone; None if there is none.
 
     Returns:
-        The Solution; nothing of it is computed yet.
+        The Solution. It computes its results later, on first access.
     """
     if direction is None:
         return ShapeSolution(Region(generatrix), Region(directrix))
@@ -89,12 +89,12 @@ def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | Non
 
 
 def place_loop(loop: Sequence[Point], reference: Point = ORIGIN) -> Polygon:
-    """A canonical loop of positions of G's origin as the Polygon of those of a reference point."""
+    """Convert a canonical loop of positions of G's origin to a Polygon for a reference point."""
     return Polygon._from_canonical(_move(loop, reference))
 
 
 def place_fits(fits: Iterable[Fit], reference: Point) -> tuple[Fit, ...]:
-    """Exact fits in positions of a reference point, of those of G's origin."""
+    """Convert exact fits from positions of G's origin to positions of a reference point."""
     return tuple((p, q) for p, q in (_move(fit, reference) for fit in fits))
 
 

@@ -1,18 +1,18 @@
-"""The sweep step by step: in the order of travel, what touches and why it ends.
+"""The sweep step by step: the contacts of each step, and the reason for its end.
 
-A step is an edge of the trajectory, walked counter-clockwise, so that D is on the left. At its end
-G turns left or right, and the turn tells the reason:
+A step is an edge of the trajectory. G travels counter-clockwise, with D on the left. At the end of
+a step G turns left or right, and the turn shows the reason:
 
-- left, at a corner: a vertex of G is on a vertex of D. Straight on, G would part from D; it turns
-  as Lemma 3.1 says, onto the next edge of D or of G by slope.
-- right, at a stop: straight on, G would overlap D at one or several contacts, and new ones they
-  are, since those of the step let G slide on.
-- right, though nothing stops it: straight on leads into an exact fit.
+- left, at a corner: a vertex of G is on a vertex of D. Straight on, G would lose contact. G turns
+  onto the next edge of D or of G by slope, as in Lemma 3.1.
+- right, at a stop: straight on, G would overlap D at one or several new contacts. They are new
+  because the contacts of the step let G slide on.
+- right, without a stop: straight on leads into an exact fit.
 
-A contact stops G if G cannot move on through it, however little, without overlap. Near a contact
-both polygons are cones, a half-plane at the inside of an edge. Moved by a short step, G overlaps D
-there exactly when the step lies in the sum of D's open cone and of G's turned by half a turn. A
-step along an edge in contact is on the boundary of that sum, and so allowed.
+A contact stops G if every move of G through it, however short, overlaps. Near a contact both
+polygons are cones; at the inside of an edge the cone is a half-plane. After a short step G overlaps
+D there if and only if the step lies in the sum of D's open cone and of G's, turned by half a turn.
+A step along an edge in contact is on the boundary of that sum, so it is allowed.
 """
 
 from __future__ import annotations
@@ -49,10 +49,11 @@ class Landmark(NamedTuple):
     """Something that G passes on its way.
 
     Attributes:
-        mark: "undercut" where G closes all of one in one position, "undercut opens" and "undercut
-            closes" at the first and at the last of several, "exact fit" where one hangs.
+        mark: "undercut" if G closes all of an undercut in this position; "undercut opens" and
+            "undercut closes" at the first and the last of several positions; "exact fit" at the
+            end of an exact fit.
         number: index in `Sweep.undercuts` or `Sweep.exact_fits`.
-        position: Point on the step, its start excluded.
+        position: a Point on the step, its start excluded.
     """
 
     mark: Mark
@@ -64,16 +65,16 @@ class Step(NamedTuple):
     """An edge of the trajectory.
 
     Attributes:
-        start: position of the reference point, a Point.
-        end: likewise.
-        direction: primitive integer vector from start to end.
+        start: the first position of the reference point, a Point.
+        end: the last position, likewise.
+        direction: the primitive integer vector from start to end.
         half: "lower" for the sweep (G_t, D_b), "upper" for (G_b, D_t), and "right" or "left" for
-            a wall between the two; as seen with the shared direction pointing to the right.
+            a wall between the two, if the shared direction points to the right.
         touches: tuple of Touch, by their start.
         landmarks: tuple of Landmark in the order of travel.
-        ending: "corner", "stop" or "exact fit", why the step ends.
-        reasons: tuple of Contact, features as the caller gave them: at a corner the vertices that
-            meet, at a stop the contacts that stop G; empty before an exact fit.
+        ending: "corner", "stop" or "exact fit": the reason for the end of the step.
+        reasons: tuple of Contact, features as in the input: at a corner the vertices that meet, at
+            a stop the contacts that stop G; empty before an exact fit.
     """
 
     start: Point
@@ -87,13 +88,13 @@ class Step(NamedTuple):
 
 
 def explain(s: Sweep) -> tuple[Step, ...]:
-    """Tell a sweep in the order of travel, all the way around from its first vertex.
+    """Explain a sweep step by step, once around from the first vertex of the trajectory.
 
     Returns:
-        tuple of Step, in step with `s.contacts`.
+        tuple of Step; step k belongs to item k of `s.contacts`.
 
-    Cost: O(m n + t) look-ups for t edges of the trajectory, and O((m + n) log(m + n)) for each
-    of its right turns.
+    Cost: O(m n + t) look-ups for t edges of the trajectory, plus O((m + n) log(m + n)) for each of
+    its right turns.
 
     Example:
         >>> from exactsweep import sweep
@@ -109,7 +110,7 @@ def explain(s: Sweep) -> tuple[Step, ...]:
 
 
 class _Guide:
-    """The data of a narrated sweep; coordinates are those of its frame, the lattice turned."""
+    """The data of a sweep in the coordinates of its frame, for the steps."""
 
     def __init__(self, s: Sweep) -> None:
         self.sweep = s
@@ -147,7 +148,7 @@ class _Guide:
         return tuple(found)
 
     def _piece(self, contact: Contact, edge: Edge) -> Edge:
-        """The piece of an edge of the trajectory along which a contact lasts."""
+        """Find the piece of an edge of the trajectory along which a contact lasts."""
         event, i, j = contact
         g, d = self.generatrix, self.directrix
         if event == "EV":
@@ -177,7 +178,7 @@ class _Guide:
         return ("stop", stops) if stops else ("exact fit", [])
 
     def _meeting(self, t: Vertex, contacts: Sequence[Contact]) -> list[Contact]:
-        """The vertices, of features in contact on the way there, that meet at a translation."""
+        """Find the vertices of features in contact on the way that meet at a translation."""
         g, d = self.generatrix, self.directrix
         found = set()
         for event, i, j in contacts:
@@ -188,7 +189,7 @@ class _Guide:
         return list(found)
 
     def _landmarks(self) -> defaultdict[int, list[Landmark]]:
-        """The landmarks on each edge of the trajectory."""
+        """Find the landmarks on each edge of the trajectory."""
         placed: list[tuple[tuple[int, Rational], Landmark]] = []
 
         def place(mark: Mark, number: int, position: Point) -> None:
@@ -202,7 +203,7 @@ class _Guide:
                 place("undercut opens", number, positions[0])
                 place("undercut closes", number, positions[-1])
         for number, fit in enumerate(self.sweep.exact_fits):
-            # In a cave or a hole none of its ends is on the trajectory.
+            # An exact fit in a cave or a hole has no end on the trajectory.
             hanging = next(filter(self._is_passed, dict.fromkeys(fit)), None)
             if hanging is not None:
                 place("exact fit", number, hanging)
@@ -221,7 +222,7 @@ class _Guide:
     def _place(self, position: Point) -> tuple[int, Rational]:
         """Find the place of a position on the trajectory, from its first vertex in the frame.
 
-        Counted from there, so that no undercut, of the lower or the upper sweep, spans the start.
+        From there on, no undercut of the lower or the upper sweep contains the start.
         """
         point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
         vertex = self.path.numbers.get(point)
@@ -243,7 +244,7 @@ class _Guide:
 
 
 def _progress(edge: Edge, point: Vertex) -> Rational:
-    """A coordinate along an edge that grows in its direction."""
+    """Return a coordinate along an edge that grows in its direction."""
     (px, py), (qx, qy) = edge
     if px != qx:
         return point[0] if px < qx else -point[0]
@@ -256,10 +257,10 @@ def _direction(start: Point, end: Point) -> Vector:
 
 
 def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outline) -> bool:
-    """Decide whether G overlaps D at a contact after any short enough move.
+    """Decide whether G overlaps D at a contact after any sufficiently short move.
 
     Args:
-        contact: of G, where it is now, with D; they do not overlap.
+        contact: a contact of G with D in the present position, without overlap.
         step: the direction of the move, a vector.
         generatrix: the features of G.
         directrix: the features of D.
@@ -282,14 +283,14 @@ def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outli
     g_back, g_forward = _rays(generatrix, i)
     d_back, d_forward = _rays(directrix, j)
     back = minus((0, 0), step)
-    # In a reflex corner, the other polygon can only move as its free cone, convex, allows; unless
-    # it is not in there, and touches another ring at this point.
+    # In a reflex corner the free cone is convex, and the other polygon can only move within it;
+    # unless that polygon is elsewhere, and touches another ring at this point.
     if cross(d_forward, d_back) < 0:
         return _is_held((d_back, d_forward), (g_back, g_forward), step)
     if cross(g_forward, g_back) < 0:
         return _is_held((g_back, g_forward), (d_back, d_forward), back)
-    # Two convex cones without overlap: their sum is convex, at most a half-plane. If they overlap,
-    # there is another ring between.
+    # The sum of two convex cones without overlap is convex, at most a half-plane. If the cones
+    # overlap, another ring lies between them.
     rays = [d_forward, d_back, minus((0, 0), g_forward), minus((0, 0), g_back)]
     return any(
         all(cross(first, other) >= 0 and cross(other, last) >= 0 for other in rays)
@@ -299,7 +300,7 @@ def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outli
 
 
 def _is_held(free: tuple[Vertex, Vertex], rays: Sequence[Vertex], step: Vertex) -> bool:
-    """Decide whether a step leads out of a convex free cone that some rays are in."""
+    """Decide whether a step leads out of a convex free cone that contains some rays."""
     first, last = free
 
     def is_out(ray: Vertex) -> bool:
@@ -309,7 +310,7 @@ def _is_held(free: tuple[Vertex, Vertex], rays: Sequence[Vertex], step: Vertex) 
 
 
 def _rays(outline: Outline, k: int) -> tuple[Vertex, Vertex]:
-    """From vertex k, the ways to the previous and to the next vertex."""
+    """Return the vectors from vertex k to the previous and to the next vertex."""
     vertices = outline.vertices
     here = vertices[k]
     return minus(vertices[outline.before[k]], here), minus(vertices[outline.after[k]], here)

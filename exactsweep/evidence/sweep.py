@@ -1,4 +1,4 @@
-"""The sweep (G, D): loops, contacts, undercuts and exact fits, each made when first read."""
+"""The sweep (G, D): loops, contacts, undercuts and exact fits, each computed on first access."""
 
 from __future__ import annotations
 
@@ -37,20 +37,21 @@ from exactsweep.words import write_vector
 class Sweep(Shown):
     """The sweep (G, D) of a generatrix around a directrix; made by `sweep`.
 
-    Each loop is computed when it is first read.
+    Each loop is computed on first access.
 
     Attributes:
-        generatrix: G, a Polygon; a Region, if the kind is "SS".
+        generatrix: G, a Polygon; a Region if the kind is "SS".
         directrix: D, likewise.
-        kind: "CC" if both are convex, "CM" if only G must be, "MM", or "SS" for any shape.
-        direction: the shared direction of monotonicity, a primitive integer vector; None, if the
+        kind: "CC" if both are convex, "CM" if only G is convex, "MM" if both are monotone, or "SS"
+            for any shape.
+        direction: the shared direction of monotonicity, a primitive integer vector; None if the
             kind is "SS".
         reference: the point of G whose path the trajectory is, a Point.
     """
 
     asked = ("generatrix", "directrix", "direction", "reference")
     _show_page: ClassVar[Callable[[Sweep, int], Any]]
-    """Makes the interactive page, as `display`."""
+    """Loads the function that makes the interactive page; `exactsweep.sweep` sets it."""
 
     def __init__(
         self,
@@ -83,20 +84,20 @@ class Sweep(Shown):
 
     @made_once
     def unswept(self) -> tuple[Polygon, ...]:
-        """The holes of the swept area beside the inner loop, sorted: none, but of kind "SS"."""
+        """The holes of the swept area beside the inner loop, sorted; only of kind "SS"."""
         return tuple(map(place_loop, self.solution.unswept))
 
     @made_once
     def no_fit_holes(self) -> tuple[Polygon, ...]:
-        """The holes of the no-fit polygon, sorted: where G fits into a cave or a hole of D."""
+        """The holes of the no-fit polygon, sorted: positions of G in a cave or a hole of D."""
         return tuple(place_loop(loop, self.reference) for loop in self.solution.holes)
 
     @made_once
     def exact_fits(self) -> tuple[Fit, ...]:
         """The segments of positions in slots of D that are exactly as wide as G, sorted.
 
-        Each as (the end that hangs on a loop, the end inside the slot). G touches D there without
-        overlap, but no free positions are near: the trajectory does not show them.
+        Each segment is (the end on a loop, the end inside the slot). G touches D there without
+        overlap, but has no room to either side, so the trajectory does not show these positions.
 
         >>> from exactsweep import sweep
         >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
@@ -108,7 +109,7 @@ class Sweep(Shown):
 
     @cached_property
     def area(self) -> Fraction:
-        """The swept area: the outer loop without the inner one and what is not swept."""
+        """The swept area: that of the outer loop minus those of the inner loop and `unswept`."""
         return self.outer.area - add_up(loop.area for loop in (self.inner, *self.unswept))
 
     @cached_property
@@ -122,7 +123,7 @@ class Sweep(Shown):
 
     @cached_property
     def _route(self) -> Outline:
-        """The trajectory of G's origin in the frame, for finding what lies on it."""
+        """The trajectory of G's origin in the frame, for look-ups of points on it."""
         return self._outline([self._enter(self.solution.trajectory)])
 
     def _enter(self, points: Iterable[Point]) -> list[Vertex]:
@@ -130,16 +131,16 @@ class Sweep(Shown):
 
     @cached_property
     def _numbered_contacts(self) -> list[list[Contact]]:
-        """Contacts along the edges of the trajectory, features numbered in canonical order."""
+        """The contacts along the edges of the trajectory, features in canonical order."""
         return find_edge_contacts(list_edges(self._route.vertices), *self._boundaries)
 
     @cached_property
     def contacts(self) -> tuple[tuple[Contact, ...], ...]:
         """The contacts along each edge of the trajectory (Table 1).
 
-        Item k holds those that last for a piece of positive length of edge k, from vertex k of
-        the trajectory to the next: EV, VE and EE events. Features are numbered as the caller gave
-        the polygons: vertex i, and edge i from vertex i to the next.
+        Item k has the EV, VE and EE contacts that last along a piece of positive length of edge k,
+        from vertex k of the trajectory to the next. Features are numbered as in the input: vertex
+        i, and edge i from vertex i to the next.
 
         >>> from exactsweep import sweep
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -152,12 +153,12 @@ class Sweep(Shown):
     def contacts_along(
         self, loops: Iterable[Iterable[Iterable[object]]]
     ) -> Iterator[tuple[tuple[Contact, ...], ...]]:
-        """The contacts along each edge of each of some loops of positions, all free, as `contacts`.
+        """Find the contacts along the edges of loops of free positions, in the form of `contacts`.
 
-        A loop of two positions is the way from one to the other, and back; along no way there are
+        A loop of two positions is the way from one to the other and back. If both are equal, it has
         no contacts.
 
-        Cost: that of `contacts` for all loops together, not for each.
+        Cost: that of one call of `contacts`, for all loops together.
         """
         enter, reference = self.solution.frame.enter_point, self.reference
         edges = [
@@ -173,14 +174,14 @@ class Sweep(Shown):
 
     @cached_property
     def vertex_contacts(self) -> tuple[tuple[Contact, ...], ...]:
-        """All contacts at each vertex of the trajectory, VV among them, numbered as `contacts`.
+        """All contacts at each vertex of the trajectory, also VV, numbered as in `contacts`.
 
         Cost: O(t (m + n) log(m + n)) for t vertices.
         """
         return tuple(self.contacts_at(vertex) for vertex in self.trajectory.vertices)
 
     def contacts_at(self, position: Iterable[object]) -> tuple[Contact, ...]:
-        """All contacts when the reference point of G is at a position, numbered as `contacts`.
+        """Find all contacts for a position of G's reference point, numbered as in `contacts`.
 
         Cost: O((m + n) log(m + n)).
         """
@@ -201,10 +202,10 @@ class Sweep(Shown):
         return Tracer(self._route, self._boundaries[0])
 
     def view(self, height: int = 600) -> Any:
-        """Return the interactive page, which a notebook shows: see `exactsweep.view.page`.
+        """Return the interactive page for a notebook; see `exactsweep.view.page`.
 
         Args:
-            height: of the frame in the notebook, in pixels.
+            height: the height of the frame in the notebook, in pixels.
 
         Returns:
             An `exactsweep.view.InlinePage`.
@@ -215,12 +216,12 @@ class Sweep(Shown):
     def undercuts(self) -> tuple[Undercut, ...]:
         """The regions between D and the inner loop (Figure 7), along the inner loop.
 
-        Holes of D are none.
+        Holes of D are not undercuts.
         """
         return tuple(self._undercut(*pocket) for pocket in self.solution.pockets)
 
     def _undercut(self, bottom: list[Vertex], back: list[Vertex]) -> Undercut:
-        """The undercut above a bottom chain, with the vertices of D on the way back."""
+        """Make the undercut of a bottom chain and the vertices of D on the way back."""
         intersection, positions = find_closing_positions(bottom, self._tracer)
         frame = self.solution.frame
         points = frame.leave(bottom + back)
@@ -234,9 +235,9 @@ class Sweep(Shown):
         )
 
     def certificate(self) -> dict[str, Any]:
-        """Plain JSON data from which anyone can check the sweep: see `evidence.certificate`.
+        """Return plain JSON data that proves the sweep; see `evidence.certificate`.
 
-        Of kind "SS", positions are those of G's origin.
+        If the kind is "SS", positions are those of G's origin.
         """
         if isinstance(self.generatrix, Polygon) and isinstance(self.directrix, Polygon):
             assert self.direction is not None

@@ -1,13 +1,13 @@
-"""Search for what draws the loops: the features of G that trace edges, and the positions of G.
+"""Search for the features of G that draw the edges of the loops, and their positions.
 
-Both loops are drawn by G moving along the trajectory T. An edge of a loop is a piece of an edge
-of G at a vertex of T, of the path of a vertex of G along an edge of T, or of the path of an edge
-of G along an edge of T parallel to it. Several may be needed for one edge: what D's edge shows of
-itself to the inner loop can be touched by one vertex of G after the other.
+G draws both loops as it moves along the trajectory T. An edge of a loop is a piece of an edge of G
+at a vertex of T, of the path of a vertex of G along an edge of T, or of the path of an edge of G
+along a parallel edge of T. One edge of a loop may need several features: one vertex of G after the
+other may touch the same edge of D.
 
-A vertex of G whose path is on a loop is a convex one, and G beside it on one side of the path: G
-moves inside the outer loop and does not enter the inner one. For two convex polygons that leaves
-two vertices, or four, for each direction of T.
+If the path of a vertex of G is on a loop, the vertex is convex, and G near it lies on one side of
+the path, because G stays inside the outer loop and outside the inner one. For two convex polygons
+this leaves two or four vertices for each direction of T.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Trace(NamedTuple):
 
 
 class Tracer:
-    """Finds what draws the edges of the loops of one sweep.
+    """A finder of the features that draw the loops of one sweep.
 
     Args:
         path: the trajectory of G's origin.
@@ -70,14 +70,14 @@ class Tracer:
             self._g_lines[own.direction, own.offset].append(own)
             corner = frozenset((segments[generatrix.before[i]].direction, own.direction))
             self._g_corners[corner].append(i)
-        # By direction and what is left of the offset of the line by whole units: if G is on the
-        # lattice, it moves along a line those that are whole units from it.
+        # The key is the direction, and the fractional part of the offset of the line. If G is on
+        # the lattice, a move along a line only reaches lines at distances of whole units.
         self._is_on_lattice = all(type(c) is int for w in generatrix.vertices for c in w)
         self._path_residues = {(x % 1, y % 1) for x, y in path.vertices}
         self._paths: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         self._lines: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
-        # On one line, edges of a simple loop follow each other.
+        # The edges of a simple loop on one line follow each other.
         for piece, k in sorted(pieces, key=lambda item: item[0].low):
             path_piece = _PathPiece(piece, k, floor(piece.low), ceil(piece.high))
             self._paths[self._path_key(piece)].append(path_piece)
@@ -93,15 +93,16 @@ class Tracer:
     def trace(self, edge: Edge) -> list[Trace]:
         """Return features that together draw an edge of the inner or of the outer loop.
 
-        Tried in this order, until the edge is covered: edges of G that end where it ends; vertices
-        and edges of G along edges of the trajectory; edges of G at all vertices of it.
+        The search tries, in this order, until it has covered the edge: edges of G with an end in
+        common; vertices and edges of G along edges of the trajectory; edges of G at all vertices of
+        the trajectory.
 
-        Raises ValueError when nothing draws the edge: it is not one of this sweep's.
+        Raises ValueError if nothing draws the edge, because it does not belong to this sweep.
         """
         whole = make_segment(edge)
         pieces: list[tuple[Segment, int]] = []
         traces: list[Trace] = []
-        # All that they find lies on the line of the edge.
+        # All pieces found lie on the line of the edge.
         for source in (self._from_ends(edge, whole), self._paths_of(whole), self._at_all(whole)):
             for piece, trace in source:
                 if piece.shares_piece(whole):
@@ -115,7 +116,7 @@ class Tracer:
         raise ExactSweepError("no feature of the generatrix draws this edge")
 
     def ends_of(self, position: Feature) -> list[Vertex]:
-        """The translation of a vertex of the trajectory, or the two ends of an edge."""
+        """Return the translation of a vertex of the trajectory, or the two ends of an edge."""
         k = position.number
         if position.kind == "edge":
             return list(self._path.edge(k))
@@ -124,8 +125,8 @@ class Tracer:
     def closing_range(self, edge: Edge) -> tuple[Vertex, Vertex] | None:
         """Find where on an edge of the trajectory an edge of G covers a straight bottom chain.
 
-        Returns the two ends of that piece, which are equal only if there is no longer one; None if
-        there is none.
+        Returns the two ends of the longest such piece, which may be equal; None if there is no
+        piece.
         """
         whole = make_segment(edge)
         u = whole.direction
@@ -133,7 +134,7 @@ class Tracer:
         for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
             paths = self._lines.get((u, whole.offset - own.offset), [])
-            # The trajectory may touch the range in an end, and come back into it.
+            # The trajectory may touch the range in an end, and return into it.
             nearest = bisect_left(paths, low, key=_high)
             for path, k, _, _ in paths[nearest : nearest + 2]:
                 first, last = max(low, path.low), min(high, path.high)
@@ -145,10 +146,11 @@ class Tracer:
         return closed_in and (closed_in, closed_in)
 
     def covering_position(self, chain: Sequence[Vertex]) -> Vertex | None:
-        """A translation on the trajectory at which G's boundary covers a chain, if there is one.
+        """Find a translation on the trajectory at which G's boundary covers a chain, if any.
 
-        Then each corner of the chain is a vertex of G, between edges of the same directions, and
-        from corner to corner the chain follows the boundary of G.
+        At this translation each corner of the chain is a vertex of G between edges of the same
+        directions, and the chain follows the boundary of G from corner to corner.
+
         Cost: O(s) for s edges of the chain and each such vertex, and O(t) to find a translation on
         the trajectory.
         """
@@ -193,7 +195,7 @@ class Tracer:
     def _from_ends(self, edge: Edge, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         ends_of_edge: Sequence[Vertex] = edge
         if self._is_on_lattice:
-            # From such an end a vertex of the trajectory is whole units away, if it is one.
+            # G reaches an end only from a vertex of the trajectory that is whole units away.
             ends_of_edge = [(x, y) for x, y in edge if (x % 1, y % 1) in self._path_residues]
             if not ends_of_edge:
                 return
@@ -215,7 +217,7 @@ class Tracer:
             ends = vertices.by_offset.get(whole.offset - path.offset)
             if ends is None:
                 continue
-            # Of what moves along the line only what comes near the edge: ints decide it quickly.
+            # Ints decide quickly which of the moves along the line come near the edge.
             low, high = whole_low - path_high, whole_high - path_low
             for i, start in ends.items():
                 end = ends.get(self._generatrix.after[i])
@@ -231,10 +233,10 @@ class Tracer:
     def _paths_near(
         self, whole: Segment, key: tuple[Vector, Rational], vertices: _LinedVertices
     ) -> Sequence[_PathPiece]:
-        """Edges of the trajectory along which a vertex may come to an edge, from left to right.
+        """Find the edges of the trajectory along which a vertex may reach an edge, left to right.
 
-        Looked for on each line from which a vertex of G draws it; or on all parallel lines, where
-        one long edge makes all look near, if these are fewer.
+        The search looks on each line from which a vertex of G draws the edge, or on all parallel
+        lines if these are fewer. On parallel lines, one long edge makes all edges seem near.
         """
         low, high = whole.low - vertices.high, whole.high - vertices.low
         paths = self._paths[key]
@@ -280,7 +282,7 @@ class Tracer:
 
 
 class _LinedVertices(NamedTuple):
-    """Vertices that may draw, by their lines in one direction: by number, the place on the line."""
+    """The vertices that may draw, by their lines in one direction; by number, their places."""
 
     by_offset: Mapping[Rational, dict[int, Rational]]
     low: Rational
@@ -288,7 +290,7 @@ class _LinedVertices(NamedTuple):
 
 
 class _PathPiece(NamedTuple):
-    """An edge of the trajectory, its number, and ints not above its low and not below its high."""
+    """An edge of the trajectory, its number, and int bounds of its low and its high end."""
 
     piece: Segment
     number: int
@@ -305,6 +307,6 @@ def _high(path: _PathPiece) -> Rational:
 
 
 def _at(p: Vertex, q: Vertex, coordinate: Rational, u: Vector) -> Vertex:
-    """The point of the line p q with a coordinate along it."""
+    """Return the point of the line p q with a given coordinate along it."""
     share = Fraction(coordinate - measure_along(u, p)) / (measure_along(u, q) - measure_along(u, p))
     return p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])

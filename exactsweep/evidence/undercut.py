@@ -1,9 +1,9 @@
-"""Undercuts: what lies between D and the inner loop, out of G's reach (Section 4, Figure 7).
+"""Undercuts: the regions between D and the inner loop, out of G's reach (Section 4, Figure 7).
 
-An undercut is bounded by a piece of D and, on the other side, by its bottom chain, a piece of the
-inner loop; the two meet in the extreme contact points. For a convex G the bottom chain is a piece
-of G in one position (Figure 7a), or of one straight edge of G that may slide along itself and
-touch both points all the while (Figure 7b). For a monotone G several positions may be needed.
+A piece of D bounds an undercut on one side. Its bottom chain, a piece of the inner loop, bounds it
+on the other. The two meet in the extreme contact points. For a convex G the bottom chain is a piece
+of G in one position (Figure 7a), or a piece of one edge of G that can slide along itself while it
+touches both points (Figure 7b). A monotone G may need several positions.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ class Undercut(NamedTuple):
         bottom: the bottom chain, a tuple of Point; the region lies left of it as it runs.
         intersection: "segment" if one edge of G touches both extreme points while it slides along
             itself, so that the sub-trajectories share a segment; else "point".
-        positions: tuple of Point on the trajectory: where G closes the undercut. One for a point
-            intersection, the two ends for a segment; more if no single position closes all of it,
-            in the order of the bottom chain.
+        positions: tuple of Point on the trajectory, at which G closes the undercut: one for a point
+            intersection, the two ends for a segment. If no single position closes all of it, there
+            are more, in the order of the bottom chain.
     """
 
     polygon: Polygon
@@ -43,14 +43,14 @@ class Undercut(NamedTuple):
 def find_closing_positions(
     bottom: Sequence[Vertex], tracer: Tracer
 ) -> tuple[Intersection, list[Vertex]]:
-    """Find where on the trajectory G closes an undercut, and of which kind that is.
+    """Find the positions at which G closes an undercut, and the kind of their intersection.
 
     Args:
         bottom: the bottom chain.
-        tracer: of the sweep, on the same lattice.
+        tracer: the Tracer of the sweep, on the same lattice.
 
     Returns:
-        As `intersection` and `positions` of `Undercut`, as vertices on the lattice.
+        `intersection` and `positions` of `Undercut`, with positions on the lattice.
     """
     edges = list(pairwise(bottom))
     if len(edges) == 1:

@@ -1,4 +1,4 @@
-"""Formats: polygons in and out, as JSON, GeoJSON, WKT, SVG, DXF and objects; results as text."""
+"""Readers and writers of polygons in JSON, GeoJSON, WKT, CSV, SVG, DXF and other libraries."""
 
 from exactsweep.formats.candidate import NamedPolygon, NamedRegion
 from exactsweep.formats.error import FormatError

@@ -1,12 +1,13 @@
-"""The polygons of a file before they are read: which there are, and which one is meant."""
+"""Candidates for the polygons of a file, and the choice among them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
-from exactsweep.formats.error import FormatError
+from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
@@ -48,20 +49,20 @@ class NamedRegion(NamedTuple):
     layer: str | None = None
 
     def turned(self) -> Self:
-        """Return it with Y the other way up."""
+        """Return the polygon with Y reversed."""
         return self._replace(region=self.region.scaled((1, -1)))
 
 
 class Candidate(NamedTuple):
-    """A polygon of a file, to be read when it is wanted, so that its faults concern no other.
+    """A polygon of a file that is read on demand, so that its errors do not affect others.
 
     Attributes:
-        place: where it is in the file, for messages; "" if the refusals of `vertices` say so.
-        vertices: reads them, or raises FormatError.
+        place: its place in the file, for messages; "" if the refusals of `vertices` name it.
+        vertices: a function that reads them, or raises FormatError.
         name: its id, or None.
         layer: its layer, or None.
-        holes: finds its inner rings, in order, or raises FormatError; read when they are wanted.
-        fault: why it is known to be no polygon before it is read; else "".
+        holes: a function that finds its inner rings, in order, or raises FormatError.
+        fault: the reason why it is not a polygon, if that is known before reading; else "".
         ornament: whether it cannot be part of any outline, so that nothing is lost without it.
     """
 
@@ -76,21 +77,43 @@ class Candidate(NamedTuple):
     @classmethod
     def refused(
         cls,
-        reason: str,
+        reason: str | Exception,
         name: str | None = None,
         layer: str | None = None,
         *,
         ornament: bool = False,
     ) -> Self:
-        """Make a candidate that raises FormatError, for what is drawn but is no polygon."""
+        """Make a candidate that raises FormatError, for a drawn element that is not a polygon."""
+        is_ornament, fault = ornament or isinstance(reason, OrnamentError), str(reason)
 
         def vertices() -> NoReturn:
-            raise FormatError(reason)
+            raise FormatError(fault)
 
-        return cls("", vertices, name, layer, fault=reason, ornament=ornament)
+        return cls("", vertices, name, layer, fault=fault, ornament=is_ornament)
+
+    @classmethod
+    def of_rings(
+        cls,
+        rings: Iterable[tuple[str, Callable[[], Sequence[Point]]]],
+        place: str = "",
+        name: str | None = None,
+        layer: str | None = None,
+    ) -> Self:
+        """Make a candidate of rings, the exterior first, each by its place and its reader.
+
+        Args:
+            rings: at least one ring.
+            place: the place of the whole; by default that of the exterior.
+            name: its id.
+            layer: its layer.
+        """
+        exterior, *holes = (cls(where, read) for where, read in rings)
+        return exterior._replace(
+            place=place or exterior.place, name=name, layer=layer, holes=partial(tuple, holes)
+        )
 
     def turned(self) -> Self:
-        """Return it with Y the other way up."""
+        """Return the polygon with Y reversed."""
         return self._replace(
             vertices=lambda: [Point(p.x, -p.y) for p in self.vertices()],
             holes=lambda: [hole.turned() for hole in self.holes()],
@@ -103,7 +126,7 @@ class Candidate(NamedTuple):
         return self._read(lambda: Polygon(self._short_vertices()))
 
     def region(self) -> Region:
-        """Read the polygon with its holes; refuses as `polygon` does, but no hole for being one."""
+        """Read the polygon with its holes; refuses as `polygon` does, but accepts holes."""
         holes = self.holes()
         if not holes:
             return Region(self.polygon())
@@ -112,13 +135,13 @@ class Candidate(NamedTuple):
         )
 
     def shape(self) -> AnyPolygon:
-        """Read it as the Region that it is if there are holes, else as a Polygon."""
+        """Read a Region if there are holes, else a Polygon."""
         return self.region() if self.holes() else self.polygon()
 
     def _short_vertices(self) -> Sequence[Point]:
-        """Read the vertices, or refuse those that could be written and not be read again.
+        """Read the vertices, but refuse numbers that could be written and not be read again.
 
-        Only transformations and curves make them: a product of numbers has the digits of all.
+        Only transformations and curves produce them: a product has the digits of all factors.
         """
         points = self.vertices()
         numbers = split_ratios([c for point in points for c in point])
@@ -146,10 +169,10 @@ class Candidate(NamedTuple):
 
 
 def allow_faults(candidates: Iterable[Candidate]) -> list[Candidate]:
-    """List candidates, of which some are known to be no polygons.
+    """List candidates, with a limit on those known not to be polygons.
 
     Raises:
-        FormatError: more of them are than `limits` allow, with the first one.
+        FormatError: their number exceeds `limits`; the message has the first of them.
     """
     found: list[Candidate] = []
     faults, first = 0, ""
@@ -162,7 +185,7 @@ def allow_faults(candidates: Iterable[Candidate]) -> list[Candidate]:
 
 
 def require_few_faults(count: int, first: str) -> None:
-    """Refuse more things that are no polygon than are kept, each with a reason."""
+    """Refuse more elements that are not polygons than the limit."""
     try:
         require_count(count, FAULT, "things that are no polygon")
     except FormatError as error:
@@ -170,17 +193,17 @@ def require_few_faults(count: int, first: str) -> None:
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
-    """Find the candidate that is meant.
+    """Find the candidate that a choice names.
 
     Args:
-        candidates: those of a file, in order.
+        candidates: the candidates of a file, in order.
         choice: a name, an index from 0 or a layer, tried in this order; None for the only one.
 
     Returns:
         The candidate.
 
     Raises:
-        FormatError: none, or several that could be meant.
+        FormatError: no candidate, or several, have this name.
     """
     if choice is not None:
         found = select(candidates, choice)
@@ -216,7 +239,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     """Find all candidates that a choice names.
 
     Args:
-        candidates: those of a file, in order.
+        candidates: the candidates of a file, in order.
         choice: a name, an index from 0 or a layer, tried in this order.
 
     Returns:
@@ -242,7 +265,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
 
 def _shortest(candidates: Sequence[Candidate], index: int) -> str:
-    """Tell a candidate from the others by its name or its layer, or else by its index."""
+    """Return the name, the layer or else the index that distinguishes a candidate."""
     one = candidates[index]
     for word in (one.name, one.layer):
         if word and [c for c in candidates if word in (c.name, c.layer) and not c.fault] == [one]:

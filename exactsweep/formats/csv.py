@@ -1,6 +1,6 @@
-"""CSV in and out: a vertex a row, in columns x and y, perhaps with the polygon's name and ring.
+"""A reader and writer of CSV with one vertex per row, in columns x, y and perhaps name and ring.
 
-Other programs write a polygon a row, in a column of WKT.
+The reader also accepts one polygon per row, in a column of WKT, as other programs write it.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
-    """Tell whether a text begins with two numbers, or with a head of columns x and y, or of WKT.
+    """Decide whether a text begins with two numbers, or with a header of x and y, or of WKT.
 
     >>> is_csv("1.5,2"), is_csv("name;X;Y"), is_csv("WKT,id"), is_csv("POLYGON ((0 0")
     (True, True, True, False)
@@ -40,7 +40,7 @@ def is_csv(text: str) -> bool:
 
 
 def count_vertices(text: str) -> int:
-    """Count what may be a vertex: a row, or what ends at a comma of WKT."""
+    """Count the possible vertices: rows, or parts between commas of WKT."""
     return text.count("\n" if {"x", "y"} <= _head(text) or _NUMBERS.match(text) else ",")
 
 
@@ -53,18 +53,18 @@ def parse_csv(text: str) -> list[Candidate]:
     r"""Find the polygons of a table of vertices.
 
     Args:
-        text: a vertex a row, in columns x and y, or the first two where there is no head; perhaps
-            a column "name", "id" or "part" of the polygon it is of, and one "polygon", which tells
-            polygons of one name apart, and a column "ring", whose first value is the exterior's,
-            and every other one that of a hole; or a polygon a row, in a column "wkt" or "geometry".
-            Columns are separated by commas, semicolons or tabs; numbers are decimals, and where
-            semicolons or tabs separate them, with a point or a comma.
+        text: one vertex per row, in columns x and y, or in the first two if there is no header. A
+            column "name", "id" or "part" names the polygon. A column "polygon" distinguishes
+            polygons of the same name. A column "ring" has one value for the exterior, which comes
+            first, and one for each hole. Or one polygon per row, in a column "wkt" or "geometry".
+            Commas, semicolons or tabs separate columns. Numbers are decimals with a point; between
+            semicolons or tabs also with a comma.
 
     Returns:
         list of Candidate, in order; a ring may be closed or not.
 
     Raises:
-        FormatError: a row that is too short, with its line; a column that is there twice.
+        FormatError: a row is too short, with its line; or a column is repeated.
 
     Cost: linear.
 
@@ -118,7 +118,7 @@ def _parse(text: str) -> list[Candidate]:
             if wanted:
                 written += _read_wkt(row[columns[wanted]], rows.line_num, name or None)
                 continue
-            # Each has three vertices at least.
+            # Each polygon has at least three vertices.
             require_count(len(polygons), 3 * VERTEX, "polygons")
             rings = polygons.setdefault((named.get("polygon", ""), name), {})
             x, y = (row[columns[cell]].replace(",", point) for cell in "xy")
@@ -144,10 +144,8 @@ def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:
 
 
 def _candidate(name: str, rings: _RowsByRing) -> Candidate:
-    exterior, *holes = (
-        Candidate(f"line {cells[0][0]}", partial(_vertices, cells)) for cells in rings.values()
-    )
-    return exterior._replace(name=name or None, holes=partial(tuple, holes))
+    readers = ((f"line {cells[0][0]}", partial(_vertices, cells)) for cells in rings.values())
+    return Candidate.of_rings(readers, name=name or None)
 
 
 def _vertices(cells: Iterable[tuple[int, str, str]]) -> Sequence[Point]:

@@ -1,4 +1,4 @@
-"""Decimal numbers as files hold them, read and written exactly."""
+"""Decimal numbers in files, read and written exactly."""
 
 import re
 from contextlib import suppress
@@ -33,8 +33,8 @@ def read_decimal(text: str) -> Fraction:
         >>> read_decimal("+.5"), read_decimal("007.e-2")
         (Fraction(1, 2), Fraction(7, 100))
     """
-    # What begins as a number of JSON is one nearly always.
-    if text.removeprefix("-")[:1].isdigit() and "/" not in text:
+    # A text that begins like a JSON number nearly always is one.
+    if text.removeprefix("-")[:1].isdigit() and "/" not in text:  # pragma: no mutate: time alone
         with suppress(NumberError):
             return to_fraction(text)
     if not re.fullmatch(DECIMAL, text):
@@ -46,7 +46,7 @@ def read_decimal(text: str) -> Fraction:
 
 
 def read_decimals(text: str) -> list[Fraction]:
-    """Read decimals between blanks and commas, which may be missing before a sign or a point.
+    """Read decimals between blanks and commas; separators may be missing before a sign or point.
 
     >>> read_decimals("1,2-3 .5.25")
     [Fraction(1, 1), Fraction(2, 1), Fraction(-3, 1), Fraction(1, 2), Fraction(1, 4)]
@@ -58,7 +58,7 @@ def read_decimals(text: str) -> list[Fraction]:
 
 
 def count_decimals(text: str) -> int:
-    """Count what `read_decimals` would read, without keeping it."""
+    """Count the numbers that `read_decimals` would read, without keeping them."""
     return sum(1 for _ in re.finditer(DECIMAL, text))
 
 
@@ -69,7 +69,7 @@ def format_decimal(value: Fraction) -> str:
         value: a finite decimal, of any number of digits.
 
     Returns:
-        Digits, with a point and decimals where there are any.
+        Digits, with a point and decimals if there are any.
 
     Raises:
         FormatError: not a finite decimal, such as 1/3.

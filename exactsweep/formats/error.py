@@ -8,4 +8,4 @@ class FormatError(ExactSweepError):
 
 
 class OrnamentError(FormatError):
-    """A thing that draws no outline, nor part of one, so that nothing is lost without it."""
+    """An element that draws no outline and no part of one, so that nothing is lost without it."""

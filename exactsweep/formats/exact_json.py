@@ -1,13 +1,11 @@
-"""JSON in: numbers are decimals or fractions and never become floats."""
+"""A reader of JSON whose numbers are decimals or fractions and never become floats."""
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from fractions import Fraction
-from functools import partial
 from pathlib import Path
 
-from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.size import require_text, weigh
@@ -18,7 +16,7 @@ from exactsweep.numbers.point import Point
 
 
 def parse_json(text: str) -> object:
-    """Parse JSON with all numbers, NaN and Infinity included, left as the text that they are.
+    """Parse JSON, and keep all numbers, NaN and Infinity included, as text.
 
     Args:
         text: a JSON document.
@@ -45,7 +43,7 @@ def parse_certificate(text: str) -> object:
         text: a JSON document.
 
     Returns:
-        What `exactsweep.check.verify` takes, whatever it may be.
+        An argument for `exactsweep.check.verify`, of any content.
 
     Raises:
         FormatError: as by `parse_json`, and integers too long for Python to read.
@@ -63,14 +61,14 @@ def read_vertices(value: object, path: str) -> list[Point]:
     """Read a list of pairs of numbers, or of objects of "x" and "y".
 
     Args:
-        value: part of what `parse_json` returned.
-        path: where it was found, for messages.
+        value: a part of the result of `parse_json`.
+        path: the JSON path of the value, for messages.
 
     Returns:
         list of Point, in the same order.
 
     Raises:
-        FormatError: anything else; the message starts with the JSON path of what is wrong.
+        FormatError: anything else; the message starts with the JSON path of the error.
 
     Cost: linear.
 
@@ -83,122 +81,8 @@ def read_vertices(value: object, path: str) -> list[Point]:
     if all(type(pair) is list and [*map(type, pair)] == [str, str] for pair in value):
         with suppress(NumberError):
             return [Point(to_fraction(x), to_fraction(y)) for x, y in value]
-    # Something is wrong, or spelled in another way.
+    # The fast path failed: some value is wrong, or has another form.
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
-
-
-def read_exact(document: object, path: str = "$") -> list[Candidate]:
-    """Find the polygons of an exact JSON document.
-
-    Args:
-        document: a list of vertices, or of such lists; an object with a list of vertices as
-            "vertices", or as "exterior" and with a list of these as "holes"; an object whose
-            "polygons" is a list of all these; or a result, with "trajectory", "inner", "outer" and
-            "unswept", or with "regions". "id" in an object is the name.
-        path: where the document is, for messages.
-
-    Returns:
-        list of Candidate.
-
-    Raises:
-        FormatError: anything else; the message starts with the JSON path. The vertices are looked
-            at by the Candidates.
-
-    Example:
-        >>> [found.name for found in read_exact({"polygons": [{"id": "a", "vertices": []}]})]
-        ['a']
-    """
-    if isinstance(document, dict) and "polygons" in document:
-        return _each(document["polygons"], f"{path}.polygons", "polygons")
-    if isinstance(document, list) and _is_list_of_rings(document):
-        return _each(document, path, "polygons")
-    if isinstance(document, dict) and not {"vertices", "exterior"} & document.keys():
-        found = _read_result(document, path)
-        if found:
-            return found
-    return [_read_one(document, path)._replace(place="" if path == "$" else path)]
-
-
-def _each(value: object, path: str, what: str) -> list[Candidate]:
-    if not isinstance(value, list):
-        raise FormatError(f"{path} is {describe_kind(value)}, not a list of {what}")
-    return allow_faults(_read_one(polygon, f"{path}[{k}]") for k, polygon in enumerate(value))
-
-
-def _is_list_of_rings(value: list[object]) -> bool:
-    first = value[0] if value else None
-    return isinstance(first, list) and bool(first) and isinstance(first[0], (list, dict))
-
-
-def _read_result(document: Mapping[str, object], path: str) -> list[Candidate]:
-    """Find the loops of a result, which are named by what they are, after the pair's names."""
-    found: list[Candidate] = []
-    for member in _LOOPS:
-        if member in document:
-            value, place = document[member], f"{path}.{member}"
-            if isinstance(value, list) and (member in _LISTS or _is_list_of_rings(value)):
-                each = _each(value, place, "polygons")
-                found += [one._replace(name=f"{member} {k}") for k, one in enumerate(each)]
-            else:
-                found.append(_read_one(value, place)._replace(name=member))
-    named = read_record_name(document)
-    if named is not None:
-        found = [one._replace(name=f"{named} {one.name}") for one in found]
-    if not found and isinstance(document.get("error"), str):
-        found = [Candidate.refused(f"{path}: an error: {document['error']}", named)]
-    return found
-
-
-_LOOPS = ("trajectory", "inner", "outer", "unswept", "regions")
-_LISTS = ("unswept", "regions")
-
-
-def read_record_name(document: Mapping[str, object]) -> str | None:
-    """Return what a record is called: its id, or the names of its pair, or its index; or None."""
-    for members in (("id",), ("generatrix", "directrix"), ("index",)):
-        values = [document.get(member) for member in members]
-        if all(isinstance(value, str) for value in values):
-            return " ".join(map(str, values))
-    return None
-
-
-def _read_one(value: object, path: str) -> Candidate:
-    if isinstance(value, list):
-        return Candidate(path, partial(read_vertices, value, path))
-    if not isinstance(value, dict):
-        return Candidate.refused(f"{path} is {describe_kind(value)}, not a list of vertices")
-    member = "vertices" if "vertices" in value else "exterior"
-    if member not in value:
-        raise FormatError(
-            f'{path} has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'
-            if path.endswith("$")
-            else f'{path} has no "vertices"'
-        )
-    name = read_name(value.get("id"), f"{path}.id")
-    if not isinstance(value[member], list):
-        fault = f"{path}.{member} is {describe_kind(value[member])}, not a list of vertices"
-        return Candidate.refused(fault, name)
-    holes = value.get("holes", []) if member == "exterior" else []
-    if not isinstance(holes, list):
-        raise FormatError(f"{path}.holes is {describe_kind(holes)}, not a list of holes")
-    for k, hole in enumerate(holes):
-        if not isinstance(hole, list):
-            raise FormatError(f"{path}.holes[{k}] is {describe_kind(hole)}, not a list of vertices")
-    exterior, *inner = (
-        Candidate(place, partial(read_vertices, ring, place))
-        for place, ring in [
-            (f"{path}.{member}", value[member]),
-            *((f"{path}.holes[{k}]", hole) for k, hole in enumerate(holes)),
-        ]
-    )
-    return exterior._replace(place=path, name=name, holes=partial(tuple, inner))
-
-
-def read_name(value: object, path: str) -> str | None:
-    """Read an id, a string or a number; None if there is none."""
-    if value is None or isinstance(value, str):
-        return value
-    raise FormatError(f"{path} is {describe_kind(value)}, not a string or a number")
 
 
 def describe_kind(value: object) -> str:
@@ -217,15 +101,15 @@ def describe_kind(value: object) -> str:
 
 
 def count_vertices(text: str) -> int:
-    """Count what may be a vertex, which has a bracket or a brace of its own."""
+    """Count the possible vertices; each has its own bracket or brace."""
     return text.count("[") + text.count("{")
 
 
 def measure_file(path: str) -> int:
-    """Count the bytes that a file of JSON, a document a line, counts for where it is read.
+    """Count the size of a file with one JSON document per line, for the limit of its reader.
 
     Returns:
-        As `polygons.measure_written` of its text, of which no more than a line is held.
+        The result of `parsing.measure_written` for its text. The function holds one line at a time.
 
     Cost: linear.
     """
@@ -264,7 +148,7 @@ def _parse(text: str, number: Callable[[str], object] | None) -> object:
 def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     found: dict[str, object] = {}
     for name, value in pairs:
-        # JSON leaves open which one counts; programs differ.
+        # JSON does not define which of the two is valid; programs differ.
         if name in found:
             raise FormatError(f"the name {quote(name)} is twice in one object")
         found[name] = value
@@ -284,7 +168,7 @@ def read_point(pair: object, path: str) -> Point:
 
 
 def read_number(value: object, path: str) -> Fraction:
-    """Read a number, which `parse_json` left as text; the path is for messages."""
+    """Read a number that `parse_json` kept as text; the path is for messages."""
     if not isinstance(value, str):
         raise FormatError(f"{path} is {describe_kind(value)}, not a number")
     try:
@@ -301,10 +185,10 @@ def read_certificate(path: str) -> object:
         path: a path, or "-" for standard input.
 
     Returns:
-        What `exactsweep.check.verify` takes; what is in it is not looked at.
+        An argument for `exactsweep.check.verify`, of any content.
 
     Raises:
-        FormatError: not to be read, or not JSON; the message names the file.
+        FormatError: the file cannot be read, or is not JSON; the message names the file.
     """
     try:
         return parse_certificate(read_text(path))
@@ -317,7 +201,7 @@ def write_json(value: object, number: Callable[[Fraction], str] | None = None) -
 
     Args:
         value: dict, list, tuple, str, int, bool, None, Fraction, or a Polygon, as its vertices.
-        number: writes a Fraction; as a string, exactly, if left out.
+        number: a function that writes a Fraction; by default as an exact string.
 
     Returns:
         JSON, on one line.

@@ -10,9 +10,9 @@ from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import quote
 
-# Possessive, so that blank lines and comments without end are gone through once.
+# Possessive, so that the pattern passes endless blank lines and comments only once.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
-"""What a DXF text starts with."""
+"""The pattern at the start of a DXF text."""
 
 
 @tells_arguments
@@ -26,10 +26,11 @@ def read_text(path: str) -> str:
         The text, without a byte order mark.
 
     Raises:
-        FormatError: not readable, more bytes than `limits` allow, neither UTF-8 nor DXF.
+        FormatError: the file is not readable, has more bytes than `limits` allow, or is neither
+            UTF-8 nor DXF.
     """
     if not isinstance(path, str):
-        # A number would be taken for a file that is open.
+        # `open` would interpret a number as an open file.
         raise FormatError(f"{quote(path)} is not a path")
     try:
         data = _read_bytes(path)
@@ -41,7 +42,7 @@ def read_text(path: str) -> str:
     try:
         return decode_text(data)
     except FormatError:
-        # Older DXF is in the code page of its author; only names of layers depend on it.
+        # Older DXF has the code page of its author, which affects names of layers only.
         latin = data.decode("latin-1")
         if DXF_SIGN.match(latin):
             return latin
@@ -60,7 +61,7 @@ def decode_text(data: bytes) -> str:
 
 @tells_arguments
 def show_path(path: str) -> str:
-    """Return a path as it is shown in a message: always on one line."""
+    """Write a path for a message, always on one line."""
     if path == "-":
         return "standard input"
     return path if path and path.isprintable() else ascii(path)

@@ -1,4 +1,4 @@
-"""Files, folders and patterns of file names; the names of what is in them, and what is left out."""
+"""The polygons of files, folders and patterns of file names, with names and omissions."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from exactsweep.formats.polygons import read_candidates, split_choice
 from exactsweep.formats.reading import Options
 
 ENDINGS = (".json", ".jsonl", ".geojson", ".wkt", ".csv", ".svg", ".dxf")
-"""What the names of the files end with that are read from a folder."""
+"""The suffixes of the files to read from a folder."""
 
 
 class ListedPart(NamedTuple):
-    """A possible polygon, among others.
+    """A possible polygon among several.
 
     Attributes:
-        name: what it is called among all of them; another may have the same.
-        file: the file, as messages have it.
-        candidate: what is to be read.
+        name: its name among all of them; another polygon may have the same.
+        file: the name of the file in messages.
+        candidate: the Candidate.
     """
 
     name: str
@@ -37,11 +37,11 @@ class Listing(NamedTuple):
     """The contents of files.
 
     Attributes:
-        files: how many there are.
+        files: the number of files.
         parts: list of ListedPart.
-        left_out: what is hidden or no polygon, a line each: the file, and the reason.
-        notes: what else there is to say, a line each.
-        coordinates: the meaning of the coordinates, of Y and of the unit.
+        left_out: the omitted elements, a line each with the file and the reason.
+        notes: further remarks, a line each.
+        coordinates: the direction of Y and the unit.
     """
 
     files: int
@@ -52,18 +52,18 @@ class Listing(NamedTuple):
 
 
 def find_files(path: str) -> list[str]:
-    """Find the files that a path stands for.
+    """Find the files of a path, folder or pattern.
 
     Args:
-        path: a file, "-", a folder, or a pattern such as `parts/*.dxf`; `**` stands for any
-            folders. A file of that name goes before a pattern.
+        path: a file, "-", a folder, or a pattern such as `parts/*.dxf`; `**` matches any folders.
+            A file of that name has priority over a pattern.
 
     Returns:
-        The path itself if it is none of these; of a folder, the files in it and below, by name,
-        that end as ENDINGS and do not begin with a point; of a pattern, those that fit it, by name.
+        For a folder, the files in it and below with a suffix of ENDINGS, without hidden files, by
+        name. For a pattern, the matching files, by name. Otherwise the path itself.
 
     Raises:
-        FormatError: a folder without such files, or a pattern that fits none.
+        FormatError: the folder has no such files, or no file matches the pattern.
 
     Example:
         >>> find_files("part.json"), find_files("-")
@@ -94,18 +94,18 @@ def list_parts(
 
     Args:
         paths: each as for `find_files`, perhaps with "#" and a choice after it, as for
-            `read_polygons`, that holds for each of the files.
+            `read_polygons`; the choice applies to each of the files.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
 
     Returns:
-        A Listing. A polygon of one file is named by its id, or else by its layer, or by the file if
-        it is the only one, or by its index. Of several files the name of the file goes before that,
-        as in "left.dxf#cut", without the folder that was given. Where Y points down in some files
-        and up in others, it points up in all, and a note says so.
+        A Listing. The name of a polygon is its id, or its layer, or the name of the file if it is
+        the only polygon, or its index. With several files, the name of the file comes first, as in
+        "left.dxf#cut", without the given folder. If Y points down in some files and up in others,
+        it is turned up in all, and a note says so.
 
     Raises:
-        FormatError: the only file cannot be read, or none of several; no file is there.
+        FormatError: no file exists, or none can be read.
     """
     files = [found for path in paths for found in _split_files(path)]
     parts: list[ListedPart] = []
@@ -143,10 +143,10 @@ def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordi
     """Turn Y up in some files if it points up in others.
 
     Args:
-        files: what each is called, and its polygons, which are turned in place.
+        files: the name of each file, and its polygons, which are turned in place.
 
     Returns:
-        The coordinates of all, without a unit where they have several; and what there is to say.
+        The coordinates of all files, without a unit if they have several; and remarks.
     """
     systems = {found.coordinates for _, found in files}
     notes = []
@@ -163,7 +163,7 @@ def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordi
 
 
 def _split_files(path: str) -> Iterator[tuple[str, str]]:
-    """The files that a path with a choice stands for, with it, and how each is called."""
+    """Find the files of a path with a choice, and name each."""
     file, choice = split_choice(path)
     ending = "" if choice is None else f"#{choice}"
     for found in find_files(file):
@@ -172,7 +172,7 @@ def _split_files(path: str) -> Iterator[tuple[str, str]]:
 
 
 def make_unique(names: Sequence[str]) -> list[str]:
-    """Give equal names a number after the first: the least that makes a name of its own.
+    """Append a number to repeated names: the least that makes the name unique.
 
     >>> make_unique(["cut", "cut", "cut-2", "cut"])
     ['cut', 'cut-3', 'cut-2', 'cut-4']

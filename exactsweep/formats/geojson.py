@@ -1,4 +1,4 @@
-"""GeoJSON in (RFC 7946): Polygons, with holes or without, in all that holds them."""
+"""A reader of GeoJSON (RFC 7946): Polygons with their holes, at any depth of a document."""
 
 from __future__ import annotations
 
@@ -7,27 +7,31 @@ from functools import partial
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import describe_kind, read_name, read_vertices
+from exactsweep.formats.exact_json import describe_kind, read_vertices
+from exactsweep.formats.node import JsonNode
 from exactsweep.numbers.point import Point
 
 _MAX_DEPTH = 100
 
 
-def read_geojson(document: Mapping[str, object], path: str = "$") -> list[Candidate]:
+def read_geojson(
+    document: Mapping[str, object], path: str = "$", notes: dict[str, None] | None = None
+) -> list[Candidate]:
     """Find the polygons of a GeoJSON document.
 
     Args:
         document: an object with a "type", as `parse_json` returns it.
-        path: where it is, for messages.
+        path: its JSON path, for messages.
+        notes: collects notes of ignored parts. Without it, third coordinates are refused.
 
     Returns:
-        list of Candidate, for each Polygon, the name being the id of its Feature. That of another
-        geometry refuses, and so does that of a Polygon with more than two coordinates or a ring
-        that is not closed.
+        list with a Candidate for each Polygon, named by the id of its Feature. Candidates of other
+        geometries refuse, and so do those of Polygons with an open ring. Third coordinates, which
+        are heights, are ignored.
 
     Raises:
-        FormatError: an id that is no string and no number, a collection without its list, nested
-            too deeply; the message starts with the JSON path.
+        FormatError: an id is neither a string nor a number, a collection has no list, or the
+            document is nested too deeply; the message starts with the JSON path.
 
     Cost: linear.
 
@@ -37,57 +41,57 @@ def read_geojson(document: Mapping[str, object], path: str = "$") -> list[Candid
         >>> len(outline.vertices())
         4
     """
-    return allow_faults(_read(document, path, None, 0))
+    return allow_faults(_read(JsonNode(document, path), None, 0, notes))
 
 
-def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Candidate]:
-    if not isinstance(value, dict):
-        yield Candidate.refused(f"{path} is {describe_kind(value)}, not a Polygon", name)
+def _read(
+    node: JsonNode, name: str | None, depth: int, notes: dict[str, None] | None
+) -> Iterator[Candidate]:
+    if not isinstance(node.value, dict):
+        yield Candidate.refused(f"{node.path} is {describe_kind(node.value)}, not a Polygon", name)
         return
-    kind = value.get("type")
     if depth > _MAX_DEPTH:
         raise FormatError("nested too deeply")
+    kind = node.get("type", None).value
     if kind == "Feature":
-        name = read_name(value.get("id"), f"{path}.id")
-        yield from _read(value.get("geometry"), f"{path}.geometry", name, depth + 1)
+        name = node.get("id", None).id
+        yield from _read(node.get("geometry", None), name, depth + 1, notes)
     elif kind == "Polygon":
-        place = f"{path}.coordinates"
-        yield _outline(value.get("coordinates"), place, name)
+        yield _outline(node.get("coordinates", None), name, notes)
     elif kind == "MultiPolygon":
-        for k, rings in enumerate(_list(value, "coordinates", path)):
-            place = f"{path}.coordinates[{k}]"
-            yield _outline(rings, place, name)
+        for rings in node.get("coordinates", None).each():
+            yield _outline(rings, name, notes)
     elif kind in ("FeatureCollection", "GeometryCollection"):
         member = "features" if kind == "FeatureCollection" else "geometries"
-        for k, part in enumerate(_list(value, member, path)):
-            yield from _read(part, f"{path}.{member}[{k}]", name, depth + 1)
+        for part in node.get(member, None).each():
+            yield from _read(part, name, depth + 1, notes)
     else:
-        yield Candidate.refused(f"{path}.type is {describe_kind(kind)}, not 'Polygon'", name)
+        yield Candidate.refused(f"{node.path}.type is {describe_kind(kind)}, not 'Polygon'", name)
 
 
-def _list(value: Mapping[str, object], member: str, path: str) -> list[object]:
-    found = value.get(member)
-    if not isinstance(found, list):
-        raise FormatError(f"{path}.{member} is {describe_kind(found)}, not a list")
-    return found
-
-
-def _outline(rings: object, path: str, name: str | None) -> Candidate:
+def _outline(node: JsonNode, name: str | None, notes: dict[str, None] | None) -> Candidate:
     """Make the outline of the rings of a Polygon."""
-    if not isinstance(rings, list):
-        return Candidate.refused(f"{path} is {describe_kind(rings)}, not a list of rings", name)
-    for k, ring in enumerate(rings):
-        if not isinstance(ring, list):
-            return Candidate.refused(
-                f"{path}[{k}] is {describe_kind(ring)}, not a list of vertices", name
-            )
+    try:
+        rings = [*node.each("a list of rings")]
+        vertices = [ring.entries("a list of vertices") for ring in rings]
+    except FormatError as error:
+        return Candidate.refused(error, name)
     if not rings:
-        return Candidate.refused(f"{path} is empty", name)
-    exterior, *inner = (
-        Candidate(place, partial(_ring, ring, place))
-        for place, ring in ((f"{path}[{k}]", ring) for k, ring in enumerate(rings))
+        return Candidate.refused(f"{node.path} is empty", name)
+    if notes is not None:
+        level = [[_drop_height(position) for position in ring] for ring in vertices]
+        if level != vertices:
+            notes["third coordinates, which are heights, are ignored"] = None
+        vertices = level
+    readers = (
+        (ring.path, partial(_ring, value, ring.path))
+        for ring, value in zip(rings, vertices, strict=True)
     )
-    return exterior._replace(place=path, name=name, holes=partial(tuple, inner))
+    return Candidate.of_rings(readers, node.path, name)
+
+
+def _drop_height(position: object) -> object:
+    return position[:2] if isinstance(position, list) and len(position) == 3 else position
 
 
 def _ring(value: object, path: str) -> list[Point]:

@@ -1,4 +1,4 @@
-"""Polygons as objects of other libraries: shapely and numpy; sympy is in `Polygon` itself."""
+"""Conversion of polygons from and to shapely and numpy; `Polygon` itself converts sympy's."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @tells_arguments
 def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
-    """Read a polygon of shapely; its floats are taken as the binary values that they are.
+    """Read a polygon of shapely; its floats keep their exact binary values.
 
     Args:
         geometry: a shapely Polygon or LinearRing, in the plane.
@@ -56,14 +56,14 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
 
 @tells_arguments
 def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[NamedRegion]:
-    """Read all polygons of geometries of shapely, each as a part of its own.
+    """Read all polygons of geometries of shapely, each as a separate part.
 
     Args:
         geometries: a MultiPolygon or a collection, several geometries, or a GeoSeries of geopandas,
             whose index names the parts.
 
     Returns:
-        PartList, a list of NamedRegion, in order; `left_out` lists what is no polygon.
+        PartList, a list of NamedRegion, in order; `left_out` lists elements that are not polygons.
 
     Raises:
         FormatError: nothing can be read.
@@ -97,7 +97,7 @@ def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str 
 
 @tells_arguments
 def from_wkt(text: str) -> AnyPolygon:
-    """Read a polygon of WKT, exactly as its decimals say.
+    """Read a polygon of WKT exactly.
 
     Args:
         text: one POLYGON, or a MULTIPOLYGON of one.
@@ -122,15 +122,14 @@ def to_shapely(polygon: AnyPolygon, *, nearest: bool = False) -> shapely.Polygon
 
     Args:
         polygon: a Polygon, or a Region, whose holes become interiors.
-        nearest: whether a coordinate that no float can hold becomes the nearest float, which may
-            make another polygon of it, and even one that crosses itself.
+        nearest: whether to round a coordinate that is not a float to the nearest float. This may
+            change the polygon, even to one that crosses itself.
 
     Returns:
         A shapely Polygon.
 
     Raises:
-        FormatError: a coordinate that no float can hold, unless `nearest`, or one beyond all
-            floats.
+        FormatError: a coordinate is not a float, unless `nearest`; or it is beyond all floats.
 
     Example:
         >>> print(to_shapely(Polygon([(0, 0), ("1/2", 0), (0, 1)])))
@@ -150,7 +149,7 @@ def from_numpy(array: numpy.ndarray) -> Polygon:
     """Read a polygon from an array with a row for each vertex.
 
     Args:
-        array: of shape (n, 2): ints, floats, taken as the binary values that they are, or objects
+        array: an array of shape (n, 2) of ints, floats with their exact binary values, or objects
             that `to_fraction` reads.
 
     Returns:

@@ -1,4 +1,4 @@
-"""Nesting of rings: those inside others, and those that bound a filled area."""
+"""Nesting of rings: rings inside others, and rings that bound a filled area."""
 
 from __future__ import annotations
 
@@ -24,18 +24,17 @@ def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:
 
     Args:
         rings: Polygons, whose boundaries may touch and run along each other.
-        names: what messages call them.
+        names: their names in messages.
 
     Returns:
-        For each ring the index of the innermost one that it lies in, or None; of equal ones, the
-        later lies in the earlier.
+        For each ring the index of the innermost ring around it, or None. If two rings are equal,
+        the later lies in the earlier.
 
     Raises:
-        PolygonError: two rings cross, so that neither lies in the other, nor outside of it.
+        PolygonError: two rings cross, so that neither lies inside or outside the other.
 
-    Cost: O(m n) at worst for two rings of m and n vertices, of those only whose bounds meet, and of
-        the larger ones only up to the innermost around; O(n) to find them for each ring that others
-        are above or below of.
+    Cost: O(m n) at worst for each pair of rings of m and n vertices whose bounds meet, up to the
+        innermost ring around each; O(n) to find these pairs for each ring above or below others.
 
     Example:
         >>> squares = [Polygon([(0, 0), (k, 0), (k, k), (0, k)]) for k in (2, 1, 3)]
@@ -58,8 +57,8 @@ def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:
             elif bottom < high.y and low.y < top:
                 outer, inner = (j, k) if size > sizes[k] else (k, j)
                 if _is_around(rings[outer], rings[inner], (names[outer], names[inner])):
-                    # What is larger and around this one is around the ring, too; what is larger and
-                    # crosses the ring crosses this one, and has been met with it or around it.
+                    # A larger ring around this one is around the ring, too. A larger ring that
+                    # crosses the ring also crosses this one, so the loop has met it already.
                     parents[inner] = outer
                     break
         insort(active, sizes[k])
@@ -71,12 +70,12 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
 
     Args:
         rings: the vertices of subpaths as SVG has them, in either orientation.
-        even_odd: whether a point in an even number of rings is left out; otherwise only one is
-            around which the rings wind as often one way as the other (SVG 1.1, 11.3).
+        even_odd: whether points in an even number of rings are outside; otherwise points with
+            winding number 0 are outside (SVG 1.1, 11.3).
 
     Returns:
-        For each region, the index of the exterior, then those of its holes, in order. Rings with
-        filled area on both sides are left out.
+        For each region, the index of the exterior, then the indices of its holes, in order. Rings
+        with filled area on both sides are left out.
 
     Raises:
         PolygonError: a ring is not simple, or two cross.
@@ -92,7 +91,7 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
     """
     names = [f"subpath {k}" for k in range(len(rings))]
     parents = nest([_simple(ring, name) for ring, name in zip(rings, names, strict=True)], names)
-    # How often the rings wind around what is just inside each, and the innermost exterior there.
+    # For each ring, the winding number just inside, and the innermost exterior there.
     inside, exterior = [0] * len(rings), [0] * len(rings)
     holes = []
     for k in _from_outside(parents):
@@ -110,7 +109,7 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
 
 
 def _from_outside(parents: Sequence[int | None]) -> Iterator[int]:
-    """All rings, each after the one just around it."""
+    """Yield all rings, each after the ring just around it."""
     children: defaultdict[int | None, list[int]] = defaultdict(list)
     for k, parent in enumerate(parents):
         children[parent].append(k)
@@ -122,19 +121,19 @@ def _from_outside(parents: Sequence[int | None]) -> Iterator[int]:
 
 
 def nest_candidates(outlines: Sequence[Candidate], nested: bool | str = True) -> list[Candidate]:
-    """Make holes of what lies inside other outlines of the same layer.
+    """Turn outlines inside other outlines of the same layer into holes.
 
     Args:
-        outlines: those of a file; where there are no layers, all are on one.
-        nested: "all" takes all layers for one; names between commas, these.
+        outlines: the outlines of a file; a format without layers has one layer.
+        nested: "all" treats all layers as one; names between commas, the layers of these names.
 
     Returns:
-        list of Candidate, one for each ring that an even number of others is around, in order; its
-        holes are the rings just inside. The outlines of a layer of which one cannot be read, or two
-        cross, all refuse to be read, for nobody knows what the holes are. Ornaments stay apart.
+        list of Candidate, one for each ring inside an even number of others, in order. Its holes
+        are the rings just inside. If one outline of a layer cannot be read, or two cross, all
+        outlines of the layer refuse, because the holes are unknown. Ornaments stay apart.
 
     Raises:
-        FormatError: there is no layer of a name that is given.
+        FormatError: the file has no layer of a given name.
 
     Cost: that of `nest` for each layer.
 
@@ -170,7 +169,7 @@ def nest_candidates(outlines: Sequence[Candidate], nested: bool | str = True) ->
 
 
 def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
-    """Make holes of what lies inside other outlines, each given with its number."""
+    """Turn outlines inside others into holes; each outline has its number."""
     rings = [
         (k, ring._replace(vertices=partial(list, ring.vertices()), holes=tuple))
         for k, outline in members
@@ -201,7 +200,7 @@ def _simple(ring: Sequence[Point], name: str) -> Polygon:
 
 
 def _is_around(outer: Polygon, inner: Polygon, names: tuple[str, str]) -> bool:
-    """Decide whether one of two rings lies in the other, not outside of it."""
+    """Decide whether one of two rings lies inside the other."""
     _, (around, within) = common_lattice([outer, inner])
     if not Overlap([around], [within]).at(ORIGIN):
         return False

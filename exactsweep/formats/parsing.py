@@ -1,4 +1,4 @@
-"""Texts in whichever format the content shows: the polygons in them, before they are read."""
+"""Recognition of formats, and the candidates for polygons in a text."""
 
 import re
 from collections.abc import Sequence
@@ -7,9 +7,10 @@ from typing import Unpack
 from exactsweep.formats import csv
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import count_vertices, parse_json, read_exact
+from exactsweep.formats.exact_json import count_vertices, parse_json
 from exactsweep.formats.files import DXF_SIGN
 from exactsweep.formats.geojson import read_geojson
+from exactsweep.formats.json_polygons import read_exact
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.reading import Options, Reading
@@ -23,7 +24,7 @@ _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 def parse_candidates(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons of a text as `parse_regions` does, but read none of them yet."""
+    """Find the polygons of a text as `parse_regions` does, without reading their numbers."""
     if not isinstance(text, str):
         raise FormatError(f"{type(text).__name__} is not text")
     reading = Reading(tolerance, **options)
@@ -52,7 +53,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     # No other format says in which unit its numbers are.
     reading.scale(None)
     if first in "[{":
-        return _read_json(text)
+        return _read_json(text, reading.notes)
     is_table = csv.is_csv(text)
     require_text(text, csv.count_vertices(text) if is_table else text.count(","))
     if is_table:
@@ -88,16 +89,16 @@ def measure_written(text: str) -> int:
     return measure_text(text, csv.count_vertices(text) if is_table else text.count(","))
 
 
-def _read_json(text: str) -> Sequence[Candidate]:
-    """Read one JSON document, or a document a line."""
+def _read_json(text: str, notes: dict[str, None]) -> Sequence[Candidate]:
+    """Read one JSON document, or one document per line."""
     try:
         document = parse_json(text)
     except FormatError as error:
         lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
         if "Extra data" not in str(error) or not _is_json(lines[0][1]):
             raise
-        return allow_faults(found for k, line in lines for found in _read_line(line, k))
-    return find_candidates(document)
+        return allow_faults(found for k, line in lines for found in _read_line(line, k, notes))
+    return find_candidates(document, notes=notes)
 
 
 def _is_json(text: str) -> bool:
@@ -108,24 +109,27 @@ def _is_json(text: str) -> bool:
     return True
 
 
-def _read_line(line: str, number: int) -> Sequence[Candidate]:
-    """Read a line of several; one that is bad concerns no other."""
+def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candidate]:
+    """Read one of several lines; an error in it does not affect others."""
     try:
-        return find_candidates(parse_json(line), f"line {number}: $")
+        return find_candidates(parse_json(line), f"line {number}: $", notes)
     except FormatError as error:
         reason = str(error).removeprefix("line 1, ")
         named = "" if reason.startswith("line ") else f"line {number}: "
         return [Candidate.refused(f"{named}{reason}")]
 
 
-def find_candidates(document: object, path: str = "$") -> Sequence[Candidate]:
+def find_candidates(
+    document: object, path: str = "$", notes: dict[str, None] | None = None
+) -> Sequence[Candidate]:
     """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON.
 
     Args:
         document: the document.
         path: where it is, for messages.
+        notes: takes the notes of what is ignored. If left out, it is refused.
     """
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
-        found = read_geojson(document, path)
+        found = read_geojson(document, path, notes)
         return found if len(found) > 1 else [one._replace(place="") for one in found]
     return read_exact(document, path)

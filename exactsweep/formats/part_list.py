@@ -1,4 +1,4 @@
-"""The contents of a file: polygons, direction of Y, unit, and all that is left out."""
+"""The contents of a file: polygons, direction of Y, unit, and the list of omissions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Coordinates(NamedTuple):
 
     Attributes:
         y_down: whether Y points down, as in SVG.
-        unit: how many millimetres a number counts; None if unknown.
+        unit: the millimetres of one unit; None if unknown.
     """
 
     y_down: bool = False
@@ -30,8 +30,8 @@ class PartList(list[_Listed]):
 
     Attributes:
         coordinates: a Coordinates, the meaning of their coordinates.
-        left_out: what is hidden, an ornament or no polygon, a reason each.
-        notes: what else there is to say, a line each.
+        left_out: the reason for each omitted element: hidden, an ornament, or not a polygon.
+        notes: further remarks, one per line.
     """
 
     def __init__(
@@ -45,7 +45,7 @@ class PartList(list[_Listed]):
         self.coordinates, self.left_out, self.notes = coordinates, [*left_out], [*notes]
 
     def replaced(self, items: Iterable[_Read], left_out: Iterable[str] = ()) -> PartList[_Read]:
-        """Return other items of the same file, with more reasons for what is left out."""
+        """Return other items of the same file, with more reasons for omissions."""
         return PartList(items, self.coordinates, [*self.left_out, *left_out], self.notes)
 
     def read_each(self, read: Callable[[_Listed], _Read]) -> PartList[_Read]:
@@ -61,7 +61,7 @@ class PartList(list[_Listed]):
             try:
                 found.append(read(item))
             except ValueError as error:
-                # Only the words of a refusal: it holds on to all that it came from.
+                # Keep only the message: an exception would keep all of its frames alive.
                 kind = kind if reasons else type(error)
                 reasons.append(str(error))
         all_reasons = [*self.left_out, *reasons]
@@ -71,7 +71,7 @@ class PartList(list[_Listed]):
 
 
 def summarize(reasons: Sequence[str]) -> str:
-    """Join the first reasons of many in one line.
+    """Join the first of many reasons in one line.
 
     >>> summarize("abcdefg")
     'a; b; c; d; and 3 more'

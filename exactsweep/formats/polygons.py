@@ -1,4 +1,4 @@
-"""Polygons from text and files, in whichever format the content shows."""
+"""Readers of polygons from text and files; they recognize the format by the content."""
 
 import os
 from collections.abc import Callable, Iterator
@@ -34,9 +34,9 @@ def parse_polygon(
     """Read a polygon from exact JSON, GeoJSON, WKT, CSV, SVG or DXF.
 
     Args:
-        text: as `parse_polygons` takes it.
+        text: as for `parse_polygons`.
         choice: the name, the index or the layer of one polygon, tried in this order; not needed
-            where there is only one.
+            for a single polygon.
         tolerance: as for `parse_polygons`.
         options: likewise.
 
@@ -44,7 +44,7 @@ def parse_polygon(
         A Polygon.
 
     Raises:
-        FormatError: as by `parse_polygons`, or it is not clear which polygon is meant.
+        FormatError: as by `parse_polygons`, or the choice is ambiguous.
         PolygonError: not a simple polygon; the message names vertices by their index.
 
     Cost: linear in the length of the text, and that of `Polygon`.
@@ -68,24 +68,24 @@ def parse_polygons(
     """Read all polygons of a text.
 
     Args:
-        text: JSON as `exactsweep.formats.exact_json.read_exact` reads it, or a line of it for each
-            polygon or result; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; CSV with columns x and y; an
-            SVG document; an ASCII DXF file. Numbers are decimals, exactly as they are written; in
-            JSON, strings such as "-7/2" are numbers, too.
-        tolerance: how far lines may be from the curves of SVG and DXF that they replace, a
-            positive number as `to_fraction` reads it; None to refuse curves.
-        options: "nested", "join", "unit", "hidden" and "y_down", as
-            `exactsweep.formats.reading.Options` has them.
+        text: JSON as `exactsweep.formats.json_polygons.read_exact` reads it, or a line of it for
+            each polygon or result; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; CSV with columns x and
+            y; an SVG document; an ASCII DXF file. Numbers are decimals, exactly as they are
+            written; in JSON, strings such as "-7/2" are numbers, too.
+        tolerance: the largest distance between curves of SVG and DXF and the lines that replace
+            them, a positive number as `to_fraction` reads it; None to refuse curves.
+        options: "nested", "join", "unit", "hidden" and "y_down"; see
+            `exactsweep.formats.reading.Options`.
 
     Returns:
-        PartList, a list of NamedPolygon, in order. Its `left_out` lists what is hidden or no
-        polygon, or has holes, for which there is `parse_regions`, with the place, by line and
-        column or by JSON path. Its `coordinates` says which way Y points, and the unit.
+        PartList, a list of NamedPolygon, in order. Its `left_out` lists hidden elements, elements
+        that are not polygons, and polygons with holes (`parse_regions` reads those), each with its
+        line and column or JSON path. Its `coordinates` has the direction of Y and the unit.
 
     Raises:
-        FormatError: none of these formats, or nothing in it can be read.
-        PolygonError: the same, if the first one is no simple polygon; the message names vertices by
-            their index.
+        FormatError: the text has none of these formats, or nothing in it can be read.
+        PolygonError: nothing can be read, and the first element is not a simple polygon; the
+            message names vertices by their index.
 
     Cost: linear in the length of the text, and that of `Polygon`.
 
@@ -107,16 +107,16 @@ def parse_region(
     """Read a polygon with its holes.
 
     Args:
-        text: as `parse_regions` takes it.
+        text: as for `parse_regions`.
         choice: as for `parse_polygon`.
         tolerance: as for `parse_polygons`.
         options: likewise.
 
     Returns:
-        A Region, without holes where there are none.
+        A Region, perhaps without holes.
 
     Raises:
-        FormatError: as by `parse_regions`, or it is not clear which polygon is meant.
+        FormatError: as by `parse_regions`, or the choice is ambiguous.
         PolygonError: not a region; the message names rings, and vertices by their index.
 
     Cost: linear in the length of the text, and that of `Region`.
@@ -137,7 +137,7 @@ def parse_regions(
     Args:
         text: as for `parse_polygons`, and with inner rings: in JSON, an object with a list of
             vertices as "exterior" and a list of these as "holes"; a path of SVG with several closed
-            subpaths, of which its fill rule decides which are holes.
+            subpaths, whose fill rule determines the holes.
         tolerance: as for `parse_polygons`.
         options: likewise.
 
@@ -165,8 +165,8 @@ def read_polygon(
     """Read a polygon from a file, or from standard input.
 
     Args:
-        path: a path, or "-" for standard input; after it, where the file holds several polygons,
-            "#" and the name, the index or the layer of one.
+        path: a path, or "-" for standard input. For a file with several polygons, "#" and the name,
+            the index or the layer of one follow.
         tolerance: as for `parse_polygons`.
 
     Returns:
@@ -244,14 +244,14 @@ def read_regions(
 def read_candidates(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
+    """Find the polygons of a file as `read_polygons` does, without reading their numbers."""
     return _read_file(path, _select, tolerance, options)
 
 
 def read_choice(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygon of a file as `read_region` does, but do not read it yet."""
+    """Find the polygon of a file as `read_region` does, without reading its numbers."""
 
     def take(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:
         chosen = choose(found, choice)
@@ -271,14 +271,14 @@ def _read_file(
     tolerance: object,
     options: Options,
 ) -> _Taken:
-    """Take what is wanted of the polygons of a file, in view of the choice after its path."""
+    """Apply a function to the polygons of a file and the choice after its path."""
     file, choice = split_choice(path)
     with name_file(file):
         return take(parse_candidates(read_text(file), tolerance, **options), choice)
 
 
 def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
-    """Split a path from the choice after it; both may have the sign "#" in their names."""
+    """Split a path from the choice after it; both may contain "#"."""
     if isinstance(path, os.PathLike):
         path = os.fspath(path)
     if not isinstance(path, str):
@@ -288,7 +288,7 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     places = [k for k, letter in enumerate(path) if letter == "#" and k > 0]
     if not places:
         return path, None
-    # The file is the longest one that there is; if there is none, the message names the shortest.
+    # The longest existing file is the one; if no file exists, the message names the shortest.
     there = (k for k in reversed(places) if path[:k] == "-" or os.path.lexists(path[:k]))
     k = next(there, places[0])
     return path[:k], path[k + 1 :]
@@ -296,7 +296,7 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
 
 @contextmanager
 def name_file(file: str) -> Iterator[None]:
-    """Put the name of the file before the message of every refusal."""
+    """Begin the message of every refusal with the name of the file."""
     try:
         yield
     except ValueError as error:

@@ -27,31 +27,31 @@ UNITS = {
     "pc": Fraction(127, 30),
     "px": Fraction(127, 480),
 }
-"""How many millimetres a unit is; 96 px are an inch, as in CSS."""
+"""The millimetres of each unit; 96 px are an inch, as in CSS."""
 
 # Inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nm, um, dm, dam, hm, Gm.
 _INSUNITS = "25.4 304.8 1609344 1 10 1e3 1e6 254e-7 254e-4 914.4 1e-7 1e-6 1e-3 100 1e4 1e5 1e12"
 INSUNITS = dict(enumerate(map(Fraction, _INSUNITS.split()), 1))
-"""How many millimetres the unit of a DXF is, by the value of $INSUNITS."""
+"""The millimetres of the unit of a DXF, by the value of $INSUNITS."""
 
 
 class Options(TypedDict, total=False):
     """The options of a reader of files, besides the tolerance for curves.
 
     Attributes:
-        nested: whether closed outlines of one layer that lie inside others are their holes, and
-            those inside a hole polygons again, and so on; all are on one layer where there are no
-            layers, as there are in DXF and Inkscape's SVG. "all" takes all layers for one, and
-            names of layers between commas take these for one, "OUTER,INNER".
-        join: how far ends of lines of SVG and DXF may be apart that are to be one, a positive
-            number; if left out, only equal ends are joined, and those of curves within a fourth of
-            the tolerance.
-        unit: one of UNITS, in which the result is wanted; SVG and DXF that say theirs are scaled,
-            exactly, and all others refused. Numbers are taken as they stand if left out.
-        hidden: whether hidden geometry is read, too: invisible entities of DXF, its layers that are
+        nested: whether closed outlines inside others of their layer are holes, outlines inside a
+            hole polygons again, and so on. A format without layers has one layer; DXF and
+            Inkscape's SVG have layers. "all" treats all layers as one, and names between commas,
+            "OUTER,INNER", treat these layers as one.
+        join: the largest distance of ends of lines of SVG and DXF to be joined, a positive number.
+            By default only equal ends are joined, and ends of curves within a fourth of the
+            tolerance.
+        unit: the unit of the result, one of UNITS. SVG and DXF that state their unit are scaled
+            exactly, and all others refused. By default numbers are unchanged.
+        hidden: whether to read hidden geometry, too: invisible entities of DXF, its layers that are
             off or frozen, and its paper space; elements of SVG without display or visibility, or in
             `defs`.
-        y_down: whether Y points down in the file; if left out, it does in SVG only.
+        y_down: whether Y points down in the file; by default in SVG only.
     """
 
     nested: bool | str
@@ -65,19 +65,19 @@ class Reading:
     """The state of reading one text.
 
     Args:
-        tolerance: how far lines may be from the curves that they replace, a positive number as
-            `to_fraction` reads it; None to refuse curves.
+        tolerance: the largest distance between curves and the lines that replace them, a positive
+            number as `to_fraction` reads it; None to refuse curves.
         nested, join, unit, hidden, y_down: as for `Options`.
 
     Attributes:
         tolerance, join: Fractions, or None.
         nested, unit, hidden, y_down: as given.
-        found_unit: how many millimetres the numbers of the file count; None if it does not say.
-        passed: how many things are passed over for each reason.
-        notes: what else there is to say.
-        lines: how many lines curves have become.
-        vertices: how many vertices have been drawn, and
-        copied: how many bytes, beside those of the file, by what draws something again.
+        found_unit: the millimetres of the file's unit; None if the file does not state it.
+        passed: the number of omitted elements for each reason.
+        notes: further remarks.
+        lines: the number of lines that curves have become.
+        vertices: the number of drawn vertices.
+        copied: the bytes of repeated drawings, in addition to those of the file.
 
     Raises:
         FormatError: a number that is not positive, no such unit.
@@ -104,17 +104,17 @@ class Reading:
         self.lines = self.vertices = self.copied = 0
 
     def allow_curve(self, count: int = 0) -> Fraction:
-        """Allow a curve to become so many lines, before it does.
+        """Allow a curve to become a number of lines, before it does.
 
         Args:
-            count: how many lines.
+            count: the number of lines.
 
         Returns:
             The tolerance.
 
         Raises:
-            FormatError: there is no tolerance, or these are too many lines for one curve or, with
-                those before, for one file.
+            FormatError: the tolerance is missing, or the number of lines exceeds the limit for one
+                curve or for all curves of a file.
         """
         if self.tolerance is None:
             raise FormatError(
@@ -134,17 +134,17 @@ class Reading:
         return self.tolerance
 
     def allow_vertices(self, count: int) -> None:
-        """Count vertices that are drawn; raises FormatError if all are more than are read."""
+        """Count drawn vertices; raises FormatError beyond the limit."""
         self.vertices += count
         require_count(self.vertices, VERTEX, "vertices are drawn")
 
     def allow_copy(self, size: int, what: str) -> None:
-        """Count bytes that something draws again; raises FormatError if they are too many."""
+        """Count bytes of repeated drawings; raises FormatError beyond the limit."""
         self.copied += size
         require_size(self.copied, f"{what} draw ")
 
     def allow_angle(self, degrees: Fraction) -> Fraction:
-        """Allow a rotation that is irrational, and return how far off its matrix may be."""
+        """Allow an irrational rotation, and return the largest error of its matrix."""
         if self.tolerance is None:
             raise FormatError(
                 f"an angle of {abridge(degrees)} degrees, which is irrational and read only with "
@@ -153,10 +153,10 @@ class Reading:
         return min(self.tolerance, Fraction(1)) / 10**30
 
     def scale(self, unit: Fraction | None) -> Fraction:
-        """Return the factor by which the numbers of a file are multiplied.
+        """Return the factor for the numbers of a file.
 
         Args:
-            unit: what its numbers count, in millimetres; None if it does not say.
+            unit: the millimetres of the file's unit; None if the file does not state it.
         """
         self.found_unit = unit
         if self.unit is None:
@@ -167,10 +167,10 @@ class Reading:
         return unit / self.found_unit
 
     def hides(self, reason: str) -> bool:
-        """Tell whether something is passed over for a reason, and count it if so.
+        """Decide whether to leave out an element for a reason, and count it if so.
 
         Args:
-            reason: what hides it; "" for nothing.
+            reason: the reason that hides the element; "" for none.
         """
         if not reason or self.hidden:
             return False
@@ -178,13 +178,13 @@ class Reading:
         return True
 
     def is_level(self, heights: Iterable[Fraction]) -> bool:
-        """Tell whether heights are the same, or no farther apart than ends that are joined."""
+        """Decide whether heights are equal, or within the distance of joined ends."""
         found = [*heights]
         return not found or max(found) - min(found) <= (self.join or 0)
 
 
 def read_positive(value: object, name: str) -> Fraction | None:
-    """Read a positive number of a caller, as `to_fraction` does; None if there is none."""
+    """Read a positive number of a caller, as `to_fraction` does; None stays None."""
     if value is None:
         return None
     try:

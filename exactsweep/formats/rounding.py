@@ -1,54 +1,59 @@
-"""Regions on a decimal grid: at the closest points, or so that they surely grow, or surely shrink.
+"""Rounding of regions to a decimal grid: to the closest points, outwards, or inwards.
 
 Outward. Let a ring run with its region on the left; let v be a vertex, e and f the edges before and
 after it.
 
-1. New vertices for v on the right of the lines of e and f, or on them, leave both edges on the left
-   of the new ones, or on them: a new edge runs between two points that are right of one line.
+1. Let the new vertices for v be on the right of the lines of e and f, or on them. Then a new edge
+   runs between two points that are right of one line. So both edges are left of the new edges, or
+   on them.
 2. At a left turn these are the corners of the grid's cell around v that are extreme in a direction
    between the normals of e and f; at a right turn one point close to v, if there is one.
 3. In a notch narrower than a cell, new edges may cross, or a right turn may find no point. Then the
-   vertex of a right turn is left out, which fills the notch; the smallest ears go first. The hull
-   of all cells comes last.
-4. What comes out is proved, not believed: it is a polygon, and no point inside the old one is
-   outside of it.
+   algorithm drops the vertex of a right turn, which fills the notch; the smallest ears go first.
+   The last resort is the hull of all cells.
+4. A test proves that the result is a polygon that contains the old one.
 
-A hole is a ring that runs clockwise, and its new ring, found in the same way, lies inside of it. It
-is left out where no ring does.
+A hole is a clockwise ring. Its new ring, found in the same way, lies inside the hole. If there is
+no such ring, the hole is left out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from math import ceil, floor, lcm
+from itertools import pairwise
+from math import ceil, floor
 from typing import Literal, NamedTuple
 
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.distance import measure_to_edge
+from exactsweep.geometry.given import share_lattice
+from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.geometry.vectors import cross, minus, turn
 from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.numbers.number import divide_exactly, quote
+from exactsweep.numbers.point import ORIGIN, Edge, Point, Rational, Vertex
 
 Side = Literal["closest", "outward", "inward"]
-# How many cells away a point for a right turn is looked for.
+# The greatest distance, in cells, of the search for a point of a right turn.
 _REACH = 3
 
 MAX_PLACES = 4000
-"""The most decimal places that numbers are rounded to."""
+"""The largest number of decimal places."""
 
 
 class Rounding(NamedTuple):
     """The way in which results are rounded.
 
     Attributes:
-        places: how many decimal places.
-        outward: whether what is forbidden may only grow, and what is free only shrink.
+        places: the number of decimal places.
+        outward: whether forbidden regions may only grow, and free regions only shrink.
     """
 
     places: int
@@ -59,9 +64,9 @@ class Rounded(NamedTuple):
     """The result of rounding a region.
 
     Attributes:
-        region: None if nothing is left of it.
-        distance: how far, at most, old and new rings are apart; those left out do not count.
-        left_out: how many holes nothing is left of.
+        region: the new region; None if nothing is left.
+        distance: a bound on the distance of old and new rings, without those left out.
+        left_out: the number of holes left out.
     """
 
     region: Region | None
@@ -73,9 +78,9 @@ class Changes(NamedTuple):
     """The changes that rounding made.
 
     Attributes:
-        changed: how many regions are no longer what they were.
+        changed: the number of changed regions.
         distance: the greatest of their distances.
-        left_out: how many regions and holes nothing is left of.
+        left_out: the number of regions and holes left out.
     """
 
     changed: int
@@ -90,12 +95,12 @@ def round_regions(
     """Round regions to decimals, each as `round_region` does.
 
     Args:
-        regions: what is to be rounded.
-        places: how many decimal places.
-        side_of: which way each is rounded.
+        regions: the regions.
+        places: the number of decimal places.
+        side_of: a function that returns the `side` of each region.
 
     Returns:
-        The regions of which something is left, and what changed.
+        The regions that are left, and the changes.
     """
     found: list[NamedRegion] = []
     changed = left_out = 0
@@ -120,18 +125,18 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
     Args:
         region: a Region.
-        places: how many decimal places.
-        side: "closest" takes each vertex to the closest point of the grid; "outward" gives a region
-            that holds the old one, "inward" one that is held by it.
+        places: the number of decimal places.
+        side: "closest" moves each vertex to the closest point of the grid; "outward" gives a region
+            that contains the old one, "inward" a region inside the old one.
 
     Returns:
-        A Rounded; outward there always is a region, inward it may be None.
+        A Rounded. Its region may be None for "inward", and never for "outward".
 
     Raises:
-        PolygonError: the closest points make no region.
+        PolygonError: the closest points do not form a region.
 
-    Cost: O(n log n) for n vertices, and the proof, an `Overlap` for each ring; where vertices have
-        to be left out, that a few times over.
+    Cost: O(n log n) for n vertices, plus the proof, an `Overlap` for each ring; a few times this if
+        the algorithm has to drop vertices.
 
     Example:
         >>> part = Region([(0, 0), ("10/3", 0), ("10/3", "7/3"), (0, "7/3")])
@@ -147,26 +152,21 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     if side == "closest":
         rings = [[Point(round(x, places), round(y, places)) for x, y in r] for r in region.rings]
         distance = max(
-            bound_root((p.x - q.x) ** 2 + (p.y - q.y) ** 2)
+            bound_root(_measure(p, (q, q)))
             for old, new in zip(region.rings, rings, strict=True)
             for p, q in zip(old, new, strict=True)
         )
         return Rounded(Region(rings[0], rings[1:]), distance)
-    exterior, *holes = region.rings
-    if side == "outward":
-        outer = _move(exterior, grid)
-        inner = [_move(hole[::-1], grid) for hole in holes]
-    else:
-        outer = _move(exterior[::-1], grid)
-        inner = [_move(hole, grid) for hole in holes]
-    moved = [ring for ring in inner if ring is not None]
+    exterior, *holes = region.rings if side == "outward" else [r[::-1] for r in region.rings]
+    outer = _move(exterior, grid)
+    moved = [ring for hole in holes if (ring := _move(hole[::-1], grid)) is not None]
     if outer is None:
         return Rounded(None, Fraction(0))
     distance = max(ring.distance for ring in (outer, *moved))
     try:
         found = Region(outer.polygon, [ring.polygon for ring in moved])
     except PolygonError:
-        # Holes that have grown into each other, or out of the region.
+        # Some holes have grown into each other, or out of the region.
         if side == "inward":
             return Rounded(None, Fraction(0))
         return Rounded(Region(outer.polygon), outer.distance, len(holes))
@@ -174,23 +174,21 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
 
 def contains(outer: Region, inner: Region) -> bool:
-    """Tell whether a region holds another one, boundaries included.
+    """Decide whether a region contains another one, boundaries included.
 
     Example:
         >>> square, larger = (Region([(0, 0), (k, 0), (k, k), (0, k)]) for k in (1, 2))
         >>> contains(larger, square), contains(square, larger), contains(square, square)
         (True, False, True)
     """
-    (own, of_outer), (other, of_inner) = outer.lattice(), inner.lattice()
-    scale = lcm(own, other)
-    # What is left of the rings, run through backward, is the complement.
-    outside = [[(x * (scale // own), y * (scale // own)) for x, y in r[::-1]] for r in of_outer]
-    inside = [[(x * (scale // other), y * (scale // other)) for x, y in r] for r in of_inner]
+    _, (outside, inside) = share_lattice([outer, inner])
+    # The reversed rings bound the complement.
+    outside = [ring[::-1] for ring in outside]
     return not Overlap(outside, inside, unbounded=True).at(ORIGIN)
 
 
 class _Moved(NamedTuple):
-    """A new ring, and how far it is, at most, from the old one."""
+    """A new ring, and a bound on its distance from the old one."""
 
     polygon: Polygon
     distance: Fraction
@@ -220,7 +218,8 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
     if not is_exterior:
         return None
     hull = _hull(points)
-    far = max(_square_to_ring(point, hull) for point in points)
+    edges = [*pairwise((*hull, hull[0]))]
+    far = max(min(_measure(point, edge) for edge in edges) for point in points)
     return _scale(hull, max(bound_root(far), Fraction(3, 2)), grid)
 
 
@@ -229,7 +228,7 @@ def _scale(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
 
 
 def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
-    """Tell whether a new ring is one, runs the same way round, and is on the right of the old."""
+    """Decide whether a new ring is simple, equally oriented, and right of the old one."""
     try:
         new = Polygon(ring)
     except PolygonError:
@@ -241,25 +240,25 @@ def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
 
 
 def _chains(corners: Sequence[Point]) -> list[list[Point]]:
-    """The new vertices for each corner; none where there is no point for a right turn."""
+    """Find the new vertices for each corner; none if a right turn has no point."""
     found = []
     for i, v in enumerate(corners):
-        e, f = _step(corners[i - 1], v), _step(v, corners[(i + 1) % len(corners)])
+        e, f = minus(v, corners[i - 1]), minus(corners[(i + 1) % len(corners)], v)
         if v.x.denominator == v.y.denominator == 1:
             found.append([v])
-        elif _cross(e, f) >= 0:
+        elif cross(e, f) >= 0:
             found.append(_extremes(v, e, f))
         else:
             found.append(_closest(v, e, f))
     return found
 
 
-def _extremes(v: Point, e: Point, f: Point) -> list[Point]:
+def _extremes(v: Point, e: Vertex, f: Vertex) -> list[Point]:
     """The corners of v's cell that are extreme between the normals of e and f, on their right."""
-    first = _quadrant(e.y, -e.x)
+    first = _quadrant(e[1], -e[0])
     # The quadrant that ends with the other normal, not the one that begins with it: the first one
     # of its mirror image.
-    last = -_quadrant(-f.x, f.y) % 4
+    last = -_quadrant(-f[0], f[1]) % 4
     corners = [(ceil, ceil), (floor, ceil), (floor, floor), (ceil, floor)]
     count = (last - first) % 4 + 1
     # Of a straight line along an axis, which has no directions between, either corner will do.
@@ -267,7 +266,7 @@ def _extremes(v: Point, e: Point, f: Point) -> list[Point]:
     return [Point(Fraction(x(v.x)), Fraction(y(v.y))) for x, y in turns]
 
 
-def _quadrant(x: Fraction, y: Fraction) -> int:
+def _quadrant(x: Rational, y: Rational) -> int:
     """The quadrant of a direction, its first axis included."""
     if y >= 0 and x > 0:
         return 0
@@ -276,49 +275,34 @@ def _quadrant(x: Fraction, y: Fraction) -> int:
     return 2 if x < 0 else 3
 
 
-def _closest(v: Point, e: Point, f: Point) -> list[Point]:
+def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
     """The closest point on the right of the lines of e and f."""
-    xs = range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
-    ys = range(floor(v.y) - _REACH, ceil(v.y) + _REACH + 1)
     near = [
-        (by.x * by.x + by.y * by.y, Point(Fraction(x), Fraction(y)))
-        for x in xs
-        for y in ys
-        for by in [Point(x - v.x, y - v.y)]
-        if _cross(e, by) <= 0 and _cross(f, by) <= 0
+        (by[0] * by[0] + by[1] * by[1], Point(Fraction(x), Fraction(y)))
+        for x in range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
+        for y in range(floor(v.y) - _REACH, ceil(v.y) + _REACH + 1)
+        for by in [minus((x, y), v)]
+        if cross(e, by) <= 0 and cross(f, by) <= 0
     ]
     return [min(near)[1]] if near else []
 
 
-def _ears(corners: Sequence[Point]) -> list[tuple[Fraction, int]]:
+def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
     """The right turns: twice the area that is filled without each, and its place."""
-    found = []
-    for i, v in enumerate(corners):
-        turn = _cross(_step(corners[i - 1], v), _step(v, corners[(i + 1) % len(corners)]))
-        if turn < 0:
-            found.append((-turn, i))
-    return found
+    turns = (
+        turn(corners[i - 1], v, corners[(i + 1) % len(corners)]) for i, v in enumerate(corners)
+    )
+    return [(-area, i) for i, area in enumerate(turns) if area < 0]
 
 
 def _hull(points: Sequence[Point]) -> list[Point]:
-    """The convex hull of the cells around points (Andrew's monotone chain)."""
-    corners = sorted(
-        {
-            Point(Fraction(x), Fraction(y))
-            for v in points
-            for x in (floor(v.x), ceil(v.x))
-            for y in (floor(v.y), ceil(v.y))
-        }
+    """The convex hull of the cells around points."""
+    return find_hull(
+        Point(Fraction(x), Fraction(y))
+        for v in points
+        for x in (floor(v.x), ceil(v.x))
+        for y in (floor(v.y), ceil(v.y))
     )
-    sides = []
-    for ordered in (corners, corners[::-1]):
-        side: list[Point] = []
-        for p in ordered:
-            while len(side) > 1 and _cross(_step(side[-2], side[-1]), _step(side[-1], p)) <= 0:
-                side.pop()
-            side.append(p)
-        sides.append(side[:-1])
-    return sides[0] + sides[1]
 
 
 def _distance(
@@ -330,34 +314,15 @@ def _distance(
     """
     largest = Fraction(0)
     for position, (i, chain) in enumerate(zip(alive, chains, strict=True)):
-        largest = max(largest, *(_square(_step(points[i], p)) for p in chain))
+        largest = max(largest, *(_measure(points[i], (p, p)) for p in chain))
         k = (position + 1) % len(alive)
         end = alive[k] + len(points) * (k == 0)
         for j in range(i + 1, end):
-            by = _square_to_edge(points[j % len(points)], chain[-1], chains[k][0])
-            largest = max(largest, by)
+            edge = chain[-1], chains[k][0]
+            largest = max(largest, _measure(points[j % len(points)], edge))
     return bound_root(largest)
 
 
-def _square_to_ring(p: Point, ring: Sequence[Point]) -> Fraction:
-    return min(_square_to_edge(p, ring[k - 1], ring[k]) for k in range(len(ring)))
-
-
-def _square_to_edge(p: Point, a: Point, b: Point) -> Fraction:
-    along, to = _step(a, b), _step(a, p)
-    length = _square(along)
-    share = (to.x * along.x + to.y * along.y) / length if length else Fraction(0)
-    share = min(max(share, Fraction(0)), Fraction(1))
-    return _square(Point(to.x - share * along.x, to.y - share * along.y))
-
-
-def _square(v: Point) -> Fraction:
-    return v.x * v.x + v.y * v.y
-
-
-def _step(a: Point, b: Point) -> Point:
-    return Point(b.x - a.x, b.y - a.y)
-
-
-def _cross(u: Point, v: Point) -> Fraction:
-    return u.x * v.y - u.y * v.x
+def _measure(point: Point, edge: Edge) -> Fraction:
+    """The squared distance of a point from a segment."""
+    return divide_exactly(*measure_to_edge(point, edge))

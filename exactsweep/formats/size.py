@@ -1,4 +1,4 @@
-"""For how much a text counts, by 6 of `exactsweep.numbers.limits`."""
+"""The size of a text for the limit, by 6 of `exactsweep.numbers.limits`."""
 
 from math import ceil
 
@@ -9,16 +9,16 @@ VERTEX, ELEMENT, ENTITY, FAULT = 16, 32, 64, 1600
 """For how many bytes a vertex counts, an element of SVG, an entity of DXF, and what is no polygon,
 of which a reason is kept."""
 
-# Of lists without vertices there are as many numbers as commas.
+# Lists without vertices have as many numbers as commas.
 _NUMBER = 4
 
 
 def measure_text(text: str, vertices: int) -> int:
-    """Count the bytes of a text, or those that its vertices and numbers count for, if more.
+    """Count the bytes of a text, or those of its vertices and numbers, whichever is more.
 
     Args:
-        text: in a format with commas between numbers or vertices.
-        vertices: how many there are.
+        text: a text with commas between numbers or vertices.
+        vertices: the number of vertices.
 
     Returns:
         A number of bytes.
@@ -31,7 +31,7 @@ def measure_text(text: str, vertices: int) -> int:
 
 
 def weigh(size: int, vertices: int, numbers: int) -> int:
-    """For how much so many bytes count, of which so many vertices or other numbers are read.
+    """Return the size of a text by its bytes, and by its number of vertices and other numbers.
 
     Example:
         >>> weigh(70, 4, 6)
@@ -41,14 +41,14 @@ def weigh(size: int, vertices: int, numbers: int) -> int:
 
 
 def require_text(text: str, vertices: int) -> None:
-    """Refuse, with a FormatError, a text that counts for more than is read."""
+    """Refuse, with a FormatError, a text beyond the limit."""
     require_size(_count_bytes(text))
     require_count(vertices, VERTEX, "vertices")
     require_count(text.count(","), _NUMBER, "numbers")
 
 
 def require_size(size: int, what: str = "") -> None:
-    """Refuse more bytes than are read; the message begins with what they are.
+    """Refuse more bytes than the limit; the message begins with the given name.
 
     Example:
         >>> require_size(2**24 + 1)
@@ -60,15 +60,15 @@ def require_size(size: int, what: str = "") -> None:
 
 
 def require_count(count: int, each: int, what: str) -> None:
-    """Refuse more things than are read.
+    """Refuse more items than the limit.
 
     Args:
-        count: how many there are.
-        each: for how many bytes one of them counts.
-        what: what they are.
+        count: the number of items.
+        each: the size of an item in bytes.
+        what: the name of the items in the plural.
 
     Raises:
-        FormatError: they are too many.
+        FormatError: there are too many items.
 
     Example:
         >>> require_count(2**21, VERTEX, "vertices")
@@ -80,7 +80,7 @@ def require_count(count: int, each: int, what: str) -> None:
 
 
 def find_needed_mib(size: int) -> int | None:
-    """Find the limit, in MiB, under which that many bytes are read; None if they are unasked.
+    """Find the limit in MiB that allows that many bytes; None if the default allows them.
 
     Example:
         >>> find_needed_mib(2**24), find_needed_mib(2**24 + 1)

@@ -1,7 +1,7 @@
-"""WKT in (OGC 06-103r4, 7.2): POLYGONs, MULTIPOLYGONs, collections of them, and PostGIS's SRID."""
+"""A reader of WKT (OGC 06-103r4, 7.2): POLYGON, MULTIPOLYGON, collections, and PostGIS's SRID."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import chain
@@ -20,7 +20,7 @@ _TOKEN = re.compile(
 )
 
 
-# What results have beside polygons: exact fits.
+# The other geometries of results: exact fits.
 _OTHERS = ("LINESTRING", "POINT")
 _SRID = re.compile(r"\s*(?i:SRID)\s*=\s*[0-9]{1,9}\s*;")
 _MAX_DEPTH = 32
@@ -39,14 +39,14 @@ def parse_wkt(text: str) -> list[Candidate]:
     Args:
         text: `POLYGON ((x y, ...))` or `MULTIPOLYGON (((x y, ...)), ...)`, one after another,
             in upper or lower case, or several in a GEOMETRYCOLLECTION; numbers as `read_decimal`
-            reads them; Z where it is the same all along a polygon.
+            reads them; Z is allowed if it is constant along a polygon.
 
     Returns:
         list of Candidate, the first point of each ring repeated at its end.
 
     Raises:
-        FormatError: other geometries, M coordinates, different Z, a ring that is not closed,
-            whatever is not WKT; the message starts with line and column.
+        FormatError: other geometries, M coordinates, different Z, an open ring, or text that is not
+            WKT; the message starts with line and column.
 
     Cost: linear in the length of the text.
 
@@ -61,7 +61,7 @@ def parse_wkt(text: str) -> list[Candidate]:
 
 
 class _Reader:
-    """A WKT polygon, read from left to right."""
+    """A reader of a WKT polygon, from left to right."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -115,17 +115,16 @@ class _Reader:
 
     def _polygon(self) -> Candidate:
         self.height = None
-        exterior, *holes = self._list(self._ring)
-        return exterior._replace(holes=partial(tuple, holes))
+        return Candidate.of_rings(self._list(self._ring))
 
-    def _ring(self) -> Candidate:
+    def _ring(self) -> tuple[str, Callable[[], Sequence[Point]]]:
         place = self._place()
         ring = self._list(self._point)
         if ring[0] != ring[-1]:
             raise FormatError(
                 f"{place}: the ring is not closed: its last vertex must repeat the first"
             )
-        return Candidate(place, partial(list, ring))
+        return place, partial(list, ring)
 
     def _loose_point(self) -> Point:
         self.height = None

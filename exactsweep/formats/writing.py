@@ -1,4 +1,4 @@
-"""Polygons out: exactly, or not at all."""
+"""Writers of polygons, which write exactly or refuse."""
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -34,19 +34,19 @@ def format_polygons(
 ) -> str:
     """Write polygons as text that `parse_regions` reads back as the same polygons.
 
-    DXF has no holes: each of their rings is a closed polyline there, like the exterior.
-    SVG has lines and no filling, and a margin around them.
+    DXF has no holes: each ring is a closed polyline, like the exterior. SVG output has lines
+    without filling, and a margin.
 
     Args:
-        polygons: Polygons and Regions, or NamedPolygons and NamedRegions, whose names are written
-            where the format has names, and which are on the layer of that name, or "0", in DXF.
+        polygons: Polygons and Regions, or NamedPolygons and NamedRegions. Formats with names keep
+            theirs; in DXF the name is that of the layer, "0" by default.
         form: one of FORMATS.
-        fits: exact fits, pairs of points: LINESTRINGs and POINTs in WKT and GeoJSON, lines of the
-            layer "exact fits" in DXF, open lines in SVG, rows of their own in CSV.
-        decimals: whether numbers of JSON are its own, decimals, not strings.
-        coordinates: the meaning of the coordinates, as that of `read_regions`: Y is turned where it
-            points the other way in the format, down in SVG and up in all others, and SVG and DXF
-            say the unit. Numbers are written as they stand if left out.
+        fits: exact fits, pairs of points. They become LINESTRINGs and POINTs in WKT and GeoJSON,
+            lines of the layer "exact fits" in DXF, open lines in SVG, separate rows in CSV.
+        decimals: whether to write numbers of JSON as decimals instead of strings.
+        coordinates: the meaning of the coordinates, as from `read_regions`. Y is turned if it
+            points the other way in the format (down in SVG, up in all others), and SVG and DXF
+            state the unit. By default numbers are unchanged.
 
     Returns:
         The text of a file.
@@ -55,7 +55,7 @@ def format_polygons(
         FormatError: no such format; no polygon; a coordinate that is not a finite decimal, such as
             1/3, which only "json" can hold; a name that the format cannot hold.
 
-    Cost: linear in the length of the result, times that of a division of numbers so long.
+    Cost: linear in the length of the result, times the cost of a division of that length.
 
     Example:
         >>> from exactsweep import Polygon
@@ -106,7 +106,7 @@ def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
 
 
 def write_wkt_fits(fits: Sequence[Fit]) -> str:
-    """Write exact fits as WKT, a LINESTRING or a POINT a line."""
+    """Write exact fits as WKT, one LINESTRING or POINT per line."""
     lines = []
     for k, fit in enumerate(fits):
         ends = list(dict.fromkeys(fit))
@@ -200,7 +200,7 @@ def _decade(number: Fraction) -> Fraction:
 
 
 def _length(number: Fraction, unit: Fraction) -> str:
-    """Write a length of SVG, in the unit of the numbers if SVG has it."""
+    """Write a length of SVG, in the unit of the numbers if SVG has that unit."""
     for name in ("mm", "cm", "in", "pt", "pc", "px"):
         if UNITS[name] == unit:
             return f"{format_decimal(number)}{name}"
@@ -244,7 +244,7 @@ def _fit_rows(fits: Sequence[Fit], form: str) -> Iterator[_Decimals]:
 
 
 def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Decimals]]:
-    """The vertices of the rings of each region as decimals, those of the holes clockwise."""
+    """Write the vertices of all rings as decimals, holes clockwise."""
     for k, region in enumerate(regions):
         exterior, *holes = [_row(*ring, form) for ring in _name_rings(k, region).items()]
         yield [exterior, *(row[::-1] for row in holes)]
@@ -259,7 +259,7 @@ def _name(polygon: AnyPolygon | NamedPolygon | NamedRegion) -> NamedRegion:
 
 
 def _name_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
-    """The rings of the region of index k, by the names that refusals give them."""
+    """Return the rings of region k by their names in refusals."""
     name = f"polygon {k}" if region.name is None else ascii(region.name)[1:-1]
     exterior, *holes = region.region.rings
     return {name: exterior} | {f"{name}, hole {j}": hole for j, hole in enumerate(holes)}
@@ -301,4 +301,4 @@ _WRITERS: dict[str, _Writer] = {
     "csv": _csv,
 }
 FORMATS = tuple(_WRITERS)
-"""The formats that polygons are written in."""
+"""The output formats."""

@@ -1,1 +1,1 @@
-"""Points, polygons, chains of points and what is asked of them: nothing here knows of sweeps."""
+"""Points, polygons and regions, and functions of them; this package does not know sweeps."""

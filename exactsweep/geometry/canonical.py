@@ -1,4 +1,4 @@
-"""From a closed line as it was written down to a canonical ring, or a refusal that says where."""
+"""Conversion of a closed line to a canonical ring, or a refusal that names the place."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -20,9 +20,8 @@ class PolygonError(ExactSweepError):
 class CanonicalRing(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
-    `vertex_index` and `edge_index` lead from its vertices and edges back to those of the input;
-    `convex` says whether all turns are to the left, and `monotone` whether it is monotone to the
-    X axis.
+    `vertex_index` and `edge_index` map its vertices and edges to those of the input. `convex` says
+    whether all turns are left turns, `monotone` whether the ring is monotone to the X axis.
     """
 
     points: tuple[Vertex, ...]
@@ -36,17 +35,17 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """Bring a closed line of lattice points into canonical form.
 
     Args:
-        points: in either orientation; neighbours may be equal, the last and the first too, and
-            vertices may lie inside straight edges.
+        points: the points, in either orientation. Neighbours may be equal, also the last and the
+            first, and vertices may lie inside straight edges.
 
     Returns:
         The same polygon as a CanonicalRing.
 
     Raises:
-        PolygonError: fewer than three distinct points, all on one line, a spike, or a line that
-            touches or crosses itself.
+        PolygonError: fewer than three distinct points, collinear points only, a spike, or a line
+            that touches or crosses itself.
 
-    Cost: O(n) for a ring that is monotone to the X axis, else that of `find_conflict`.
+    Cost: O(n) for a ring that is monotone to the X axis, otherwise that of `find_conflict`.
 
     Example:
         >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
@@ -59,7 +58,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     ring, vertices, edges = _join_equal(compared)
     turns = find_turns(ring) if len(ring) > 2 else []
     if is_long:
-        # No more than the signs is asked for.
+        # Only the signs are used.
         turns = [(turn > 0) - (turn < 0) for turn in turns]
     corners: Sequence[int] = range(len(ring))
     if not all(turns) or not turns:
@@ -71,10 +70,10 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     found = ring if len(corners) == len(ring) else [ring[i] for i in corners]
     least = found.index(min(found))
     starts = corners
-    # A simple polygon turns at its least vertex the way that it goes round.
+    # A simple polygon turns at its least vertex in the direction of its orientation.
     if turns[least] < 0:
         corners = [*corners[least::-1], *corners[:least:-1]]
-        # Read backwards, the edge from corner k to corner k + 1 starts at the latter.
+        # In reverse order, the edge from corner k to corner k + 1 starts at corner k + 1.
         starts = [*corners[1:], corners[0]]
         found = [*found[least::-1], *found[:least:-1]]
     elif least:
@@ -94,9 +93,9 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
 def _join_equal(
     points: Sequence[Vertex],
 ) -> tuple[Sequence[Vertex], Sequence[int], Sequence[int]]:
-    """Take each run of equal neighbours, round the end, for one vertex.
+    """Replace each run of equal neighbours, cyclically, by one vertex.
 
-    Returns the vertices, the least index of each run, and the last, at which its edge starts.
+    Returns the vertices, the least index of each run, and its last index, where its edge starts.
     """
     size = len(points)
     if points[:1] != points[-1:] and not any(map(eq, points, points[1:])):
@@ -116,7 +115,7 @@ def find_turns(ring: Sequence[Vertex]) -> list[int | Fraction]:
         vx, vy = cx - bx, cy - by
         turns.append(ux * vy - uy * vx)
         bx, by, ux, uy = cx, cy, vx, vy
-    # The first turn met belongs to the last vertex.
+    # The first turn belongs to the last vertex.
     return turns[1:] + turns[:1]
 
 
@@ -160,9 +159,9 @@ def _refuse_conflicts(
 
 
 def find_least(points: Sequence[Point]) -> int:
-    """Return the number of the lexicographically least point, the first of equal ones.
+    """Return the index of the lexicographically least point, the first of equal ones.
 
-    Cost: O(n); Fractions are compared where the ints below them are equal, which is seldom.
+    Cost: O(n). Fractions are compared only if their floors are equal, which is rare.
 
     Example:
         >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])

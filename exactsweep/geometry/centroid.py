@@ -11,9 +11,9 @@ from exactsweep.numbers.point import Point
 
 
 def find_centroid(ring: Sequence[Point]) -> Point:
-    """Find the center of mass of what a ring surrounds; its first point if there is no area.
+    """Find the center of mass of the area in a ring; the first point of a ring without area.
 
-    Cost: linear.
+    Cost: O(n).
 
     Example:
         >>> from exactsweep import Polygon

@@ -1,13 +1,13 @@
-"""Directions to which polygons are monotone, and the shared one that a sweep is turned to.
+"""Directions to which polygons are monotone, and the choice of a shared direction for a sweep.
 
-Section 2 takes the X axis for the shared direction "without loss of generality". A polygon is
-monotone to u when every line perpendicular to u meets it in one piece: its edges, walked once
-round, then go forward along u in one run and backward in one run. It is strictly monotone when
-no edge is perpendicular to u. Whether it is can change only where u is perpendicular to an edge,
-so that all directions are found by one turn of u.
+Section 2 assumes that the shared direction is the X axis "without loss of generality". A polygon is
+monotone to u if every line perpendicular to u meets it in one piece. Then one run of its edges goes
+forward along u, and the other run goes backward. The polygon is strictly monotone if no edge is
+perpendicular to u. Monotonicity changes only at directions u that are perpendicular to an edge. So
+one turn of u finds all directions.
 
-A sweep commutes with every invertible linear map: turning u to the X axis by the integer matrix
-[u; u_perp] needs no square root, and the loops do not depend on which shared u is taken.
+A sweep commutes with every invertible linear map. The integer matrix [u; u_perp] maps u to the X
+axis without square roots, and the loops do not depend on the choice of u.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ Vector = tuple[int, int]
 X_AXIS: Vector = (1, 0)
 Y_AXIS: Vector = (0, 1)
 
-# The smallest directions but the X axis, in order, as `Directions.simplest` has it: most pairs
-# that share any share one of these, and then all others need not be found.
+# The smallest directions except the X axis, in the order of `Directions.simplest`. Most pairs with
+# a shared direction share one of these, and then no others need be found.
 _SMALL: tuple[Vector, ...] = (Y_AXIS, (1, -1), (1, 1), (1, -2), (1, 2), (2, -1), (2, 1))
 
 
@@ -47,9 +47,9 @@ class Directions:
     Attributes:
         critical: the directions perpendicular to an edge, as primitive integer vectors, by angle
             from -90 degrees, exclusive, to 90 degrees.
-        at: whether the polygons are monotone, if weakly, to critical direction k.
-        after: whether they are strictly monotone to those between critical directions k and k + 1,
-            the last k being followed by the first one turned by half a turn.
+        at: whether the polygons are monotone, at least weakly, to critical direction k.
+        after: whether they are strictly monotone to the directions between critical directions k
+            and k + 1. After the last k comes the first direction, turned by half a turn.
 
     Example:
         >>> print(find_monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
@@ -74,13 +74,13 @@ class Directions:
         return any(self.at)
 
     def __and__(self, other: Directions) -> Directions:
-        """The directions in both. Cost: O(n), one cross product for each critical direction."""
+        """Intersect two sets of directions. Cost: O(n), a cross product for each critical one."""
         critical: list[Vector] = []
         at: list[bool] = []
         after: list[bool] = []
         i = j = 0
         while i < len(self.critical) or j < len(other.critical):
-            # Before its first critical direction a polygon is as after its last one.
+            # The state before the first critical direction is that after the last one.
             mine, others = self.after[i - 1], other.after[j - 1]
             turn = -1 if j == len(other.critical) else i == len(self.critical)
             if not turn:
@@ -99,8 +99,8 @@ class Directions:
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal arcs as pairs (first, last), counter-clockwise, both included.
 
-        A single direction is an arc from itself to itself. Of a convex polygon, which is
-        monotone to all, the arc runs from its first critical direction round to the same.
+        A single direction is an arc from itself to itself. A convex polygon is monotone to all
+        directions; its arc runs from the first critical direction around to the same one.
         """
         n = len(self.critical)
         if all(self.after):
@@ -116,10 +116,12 @@ class Directions:
         return tuple(found)
 
     def simplest(self) -> Vector:
-        """Return the X axis if it is in, else the smallest strict direction, else the smallest.
+        """Choose the X axis if it is included, else the smallest strict direction, else any.
 
-        Returns a primitive integer vector; small means a small sum of squares.
-        Raises DirectionError when there is none.
+        Returns a primitive integer vector; the smallest vector has the least sum of squares.
+
+        Raises DirectionError if there is no direction.
+
         Cost: O(n log c) for components up to c.
 
         >>> find_monotone_directions(Polygon([(0, 0), (1, 2), (0, 4), (3, 4), (3, 0)])).simplest()
@@ -151,7 +153,7 @@ class Directions:
         return " and ".join(arcs) or "no direction"
 
     def _last_up_to(self, direction: Vector) -> int:
-        """Number of the last critical direction up to this one, round the turn: -1 before all."""
+        """Return the number of the last critical direction up to this one, -1 before all."""
         return (
             bisect_right(self.critical, angle_key(reduce_direction(direction)), key=angle_key) - 1
         )
@@ -192,9 +194,10 @@ def read_direction(direction: Iterable[object]) -> Vector:
 def find_monotone_directions(polygon: Polygon) -> Directions:
     """Find all directions to which a polygon is monotone.
 
-    Turns u through a full turn and counts the sign changes along the boundary: two is monotone.
+    The algorithm turns u through a full turn and counts the sign changes of the edges along the
+    boundary. The polygon is monotone where there are two.
 
-    Cost: O(n log n), and O(1) for a polygon that was asked before.
+    Cost: O(n log n), and O(1) for a polygon whose directions are cached.
 
     Example:
         >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
@@ -223,8 +226,9 @@ def _turn_through(edges: Sequence[Vertex]) -> Directions:
     for u, group in groupby(order, key=normals.__getitem__):
         weak = changes
         for k in group:
-            # Neighbours of an edge perpendicular to u are not: no two neighbours are parallel.
-            # So the pairs counted here are disjoint, and leaving the edge out joins its two.
+            # No two neighbours are parallel, so those of an edge perpendicular to u are not
+            # perpendicular. So the pairs counted here are disjoint, and removing the edge joins
+            # its two neighbours.
             before = local(k)
             weak += (forward[k - 1] != forward[(k + 1) % n]) - before
             forward[k] = not forward[k]
@@ -250,13 +254,13 @@ def is_monotone(polygon: Polygon, direction: Vector, *, strict: bool = False) ->
 def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
     """Choose a direction to which both polygons are monotone.
 
-    The X axis if possible; else one to which both are strictly monotone, with small components;
-    else any that there is.
+    The choice is the X axis if possible, else a strict direction with small components, else any
+    shared direction.
 
     Raises:
-        DirectionError: there is none; the message says to which directions each one is monotone.
+        DirectionError: no direction is shared. The message lists the directions of each polygon.
 
-    Cost: O(m + n) if it is the X axis or small, else O((m + n) log(m + n)).
+    Cost: O(m + n) for the X axis or a small direction, else O((m + n) log(m + n)).
     """
     found = find_shared_direction(generatrix, directrix)
     if found is None:
@@ -269,9 +273,9 @@ def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
 
 
 def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | None:
-    """Choose as `choose_direction` does; None if there is no direction.
+    """Choose a direction as `choose_direction` does, but return None if there is none.
 
-    Cost: as for `choose_direction`; O(1) where one polygon is known to be monotone to none.
+    Cost: as for `choose_direction`; O(1) if the cache shows that a polygon has no direction.
     """
     if generatrix.is_x_monotone and directrix.is_x_monotone:
         return X_AXIS
@@ -291,7 +295,7 @@ def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | N
 
 
 def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
-    """Refuse a polygon that is not monotone to a direction that somebody asked for."""
+    """Refuse a polygon that is not monotone to the direction that the caller requested."""
     if not is_monotone(polygon, direction):
         raise DirectionError(
             f"the {name} is not monotone to {write_vector(direction)}, "
@@ -313,13 +317,13 @@ angle_key = cmp_to_key(_turn)
 
 
 def _find_simplest_between(u: Vector, v: Vector) -> Vector:
-    """The direction of least components strictly between two, v less than half a turn after u."""
+    """Find the simplest direction strictly between u and v, v less than half a turn after u."""
     if u[0] > 0 > v[0]:
         return Y_AXIS
     if u == Y_AXIS:
         u, v = (0, -1), (-v[0], -v[1])
     if u[1] < 0:
-        # Not both sides of the X axis: that would have been taken.
+        # u and v are on one side of the X axis, which otherwise would be the choice.
         p, q = find_simplest_fraction(-v[1], v[0], -u[1], u[0])
         return p, -q
     return find_simplest_fraction(u[1], u[0], v[1], v[0])

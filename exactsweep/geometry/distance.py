@@ -1,14 +1,14 @@
-"""The least distance of two shapes, squared, with two points that have it.
+"""The squared distance of two shapes, with two nearest points.
 
 (1) Shapes meet if and only if their boundaries meet, or a vertex of one exterior lies in the other
-    shape. Two closed shapes that meet, but not in their boundaries, lie one inside the other, or
-    one surrounds the other in a hole; of those in a hole the interiors are disjoint.
+    shape. If the boundaries do not meet, either one shape lies inside the other, or the shapes are
+    disjoint, one of them perhaps in a hole of the other.
 (2) Shapes that do not meet are nearest in their boundaries, and two segments that do not meet are
     nearest at an end of one of them. So the squared distance is the quotient of a squared cross
     product and a squared length: rational.
 (3) The edges of each boundary are the leaves of a binary tree of boxes. The distance of two boxes
-    is at most that of what they hold. Pairs of boxes are opened in the order of their distances, so
-    the search ends at the first pair no nearer than the best edges found.
+    is at most that of their contents. The search opens pairs of boxes in the order of their
+    distances, so it ends at the first pair that is no nearer than the best edges so far.
 """
 
 from __future__ import annotations
@@ -46,16 +46,16 @@ def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDista
     """Find the squared distance of two shapes, and two points that have it.
 
     Args:
-        a: a Polygon, a Region or the vertices of a polygon; closed, with its interior.
+        a: a Polygon, a Region or the vertices of a polygon, as a closed set with its interior.
         b: likewise.
 
     Returns:
-        The square, 0 where the shapes meet, and the two nearest points, one of each shape; any two
-        of them where there are several.
+        The square, 0 if the shapes meet, and two nearest points, one of each shape. If several
+        pairs are nearest, the result is one of them.
 
     Raises:
-        PolygonError: a polygon is not simple; the message begins with its name.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a polygon is not simple. The message begins with "a" or "b".
+        NumberError: a coordinate is not an exact number. The message begins likewise.
 
     Cost: O((m + n) log(m + n)) where few edges are nearly nearest; O(m n log(m n)) at worst.
 
@@ -79,8 +79,8 @@ class EdgeTree:
         rings: the rings of a bounded shape, its interior on the left, the exterior first.
 
     Attributes:
-        levels: the boxes (left, right, low, high): those of the edges, then of every two
-            neighbours of the level before, up to one box.
+        levels: lists of boxes (left, right, low, high). The first has the boxes of the edges. Each
+            box of a later level encloses two neighbours of the level before. The last has one box.
 
     Cost: O(n).
     """
@@ -108,10 +108,10 @@ def find_nearest(
     Args:
         first: a shape.
         second: another one, on the same lattice.
-        below: if given, distances are of interest whose square is less.
+        below: an upper bound on the square; the search ends if the square is not below it.
 
     Returns:
-        The squared distance and the points, on the lattice of the shapes or between; None where the
+        The squared distance and the points, on the lattice of the shapes or between; None if the
         square is not below the bound.
 
     Cost: as for `distance_squared`.
@@ -136,11 +136,11 @@ def find_nearest(
             edges = first.edges[i], second.edges[j]
             if apart == 0 and (point := _find_common_point(*edges)) is not None:
                 return SquaredDistance(Fraction(0), (point, point))
-            n, d, _, _ = find_nearest_ends(*edges)
+            n, d = measure_ends(*edges)[:2]
             if best is None or n * best[1] < best[0] * d:
                 best, nearest = (n, d), edges
             continue
-        # The tree with more levels left is opened, so that boxes are about as large.
+        # Open the tree with more levels left, so that both boxes have about the same size.
         lower, across = (up - 1, over) if up >= over else (up, over - 1)
         mine = range(2 * i, min(2 * i + 2, len(first.levels[lower]))) if lower < up else (i,)
         theirs = range(2 * j, min(2 * j + 2, len(second.levels[across]))) if lower == up else (j,)
@@ -151,12 +151,12 @@ def find_nearest(
                     heappush(heap, (apart, lower, k, across, h))
     if nearest is None:
         return None
-    n, d, p, q = find_nearest_ends(*nearest)
-    return SquaredDistance(divide_exactly(n, d), (p, q))
+    assert best is not None
+    return SquaredDistance(divide_exactly(*best), find_nearest_ends(*nearest))
 
 
 def _find_vertex_inside(first: EdgeTree, second: EdgeTree) -> Point | None:
-    """A vertex of one exterior that is an inner point of the other shape."""
+    """Find a vertex of one exterior that is an inner point of the other shape."""
     for one, other in ((first, second), (second, first)):
         x, y = one.rings[0][0]
         left, right, low, high = other.levels[-1][0]
@@ -173,7 +173,7 @@ def _unite(boxes: Sequence[_EdgeBox]) -> _EdgeBox:
 
 
 def _measure_boxes(a: _EdgeBox, b: _EdgeBox) -> Rational:
-    """The squared distance of two boxes."""
+    """Return the squared distance of two boxes."""
     left, right, low, high = a
     west, east, south, north = b
     dx = max(0, left - east, west - right)
@@ -182,7 +182,7 @@ def _measure_boxes(a: _EdgeBox, b: _EdgeBox) -> Rational:
 
 
 def _find_common_point(edge: Edge, other: Edge) -> Point | None:
-    """A point of two segments, if they meet."""
+    """Find a common point of two segments, if they meet."""
     (a, b), (p, q) = edge, other
     shared = touch(a, b, p, q)
     if shared == []:
@@ -194,31 +194,45 @@ def _find_common_point(edge: Edge, other: Edge) -> Point | None:
         if of_a != of_b:
             along = divide_exactly(of_a, of_a - of_b)
             return Point(ax + along * (bx - ax), ay + along * (by - ay))
-        # They run along each other.
+        # The segments run along each other.
         shared = [max(min(a, b), min(p, q))]
     x, y = shared[0]
     return Point(Fraction(x), Fraction(y))
 
 
-def find_nearest_ends(edge: Edge, other: Edge) -> tuple[Rational, Rational, Point, Point]:
-    """Return the squared distance of two segments that do not meet, as n / d, and two points.
+_NearestEnd = tuple[Rational, Rational, Vertex, Edge, bool]
 
-    >>> n, d, p, q = find_nearest_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
-    >>> (n, d), (int(p.x), int(p.y)), (int(q.x), int(q.y))
-    ((4, 4), (1, 0), (1, 1))
+
+def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
+    """Find which end of two segments that do not meet is nearest to the other segment.
+
+    Returns:
+        The squared distance as n and d, for n / d; the end, the other segment, and whether the end
+        is one of the first segment.
+
+    >>> measure_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
+    (4, 4, (1, 1), ((0, 0), (2, 0)), False)
     """
-    (a, b), (p, q) = edge, other
-    n, d, end, ahead, side = min(
-        (
-            (*measure_to_edge(end, side), end, ahead, side)
-            for ahead, side, ends in ((True, other, (a, b)), (False, edge, (p, q)))
-            for end in ends
-        ),
-        key=lambda found: divide_exactly(found[0], found[1]),
-    )
-    x, y = end
-    at, foot = Point(Fraction(x), Fraction(y)), find_foot(end, side)
-    return (n, d, at, foot) if ahead else (n, d, foot, at)
+    best: _NearestEnd | None = None
+    for one, side, is_first in ((edge, other, True), (other, edge, False)):
+        for end in one:
+            n, d = measure_to_edge(end, side)
+            if best is None or n * best[1] < best[0] * d:
+                best = n, d, end, side, is_first
+    assert best is not None
+    return best
+
+
+def find_nearest_ends(edge: Edge, other: Edge) -> tuple[Point, Point]:
+    """Return two nearest points of two segments that do not meet.
+
+    >>> p, q = find_nearest_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
+    >>> (int(p.x), int(p.y)), (int(q.x), int(q.y))
+    ((1, 0), (1, 1))
+    """
+    _, _, (x, y), side, is_first = measure_ends(edge, other)
+    at, foot = Point(Fraction(x), Fraction(y)), find_foot((x, y), side)
+    return (at, foot) if is_first else (foot, at)
 
 
 def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:

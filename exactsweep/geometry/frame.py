@@ -1,4 +1,4 @@
-"""The coordinates in which a pair is swept: one integer lattice, the shared direction as X axis."""
+"""The coordinates of a sweep: one integer lattice, with the shared direction as X axis."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ from exactsweep.numbers.point import ORIGIN, Point, Vertex, make_points
 class Frame(NamedTuple):
     """The common integer lattice of a pair, turned so that the shared direction is the X axis.
 
-    A point v is (u . v, u_perp . v) * scale there; u_perp is u turned by 90 degrees.
+    A point v has the coordinates (u . v, u_perp . v) * scale, where u_perp is u turned by 90
+    degrees.
     """
 
     direction: Vector
     scale: int
 
     def enter(self, scale: int, points: Sequence[Vertex]) -> list[Vertex]:
-        """Points in the frame, given on a lattice of another scale, as `Polygon.lattice` does.
+        """Convert points from a lattice of another scale, as of `Polygon.lattice`, to the frame.
 
         Cost: O(n).
         """
@@ -32,13 +33,13 @@ class Frame(NamedTuple):
         return [(p * x + q * y, p * y - q * x) for x, y in points]
 
     def enter_point(self, point: Point, shift: Point = ORIGIN) -> Vertex:
-        """A point less a vector, in the frame; ints where it is on the lattice."""
+        """Convert a point minus a vector to the frame; to ints if it is on the lattice."""
         (p, q), scale = self.direction, self.scale
         x, y = (point.x - shift.x) * scale, (point.y - shift.y) * scale
         return to_int(p * x + q * y), to_int(p * y - q * x)
 
     def leave(self, points: Sequence[Vertex], shift: Point = ORIGIN) -> list[Point]:
-        """Points of the frame in the plane, moved by a vector. Cost: O(n)."""
+        """Convert points of the frame to the plane, moved by a vector. Cost: O(n)."""
         p, q = self.direction
         scale = self.scale * (p * p + q * q)
         if (p, q) == X_AXIS:

@@ -1,4 +1,4 @@
-"""Shapes as callers give them: read as Regions, put on one lattice."""
+"""Conversion of the caller's shapes to Regions on one lattice."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
     """Read a Polygon, a Region or the vertices of a polygon: a Region if there are holes.
 
     Raises:
-        PolygonError: the polygon is not simple; the message begins with the name.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: the polygon is not simple. The message begins with the name.
+        NumberError: a coordinate is not an exact number. The message begins likewise.
     """
     if isinstance(shape, Region):
         return shape if shape.holes else shape.exterior
@@ -26,16 +26,16 @@ def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
         return shape
     with name_refusals(name):
         exterior, *holes = read_interface(shape) or [shape]
-        # Of one ring there is no other to be named.
+        # A single ring needs no name of its own.
         return Region(exterior, holes) if holes else Polygon(exterior)
 
 
 _WIDE, _LONG = 64, 1024
-"""Scales of more bits do not serve: where most vertices are on another lattice, and else."""
+"""The most bits of a useful scale: if most vertices are on another lattice, and otherwise."""
 
 
 def to_region(shape: Region | Vertices, name: str) -> Region:
-    """Read the same as a Region.
+    """Read a shape as `to_shape` does, but always as a Region.
 
     >>> to_region([(0, 0), (1, 0), (0, 1)], "part").area
     Fraction(1, 2)
@@ -49,14 +49,14 @@ def share_lattice(
     """Put regions on the coarsest integer lattice that holds them all.
 
     Args:
-        regions: of any number.
-        scale: if given, that of a lattice on which most vertices are, which serves if the common
-            one is long.
+        regions: any number of Regions.
+        scale: the scale of a lattice with most vertices, as a substitute if the common scale is
+            long.
 
     Returns:
-        The scale and the rings of each region times the scale, the interior on the left; vertices
-        off the given lattice are Fractions. If the scale had more than 1024 bits, 1 and the
-        vertices as they are: on such a lattice all numbers are longer than any of the vertices.
+        The scale, and the rings of each region times the scale, with the interior on the left.
+        Vertices off the given lattice are Fractions. If the scale had more than 1024 bits, it is 1
+        and the vertices are unchanged, because all numbers would be longer than any vertex.
 
     >>> share_lattice([Region([(0, 0), ("1/2", 0), (0, "1/3")])])
     (6, [[[(0, 0), (3, 0), (0, 2)]]])
@@ -75,7 +75,7 @@ def _enlarge(rings: Sequence[Sequence[Vertex]], factor: int) -> list[list[Vertex
 
 
 def _scale_rings(region: Region, scale: int) -> list[list[Vertex]]:
-    """The rings times a scale, interior on the left; ints where they are on the lattice."""
+    """Multiply rings by a scale; interior on the left, ints for vertices on the lattice."""
     exterior, *holes = region.rings
     return [
         [(ratio(x * scale, 1), ratio(y * scale, 1)) for x, y in ring]

@@ -18,8 +18,8 @@ def find_hull(points: Iterable[P]) -> list[P]:
         points: pairs of numbers; some may be equal.
 
     Returns:
-        Its corners, counter-clockwise from the least one on; two if the points are on a line, and
-        none if they are equal.
+        The corners, counter-clockwise from the least one; two if the points are collinear, and none
+        if they are equal.
 
     Cost: O(n log n).
 

@@ -1,7 +1,7 @@
-"""From vertices as somebody wrote them down to points of one integer lattice.
+"""Convert input vertices to points of one integer lattice.
 
-Numbers are read a column at a time: what is asked of a hundred thousand vertices one by one costs
-more than the sweep of the polygon.
+The functions read numbers column by column. Checks of a hundred thousand vertices one by one would
+take longer than the sweep of the polygon.
 """
 
 from __future__ import annotations
@@ -19,20 +19,20 @@ from exactsweep.numbers.point import Point, Vertex
 _LATTICE_BITS = 8192
 
 Lattice = tuple[int, Sequence[Vertex]]
-"""A scale and points: each stands for itself divided by the scale."""
+"""A scale and points; each point represents its coordinates divided by the scale."""
 
 
 def read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
     """Put vertices on their lattice, if all are tuples or lists of two exact numbers.
 
     Args:
-        vertices: of any length.
+        vertices: any number of vertices.
 
     Returns:
-        As `to_lattice`; None if anything is not as it should be, or not in tuples and lists: read
-        one by one, the vertices then show what it is.
+        As `to_lattice`; None if some vertex is anything else. The caller then reads the vertices
+        one by one, to name the error.
 
-    Cost: O(n) for ints, without a look at one by itself; else one `to_fraction` a number.
+    Cost: O(n) for ints; otherwise one `to_fraction` for each number.
 
     Example:
         >>> read_columns([(0, 1), ("1/2", 0), [2, 0.5]])
@@ -58,15 +58,15 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
     """Put points on the coarsest integer lattice that holds them.
 
     Args:
-        xs: their first coordinates.
-        ys: their second coordinates, as many.
+        xs: the first coordinates.
+        ys: the second coordinates, as many.
 
     Returns:
-        The scale, their least common denominator, and the points times the scale, pairs of ints. If
-        the scale had more than 8192 bits, 1 and the points as they are: numbers on a lattice of
-        unrelated denominators would be longer than all the coordinates together.
+        The scale, which is the least common denominator, and the points times the scale, as pairs
+        of ints. If the scale had more than 8192 bits, it is 1 and the points are unchanged, because
+        with unrelated denominators each number would be longer than all coordinates together.
 
-    Cost: O(n) products of numbers as long as the scale.
+    Cost: O(n) products of numbers of the scale's length.
 
     Example:
         >>> to_lattice([Fraction(1, 2), Fraction(0)], [Fraction(1), Fraction(1, 3)])
@@ -87,7 +87,7 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
 
 
 def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[Vertex, ...]]:
-    """Divide a scale and its points by what they have in common. Cost: O(n).
+    """Divide a scale and its points by their common divisor. Cost: O(n).
 
     >>> reduce_lattice(6, ((2, 4), (4, 0)))
     (3, ((1, 2), (2, 0)))
@@ -104,7 +104,7 @@ def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[V
 
 
 def lcm_within(denominators: Iterable[int]) -> int | None:
-    """The least common multiple, or None if it has more bits than those of a lattice may have.
+    """Return the least common multiple, or None if it has more bits than a scale may have.
 
     >>> lcm_within([4, 6]), lcm_within([2**8191, 3])
     (12, None)

@@ -1,4 +1,4 @@
-"""The features of a shape: vertices and edges, counted through all of its rings."""
+"""The features of a shape: its vertices and edges, numbered through all rings."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
 class Outline:
-    """The boundary of a shape, its interior on the left, for finding features by number.
+    """The boundary of a shape, interior on the left, as numbered features.
 
-    Edge k runs from vertex k to the next one of its ring.
+    Edge k runs from vertex k to the next vertex of its ring.
 
     Args:
         rings: loops, not closed.
 
     Attributes:
         vertices: the vertices of all rings, one ring after another.
-        after: for each vertex the number of the next one of its ring.
-        before: for each vertex the number of the one before.
-        starts: of each ring the number of its first vertex.
-        numbers: dict from a vertex to its number, the last one of several.
+        after: for each vertex, the number of the next vertex of its ring.
+        before: for each vertex, the number of the vertex before.
+        starts: for each ring, the number of its first vertex.
+        numbers: dict from a vertex to its number, the last one if several vertices are equal.
 
     >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
     >>> square.edge(3), square.numbers[1, 1]
@@ -45,12 +45,12 @@ class Outline:
         self.numbers = {vertex: k for k, vertex in enumerate(self.vertices)}
 
     def edge(self, k: int) -> Edge:
-        """Edge k."""
+        """Return edge k."""
         return self.vertices[k], self.vertices[self.after[k]]
 
     @property
     def edges(self) -> list[Edge]:
-        """All edges, by number."""
+        """Return all edges, by number."""
         return [self.edge(k) for k in range(len(self.vertices))]
 
     @cached_property
@@ -59,9 +59,9 @@ class Outline:
         return [self.vertices[k][0] for k in order], order
 
     def vertices_between(self, low: Rational, high: Rational) -> list[int]:
-        """The numbers of the vertices in an x-range, ends included, by x.
+        """Find the numbers of the vertices in an x-range, ends included, by x.
 
-        Cost: O(log n + their number), and the first time O(n log n).
+        Cost: O(log n + vertices found), and O(n log n) the first time.
         """
         xs, order = self._by_x
         return order[bisect_left(xs, low) : bisect_right(xs, high)]
@@ -74,16 +74,16 @@ class Outline:
         return found
 
     def vertices_at(self, point: Vertex) -> Sequence[int]:
-        """The numbers of the vertices at a point: several where rings touch.
+        """Find the numbers of the vertices at a point; several if rings touch there.
 
-        Cost: O(1), and for several rings O(n) the first time.
+        Cost: O(1), and O(n) the first time for several rings.
         """
         if len(self.starts) == 1:
             return (self.numbers[point],) if point in self.numbers else ()
         return self._all_numbers.get(point, ())
 
     def vertices_inside(self, k: int) -> list[int]:
-        """The numbers of the vertices of other rings inside edge k.
+        """Find the numbers of the vertices of other rings inside edge k.
 
         Cost: O(log n + vertices in the x-range of the edge).
         """
@@ -94,13 +94,13 @@ class Outline:
         return [i for i in near if is_between(self.vertices[i], p, q)]
 
     def scaled(self, factor: int) -> Outline:
-        """The same, enlarged by a positive factor. Cost: O(n)."""
+        """Return the outline enlarged by a positive factor. Cost: O(n)."""
         larger = Outline([[(factor * x, factor * y) for x, y in self.vertices]])
         larger.after, larger.before, larger.starts = self.after, self.before, self.starts
         return larger
 
     def edges_through(self, point: Vertex) -> Iterator[int]:
-        """The numbers of the edges whose interior holds a point. Cost: O(n)."""
+        """Find the numbers of the edges with a point in their interior. Cost: O(n)."""
         tx, _ = point
         for k, p in enumerate(self.vertices):
             q = self.vertices[self.after[k]]

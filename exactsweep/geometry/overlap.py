@@ -1,17 +1,17 @@
-"""The exact decision whether two shapes overlap when one of them is moved.
+"""The exact test whether two shapes overlap when one of them is moved.
 
-Let A and B be closed shapes, interiors connected. Their interiors meet exactly if
+Let A and B be closed shapes with connected interiors. Their interiors meet if and only if
 
-(1) two of their edges cross, or run along each other in the same direction; or else
+(1) two of their edges cross, or run along each other in the same direction; or
 (2) some piece of one boundary, between two places at which the boundaries touch, lies in the
     interior of the other shape.
 
-For if no boundary enters the other interior, the interior of A lies in that of B or is disjoint
-from it, and likewise the other way round: the two are disjoint or the same set, and of the same set
-the edges run along each other in the same direction.
+Proof: if no boundary enters the other interior, the interior of A lies in that of B or is disjoint
+from it, and vice versa. So the interiors are disjoint or equal. If they are equal, the edges run
+along each other in the same direction.
 
-Without a crossing, boundaries touch in vertices only, or from vertex to vertex, so that all places
-that have to be looked at are on the lattice, or halfway between two points of it.
+If no edges cross, boundaries touch only in vertices, or from vertex to vertex. So all places that
+the test examines are on the lattice, or halfway between two lattice points.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ from typing import NamedTuple
 from exactsweep.numbers.point import Edge, Point, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
-"""The boundary of a shape: rings that have its interior on the left."""
+"""The boundary of a shape: rings with the interior on the left."""
 
 Places = defaultdict[tuple[int, int], set[Vertex]]
-"""For the numbers of a ring and of an edge of it, points on the edge."""
+"""Points on an edge, by the number of the ring and of the edge in it."""
 
 
 _COLUMNS = 512
 
 
 class _BoundedEdge(NamedTuple):
-    """An edge, with its bounds and its number in its ring."""
+    """An edge with its bounds, and its number in the ring."""
 
     left: Rational
     right: Rational
@@ -57,11 +57,11 @@ class _Bounds(NamedTuple):
 
 
 class _EdgesByColumn:
-    """The edges of a shape, for finding those near a place: by columns of its x-range.
+    """The edges of a shape by columns of its x-range, for finding those near a place.
 
     Args:
-        rings: with the interior on the left.
-        unbounded: whether the shape is what clockwise rings alone leave.
+        rings: the rings, with the interior on the left.
+        unbounded: whether all rings are clockwise, so that the shape is unbounded.
     """
 
     def __init__(self, rings: Rings, *, unbounded: bool = False) -> None:
@@ -81,7 +81,7 @@ class _EdgesByColumn:
         return int((x - self.bounds.left) // self._width)
 
     def near(self, bounds: _Bounds) -> list[_BoundedEdge]:
-        """The edges whose bounds meet others, by their left ends column by column."""
+        """Find the edges whose bounds meet the given ones, column by column, by left end."""
         first = max(self._column(bounds.left), 0)
         last = min(self._column(bounds.right), len(self._columns) - 1)
         return [
@@ -96,8 +96,8 @@ class _EdgesByColumn:
         ]
 
     def holds(self, x: Rational, y: Rational, factor: int) -> bool:
-        """Decide whether a point, given times a factor, is inside and not on the boundary."""
-        # It lies in the column of its floor, or in the next one.
+        """Decide whether a point, multiplied by a factor, is inside and not on the boundary."""
+        # The point lies in the column of its floor, or in the next one.
         k = self._column(x // factor)
         edges = [
             (side.start, side.end)
@@ -109,18 +109,18 @@ class _EdgesByColumn:
 
 
 class Overlap:
-    """The question whether a shape overlaps another, moved by t; prepared when first asked.
+    """The test whether a shape overlaps another one moved by t; prepared at the first call.
 
     Args:
-        stationary: the rings of D, the interior on the left. D may have several pieces, and may be
-            unbounded: what is left of clockwise rings alone.
+        stationary: the rings of D, the interior on the left. D may have several pieces. It may be
+            unbounded, with clockwise rings only.
         orbiting: the rings of G.
-        unbounded: whether D is.
+        unbounded: whether D is unbounded.
     """
 
     def __init__(self, stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> None:
         self._shapes = stationary, orbiting, unbounded
-        # Where edges crossed last time they are likely to cross again.
+        # Edges that crossed last time are likely to cross again.
         self._last: tuple[_BoundedEdge, _BoundedEdge] | None = None
 
     @cached_property
@@ -135,7 +135,7 @@ class Overlap:
         """Decide whether the interiors of D and G + t meet.
 
         Cost: O(m n) at worst, for the edges whose bounds meet, and O(m + n) for each place at which
-        the boundaries touch; far less where G + t is near few edges of D.
+        the boundaries touch; far less if G + t is near few edges of D.
 
         >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
         >>> overlap = Overlap(square, square)
@@ -162,7 +162,7 @@ class Overlap:
             return True
         on_moved, on_fixed = touching
         moved_rings = dict(enumerate(self._moved.rings))
-        # A ring of D that G + t holds has all of its edges near.
+        # If G + t contains a ring of D, all edges of the ring are near.
         fixed_rings = {k: self._fixed.rings[k] for k in {side.ring for side in fixed}}
         return any(
             self._fixed.holds(px, py, 2 * scale)
@@ -184,7 +184,7 @@ class Overlap:
     ) -> tuple[Places, Places] | None:
         """Find where the boundaries touch, on edges of G and of D; None if they cross.
 
-        G is moved by at least (left, low) and at most (right, high).
+        The move of G is at least (left, low) and at most (right, high).
         """
         on_moved: Places = defaultdict(set)
         on_fixed: Places = defaultdict(set)
@@ -232,7 +232,7 @@ def _touch(
 
 
 def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
-    """The ends of what the edges a b and p q share, or None if their left sides meet.
+    """Return the ends of the common part of edges a b and p q, or None if their left sides meet.
 
     Args:
         a: start of an edge, the interior of its shape on the left.
@@ -269,7 +269,7 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
         return [low, high]
     if of_a and of_b and of_p and of_q:
         return None
-    # They are not parallel and meet in one point, an end of one of them.
+    # The edges are not parallel and meet in one point, an end of one of them.
     return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
 
 
@@ -279,10 +279,11 @@ def find_points_between(
     scale: int = 1,
     shift: Vertex = (0, 0),
 ) -> Iterator[Vertex]:
-    """A point, times two, of each piece of the rings between places; a vertex if there are none.
+    """Yield a point, times two, of each piece of the rings between places, or one vertex.
 
-    Rings are enlarged by the scale and then moved by the shift; places are on them as they are
-    then. Only pieces on the edges that have places are looked at: the others are parts of these.
+    The rings are first enlarged by the scale and then moved by the shift. The places are on the
+    moved rings. Pieces on edges without places belong to pieces on edges with places, so the
+    function examines the latter only. Without places it yields a vertex.
 
     Cost: O(p log p + r) for p places and r rings.
     """
@@ -302,7 +303,7 @@ def find_points_between(
 
 
 def is_inside(doubled: Vertex, rings: Rings) -> bool:
-    """Decide whether a point, given times two, is inside a shape, not on its boundary. Cost: O(n).
+    """Decide whether a point, multiplied by two, is an inner point of a shape. Cost: O(n).
 
     >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
     >>> is_inside((1, 1), square), is_inside((4, 1), square)
@@ -312,9 +313,9 @@ def is_inside(doubled: Vertex, rings: Rings) -> bool:
 
 
 def is_inside_edges(doubled: Vertex, edges: Iterable[Edge]) -> bool:
-    """Decide whether a point, given times two, is inside the edges of a shape.
+    """Decide whether a point, multiplied by two, is inside the edges of a shape.
 
-    Edges that no vertical line through the point meets may be left out. Cost: O(n).
+    Edges that do not meet the vertical line through the point may be left out. Cost: O(n).
 
     >>> is_inside_edges((1, 1), [((0, 0), (2, 0)), ((2, 2), (0, 2))])
     True
@@ -323,9 +324,9 @@ def is_inside_edges(doubled: Vertex, edges: Iterable[Edge]) -> bool:
 
 
 def _is_between(edges: Iterable[Edge], x: Rational, y: Rational, factor: int, inside: bool) -> bool:
-    """Decide whether an odd number of edges is above a point that is on none.
+    """Decide whether a point on no edge is inside, by the parity of the edges above it.
 
-    If not `inside`, which is what it is above all edges; else an even number.
+    `inside` says whether points above all edges are inside. Each edge changes the side.
     """
     for (px, py), (qx, qy) in edges:
         ax, bx = px * factor - x, qx * factor - x
@@ -337,7 +338,7 @@ def _is_between(edges: Iterable[Edge], x: Rational, y: Rational, factor: int, in
             if (turn < 0) == (bx > ax):
                 inside = not inside
         elif bx == 0:
-            # A vertex is met at the end of the edge before it.
+            # A vertex counts as the end of the edge before it.
             ay, by = py * factor - y, qy * factor - y
             if by == 0 or (ax == 0 and (ay < 0) != (by < 0)):
                 return False

@@ -1,9 +1,9 @@
 """The methods that Polygons and Regions share as sets of points: locate, move, turn, show.
 
-All maps here are affine with rational coefficients, so that nothing is rounded. A turn is rational
-exactly if it is by the angle of a vector of rational coordinates *and* rational length: quarter
-turns, and those of Pythagorean triples such as (3, 4). Another angle is replaced by one of these
-that is as near as asked for, see `turn`.
+All maps here are affine with rational coefficients, so nothing is rounded. A turn is rational if
+and only if its angle is that of a vector of rational coordinates *and* rational length: quarter
+turns, and turns by Pythagorean triples such as (3, 4). For other angles, `turn` finds a rational
+turn that is as near as requested.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class AffineMap(NamedTuple):
     dy: Fraction = _ZERO
 
     def about(self, center: Iterable[object]) -> AffineMap:
-        """Return the map with the same linear part that leaves a point where it is."""
+        """Return the map with the same linear part that leaves a point fixed."""
         x, y = read_point(center, "center")
         a, b, c, d = self[:4]
         return self._replace(dx=x - a * x - b * y, dy=y - c * x - d * y)
@@ -71,7 +71,7 @@ class PointSet:
             by: a pair of numbers.
 
         Returns:
-            The image, whose vertices and edges have the numbers that they had in the input.
+            The image. Vertices and edges keep their numbers from the input.
 
         Cost: O(n).
 
@@ -87,17 +87,17 @@ class PointSet:
     ) -> Self:
         """Return the shape turned counter-clockwise: exactly, or by a rational turn near the angle.
 
-        Multiples of 90 degrees and pairs of numbers are exact. No polygon with rational vertices is
-        turned by any other number of degrees. There the shape is turned by a rational turn that is
-        off by at most 2**-bits on the unit circle, so that each vertex is off by at most 2**-bits
-        times its distance from the center. `read_turn(by).near(bits)`, of
-        `exactsweep.geometry.turn`, is that turn and its error.
+        Multiples of 90 degrees and pairs of numbers are exact. Any other number of degrees would
+        give irrational vertices. So the method uses a rational turn, at most 2**-bits off on the
+        unit circle. Each vertex is then off by at most 2**-bits times its distance from the
+        center. `read_turn(by).near(bits)` of `exactsweep.geometry.turn` returns that turn and its
+        error.
 
         Args:
             by: degrees; or a pair of numbers, the direction to which the X axis is turned, of
                 rational length, such as (3, 4) or, the same, ("3/5", "4/5").
-            center: a pair of numbers, the point that stays.
-            bits: how near an angle without a rational turn has to be.
+            center: a pair of numbers, the fixed point.
+            bits: the precision of an angle without a rational turn.
 
         Returns:
             The image, numbered as by `translated`.
@@ -124,7 +124,7 @@ class PointSet:
 
         Args:
             by: a number, not 0; or a pair of them, for X and for Y.
-            center: a pair of numbers, the point that stays.
+            center: a pair of numbers, the fixed point.
 
         Returns:
             The image, numbered as by `translated`.
@@ -148,7 +148,7 @@ class PointSet:
         """Return the shape turned by half a turn, the point reflection I of the paper.
 
         Args:
-            center: a pair of numbers, the point that stays.
+            center: a pair of numbers, the fixed point.
 
         Returns:
             The image, numbered as by `translated`.
@@ -190,11 +190,11 @@ class PointSet:
         return self._image(AffineMap(cosine, sine, sine, -cosine).about(center))
 
     def contains(self, point: Iterable[object], *, strictly: bool = False) -> bool:
-        """Decide whether a point is in the shape, decided exactly; `point in shape` asks the same.
+        """Decide exactly whether a point is in the shape; `point in shape` does the same.
 
         Args:
             point: a pair of numbers.
-            strictly: whether a point of the boundary is not counted.
+            strictly: whether to exclude points of the boundary.
 
         Cost: O(n).
 
@@ -226,10 +226,10 @@ class PointSet:
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
-        """The shape as other libraries read it: `shapely.geometry.shape(polygon)`.
+        """The shape for other libraries, as in `shapely.geometry.shape(polygon)`.
 
-        Coordinates are ints and floats where these are the same number, else Fractions, so that
-        nothing is rounded here: a library of floats does that itself.
+        Coordinates are ints or floats if these are the exact number, else Fractions. So nothing is
+        rounded here; a library of floats rounds by itself.
         """
         exterior, *holes = self.rings
         rings = [exterior, *((hole[0], *hole[:0:-1]) for hole in holes)]
@@ -256,7 +256,7 @@ def _is_pair(value: object) -> bool:
 
 
 def _plain(value: Fraction) -> int | float | Fraction:
-    """The same number as an int or a float, if it is one."""
+    """Convert a Fraction to the int or float of the same value, if there is one."""
     if value.denominator == 1:
         return value.numerator
     try:

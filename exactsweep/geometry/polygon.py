@@ -26,17 +26,17 @@ _SHOWN_VERTICES = 8
 
 
 class Polygon(PointSet):
-    """A simple polygon in canonical form; equal to another when both are the same set of points.
+    """A simple polygon in canonical form; polygons are equal if they are the same set of points.
 
     Args:
         vertices: pairs of numbers as `to_fraction` reads them, a Polygon, or an object with a
-            `__geo_interface__`, such as a polygon of shapely. Either orientation, the first vertex
-            repeated at the end, equal neighbours and collinear vertices are fine.
+            `__geo_interface__`, such as a polygon of shapely. The orientation is free. The first
+            vertex may be repeated at the end; equal neighbours and collinear vertices are allowed.
 
     Raises:
         PolygonError: not pairs, fewer than three distinct vertices, zero area, a spike, a boundary
-            that touches or crosses itself. Vertices and edges are named by their index in the
-            input; edge i runs from vertex i to the next.
+            that touches or crosses itself. The message names vertices and edges by their index in
+            the input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
     Cost: O(n) for a polygon of n vertices that is convex or monotone to the X axis, O(n log n) for
@@ -58,7 +58,7 @@ class Polygon(PointSet):
     )
 
     _convex: bool | None
-    _directions: Any  # those to which it is monotone, once `direction` has found them
+    _directions: Any  # the directions of monotonicity, once `direction` has found them
     _monotone: bool | None
     _vertices: tuple[Point, ...] | None
     _lattice: tuple[int, tuple[Vertex, ...]] | None
@@ -126,9 +126,9 @@ class Polygon(PointSet):
         """Return the polygon on the coarsest integer lattice that holds it.
 
         Returns:
-            `(scale, points)`: the least positive int and a tuple of pairs of ints, in step with
-            `vertices`, each vertex being its pair divided by the scale. If that int has more
-            than 8192 bits, the scale is 1 and the pairs are the vertices.
+            `(scale, points)`: the least positive int and a tuple of pairs of ints, such that each
+            vertex is its pair divided by the scale. If that int has more than 8192 bits, the scale
+            is 1 and the pairs are the vertices.
 
         Example:
             >>> Polygon([(0, 0), ("1/2", 0), (0, "1/3")]).lattice()
@@ -144,7 +144,7 @@ class Polygon(PointSet):
         """Return the index in the caller's input of canonical vertex k.
 
         Raises:
-            PolygonError: there is no vertex k; as in a list, those below 0 count from the end.
+            PolygonError: there is no vertex k. As in a list, negative k count from the end.
         """
         try:
             return self._vertex_index[k]
@@ -154,11 +154,11 @@ class Polygon(PointSet):
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of canonical edge k, from vertex k to k + 1.
 
-        Of several collinear input edges it is the first in the order of the input. Input edge i
-        runs from input vertex i to the next.
+        For several collinear input edges, the result is the first in the order of the input. Input
+        edge i runs from input vertex i to the next.
 
         Raises:
-            PolygonError: there is no edge k; as in a list, those below 0 count from the end.
+            PolygonError: there is no edge k. As in a list, negative k count from the end.
 
         Example:
             >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
@@ -178,7 +178,7 @@ class Polygon(PointSet):
 
     @property
     def is_convex(self) -> bool:
-        """Decide whether all turns are to the left."""
+        """Decide whether all turns are left turns."""
         if self._convex is None:
             points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
             self._convex = min(find_turns(points)) > 0
@@ -186,7 +186,7 @@ class Polygon(PointSet):
 
     @property
     def is_x_monotone(self) -> bool:
-        """Decide whether every vertical line that meets it does so in one piece."""
+        """Decide whether every vertical line meets the polygon in one piece or not at all."""
         if self._monotone is None:
             points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
             self._monotone = are_chains_monotone(points)
@@ -208,7 +208,7 @@ class Polygon(PointSet):
         image = [(a * x + b * y + dx, c * x + d * y + dy) for x, y in points]
         vertex_index, edge_index = list(self._vertex_index), list(self._edge_index)
         if a * d < b * c:
-            # Walked backwards; the edge after a vertex is then the one that was before it.
+            # In reverse order; the edge after a vertex is then the edge that was before it.
             image.reverse()
             vertex_index.reverse()
             edge_index = [*edge_index[-2::-1], edge_index[-1]]
@@ -217,7 +217,7 @@ class Polygon(PointSet):
         if all(type(part) is int for point in image for part in point):
             polygon = Polygon._from_lattice(image, scale)
         else:
-            # Of unrelated denominators: the lattice of such a polygon is its vertices.
+            # Unrelated denominators: the lattice of such a polygon is its vertices.
             polygon = Polygon._from_canonical(
                 [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in image]
             )
@@ -228,8 +228,8 @@ class Polygon(PointSet):
     def to_sympy(self) -> "sympy.Polygon":
         """Return the polygon as a `sympy.geometry.Polygon`.
 
-        Raises PolygonError where sympy, which looks for collinear vertices in floating point, would
-        make another figure of it: the vertices are too close together.
+        sympy looks for collinear vertices in floating point. The method raises PolygonError if the
+        vertices are so close together that sympy would make another figure.
         """
         import sympy
 
@@ -248,7 +248,7 @@ class Polygon(PointSet):
         """Read a `sympy.geometry.Polygon`, a triangle or a regular polygon, if it is rational.
 
         Raises:
-            PolygonError: not a polygon of sympy's, or refused as by `Polygon`.
+            PolygonError: not a polygon of sympy, or refused as by `Polygon`.
             NumberError: an irrational or symbolic coordinate.
         """
         import sympy

@@ -1,4 +1,4 @@
-"""Vertices in: pairs of numbers, and what other libraries tell by `__geo_interface__`."""
+"""Readers of vertices: pairs of numbers, and objects with a `__geo_interface__`."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -11,7 +11,7 @@ Pairs = Iterable[Iterable[object]]
 
 
 def read_point(pair: Iterable[object], name: str) -> Point:
-    """Read a pair of numbers; a refusal calls it by the name."""
+    """Read a pair of numbers; a refusal begins with the given name."""
     # Text, sets and mappings unpack too, but not into coordinates.
     if isinstance(pair, (str, bytes, set, frozenset, dict)):
         raise PolygonError(f"{name} is {type(pair).__name__}, not a pair of numbers")
@@ -24,21 +24,21 @@ def read_point(pair: Iterable[object], name: str) -> Point:
 
 
 def refuse_number(k: object, what: str, count: int) -> PolygonError:
-    """Make the error for a k that is not the number of one of so many vertices or edges."""
+    """Make the error for an index k outside the given count of vertices or edges."""
     return PolygonError(f"there is no {what} {quote(k)}: they are numbered 0 to {count - 1}")
 
 
 def read_interface(shape: object) -> list[Pairs] | None:
-    """Read the rings that an object tells by `__geo_interface__`, as shapely's polygons do.
+    """Read the rings of an object with a `__geo_interface__`, such as a polygon of shapely.
 
     Args:
         shape: any object.
 
     Returns:
-        The exterior and the holes; None of an object that has no such attribute.
+        The exterior and the holes; None if the object has no such attribute.
 
     Raises:
-        PolygonError: it tells something else than one polygon, or an empty one.
+        PolygonError: the attribute is not one polygon, or the polygon is empty.
 
     Example:
         >>> import shapely
@@ -57,7 +57,7 @@ def read_interface(shape: object) -> list[Pairs] | None:
     rings = coordinates if kind == "Polygon" else [coordinates]
     if not isinstance(rings, Sequence) or not all(isinstance(ring, Iterable) for ring in rings):
         raise PolygonError(f"a {kind} without rings is not a polygon")
-    # Some are read only once.
+    # Some iterables can be read only once.
     rings = [[*ring] for ring in rings]
     if not any(rings):
         raise PolygonError("the polygon is empty")

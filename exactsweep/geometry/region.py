@@ -24,7 +24,7 @@ Vertices = Polygon | Iterable[Iterable[object]]
 
 
 class Region(PointSet):
-    """A polygon with holes; equal to another when both are the same set of points.
+    """A polygon with holes; regions are equal if they are the same set of points.
 
     Args:
         exterior: the outer boundary, a Polygon or its vertices as `Polygon` takes them; or a
@@ -34,8 +34,8 @@ class Region(PointSet):
 
     Raises:
         PolygonError: a ring is not simple; a hole is not inside the exterior, or overlaps another
-            one; two rings run along each other, or touch in so many points that the interior falls
-            apart. Rings are named "exterior" and "hole k", their vertices and edges by their index
+            hole; two rings run along each other; the interior is disconnected where rings touch.
+            The message names rings "exterior" and "hole k", and vertices and edges by their index
             in the input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
@@ -53,7 +53,7 @@ class Region(PointSet):
 
     exterior: Polygon
     holes: tuple[Polygon, ...]
-    # For each ring the number of its first vertex: here, and in the caller's input.
+    # For each ring the number of its first vertex, here and in the caller's input.
     _starts: tuple[int, ...]
     _firsts: tuple[int, ...]
 
@@ -61,7 +61,7 @@ class Region(PointSet):
         inner: list[Polygon] = []
         is_checked = isinstance(exterior, Region)
         if isinstance(exterior, Region):
-            # As they were given, so that features keep their numbers.
+            # In the order of the input, so that features keep their numbers.
             order = sorted(range(len(exterior.holes)), key=exterior._firsts[1:].__getitem__)
             inner += [exterior.holes[k] for k in order]
             exterior = exterior.exterior
@@ -82,7 +82,7 @@ class Region(PointSet):
         self._set((outer, *inner), firsts)
 
     def _set(self, rings: Sequence[Polygon], firsts: Sequence[int]) -> None:
-        """Take the exterior and the holes, and where each begins in the caller's input."""
+        """Set the exterior and the holes, and where each begins in the caller's input."""
         order = [0, *sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)]
         holes = tuple(rings[k] for k in order[1:])
         sizes = map(len, (rings[0], *holes[:-1])) if holes else ()
@@ -112,8 +112,8 @@ class Region(PointSet):
 
         Returns:
             `(scale, rings)`: the exterior counter-clockwise and the holes clockwise, so that the
-            interior is on the left of all; each point is a vertex times the scale. The scale is as
-            for `Polygon.lattice`.
+            interior is on the left. Each point is a vertex times the scale. The scale is as for
+            `Polygon.lattice`.
 
         Example:
             >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
@@ -124,12 +124,12 @@ class Region(PointSet):
 
     @property
     def area(self) -> Fraction:
-        """The area: that of the exterior less those of the holes."""
+        """The area of the exterior minus the areas of the holes."""
         return self.exterior.area - add_up(hole.area for hole in self.holes)
 
     @property
     def is_convex(self) -> bool:
-        """Decide whether it is convex, which it is not with a hole."""
+        """Decide whether the region is convex; it is not if it has a hole."""
         return not self.holes and self.exterior.is_convex
 
     @property
@@ -143,10 +143,10 @@ class Region(PointSet):
     def vertex_index(self, k: int) -> int:
         """Return the index in the caller's input of vertex k, counted through all `rings`.
 
-        The input is counted through, too: the exterior, then the holes in the order given.
+        The count of the input also begins with the exterior; the holes follow in the order given.
 
         Raises:
-            PolygonError: there is no vertex k; as in a list, those below 0 count from the end.
+            PolygonError: there is no vertex k. As in a list, negative k count from the end.
         """
         first, ring, k = self._ring_of(k, "vertex")
         return first + ring.vertex_index(k)
@@ -154,7 +154,7 @@ class Region(PointSet):
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of edge k, from vertex k to the next of its ring.
 
-        Counted as for `vertex_index`; of collinear edges the first, as for `Polygon`.
+        The count is that of `vertex_index`. For collinear edges, the result is the first of them.
 
         Raises:
             PolygonError: there is no edge k.
@@ -163,7 +163,7 @@ class Region(PointSet):
         return first + ring.edge_index(k)
 
     def _ring_of(self, k: int, what: str) -> tuple[int, Polygon, int]:
-        """Find the ring of a feature, where it starts, and the number in the ring."""
+        """Find the ring of a feature, the start of the ring, and the number in the ring."""
         try:
             k = range(len(self))[k]
         except (TypeError, IndexError):
@@ -213,26 +213,26 @@ class Region(PointSet):
 
 
 def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:
-    """Make a copy, which has the numbers of the input and needs no checking."""
+    """Make a copy that keeps the numbers of the input, without a new check."""
     region = Region.__new__(Region)
     region._set(rings, firsts)
     return region
 
 
 def _count_given(ring: Polygon) -> int:
-    """Count the vertices of a ring as the caller gave it."""
+    """Count the vertices of a ring in the caller's input."""
     return 1 + max(map(ring.edge_index, range(len(ring))))
 
 
 AnyPolygon = Polygon | Region
-"""A polygon without holes or with them; both have an exterior, holes and rings."""
+"""A polygon with or without holes; both types have an exterior, holes and rings."""
 
 
 def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
-    """Count the vertices through all rings of a shape.
+    """Number the vertices through all rings of a shape.
 
     Yields:
-        The number of the vertex before, of a vertex, and of the next one of its ring.
+        The numbers of the vertex before, of the vertex, and of the next vertex of its ring.
 
     Example:
         >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
@@ -250,12 +250,12 @@ def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
 def number_features(
     shape: AnyPolygon,
 ) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
-    """Find the features of a shape by the numbers that they have in the input.
+    """Find the features of a shape by their numbers in the input.
 
     Returns:
-        The vertices by number, and of each edge by number the numbers of its two ends.
+        The vertices by number, and for each edge by number the numbers of its two ends.
 
-    Cost: linear.
+    Cost: O(n).
 
     Example:
         >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
@@ -278,8 +278,8 @@ def common_lattice(
     """Put polygons on one lattice, the coarsest that holds them all.
 
     Returns:
-        The scale and, of each polygon, its vertices times the scale; if that had more than 8192
-        bits, as for one polygon, 1 and the vertices.
+        The scale, and the vertices of each polygon times the scale. If the scale had more than 8192
+        bits, it is 1 and the vertices are unchanged.
     """
     scale = lcm_within(polygon.lattice()[0] for polygon in polygons)
     if scale is None:
@@ -327,7 +327,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
 
 
 def _near(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
-    """The pairs of edges of different rings whose bounds meet."""
+    """Find the pairs of edges of different rings whose bounds meet."""
     boxes = []
     for k, ring in enumerate(rings):
         for i, (px, py) in enumerate(ring):
@@ -345,7 +345,7 @@ def _near(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[tuple[int, int], 
 
 
 def _find_enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
-    """The pairs of holes of which the bounds of the first lie in those of the second."""
+    """Find the pairs of holes such that the bounds of the second contain those of the first."""
     boxes = []
     for k, ring in enumerate(rings[1:], 1):
         xs, ys = zip(*ring, strict=True)
@@ -370,9 +370,9 @@ def _find_enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int
 def _refuse_parted(
     rings: int, touching: dict[Vertex, set[int]], names: Sequence[str], scale: int
 ) -> None:
-    """Refuse rings whose touching points part the interior.
+    """Refuse rings whose touching points disconnect the interior.
 
-    It falls apart exactly if one can go from ring to ring through touching points in a circle.
+    The interior is disconnected if and only if the graph of rings and touching points has a cycle.
     """
     group = list(range(rings))
 

@@ -1,8 +1,8 @@
-"""Segments on lines: which of them share a piece, decided by exact keys instead of comparisons.
+"""Segments by the keys of their lines, for finding those that share a piece.
 
-Two segments share a piece of positive length only if they lie on one line. A line is named by
-its primitive integer direction (a, b), a > 0 or (0, 1), and by a * y - b * x, so that segments on
-one line meet in a dictionary.
+Two segments share a piece of positive length only if they lie on one line. The key of a line has
+its primitive integer direction (a, b), with a > 0 or (0, 1), and the value a * y - b * x. So a
+dictionary finds segments on the same line.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
 class Segment(NamedTuple):
-    """A segment as the piece low..high of a line, by x, or by y on a vertical line."""
+    """A segment as the range from low to high of a line, by x, or by y on a vertical line."""
 
     direction: Vector
     offset: Rational
@@ -25,7 +25,7 @@ class Segment(NamedTuple):
     high: Rational
 
     def moved(self, t: Vertex) -> Segment:
-        """The segment translated by a vector."""
+        """Return the segment translated by a vector."""
         shift = measure_along(self.direction, t)
         return Segment(
             self.direction,
@@ -40,7 +40,7 @@ class Segment(NamedTuple):
 
 
 def find_direction(edge: Edge) -> Vector:
-    """The primitive direction of an edge, either way round.
+    """Return the primitive direction of an edge; both orientations give the same.
 
     >>> from fractions import Fraction
     >>> find_direction(((0, 0), (Fraction(-1, 2), Fraction(1, 3))))
@@ -51,16 +51,16 @@ def find_direction(edge: Edge) -> Vector:
 
 
 def find_offset(direction: Vector, point: Vertex) -> Rational:
-    """The offset of the line with a direction through a point; an int where it is one.
+    """Return the offset of the line with a direction through a point, as an int if possible.
 
-    It is for all lines of the lattice, also through points that are not on it: and ints are found
-    in dictionaries in a tenth of the time.
+    All lines of the lattice have int offsets, also if the point is not on the lattice. Dictionaries
+    find ints in a tenth of the time.
     """
     return to_int(cross(direction, point))
 
 
 def make_segment(edge: Edge, direction: Vector | None = None) -> Segment:
-    """The segment of an edge, whose direction may be given when it is known."""
+    """Make the segment of an edge; a caller that knows the direction may pass it."""
     if direction is None:
         direction = find_direction(edge)
     first, last = measure_along(direction, edge[0]), measure_along(direction, edge[1])
@@ -68,12 +68,12 @@ def make_segment(edge: Edge, direction: Vector | None = None) -> Segment:
 
 
 def measure_along(direction: Vector, point: Vertex) -> Rational:
-    """The coordinate along a line of that direction: x, or y where the line is vertical."""
+    """Return the coordinate along a line of that direction: x, or y if the line is vertical."""
     return point[0] if direction[0] else point[1]
 
 
 def choose_cover(whole: Segment, pieces: Iterable[tuple[Segment, int]]) -> list[int] | None:
-    """Choose few pieces that cover a segment, all on its line: their numbers, or None.
+    """Choose few pieces on a segment's line that cover it; their numbers, or None.
 
     Cost: O(k log k) for k pieces.
 

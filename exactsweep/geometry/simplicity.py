@@ -10,12 +10,12 @@ from typing import Literal, NamedTuple
 
 from exactsweep.numbers.point import Vertex
 
-# A line as (dx, dy, c): a point (x, y) lies left of it, when dx * y - dy * x > c.
+# A line as (dx, dy, c): a point (x, y) lies left of it if dx * y - dy * x > c.
 _DirectedLine = tuple[int | Fraction, int | Fraction, int | Fraction]
 
 
 class Conflict(NamedTuple):
-    """Two features of a ring that meet: an index of a vertex or edge each."""
+    """Two features of a ring that meet, each by the index of a vertex or an edge."""
 
     kind: Literal["vertices coincide", "vertex touches edge", "edges cross"]
     first: int
@@ -23,14 +23,14 @@ class Conflict(NamedTuple):
 
 
 def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
-    """Find two features of a ring that should not meet and do.
+    """Find two features of a ring that meet though they must not.
 
     Args:
-        ring: at least three integer points, not all on one line, no two neighbours equal, no edge
-            that turns back onto the one before it; collinear vertices may be there.
+        ring: at least three integer points, not all collinear, no two neighbours equal, no edge
+            that turns back onto the edge before it; collinear vertices are allowed.
 
     Returns:
-        None when the ring is simple, otherwise one conflict; edge i runs from vertex i to the next.
+        None if the ring is simple, otherwise one conflict; edge i runs from vertex i to the next.
 
     Cost: O(n log n) comparisons, and moves in the status list.
 
@@ -45,31 +45,31 @@ def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
     return _sweep(ring, order)
 
 
-# A canonical ring that is monotone to the X axis, weakly: its bottom chain runs from the least
-# vertex p to the greatest one q, its top chain from q back to p. As closed graphs over [p.x, q.x]
-# both are intervals at each x, and between the x of two vertices all ends of these are linear. So
+# Let a canonical ring be weakly monotone to the X axis. Its bottom chain runs from the least vertex
+# p to the greatest vertex q, its top chain from q back to p. At each x in [p.x, q.x] each chain is
+# an interval. Between the x of two vertices the ends of the intervals are linear. So
 #
-#     (1)  the ring is simple if, at the x of each vertex but p and q, the whole of the bottom chain
-#          lies below the whole of the top chain;
+#     (1)  the ring is simple if, at the x of each vertex except p and q, the whole interval of the
+#          bottom chain lies below that of the top chain;
 #     (2)  at x in (p.x, q.x), an end of either interval is a vertex or lies inside an edge that is
-#          not vertical; so it is enough that each vertex of one chain lies strictly on its side of
-#          the edge of the other chain above or below it, and, where both have vertices at x, of
-#          each of these: of the other chain's there are two at most, the ends of a wall;
-#     (3)  at p.x the bottom chain has p alone, as the ring turns left there; a vertex of the top
-#          chain at q.x is not above the last edge of the bottom chain, so that (2) refuses it.
+#          not vertical. So it suffices that each vertex of one chain lies strictly on its side of
+#          the edge of the other chain above or below it, and of the other chain's vertices at the
+#          same x, of which there are two at most, the ends of a wall;
+#     (3)  at p.x the bottom chain has p alone, because the ring turns left there. A vertex of the
+#          top chain at q.x is not above the last edge of the bottom chain, so (2) refuses it.
 
 
 def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
-    """Tell that a ring is monotone to the X axis, perhaps with vertical edges, and simple.
+    """Decide whether a ring is both simple and weakly monotone to the X axis.
 
     Args:
-        ring: least vertex first, and a left turn there; no two neighbours equal, no vertex inside a
-            straight edge or a spike.
-        convex: whether all of its turns are to the left. Then it needs no more than to be monotone:
-            a boundary that turns left goes round as often as it goes to the right.
+        ring: the vertices, least first, with a left turn there; no two neighbours equal, no vertex
+            inside a straight edge or a spike.
+        convex: whether all turns are left turns. Then monotonicity suffices: such a boundary winds
+            around once for each run to the right.
 
     Returns:
-        Whether it is both. A ring that is not may be simple.
+        True if the ring is both. A ring that is not monotone may still be simple.
 
     Cost: O(n), two products a vertex; for a convex ring comparisons of x alone.
 
@@ -96,7 +96,7 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
             bx, by = top[k]
         if (bx - ax) * (y - ay) >= (by - ay) * (x - ax):
             return False
-        # The vertex at the near end of a wall has been met by now, that at its far end not yet.
+        # The walk has passed the vertex at the near end of a wall, but not that at its far end.
         if bx == x and k + 1 < len(top) and top[k + 1][0] == x and top[k + 1][1] <= y:
             return False
         px, py = x, y
@@ -105,9 +105,9 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
 
 
 def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
-    """Decide whether x never decreases from the first, least vertex to the greatest.
+    """Decide whether x never decreases to the greatest vertex and never increases on the way back.
 
-    Nor increase on the way back. Cost: O(n).
+    The walk begins at the first vertex, which is the least. Cost: O(n).
     """
     right = ring.index(max(ring))
     xs = [x for x, _ in ring]
@@ -116,11 +116,10 @@ def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
 
 
 def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
-    """Sweep distinct vertices in lexicographic order, which stands for a line tilted a little.
+    """Sweep distinct vertices in lexicographic order, as by a slightly tilted vertical line.
 
-    The status holds the edges that cross the line, bottom to top, and no two that were ever
-    neighbours in it meet; this is invariant. So whatever meets at the next vertex is found there
-    or was before.
+    The status holds the edges that cross the line, bottom to top. Invariant: no two edges that were
+    ever neighbours in it meet. So features that meet at the next vertex are found there or earlier.
     """
     n = len(ring)
     lines = [_line(ring[i], ring[(i + 1) % n]) for i in range(n)]
@@ -133,7 +132,7 @@ def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
             middle = (low + high) // 2
             edge = status[middle]
             if edge in (before, after):
-                # v is its end.
+                # v is the end of the edge.
                 low = middle
                 break
             dx, dy, c = lines[edge]
@@ -147,7 +146,7 @@ def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
         previous_ends = ring[before] < point
         next_ends = ring[(v + 1) % n] < point
         if previous_ends and next_ends:
-            # Both edges end here and are neighbours: whatever parted them would meet them here.
+            # Both edges end here and are neighbours: an edge between them would meet them here.
             if low and status[low - 1] in (before, after):
                 low -= 1
             del status[low : low + 2]

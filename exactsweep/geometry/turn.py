@@ -1,10 +1,10 @@
-"""Turns of the plane: exact ones, and rational ones as near an angle as one likes.
+"""Turns of the plane: exact turns, and rational turns arbitrarily near an angle.
 
 (1) The cosine and the sine of a rational number of degrees are both rational for multiples of 90
-    only (Niven); every other turn with both rational is given by them.
+    only (Niven). Every other rational turn is given by its cosine and sine.
 (2) With t = tan(a/2), ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2)) is the point of the unit circle at
-    the angle a. A step of t is a step of at most twice its length along the circle. So an interval
-    for the tangent, which interval arithmetic proves, bounds how far a rational turn is off.
+    the angle a. A step of t moves this point by at most twice the step. So an interval for the
+    tangent, which interval arithmetic proves, bounds the error of a rational turn.
 (3) A turn that is off by e on the unit circle moves a point at distance r from the origin to a
     place at most e r from where the true turn moves it.
 """
@@ -29,14 +29,14 @@ from exactsweep.numbers.number import (
 from exactsweep.numbers.point import Point
 
 TURN_BITS = 64
-"""An irrational turn is off by at most 2**-64, where nothing else is asked for."""
+"""The default precision: a rational turn near an irrational one is off by at most 2**-64."""
 
 _ZERO, _ONE = Fraction(0), Fraction(1)
 _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
 
 
 class RationalTurn(NamedTuple):
-    """The cosine and the sine of a turn, and how far they are from the turn that was asked for.
+    """The cosine and the sine of a turn, and the distance from the requested turn.
 
     Attributes:
         cosine: a Fraction.
@@ -55,14 +55,14 @@ class Turn:
 
     Attributes:
         degrees: at least 0 and less than 360; None for a turn that only its cosine and sine give.
-        exact: the cosine and the sine, where these are rational, else None.
+        exact: the cosine and the sine, if these are rational, else None.
     """
 
     degrees: Fraction | None
     exact: tuple[Fraction, Fraction] | None
 
     def near(self, bits: int = TURN_BITS) -> RationalTurn:
-        """Return a rational turn off by at most 2**-bits; the turn itself, where it is rational.
+        """Return a rational turn off by at most 2**-bits; the turn itself, if it is rational.
 
         Cost: O(bits^2); computed once for each number of bits.
 
@@ -105,10 +105,10 @@ def read_turn(by: object) -> Turn:
             length, such as (3, 4) or, the same, ("3/5", "4/5").
 
     Returns:
-        A Turn; equal turns are equal, whichever way they are given.
+        A Turn. Turns are equal if they are the same turn, in whatever form they are given.
 
     Raises:
-        NumberError: a direction of irrational length; no number.
+        NumberError: a direction of irrational length, or not a number.
 
     >>> read_turn((0, 2)) == read_turn("-270"), read_turn((3, 4)).exact
     (True, (Fraction(3, 5), Fraction(4, 5)))
@@ -154,7 +154,7 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
         return RationalTurn(*_QUARTERS[quarter], _ZERO)
     off = Fraction(1, 2 ** (bits + 1))
     low, high = bound_half_tangent(rest, bits + 4)
-    # Nothing strictly between these is farther than `off` from anything in [low, high].
+    # Any number strictly between these is within `off` of every number in [low, high].
     (a, b), (c, d) = (t.as_integer_ratio() for t in (high - off, low + off))
     q, p = find_simplest_fraction(max(a, 0), b if a > 0 else 1, c, d)
     return RationalTurn(*_to_circle(Fraction(p, q), quarter), 2 * off)
@@ -165,7 +165,7 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
 
     Args:
         degrees: the angle.
-        allowed: how far it may be from the point at exactly that angle.
+        allowed: the greatest distance from the point at exactly that angle.
 
     Returns:
         A Point of the circle.
@@ -179,7 +179,7 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
 
 
 def _to_circle(t: Fraction, quarters: int) -> Point:
-    """The point of the circle for the tangent of half an angle, turned by some quarters."""
+    """Return the point of the circle for a half-angle tangent, turned by some quarter turns."""
     c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
     for _ in range(quarters):
         c, s = -s, c
@@ -187,7 +187,7 @@ def _to_circle(t: Fraction, quarters: int) -> Point:
 
 
 def _round_half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
-    """Find a decimal that is no farther from the tangent of half the angle than allowed."""
+    """Find a decimal within the allowed distance of the tangent of half the angle."""
     digits = 3
     while allowed * 10**digits < 4:
         digits += 1
@@ -201,8 +201,8 @@ def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction
     """Bound the tangent of half an angle from both sides, by interval arithmetic.
 
     Args:
-        degrees: from 0 to 90.
-        bits: the bounds differ by at most 2**-bits.
+        degrees: an angle from 0 to 90.
+        bits: the precision; the bounds differ by at most 2**-bits.
 
     Returns:
         The lower and the upper bound.

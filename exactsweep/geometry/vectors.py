@@ -1,25 +1,46 @@
 """Differences, cross products and turns of vectors, and points on segments."""
 
+from functools import cmp_to_key
+from typing import overload
+
 from exactsweep.numbers.point import Rational, Vertex
 
 
+@overload
+def minus(p: tuple[int, int], q: tuple[int, int]) -> tuple[int, int]: ...
+@overload
+def minus(p: Vertex, q: Vertex) -> Vertex: ...
 def minus(p: Vertex, q: Vertex) -> Vertex:
-    """The vector from q to p."""
+    """Return the vector from q to p."""
     return p[0] - q[0], p[1] - q[1]
 
 
 def cross(u: Vertex, v: Vertex) -> Rational:
-    """The cross product, positive if v is to the left of u."""
+    """Return the cross product, positive if v is to the left of u."""
     return u[0] * v[1] - u[1] * v[0]
 
 
 def turn(p: Vertex, q: Vertex, r: Vertex) -> Rational:
-    """Twice the area of a triangle, positive if r is to the left of the line from p to q."""
+    """Return twice the area of a triangle, positive if r is left of the line from p to q."""
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
+def compare_angles(u: Vertex, v: Vertex) -> int:
+    """Compare two directions, counter-clockwise from that of the X axis: -1, 0 or 1.
+
+    >>> compare_angles((1, 0), (0, -1)), compare_angles((-1, 2), (-2, 4))
+    (-1, 0)
+    """
+    halves = ((u[1], u[0]) < (0, 0)) - ((v[1], v[0]) < (0, 0))
+    return halves or (cross(v, u) > 0) - (cross(v, u) < 0)
+
+
+way_key = cmp_to_key(compare_angles)
+"""Sorts directions as `compare_angles` compares them."""
+
+
 def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is on a segment, its ends included.
+    """Decide whether a point is on a segment, ends included.
 
     >>> [is_on_segment(point, (2, 2), (0, 0)) for point in [(0, 0), (1, 1), (3, 3), (1, 0)]]
     [True, True, False, False]
@@ -29,7 +50,7 @@ def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
 
 
 def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is inside a segment, its ends left out.
+    """Decide whether a point is inside a segment, ends excluded.
 
     >>> [is_between((x, x), (0, 0), (2, 2)) for x in (0, 1, 2)]
     [False, True, False]

@@ -1,4 +1,4 @@
-"""Whole layouts: parts placed in a container, judged exactly."""
+"""Exact judgements of layouts: parts placed in a container."""
 
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.judge import Judgement, judge_layout

@@ -1,10 +1,10 @@
-"""The solids of a layout: placed parts, the outside and the defects, as fine as needed."""
+"""The solids of a layout: placed parts, the outside and the defects, in the needed precision."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from math import ceil, floor, lcm
 from typing import Any
 
@@ -37,44 +37,36 @@ class Board:
         layout: a Layout.
 
     Attributes:
-        placed: the numbers of the placements whose parts are simple.
+        placed: the numbers of the placements of simple parts.
     """
 
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
         self._regions = {part.id: part.region for part in layout.parts if part.region is not None}
         self.placed = [k for k, one in enumerate(layout.placements) if one.part in self._regions]
-        self._bases: dict[str, tuple[int, LatticeForm]] = {}
+        self.base = cache(self._put_on_lattice)
+        self._placed = cache(self._place)
         self._forms: dict[tuple[str, Turn, bool, int], LatticeForm] = {}
-        self._solids: dict[tuple[int, int], Solid] = {}
 
     def turned(self, k: int, bits: int = TURN_BITS) -> Region:
         """Return the part of a placement, mirrored and turned by a rational turn, not moved."""
         placement = self.layout.placements[k]
-        region = self._regions[placement.part]
-        cosine, sine, _ = placement.turn.near(bits)
-        across = -1 if placement.mirrored else 1
-        return region._image(AffineMap(across * cosine, -sine, across * sine, cosine))
+        return self._regions[placement.part]._image(AffineMap(*placement.rows(bits)))
 
-    def base(self, part: str) -> tuple[int, LatticeForm]:
-        """Return a part on its own lattice, and the scale of that."""
-        found = self._bases.get(part)
-        if found is None:
-            found = self._bases[part] = make_form(self._regions[part])
-        return found
+    def _put_on_lattice(self, part: str) -> tuple[int, LatticeForm]:
+        """Return a part on its own lattice, and the scale of the lattice."""
+        return make_form(self._regions[part])
 
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
-        """The linear map of a placement as ints, and what they are divided by."""
-        placement = self.layout.placements[k]
-        cosine, sine, _ = placement.turn.near(bits)
-        denominator = lcm(cosine.denominator, sine.denominator)
-        c = cosine.numerator * (denominator // cosine.denominator)
-        s = sine.numerator * (denominator // sine.denominator)
-        return denominator, (-c, -s, -s, c) if placement.mirrored else (c, -s, s, c)
+        """Return the linear map of a placement as ints with a common denominator."""
+        rows = self.layout.placements[k].rows(bits)
+        denominator = lcm(*(number.denominator for number in rows))
+        a, b, c, d = (put_on_lattice(number, denominator) for number in rows)
+        return denominator, (a, b, c, d)
 
     @cached_property
     def _scale(self) -> int | None:
-        """The scale of the lattice that all solids share, if there is one."""
+        """Return the scale of the lattice that all solids share, if there is one."""
         layout, placements = self.layout, self.layout.placements
         kinds = {(placements[k].part, placements[k].turn): k for k in self.placed}
         scales = {
@@ -88,11 +80,8 @@ class Board:
         return None if scale is None or scale.bit_length() > _SHARED_BITS else scale
 
     def solid(self, k: int, bits: int = TURN_BITS) -> Solid:
-        """Return the solid of a placement, of which the turn is off by at most 2**-bits."""
-        found = self._solids.get((k, bits))
-        if found is None:
-            found = self._solids[k, bits] = self._place(k, bits)
-        return found
+        """Return the solid of a placement, with a turn off by at most 2**-bits."""
+        return self._placed(k, bits)
 
     def _place(self, k: int, bits: int) -> Solid:
         placement = self.layout.placements[k]
@@ -103,13 +92,11 @@ class Board:
         form = self._forms.get(key)
         if form is None:
             own, base = self.base(part)
-            denominator, matrix = self._turn(k, bits)
-            factor = scale // (own * denominator)
-            a, b, c, d = matrix
-            form = base.mapped((a * factor, b * factor, c * factor, d * factor))
-            self._forms[key] = form
+            denominator, (a, b, c, d) = self._turn(k, bits)
+            by = scale // (own * denominator)
+            form = self._forms[key] = base.mapped((a * by, b * by, c * by, d * by))
         if shared is None:
-            # Moves have denominators of their own.
+            # Moves may have other denominators.
             finer = lcm_within((scale, x.denominator, y.denominator)) or scale
             form, scale = form.scaled(finer // scale), finer
         slack = _NONE
@@ -119,7 +106,7 @@ class Board:
 
     @cached_property
     def frame(self) -> tuple[int, int, int, int]:
-        """A rectangle that holds all with room to spare: left, low, right, high."""
+        """A rectangle with room around everything: left, low, right, high."""
         low, high = self.layout.container.bounding_box
         xs, ys = [floor(low.x), ceil(high.x)], [floor(low.y), ceil(high.y)]
         slack = _NONE
@@ -130,7 +117,7 @@ class Board:
             ys += (bottom // scale, -(-top // scale))
             if solid.slack:
                 slack = max(slack, solid.slack)
-        # A nearer turn may be off to the other side.
+        # A more precise turn may err to the other side.
         room = ceil(self.layout.margin + 2 * slack) + _ROOM
         return min(xs) - room, min(ys) - room, max(xs) + room, max(ys) + room
 
@@ -153,7 +140,7 @@ class Board:
 
     @cached_property
     def _room(self) -> LatticeBox | None:
-        """The box in which parts are inside a container that is a rectangle."""
+        """The box of a rectangular container without the margin, in which parts are inside."""
         low, high = self.layout.container.bounding_box
         if self._scale is None or len(self.layout.container.exterior) > 4:
             return None
@@ -168,7 +155,7 @@ class Board:
         )
 
     def is_clear(self, k: int) -> bool:
-        """Decide from a box alone whether a placed part is inside the container by the margin."""
+        """Decide from its box alone whether a part keeps the margin inside the container."""
         solid = self.solid(k)
         if self._room is None or solid.slack:
             return False
@@ -188,7 +175,7 @@ class Board:
 
     @cached_property
     def unit(self) -> int:
-        """The scale on which boxes are compared: that of the lattice, or fine enough."""
+        """The scale for comparisons of boxes: that of the lattice, or a fine one."""
         return self._scale or ceil(1024 / self.grain)
 
     def list_near(self, reach: Fraction) -> Iterator[tuple[int, int]]:
@@ -200,7 +187,7 @@ class Board:
 
 
 def _enlarge(solid: Solid, unit: int) -> LatticeBox:
-    """The box of a solid in a unit, with room for its slack."""
+    """Return the box of a solid in a unit, enlarged by its slack."""
     left, right, low, high = solid.box
     if solid.scale == unit and not solid.slack:
         return left, right, low, high

@@ -1,29 +1,30 @@
 """Certificates of layouts, as `check/CERTIFICATES.md` describes them.
 
-The judge's faults are the claim. A checker needs more, in order to add up: convex pieces, a normal
-for each pair of pieces whose boxes are not far enough apart, and a witness for each fault.
+The judge's faults are the claim. The checker also needs convex pieces, a normal for each pair of
+pieces whose boxes are not far enough apart, and a witness for each fault.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import combinations, pairwise
+from itertools import chain, combinations, pairwise
 from typing import Any
 
+from exactsweep.geometry.convex import ConvexRing, IntVertex
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.turn import TURN_BITS
-from exactsweep.geometry.vectors import turn
+from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.layout import LayoutPart
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
-from exactsweep.layout.pieces import ConvexRing, IntVertex, bound_piece
+from exactsweep.layout.pieces import bound_piece
 from exactsweep.layout.reading import LayoutError
 from exactsweep.layout.solid import LatticeBox, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.plain import to_plain
 from exactsweep.numbers.point import Point
 
 FORMAT, VERSION = "exactsweep certificate", 2
@@ -33,15 +34,14 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
     """Write the certificate of a layout.
 
     Args:
-        board: its solids.
-        faults: what the judge found; none for a valid layout.
+        board: the solids of the layout.
+        faults: the faults that the judge found; none for a valid layout.
 
     Returns:
         Plain JSON data.
 
     Raises:
-        LayoutError: nothing that is wrong can be proved: all is undecided, or a hole of a part is
-            not inside it.
+        LayoutError: no fault has a proof, because all are undecided, or holes outside their part.
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
@@ -53,37 +53,35 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
         bits *= 2
     if not proof:
         raise LayoutError("nothing that is wrong with the layout has a proof: no certificate")
-    layout = board.layout
-    return {
+    certificate = {
         "format": FORMAT,
         "version": VERSION,
         "kind": "layout",
-        "layout": layout.to_json(),
+        "layout": board.layout.to_json(),
         "valid": not faults,
-        "turns": [[_write(c) for c in p.turn.near(bits)[:2]] for p in layout.placements],
-        "frame": [_write(c) for c in board.frame],
-        **proof,
+        "turns": [placement.turn.near(bits)[:2] for placement in board.layout.placements],
+        "frame": [*map(Fraction, board.frame)],
     }
+    return to_plain(certificate | proof)
 
 
 def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
-    """The pieces and normals; None if the turns are not near enough."""
+    """Find the pieces and normals; None if the turns are not near enough."""
     apart: list[list[Any]] = []
-    for found in (_part_placements(board, bits), _part_container(board, bits)):
-        for entry in found:
-            if entry is None:
-                return None
-            apart.append(entry)
+    for entry in chain(_part_placements(board, bits), _part_container(board, bits)):
+        if entry is None:
+            return None
+        apart.append(entry)
     return {
-        "pieces": [_write_pieces(board, part) for part in board.layout.parts],
-        "outside": _write_outside(board),
+        "pieces": [_list_pieces(board, part) for part in board.layout.parts],
+        "outside": _list_outside(board),
         "apart": apart,
         "faults": [],
     }
 
 
 def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
-    """An entry for each near pair of placements, or for each near pair of their pieces."""
+    """Make an entry for each near pair of placements, or for each near pair of their pieces."""
     spacing = board.layout.spacing
     for k, j in board.list_near(spacing):
         a, b = share_scale(board.solid(k, bits), board.solid(j, bits))
@@ -100,7 +98,7 @@ def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 
 def _part_container(board: Board, bits: int) -> Iterator[list[Any] | None]:
-    """An entry for each piece of the outside and each piece of a placement that is near."""
+    """Make an entry for each piece of the outside and each near piece of a placement."""
     for k in board.placed:
         first = 0
         for wall in board.around:
@@ -114,7 +112,7 @@ def _part_container(board: Board, bits: int) -> Iterator[list[Any] | None]:
 def _part_pieces(
     a: Solid, b: Solid, distance: Fraction
 ) -> Iterator[tuple[int, int, IntVertex | None]]:
-    """The numbers of the pieces that need a normal, and the normal, if there is one."""
+    """Find the pairs of pieces that need a normal, with the normal, if there is one."""
     theirs = [
         (h, piece, box)
         for h, piece in enumerate(b.pieces)
@@ -145,7 +143,7 @@ def _are_apart(one: LatticeBox, other: LatticeBox, distance: Fraction) -> bool:
 
 
 def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> dict[str, Any] | None:
-    """The faults with their witnesses; None if the turns are not near enough for one."""
+    """Find the witnesses of the faults; None if the turns are not near enough for one."""
     proved: list[dict[str, Any]] = []
     parts: set[str] = set()
     for fault in faults:
@@ -166,23 +164,13 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> dict[str,
             elif bits < MOST_BITS:
                 return None
     walled = any(len(entry.get("placements", ())) == 1 for entry in proved)
-    return (
-        {
-            "pieces": [
-                _write_pieces(board, part) if part.id in parts else None
-                for part in board.layout.parts
-            ],
-            "outside": _write_outside(board) if walled else None,
-            "apart": [],
-            "faults": proved,
-        }
-        if proved
-        else None
-    )
+    pieces = [_list_pieces(board, p) if p.id in parts else None for p in board.layout.parts]
+    outside = _list_outside(board) if walled else None
+    return {"pieces": pieces, "outside": outside, "apart": [], "faults": proved} if proved else None
 
 
 def _find_proof(board: Board, fault: Fault, bits: int) -> dict[str, Any] | None:
-    """The witness of an overlap, of a part outside, or of a gap that is too small."""
+    """Find the witness of an overlap, of a part outside, or of a gap that is too small."""
     a, b = fault.find_pair(bits)
     alone = len(fault.placements) == 1
     first = sum(len(wall.form.pieces) for wall in board.around[: fault.wall]) if alone else 0
@@ -203,25 +191,22 @@ def _find_proof(board: Board, fault: Fault, bits: int) -> dict[str, Any] | None:
         "kind": fault.kind,
         "placements": list(fault.placements),
         "pieces": [i, first + j],
-        "points": [_write_point(point) for point in points],
+        "points": points,
     }
 
 
 def _find_piece(solid: Solid, point: Point) -> int:
-    """The number of a piece that has a point inside or on its boundary."""
+    """Find a piece with a point inside or on its boundary, and return its number."""
     x, y = point.x * solid.scale, point.y * solid.scale
     return next(
         k
         for k, piece in enumerate(solid.pieces)
-        if all(
-            (bx - ax) * (y - ay) >= (by - ay) * (x - ax)
-            for (ax, ay), (bx, by) in pairwise((*piece, piece[0]))
-        )
+        if all(turn(a, b, (x, y)) >= 0 for a, b in pairwise((*piece, piece[0])))
     )
 
 
 def _find_clash(part: LayoutPart) -> list[list[int]] | None:
-    """Two edges that keep a ring from being simple, or two of different rings that cross."""
+    """Find two edges of a ring that meet, or two edges of different rings that cross."""
     rings = [
         list(pairwise((*ring, ring[0])))
         for ring in (
@@ -235,7 +220,7 @@ def _find_clash(part: LayoutPart) -> list[list[int]] | None:
         for (i, one), (k, other) in combinations(enumerate(edges), 2):
             if k - i in (1, len(edges) - 1):
                 (a, b), (_, c) = (one, other) if k - i == 1 else (other, one)
-                ux, uy, vx, vy = a.x - b.x, a.y - b.y, c.x - b.x, c.y - b.y
+                (ux, uy), (vx, vy) = minus(a, b), minus(c, b)
                 clash = ux * vy == uy * vx and ux * vx + uy * vy > 0
             else:
                 clash = touch(*one, *other) != []
@@ -249,26 +234,15 @@ def _find_clash(part: LayoutPart) -> list[list[int]] | None:
     return None
 
 
-def _write_pieces(board: Board, part: LayoutPart) -> list[Any]:
+def _list_pieces(board: Board, part: LayoutPart) -> list[list[Point]]:
     assert part.region is not None
     scale, form = board.base(part.id)
-    return _write_rings(form.pieces, scale)
+    return _leave(form.pieces, scale)
 
 
-def _write_outside(board: Board) -> list[Any]:
-    return [ring for wall in board.around for ring in _write_rings(wall.form.pieces, wall.scale)]
+def _list_outside(board: Board) -> list[list[Point]]:
+    return [ring for wall in board.around for ring in _leave(wall.form.pieces, wall.scale)]
 
 
-def _write_rings(pieces: Sequence[ConvexRing], scale: int) -> list[list[list[str]]]:
-    return [
-        [_write_point(Point(Fraction(x) / scale, Fraction(y) / scale)) for x, y in piece]
-        for piece in pieces
-    ]
-
-
-def _write_point(point: Point) -> list[str]:
-    return [_write(c) for c in point]
-
-
-def _write(value: Fraction | int) -> str:
-    return format_fraction(Fraction(value))
+def _leave(pieces: Sequence[ConvexRing], scale: int) -> list[list[Point]]:
+    return [[Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in p] for p in pieces]

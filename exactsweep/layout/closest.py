@@ -18,8 +18,8 @@ class NearestPair(NamedTuple):
 
     Attributes:
         square: the squared distance, 0 for parts that touch or overlap.
-        placements: their numbers.
-        points: the nearest point of each; for parts that overlap one that is inside both.
+        placements: the numbers of the two placements.
+        points: the nearest point of each part; for parts that overlap, a point inside both.
     """
 
     square: Fraction
@@ -28,19 +28,19 @@ class NearestPair(NamedTuple):
 
 
 def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> NearestPair | None:
-    """Find the two placed parts of a board, none of which overlap, that are nearest to each other.
+    """Find the two nearest placed parts of a board without overlaps.
 
-    Pairs whose boxes meet are looked at first, and then those whose boxes are nearer than the best
-    of these.
+    The search examines pairs whose boxes meet, and then pairs whose boxes are nearer than the best
+    pair so far.
 
     Args:
         board: the solids.
-        touching: two placements whose parts touch, if any do.
+        touching: two placements whose parts touch, if there are any.
 
     Returns:
         A NearestPair; None if fewer than two parts are placed.
 
-    Cost: that of finding the pairs whose boxes are so near, and of `find_gap` for each.
+    Cost: that of finding the pairs with near boxes, and of `find_gap` for each.
     """
     if touching is not None:
         return _find_best(board, [touching], None)
@@ -60,7 +60,7 @@ def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> Nearest
 def _find_best(
     board: Board, pairs: Iterable[tuple[int, int]], best: NearestPair | None
 ) -> NearestPair:
-    """The nearest pair among some, or the best one known, if none is nearer."""
+    """Find the nearest of some pairs; the best known pair, if no other is nearer."""
     for k, j in pairs:
         if best is not None and best.square == 0:
             break
@@ -73,7 +73,7 @@ def _find_best(
 
 
 def _bound(a: Solid, b: Solid) -> Fraction:
-    """More than the squared distance of two solids."""
+    """Return an upper bound of the squared distance of two solids."""
     (ax, ay), (bx, by) = a.form.rings[0][0], b.form.rings[0][0]
     dx, dy = ax + a.x - bx - b.x, ay + a.y - by - b.y
     return Fraction(dx * dx + dy * dy + 1) / a.scale**2

@@ -1,8 +1,8 @@
-"""The usual mistakes behind a layout that is wrong as a whole: another convention of placements.
+"""Other conventions of placements that would explain a layout with many faults.
 
-Each convention makes another exact layout of the same numbers, which is judged. A turn R about a
-center c is R (P - c) + c + t: parts are shifted, and moves with them, so that no angle needs to be
-rational.
+Each convention makes another exact layout of the same numbers, and the judge judges it. A turn R
+about a center c is R (P - c) + c + t. So the layout shifts parts, and moves with them, and no angle
+needs to be rational.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from exactsweep.layout.layout import Layout, LayoutPart, Placement
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Point
 
-# A layout is wrong as a whole if at least so many placements are at fault, and one in so many, but
-# no more than can be judged again and again. A convention is named if it leaves no more than one in
-# so many of the faults, and so many conventions at most.
+# A diagnosis needs a least number of placements with faults, a least share of them, and not more
+# than can be judged repeatedly. It names a convention that leaves at most a given share of the
+# faults, and at most a given number of conventions.
 _FEW, _SHARE, _MANY, _LEFT, _NAMED = 2, 8, 1000, 10, 3
-# Degrees of a radian, off by less than 10**-45.
+# The degrees of a radian, with an error of less than 10**-45.
 _DEGREES = Fraction("57.2957795130823208767981548141051703324054724665643")
 _NEARLY = Fraction(1, 10**4)
 _SCALES = (
@@ -40,11 +40,11 @@ def diagnose(judgement: Judgement) -> list[str]:
     """Find the conventions by which a layout would have nearly no overlap and nothing outside.
 
     Args:
-        judgement: of the layout as it is.
+        judgement: the judgement of the layout as written.
 
     Returns:
-        list of sentences, the convention first that leaves the fewest faults; empty where few
-        placements are at fault, or no convention explains it.
+        list of sentences, beginning with the convention that leaves the fewest faults. The list is
+        empty if few placements have faults, or no convention explains them.
 
     Cost: that of `judge_layout` for each of some thirty conventions, if many are at fault.
     """
@@ -65,7 +65,7 @@ def _count_faults(judgement: Judgement) -> int:
 
 
 def _apply(layout: Layout, change: Convention) -> Layout:
-    """Make the layout that is meant; what is changed alike is one part."""
+    """Make the layout under a convention; placements that change alike share a part."""
     parts: dict[LayoutPart, str] = {}
     placements = []
     for placement in layout.placements:
@@ -112,9 +112,9 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
 
 
 def _from_radians(angle: Fraction) -> Fraction:
-    """Return degrees; whole ones where the digits of the radians may mean these.
+    """Convert radians to degrees; to whole degrees if the digits of the radians allow it.
 
-    The angle is from 0 to 360; one beyond 180 was negative.
+    The angle is from 0 to 360; an angle beyond 180 was negative.
     """
     degrees = (angle if angle <= 180 else angle - 360) * _DEGREES
     return Fraction(round(degrees)) if abs(degrees - round(degrees)) < _NEARLY else degrees
@@ -127,7 +127,7 @@ def _turn(p: Placement, by: Callable[[Fraction], Fraction]) -> Placement:
 
 
 def _shift_by(find: Callable[[LayoutPart], Point], *, move: bool) -> Convention:
-    """Put the origin of parts somewhere else; if moves go with it, parts turn about that."""
+    """Move the origin of parts elsewhere; if moves follow it, parts turn about the new origin."""
 
     def change(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
         at = find(part)
@@ -143,12 +143,11 @@ def _move_first(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
 
 
 def _from_turned_corner(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
-    """Put the corner of the turned part's box where the move says, where the turn is exact."""
+    """Place the corner of the turned part's box by the move, if the turn is exact."""
     if p.turn.exact is None:
         return part, p
-    c, s = p.turn.exact
-    across = -1 if p.mirrored else 1
-    corners = [(c * across * x - s * y, s * across * x + c * y) for x, y in part.exterior]
+    a, b, c, d = p.rows()
+    corners = [(a * x + b * y, c * x + d * y) for x, y in part.exterior]
     x, y = (min(values) for values in zip(*corners, strict=True))
     return part, replace(p, move=Point(p.move.x - x, p.move.y - y))
 

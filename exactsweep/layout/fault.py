@@ -1,4 +1,4 @@
-"""Faults of layouts: what is wrong, which placements, what proves it, and how bad it is."""
+"""Faults of layouts: their kinds, placements, proofs and measures."""
 
 from __future__ import annotations
 
@@ -6,12 +6,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
 from exactsweep.geometry.distance import find_foot
 from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.layout.verdict import find_witness
-from exactsweep.numbers.number import abridge, format_fraction
+from exactsweep.numbers.number import abridge
+from exactsweep.numbers.plain import to_plain
 from exactsweep.numbers.point import Point
 from exactsweep.sweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.words import count, write_pair
@@ -23,29 +25,29 @@ if TYPE_CHECKING:
 FaultKind = Literal[
     "overlap", "outside", "too close", "missing", "surplus", "turn", "mirror", "shape", "undecided"
 ]
-"""What may be wrong, the worst first."""
+"""The kinds of faults, the worst first."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """Something wrong with a layout.
+    """A fault of a layout.
 
     Attributes:
         kind: "overlap": two placed parts overlap; "outside": a placed part is not inside the
             container, or overlaps a defect; "too close": two placed parts are nearer than the
             spacing, or one is nearer than the margin to the boundary of the container or of a
-            defect; "missing", "surplus": there are fewer or more placements of a part than its
-            demand; "turn", "mirror": a placement is turned or mirrored as its part may not be;
-            "shape": a part is not simple, so that its placements are not judged; "undecided": turns
-            by an angle without a rational turn decide nothing within the bound.
+            defect; "missing", "surplus": a part has fewer or more placements than its demand;
+            "turn", "mirror": a placement has a turn or a mirroring that its part forbids; "shape":
+            a part is not simple, so its placements are not judged; "undecided": an angle without a
+            rational turn leaves the verdict open within the bound.
         placements: the numbers of the placements, ascending.
         part: the id of the part, for "missing", "surplus" and "shape".
-        reason: the refusal of a part that is not simple, or what is undecided.
-        number: how many placements are missing, or are too many.
-        distance_squared: for "too close".
-        bound: how far off the placed parts may be because of angles that have no rational turn; 0
-            if all turns are exact. What proves a fault holds for the true turns, whatever it is;
-            `move` may be off by the bound.
+        reason: the refusal of a part that is not simple, or the undecided question.
+        number: the number of missing or surplus placements.
+        distance_squared: the squared distance, for "too close".
+        bound: the greatest error of the placed parts because of angles that have no rational turn;
+            0 if all turns are exact. The proof of a fault holds for the true turns; `move` may be
+            off by the bound.
     """
 
     kind: FaultKind
@@ -62,16 +64,16 @@ class Fault:
 
     @property
     def wall(self) -> int:
-        """The solid that one placement is wrong with: 0 the outside, k the defect k - 1."""
+        """The obstacle of a fault with one placement: 0 for the outside, k for defect k - 1."""
         return self._wall
 
     @cached_property
     def points(self) -> tuple[Point, ...]:
-        """The points that prove it.
+        """The points that prove the fault.
 
-        "overlap": a point inside both parts. "outside": a point inside the part that is outside of
-        the container or inside a defect. "too close": the two nearest points, the second one of the
-        other part, of the container's boundary or of a defect. None for any other kind.
+        "overlap": a point inside both parts. "outside": a point inside the part that is outside the
+        container or inside a defect. "too close": the two nearest points, the second one on the
+        other part, on the container's boundary or on a defect. Other kinds have no points.
         """
         if self.kind not in ("overlap", "outside"):
             return self._nearest
@@ -81,9 +83,9 @@ class Fault:
         return (found.point,)
 
     def find_pair(self, bits: int) -> tuple[Solid, Solid]:
-        """Return the two solids that a fault is about, on one lattice.
+        """Return the two solids of a fault, on one lattice.
 
-        The second one of a fault with one placement is the outside or a defect.
+        For a fault with one placement, the second solid is the outside or a defect.
         """
         board = self._board
         assert board is not None
@@ -96,11 +98,11 @@ class Fault:
     def move(self) -> Point | None:
         """The shortest move that repairs an "overlap" or "outside"; else None.
 
-        For an overlap it frees the last of the placements from the first, whatever else is around.
-        For a part outside it moves it into the container, free of defects; None where it does not
-        fit in at all, as it is turned.
+        For an overlap, the move frees the last placement from the first, without regard to other
+        parts. For a part outside, it moves the part into the container, free of defects; it is None
+        if the part, with its turn, does not fit in.
 
-        Cost: that of `no_fit_polygon` or of `inner_fit_polygon`, when it is first read.
+        Cost: that of `no_fit_polygon` or of `inner_fit_polygon`, on first access.
         """
         if self.kind not in ("overlap", "outside"):
             return None
@@ -118,11 +120,7 @@ class Fault:
             at = Point(at.x - there.x, at.y - there.y)
             no_fit = no_fit_polygon(stationary=fixed, orbiting=moved)
             loops, fits = [no_fit.exterior, *no_fit.holes], no_fit.exact_fits
-        edges = [
-            (a, b)
-            for loop in loops
-            for a, b in zip(loop.vertices, (*loop.vertices[1:], loop.vertices[0]), strict=True)
-        ]
+        edges = [(a, b) for loop in loops for a, b in pairwise((*loop.vertices, loop.vertices[0]))]
         moves = [
             Point(foot.x - at.x, foot.y - at.y)
             for foot in (find_foot(at, edge) for edge in (*edges, *fits))
@@ -136,22 +134,17 @@ class Fault:
 
     def to_json(self) -> dict[str, Any]:
         """Write the fault as plain JSON data, numbers as strings."""
-        data: dict[str, Any] = {"kind": self.kind, "placements": list(self.placements)}
-        if self.part is not None:
-            data["part"] = self.part
-        if self.reason:
-            data["reason"] = self.reason
-        if self.number:
-            data["number"] = self.number
-        if self.points:
-            data["points"] = [[format_fraction(c) for c in point] for point in self.points]
-        if self.distance_squared is not None:
-            data["distance_squared"] = format_fraction(self.distance_squared)
-        if self.move is not None:
-            data["move"] = [format_fraction(c) for c in self.move]
-        if self.bound:
-            data["bound"] = format_fraction(self.bound)
-        return data
+        found = {
+            "part": self.part,
+            "reason": self.reason or None,
+            "number": self.number or None,
+            "points": self.points or None,
+            "distance_squared": self.distance_squared,
+            "move": self.move,
+            "bound": self.bound or None,
+        }
+        given = {name: value for name, value in found.items() if value is not None}
+        return to_plain({"kind": self.kind, "placements": self.placements, **given})
 
     def __str__(self) -> str:
         named = " and ".join(map(str, self.placements))

@@ -1,8 +1,9 @@
-"""Layouts judged, exactly: valid, or what is wrong with them.
+"""The exact judge of layouts.
 
-A layout is valid if every placed part lies in the container, as closed sets; no two interiors meet;
-any two are at least the spacing apart, and at least the margin from the boundary of the container
-and of its defects; demand, turns and mirroring are as allowed; and all parts are simple.
+A layout is valid if it meets all of these conditions: every placed part, as a closed set, lies in
+the container; no two interiors meet; any two parts are at least the spacing apart; every part is at
+least the margin from the boundary of the container and of its defects; demand, turns and mirroring
+obey the rules; and all parts are simple.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from exactsweep.words import count
 
 
 class Judgement:
-    """The faults of a layout, and more that is found when it is first read; see `judge_layout`.
+    """The faults of a layout, and measures that are computed on first access; see `judge_layout`.
 
     Attributes:
         layout: the Layout.
@@ -53,8 +54,8 @@ class Judgement:
         """Return plain JSON data that prove the verdict, as `check/CERTIFICATES.md` describes them.
 
         Raises:
-            LayoutError: the layout is not valid, and what is wrong with it has no proof: all of it
-                is undecided, or is a hole of a part that is not inside it.
+            LayoutError: the layout is not valid, and no fault has a proof, because all are
+                undecided, or holes outside their part.
 
         Cost: see `write_certificate`.
         """
@@ -62,12 +63,12 @@ class Judgement:
 
     @property
     def valid(self) -> bool:
-        """Decide whether there is no fault, and nothing undecided."""
+        """Decide whether there is no fault and no undecided pair."""
         return not self.faults
 
     @cached_property
     def density(self) -> Fraction:
-        """The area of the placed parts that are simple, over that of the container."""
+        """The area of the placed simple parts divided by that of the container."""
         parts, placed = self.layout.part_by_id, self._board.placed
         areas = Counter(self.layout.placements[k].part for k in placed)
         total = add_up(
@@ -77,12 +78,12 @@ class Judgement:
 
     @cached_property
     def distance(self) -> NearestPair | None:
-        """The least squared distance of two placed parts, and where; None if fewer than two are.
+        """The least squared distance of two placed parts, and where; None for fewer than two.
 
-        Overlaps and contacts have distance 0. Where turns have no rational value it may be off by
-        the bound.
+        Overlaps and contacts have distance 0. If turns have no rational value, the distance may be
+        off by the bound.
 
-        Cost: about that of finding the pairs of boxes that are as near.
+        Cost: about that of finding the pairs of boxes at that distance.
         """
         for fault in self.faults:
             if fault.kind == "overlap":
@@ -99,7 +100,7 @@ class Judgement:
 
 @tells_arguments
 def judge_layout(layout: Layout) -> Judgement:
-    """Judge a layout, exactly.
+    """Judge a layout exactly.
 
     Args:
         layout: a Layout.
@@ -107,8 +108,8 @@ def judge_layout(layout: Layout) -> Judgement:
     Returns:
         A Judgement.
 
-    Cost: O(n log n + k) for n placements, k pairs of which have boxes that meet, or are nearer than
-    the spacing; and for each of these what `meet` takes.
+    Cost: O(n log n + k) for n placements and k pairs whose boxes meet or are nearer than the
+    spacing, plus that of `meet` for each of these pairs.
 
     Example:
         >>> square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
@@ -131,7 +132,7 @@ def judge_layout(layout: Layout) -> Judgement:
 
 
 def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Fault]:
-    """The faults of pairs of placements; pairs that touch are added to the contacts."""
+    """Find the faults of pairs of placements, and add pairs that touch to the contacts."""
     spacing, solid = board.layout.spacing, board.solid
     for k, j in board.list_near(spacing):
         a, b = solid(k), solid(j)
@@ -150,7 +151,7 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
 
 
 def _judge_container(board: Board) -> Iterator[Fault]:
-    """The faults of placements against the outside and the defects, at most one each."""
+    """Find the faults of placements with the outside and the defects, at most one each."""
     margin, solid = board.layout.margin, board.solid
     for k in board.placed:
         worst: list[tuple[Fraction, Fault]] = []
@@ -191,7 +192,7 @@ def _name_faults(
 
 
 def _judge_rules(layout: Layout) -> Iterator[Fault]:
-    """The faults of parts, and of placements by themselves."""
+    """Find the faults of parts and of single placements."""
     placements: dict[str, list[int]] = {part.id: [] for part in layout.parts}
     for k, placement in enumerate(layout.placements):
         placements[placement.part].append(k)

@@ -1,4 +1,4 @@
-"""Layouts as values: a container, parts, and where copies of the parts are placed in it."""
+"""Layouts as values: a container, parts, and placements of the parts."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
-from exactsweep.geometry.turn import Turn
+from exactsweep.geometry.turn import TURN_BITS, Turn
 from exactsweep.layout.reading import (
     LayoutError,
     read_flag,
@@ -22,21 +22,22 @@ from exactsweep.layout.reading import (
     read_turn,
     read_vertex,
 )
-from exactsweep.numbers.number import format_fraction, quote
+from exactsweep.numbers.number import quote
+from exactsweep.numbers.plain import to_plain
 from exactsweep.numbers.point import Loop, Point
 
 
 @dataclass(frozen=True)
 class LayoutPart:
-    """A part to be placed, with what is allowed.
+    """A part to be placed, with the rules for its placements.
 
     Attributes:
-        id: its name, one of its own in the layout.
-        exterior: its vertices as they were given, a tuple of Point.
+        id: its name, unique in the layout.
+        exterior: its vertices as in the input, a tuple of Point.
         holes: the vertices of each hole.
-        demand: how many placements there should be; None if any number may be.
-        turns: the turns that are allowed, a tuple of Turn; None if all are.
-        mirrored: whether a placement may be mirrored; None if it may.
+        demand: the required number of placements; None for any number.
+        turns: the allowed turns, a tuple of Turn; None for all turns.
+        mirrored: whether a placement may be mirrored; None also allows it.
     """
 
     id: str
@@ -48,7 +49,7 @@ class LayoutPart:
 
     @classmethod
     def from_json(cls, data: object, path: str) -> LayoutPart:
-        """Read a part; the path is for messages."""
+        """Read a part; messages begin with the path."""
         found = read_object(
             data, path, ("id", "exterior"), ("holes", "demand", "turns", "mirrored")
         )
@@ -67,12 +68,12 @@ class LayoutPart:
 
     @cached_property
     def region(self) -> Region | None:
-        """The part as a Region; None if its rings do not bound one, as `refusal` says."""
+        """The part as a Region; None if its rings do not bound one; see `refusal`."""
         return self._read[0]
 
     @cached_property
     def refusal(self) -> str:
-        """The reason why the part is no Region; empty if it is one."""
+        """The reason why the part is not a Region; empty if it is one."""
         return self._read[1]
 
     @cached_property
@@ -80,7 +81,7 @@ class LayoutPart:
         try:
             return Region(self.exterior, self.holes), ""
         except PolygonError as error:
-            # Without holes there is one ring, which needs no name.
+            # A single ring needs no name.
             return None, str(error) if self.holes else str(error).removeprefix("exterior: ")
 
 
@@ -92,7 +93,7 @@ class Placement:
         part: the id of the part.
         turn: a Turn.
         move: a Point.
-        mirrored: whether it is.
+        mirrored: whether the copy is mirrored.
     """
 
     part: str
@@ -102,7 +103,7 @@ class Placement:
 
     @classmethod
     def from_json(cls, data: object, path: str) -> Placement:
-        """Read a placement; the path is for messages."""
+        """Read a placement; messages begin with the path."""
         found = read_object(data, path, ("part", "turn", "move"), ("mirrored",))
         return cls(
             read_id(found["part"], f"{path}.part"),
@@ -111,6 +112,12 @@ class Placement:
             read_flag(found.get("mirrored"), f"{path}.mirrored") or False,
         )
 
+    def rows(self, bits: int = TURN_BITS) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """Return the linear map, mirror and turn, by rows; the turn is off by at most 2**-bits."""
+        cosine, sine, _ = self.turn.near(bits)
+        across = -1 if self.mirrored else 1
+        return across * cosine, -sine, across * sine, cosine
+
 
 @dataclass(frozen=True)
 class Layout:
@@ -118,10 +125,11 @@ class Layout:
 
     Attributes:
         container: a Region, whose holes are defects.
-        parts: a tuple of LayoutPart, each with an id of its own.
+        parts: a tuple of LayoutPart with different ids.
         placements: a tuple of Placement.
-        spacing: how far apart any two placed parts should be, at least 0.
-        margin: how far each should be from the container's boundary and its defects, at least 0.
+        spacing: the least allowed distance of two placed parts, at least 0.
+        margin: the least allowed distance of a part from the container's boundary and its defects,
+            at least 0.
     """
 
     container: Region
@@ -132,17 +140,17 @@ class Layout:
 
     @classmethod
     def from_json(cls, data: object) -> Layout:
-        """Read a layout from plain JSON data, as `layout.schema.json` beside this module has it.
+        """Read a layout from plain JSON data; `layout.schema.json` defines the format.
 
         Args:
-            data: a dict. Numbers are read by `to_fraction`: strings such as "1/3" and "0.1", ints,
-                or floats, which are taken as the binary values that they are.
+            data: a dict. Numbers are strings such as "1/3" and "0.1", ints, or floats, which stand
+                for their exact binary values.
 
         Returns:
-            A Layout. Parts need not be simple polygons; the judge says which are not.
+            A Layout. Parts need not be simple polygons; the judge reports those that are not.
 
         Raises:
-            LayoutError: anything else; the message names what is wrong, such as
+            LayoutError: the data are not a layout. The message names the field, such as
                 "placements[3].turn".
 
         Cost: linear.
@@ -183,23 +191,25 @@ class Layout:
 
         Cost: linear.
         """
-        return {
-            "container": _write_rings(
-                self.container.exterior.vertices, [hole.vertices for hole in self.container.holes]
-            ),
-            "parts": [_write_part(part) for part in self.parts],
+        data = {
+            "container": {
+                "exterior": self.container.exterior.vertices,
+                "holes": [hole.vertices for hole in self.container.holes],
+            },
+            "parts": [_list_fields(part) for part in self.parts],
             "placements": [
                 {
                     "part": placement.part,
                     "turn": placement.turn.to_json(),
                     "mirrored": placement.mirrored,
-                    "move": [format_fraction(c) for c in placement.move],
+                    "move": placement.move,
                 }
                 for placement in self.placements
             ],
-            "spacing": format_fraction(self.spacing),
-            "margin": format_fraction(self.margin),
+            "spacing": self.spacing,
+            "margin": self.margin,
         }
+        return to_plain(data)
 
     @cached_property
     def part_by_id(self) -> Mapping[str, LayoutPart]:
@@ -215,17 +225,12 @@ def _read_container(data: object) -> Region:
         raise LayoutError(f"container: {error}") from None
 
 
-def _write_part(part: LayoutPart) -> dict[str, Any]:
-    data: dict[str, Any] = {"id": part.id, **_write_rings(part.exterior, part.holes)}
-    if part.demand is not None:
-        data["demand"] = part.demand
-    if part.turns is not None:
-        data["turns"] = [turn.to_json() for turn in part.turns]
-    if part.mirrored is not None:
-        data["mirrored"] = part.mirrored
-    return data
-
-
-def _write_rings(exterior: Loop, holes: Any) -> dict[str, Any]:
-    rings = [[[format_fraction(c) for c in point] for point in ring] for ring in (exterior, *holes)]
-    return {"exterior": rings[0], "holes": rings[1:]}
+def _list_fields(part: LayoutPart) -> dict[str, Any]:
+    turns = None if part.turns is None else [turn.to_json() for turn in part.turns]
+    allowed = {"demand": part.demand, "turns": turns, "mirrored": part.mirrored}
+    return {
+        "id": part.id,
+        "exterior": part.exterior,
+        "holes": part.holes,
+        **{name: value for name, value in allowed.items() if value is not None},
+    }

@@ -1,8 +1,8 @@
-"""The exact decision whether two solids overlap or touch, among the edges that are near both.
+"""The exact decision whether two solids overlap or touch, by the edges that are near both.
 
-By (1) and (2) of `geometry.overlap`. Edges that cross, and places where boundaries touch, lie in
-the common part of the two boxes, the *window*; so does each point of both interiors. Nothing
-outside of the window is looked at.
+The method is that of (1) and (2) of `geometry.overlap`. All crossings of edges, all places where
+boundaries touch, and all points of both interiors lie in the intersection of the two boxes, the
+*window*. So the functions examine the window only.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from exactsweep.layout.solid import BoxedEdge, LatticeBox, LatticeForm, Solid
 from exactsweep.numbers.point import Vertex
 
 _EdgePlace = tuple[int, int]
-"""The number of a ring, and that of an edge in it."""
+"""The number of a ring, and the number of an edge in it."""
 
 
 class Relation(Enum):
@@ -32,12 +32,12 @@ def meet(a: Solid, b: Solid) -> Relation:
 
     Args:
         a: a solid.
-        b: another one, on the same lattice.
+        b: another solid on the same lattice.
 
     Cost: O(k h) for k edges of one and h edges of the other that meet the window, and O(m + n) for
     each place at which the boundaries touch.
     """
-    # In the coordinates of a's form, where b's is moved by (x, y).
+    # In the coordinates of a's form, b's form is moved by (x, y).
     x, y = b.x - a.x, b.y - a.y
     left, right, low, high = a.form.box
     west, east, south, north = b.form.box
@@ -67,7 +67,7 @@ def meet(a: Solid, b: Solid) -> Relation:
         return Relation.APART
     on_a: Places = defaultdict(set)
     on_b: Places = defaultdict(set)
-    # The middle of a piece that both boundaries have, times two, is inside neither.
+    # The middle of a common piece of both boundaries, times two, is inside neither.
     shared_pieces: set[Vertex] = set()
     for ours_at, theirs_at, shared in touching:
         on_a[ours_at].update(shared)
@@ -86,7 +86,7 @@ def meet(a: Solid, b: Solid) -> Relation:
 def _find_touching(
     ours: Sequence[BoxedEdge], theirs: Sequence[BoxedEdge], x: int, y: int
 ) -> list[tuple[_EdgePlace, _EdgePlace, list[Vertex]]] | None:
-    """The pairs of edges that touch, and where; None if two of them cross."""
+    """Find the pairs of edges that touch, and where; None if two of them cross."""
     found = []
     for west, east, south, north, ax, ay, bx, by, ring, number in theirs:
         ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
@@ -96,7 +96,7 @@ def _find_touching(
                 break
             if right < west or low > north or high < south:
                 continue
-            # Most edges are on one side of the other one.
+            # Most edges are on one side of the other edge.
             dx, dy = qx - px, qy - py
             of_a = dx * (ay - py) - dy * (ax - px)
             of_b = dx * (by - py) - dy * (bx - px)
@@ -120,7 +120,7 @@ def _enters(
 ) -> bool:
     """Decide whether a piece of a's boundary between places runs through the inside of b.
 
-    The shift leads from a's coordinates, times two, to b's. Points that are shared are left out.
+    The shift leads from a's coordinates, times two, to b's. Points of both boundaries are left out.
     """
     left, right, low, high = (2 * end for end in window)
     dx, dy = shift

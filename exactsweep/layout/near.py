@@ -1,8 +1,8 @@
-"""Boxes that meet, found without looking at all pairs.
+"""A search for boxes that meet, without a test of all pairs.
 
-The plane is halved again and again, along the axis that cuts fewer boxes; a box goes to each half
-that it meets. (1) Two boxes that meet have a least common corner, the greater of their left ends
-and of their low ends, and that lies in one half only. So each pair is found once.
+The search halves the plane recursively, along the axis that cuts fewer boxes. Each half gets the
+boxes that meet it. (1) The least common corner of two boxes is the greater of their left ends and
+of their low ends. It lies in one half only. So the search finds each pair once.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from exactsweep.layout.solid import LatticeBox
 
 _FEW = 24
-"""As many boxes are compared one by one."""
+"""The number of boxes up to which all pairs are compared."""
 
 _Numbered = tuple[int, int, int, int, int]
 
@@ -21,13 +21,14 @@ def find_near(boxes: Sequence[LatticeBox], reach: int = 0) -> Iterator[tuple[int
     """Find the pairs of boxes that meet, or are within reach in both coordinates.
 
     Args:
-        boxes: on one lattice.
-        reach: how far apart the ranges of x, and of y, of a pair may be.
+        boxes: the boxes, on one lattice.
+        reach: the greatest distance between the x-ranges, and between the y-ranges, of a pair.
 
     Yields:
         Pairs of numbers, the lesser one first; each pair once.
 
-    Cost: O(n log n + k) for n boxes and k pairs, if boxes are not much longer than they are apart.
+    Cost: O(n log n + k) for n boxes and k pairs, if the boxes are not much longer than their
+    distances.
 
     >>> sorted(find_near([(0, 1, 0, 1), (1, 2, 1, 2), (3, 4, 0, 9), (3, 9, 2, 3)], 1))
     [(0, 1), (1, 2), (1, 3), (2, 3)]
@@ -36,7 +37,7 @@ def find_near(boxes: Sequence[LatticeBox], reach: int = 0) -> Iterator[tuple[int
         (left, right + reach, low, high + reach, k)
         for k, (left, right, low, high) in enumerate(boxes)
     ]
-    # Each with the west and the south border of its cell, if it has one.
+    # Each pile has the west and the south border of its cell, if there are any.
     piles: list[tuple[list[_Numbered], int | None, int | None]] = [(numbered, None, None)]
     while piles:
         pile, west, south = piles.pop()
@@ -52,7 +53,7 @@ def find_near(boxes: Sequence[LatticeBox], reach: int = 0) -> Iterator[tuple[int
 def _halve(
     pile: list[_Numbered],
 ) -> tuple[int, int, list[_Numbered], list[_Numbered]] | None:
-    """The better of the two ways to halve a pile; None if neither makes it much smaller."""
+    """Halve a pile in the better of two ways; None if neither makes it much smaller."""
     best = None
     least = 7 * len(pile) // 4
     for axis in (0, 2):
@@ -68,7 +69,7 @@ def _halve(
 def _compare(
     pile: list[_Numbered], west: int | None, south: int | None
 ) -> Iterator[tuple[int, int]]:
-    """The pairs of a pile that meet and have their least common corner in its cell."""
+    """Find the pairs of a pile that meet, with the least common corner in its cell."""
     pile.sort()
     for k, (_, right, low, high, number) in enumerate(pile):
         for i in range(k + 1, len(pile)):

@@ -1,7 +1,7 @@
-"""The least distance of two solids that do not overlap, among the edges that are near enough.
+"""The least distance of two solids that do not overlap, by the edges that are near enough.
 
-The least squared distance of two segments that do not meet is that of an end of one from the other
-one: the quotient of two ints.
+Two segments that do not meet are nearest at an end of one of them. So their squared distance is a
+quotient of two ints.
 """
 
 from __future__ import annotations
@@ -10,15 +10,16 @@ from fractions import Fraction
 from math import isqrt
 from typing import NamedTuple
 
-from exactsweep.geometry.distance import find_nearest_ends, measure_to_edge
+from exactsweep.geometry.convex import IntVertex
+from exactsweep.geometry.distance import find_nearest_ends, measure_ends
 from exactsweep.geometry.overlap import touch
-from exactsweep.layout.pieces import IntVertex
+from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.solid import BoxedEdge, Solid
 from exactsweep.numbers.point import Edge, Point, Rational
 
 
 class NearestPoints(NamedTuple):
-    """The squared distance of two solids, and where they are so near.
+    """The squared distance of two solids, and their nearest points.
 
     Attributes:
         square: the squared distance.
@@ -34,7 +35,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
 
     Args:
         a: a solid.
-        b: another one, on the same lattice, that does not overlap it.
+        b: another solid on the same lattice, without overlap.
         below: the bound on the squared distance, more than 0.
 
     Returns:
@@ -71,7 +72,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
             one = (f[4], f[5]), (f[6], f[7])
             if _is_beside(one, other, n, d) or _is_beside(other, one, n, d):
                 continue
-            square, length = _measure_edges(one, other)
+            square, length = measure_ends(one, other)[:2] if touch(*one, *other) == [] else (0, 1)
             if square * d < n * length:
                 n, d, best = square, length, (f, e)
                 reach = isqrt(n // d) + 1
@@ -80,7 +81,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
         return None
     one, other = _move(best[0], 0, 0), _move(best[1], x, y)
     if n:
-        _, _, p, q = find_nearest_ends(one, other)
+        p, q = find_nearest_ends(one, other)
     else:
         # Solids that do not overlap touch in a vertex of one of them.
         p = q = Point(*map(Fraction, (touch(*one, *other) or [one[0]])[0]))
@@ -96,21 +97,7 @@ def _move(edge: BoxedEdge, x: int, y: int) -> tuple[IntVertex, IntVertex]:
 
 def _is_beside(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
     """Decide whether an edge is at least sqrt(n / d) from the line of another one."""
-    (ax, ay), (bx, by) = line
-    (px, py), (qx, qy) = edge
-    dx, dy = bx - ax, by - ay
-    of_p, of_q = dx * (py - ay) - dy * (px - ax), dx * (qy - ay) - dy * (qx - ax)
+    of_p, of_q = (turn(*line, end) for end in edge)
     least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)
+    dx, dy = minus(*line)
     return least > 0 and least * least * d >= n * (dx * dx + dy * dy)
-
-
-def _measure_edges(one: Edge, other: Edge) -> tuple[Rational, Rational]:
-    """The squared distance of two edges as a quotient."""
-    if touch(*one, *other) != []:
-        return 0, 1
-    n, d = measure_to_edge(one[0], other)
-    for end, edge in ((one[1], other), (other[0], one), (other[1], one)):
-        square, length = measure_to_edge(end, edge)
-        if square * d < n * length:
-            n, d = square, length
-    return n, d

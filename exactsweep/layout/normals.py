@@ -1,6 +1,6 @@
-"""Normals that show that convex pieces are far enough apart.
+"""Normals that prove that convex pieces are far enough apart.
 
-(1) Of two convex pieces whose interiors have no common point, some edge has one on each side.
+(1) If the interiors of two convex pieces are disjoint, the line of some edge separates them.
 (2) If the nearest points of two convex pieces p and q are d > 0 apart, the strip between them with
     the normal q - p is d wide and empty; that is the normal of an edge, or joins two vertices.
 """
@@ -9,25 +9,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import pairwise, product
 from math import gcd
 
-from exactsweep.layout.pieces import IntVertex
+from exactsweep.geometry.convex import IntVertex
+from exactsweep.geometry.vectors import minus
 
 
 def find_normal(
     one: Sequence[IntVertex], other: Sequence[IntVertex], distance: Fraction
 ) -> IntVertex | None:
-    """Find a normal from one convex piece to another one, at least a distance apart.
+    """Find a normal that proves that two convex pieces are at least a distance apart.
 
     Args:
         one: the vertices of a convex ring, counter-clockwise.
         other: likewise, on the same lattice.
-        distance: how far they should be apart, in units of the lattice.
+        distance: the required distance, in units of the lattice.
 
     Returns:
-        The least ints (x, y) in a direction in which the other piece begins that far behind the end
-        of the first one; None if they are nearer.
+        The least ints (x, y) of a direction in which the other piece begins at that distance behind
+        the end of the first piece; None if the pieces are nearer.
 
     Cost: O((m + n)^2); for vertices that are nearest O(m n (m + n)).
 
@@ -46,14 +47,10 @@ def find_normal(
 def _list_normals(
     one: Sequence[IntVertex], other: Sequence[IntVertex], distance: Fraction
 ) -> Iterator[IntVertex]:
-    for (ax, ay), (bx, by) in _edges(one):
+    for (ax, ay), (bx, by) in pairwise((*one, one[0])):
         yield by - ay, ax - bx
-    for (ax, ay), (bx, by) in _edges(other):
+    for (ax, ay), (bx, by) in pairwise((*other, other[0])):
         yield ay - by, bx - ax
     if distance:
-        joins = [(q[0] - p[0], q[1] - p[1]) for p, q in product(one, other)]
+        joins = [minus(q, p) for p, q in product(one, other)]
         yield from sorted(joins, key=lambda v: v[0] * v[0] + v[1] * v[1])[:1]
-
-
-def _edges(ring: Sequence[IntVertex]) -> Iterator[tuple[IntVertex, IntVertex]]:
-    return zip(ring, (*ring[1:], ring[0]), strict=True)

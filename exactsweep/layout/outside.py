@@ -1,26 +1,27 @@
-"""Convex pieces of what is outside of a container, in a frame around it.
+"""Convex pieces of the outside of a container, in a frame around it.
 
-Four rectangles are around the box of the container: no part that is inside the box needs a normal
-with them. The rest are pockets, each between a chain of the container from one point of the border
-of the box to the next and that border.
+Four rectangles surround the box of the container. A part inside the box needs no normal with them.
+The rest are pockets between the border of the box and chains of the container. Each chain leads
+from one point of the border to the next.
 """
 
 from __future__ import annotations
 
 from itertools import pairwise
 
-from exactsweep.layout.pieces import ConvexRing, IntRing, IntVertex, bound_piece, cut_to_convex
+from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
+from exactsweep.layout.pieces import bound_piece
 
 
 def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[ConvexRing]:
-    """Cut what is between a container and a frame into convex pieces.
+    """Cut the space between a container and a frame into convex pieces.
 
     Args:
-        exterior: the container's, counter-clockwise.
-        frame: left, low, right and high; it holds the container with room to spare.
+        exterior: the exterior of the container, counter-clockwise.
+        frame: left, low, right and high of a frame with room around the container.
 
     Returns:
-        Convex rings that make it up.
+        The convex rings.
 
     Cost: that of `cut_to_convex` for the pockets.
 
@@ -38,7 +39,7 @@ def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[Con
     corners = _rectangle(left, low, right, high)
 
     def find_side(p: IntVertex) -> int | None:
-        """The side of the box on which a point is: its end, if it is a corner."""
+        """Return the number of the box side of a point; a corner is on the side that ends there."""
         x, y = p
         sides = [y == low and x > left, x == right and y > low, y == high and x < right, x == left]
         return sides.index(True) if any(sides) else None

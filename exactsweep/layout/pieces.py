@@ -1,181 +1,15 @@
-"""Convex pieces of a shape, cut along diagonals from vertex to vertex.
-
-(1) At each vertex the interior is some open *cones*, each counter-clockwise from an edge that
-    starts there to one that ends there. A diagonal runs from a vertex to a vertex through the
-    interior and halves a cone at both.
-(2) Into a cone wider than half a turn there is always a diagonal. When no cone is that wide, every
-    face is convex: a hole in a face would have such a cone at one of its corners.
-(3) So the edges of the pieces are those of the shape and, once in each direction, the diagonals.
-    Where two of them go on in one line, a piece has one edge for both.
-"""
+"""Convex pieces: their boxes, and the points that two of them have in common."""
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from functools import cmp_to_key
 from itertools import pairwise
 
 from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.convex import ConvexRing, IntRing
 from exactsweep.geometry.vectors import turn
-from exactsweep.numbers.point import Point, Rational
-
-IntVertex = tuple[int, int]
-IntRing = Sequence[IntVertex]
-
-_Corner = tuple[IntVertex, IntVertex]
-_BoxedWall = tuple[int, int, int, int, IntVertex, IntVertex]
-
-ConvexRing = list[IntVertex]
-"""A convex ring, counter-clockwise, without straight angles."""
-
-
-def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
-    """Cut a shape into convex pieces.
-
-    Args:
-        rings: the boundary, the interior on the left. Rings may touch in points.
-
-    Returns:
-        Pieces whose vertices are those of the rings.
-
-    Cost: O(c n) for n vertices, c of which are concave, times the diagonals that are tried for one.
-
-    >>> len(cut_to_convex([[(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]]))
-    2
-    """
-    edges = _split_where_touching(rings)
-    cones = _find_cones(edges)
-    walls = [_box(a, b) for a, b in edges]
-    for p in list(cones):
-        while (wide := next((cone for cone in cones[p] if _is_wide(cone)), None)) is not None:
-            q = next(_list_diagonals(p, wide, cones, walls))
-            walls.append(_box(p, q))
-            _halve(cones[p], _subtract(q, p))
-            _halve(cones[q], _subtract(p, q))
-    return _walk_faces(cones)
-
-
-def _split_where_touching(rings: Sequence[IntRing]) -> list[tuple[IntVertex, IntVertex]]:
-    edges: list[tuple[IntVertex, IntVertex]] = []
-    for k, ring in enumerate(rings):
-        others = [v for j, other in enumerate(rings) if j != k for v in other]
-        for a, b in pairwise((*ring, ring[0])):
-            low, high = min(a, b), max(a, b)
-            inner = [v for v in others if low < v < high and not turn(a, b, v)]
-            edges += pairwise(sorted({a, b, *inner}, reverse=a > b))
-    return edges
-
-
-def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex, list[_Corner]]:
-    """The cones at each vertex, by (1): from each edge that starts there to the next that ends."""
-    ways: defaultdict[IntVertex, list[tuple[IntVertex, bool]]] = defaultdict(list)
-    for a, b in edges:
-        ways[a].append((_subtract(b, a), True))
-        ways[b].append((_subtract(a, b), False))
-    cones: dict[IntVertex, list[_Corner]] = {}
-    for p, found in ways.items():
-        if len(found) > 2:
-            found.sort(key=lambda way: _ANGLE(way[0]))
-        starts = next(k for k, (_, is_start) in enumerate(found) if is_start)
-        found = found[starts:] + found[:starts]
-        cones[p] = [(found[k][0], found[k + 1][0]) for k in range(0, len(found), 2)]
-    return cones
-
-
-def _compare_angles(u: IntVertex, v: IntVertex) -> int:
-    halves = ((u[1], u[0]) < (0, 0)) - ((v[1], v[0]) < (0, 0))
-    return halves or (u[1] * v[0] > u[0] * v[1]) - (u[1] * v[0] < u[0] * v[1])
-
-
-_ANGLE = cmp_to_key(_compare_angles)
-
-
-def _list_diagonals(
-    p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], walls: Sequence[_BoxedWall]
-) -> Iterator[IntVertex]:
-    """The ends of diagonals into a wide cone: those that leave few wide first, then by length."""
-    ranked = []
-    for q, there in cones.items():
-        way = _subtract(q, p)
-        if way == (0, 0) or not _surrounds(wide, way):
-            continue
-        back = (-way[0], -way[1])
-        opposite = next((cone for cone in there if _surrounds(cone, back)), None)
-        if opposite is not None:
-            remaining = sum(map(_is_wide, (*_halves(wide, way), *_halves(opposite, back))))
-            saved = _is_wide(opposite)
-            ranked.append((remaining - saved, way[0] * way[0] + way[1] * way[1], q))
-    for _, _, q in sorted(ranked):
-        if not _is_blocked(p, q, walls):
-            yield q
-
-
-def _is_blocked(p: IntVertex, q: IntVertex, walls: Sequence[_BoxedWall]) -> bool:
-    """Decide whether a wall that does not end in p or q meets the segment between them."""
-    first, last, bottom, top, _, _ = _box(p, q)
-    for left, right, low, high, a, b in walls:
-        if left > last or right < first or low > top or high < bottom:
-            continue
-        if a in (p, q) or b in (p, q):
-            continue
-        from_a, from_b = turn(p, q, a), turn(p, q, b)
-        if (from_a > 0 < from_b) or (from_a < 0 > from_b):
-            continue
-        if from_a == from_b == 0 or turn(a, b, p) * turn(a, b, q) <= 0:
-            return True
-    return False
-
-
-def _walk_faces(cones: dict[IntVertex, list[_Corner]]) -> list[ConvexRing]:
-    """Walk around the faces: an edge leads to the cone that ends in the way back."""
-    ending = {(p, end): start for p, found in cones.items() for start, end in found}
-    pieces = []
-    while ending:
-        first, way = next(((p, end), start) for (p, end), start in ending.items())
-        key, piece = first, []
-        while key in ending:
-            way = ending.pop(key)
-            p, back = key
-            if back[0] * way[1] != back[1] * way[0]:
-                piece.append(p)
-            key = (p[0] + way[0], p[1] + way[1]), (-way[0], -way[1])
-        pieces.append(piece)
-    return pieces
-
-
-def _is_wide(cone: _Corner) -> bool:
-    (ax, ay), (bx, by) = cone
-    return ax * by < ay * bx
-
-
-def _surrounds(cone: _Corner, way: IntVertex) -> bool:
-    """Decide whether a direction is strictly inside a cone."""
-    (ax, ay), (bx, by), (x, y) = *cone, way
-    after, before = ax * y > ay * x, x * by > y * bx
-    turn = ax * by - ay * bx
-    if turn < 0:
-        return after or before
-    return after and before if turn > 0 else after
-
-
-def _halves(cone: _Corner, way: IntVertex) -> list[_Corner]:
-    return [(cone[0], way), (way, cone[1])]
-
-
-def _halve(cones: list[_Corner], way: IntVertex) -> None:
-    k = next(k for k, cone in enumerate(cones) if _surrounds(cone, way))
-    cones[k : k + 1] = _halves(cones[k], way)
-
-
-def _box(a: IntVertex, b: IntVertex) -> _BoxedWall:
-    (left, right), (low, high) = (sorted(pair) for pair in zip(a, b, strict=True))
-    return left, right, low, high, a, b
-
-
-def _subtract(a: IntVertex, b: IntVertex) -> IntVertex:
-    return a[0] - b[0], a[1] - b[1]
+from exactsweep.numbers.point import Point, Rational, Vertex
 
 
 def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:
@@ -185,33 +19,40 @@ def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:
 
 
 def find_common_point(one: ConvexRing, other: ConvexRing) -> Point | None:
-    """Find a point inside two convex pieces; None if their interiors have none in common.
+    """Find a point inside two convex pieces; None if their interiors are disjoint.
 
     Args:
         one: a piece.
-        other: another one, on the same lattice.
+        other: another piece on the same lattice.
 
     Cost: O(m n).
 
     >>> find_common_point([(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 1), (3, 1), (3, 3), (1, 3)])
     Point(x=Fraction(3, 2), y=Fraction(3, 2))
     """
-    common: list[tuple[Rational, Rational]] = [*one]
-    for (ax, ay), (bx, by) in pairwise((*other, other[0])):
-        dx, dy = bx - ax, by - ay
-        sides = [dx * (y - ay) - dy * (x - ax) for x, y in common]
-        kept: list[tuple[Rational, Rational]] = []
-        for k, (p, side) in enumerate(zip(common, sides, strict=True)):
-            q, before = common[k - 1], sides[k - 1]
-            if (side > 0 > before) or (side < 0 < before):
-                share = Fraction(before) / (before - side)
-                kept.append((q[0] + share * (p[0] - q[0]), q[1] + share * (p[1] - q[1])))
-            if side >= 0:
-                kept.append(p)
-        common = kept
+    common: list[Vertex] = [*one]
+    for a, b in pairwise((*other, other[0])):
+        sides = [turn(a, b, p) for p in common]
+        common = [*clip(common, sides)]
         if not common:
             return None
     if len(common) < 3 or not find_doubled_area(common):
         return None
     xs, ys = zip(*common, strict=True)
     return Point(Fraction(sum(xs)) / len(xs), Fraction(sum(ys)) / len(ys))
+
+
+def clip(ring: Sequence[Vertex], sides: Sequence[Rational]) -> Iterator[Vertex]:
+    """Yield the part of a ring on one side of a line (Sutherland and Hodgman).
+
+    Args:
+        ring: its vertices.
+        sides: of each vertex, its distance from the line in any unit, negative on the other side.
+    """
+    for k, (p, side) in enumerate(zip(ring, sides, strict=True)):
+        q, before = ring[k - 1], sides[k - 1]
+        if (side > 0 > before) or (side < 0 < before):
+            share = Fraction(before) / (before - side)
+            yield q[0] + share * (p[0] - q[0]), q[1] + share * (p[1] - q[1])
+        if side >= 0:
+            yield p

@@ -1,4 +1,4 @@
-"""Plain JSON data read field by field; every refusal names the field."""
+"""Readers of plain JSON data, field by field; every refusal names the field."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ _Value = TypeVar("_Value")
 
 
 class LayoutError(ExactSweepError):
-    """Data that are no layout; the message names the part or placement, and the field."""
+    """Data that are not a layout; the message names the part or placement, and the field."""
 
 
 def read_object(
     data: object, path: str, needed: Sequence[str], others: Sequence[str]
 ) -> Mapping[str, object]:
-    """Require an object with all fields that are needed and no unknown ones."""
+    """Require an object with all required fields and no unknown ones."""
     if not isinstance(data, Mapping):
         raise LayoutError(f"{path} is {quote(data)}, not an object")
     for name in needed:
@@ -100,7 +100,7 @@ def read_id(data: object, path: str) -> str:
 
 
 def read_flag(data: object, path: str) -> bool | None:
-    """Read true, false or nothing."""
+    """Read true, false or a missing value."""
     if data is not None and not isinstance(data, bool):
         raise LayoutError(f"{path} is {quote(data)}, not true or false")
     return data

@@ -1,13 +1,15 @@
 """Solids: placed parts, the outside of the container and its defects, as ints on a lattice.
 
-(1) The outside of the container, within a frame around everything, and each defect are solids as
-    placed parts are: no part may overlap them. So one question, asked of two solids, is all.
-(2) All solids are on one lattice, if its scale has no more than 1024 bits. Turns by many unrelated
-    angles would make it longer than the numbers themselves; then each pair has its own lattice.
-(3) A solid whose turn is off by e on the unit circle is off by e r, where r is how far the part
-    reaches from its origin. That is its *slack*: each point of its boundary is within the slack of
-    one of the true boundary, and the other way round. Certificates have sums of coordinates for e
-    and r instead of roots: 3/2 e, which is more than 2^(1/2) e, and |x| + |y| for r.
+(1) The outside of the container, within a frame around everything, and each defect are solids, too:
+    no part may overlap them. So the judge needs only one test, of two solids.
+(2) All solids are on one lattice, if its scale has at most 1024 bits. Turns by many unrelated
+    angles would make the scale longer than the numbers themselves. Then each pair has its own
+    lattice.
+(3) If a turn is off by e on the unit circle, the solid is off by e r, where r is the greatest
+    distance of a point of the part from its origin. This is the *slack* of the solid: each point of
+    its boundary is within the slack of a point of the true boundary, and vice versa. Certificates
+    bound e and r by sums of coordinates instead of roots: 3/2 e, which is more than 2^(1/2) e, and
+    |x| + |y| for r.
 """
 
 from __future__ import annotations
@@ -19,33 +21,33 @@ from functools import cached_property
 from math import lcm
 from typing import NamedTuple
 
+from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.overlap import is_inside_edges
 from exactsweep.geometry.region import Region
-from exactsweep.layout.pieces import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.numbers.point import Point, Rational
 
 LatticeBox = tuple[int, int, int, int]
-"""Left, right, low and high."""
+"""The left, right, low and high end of a box."""
 
 
 MatrixRows = tuple[int, int, int, int]
-"""The rows of a linear map."""
+"""A linear map by its rows."""
 
 
 BoxedEdge = tuple[int, int, int, int, int, int, int, int, int, int]
-"""An edge: its box, its ends (ax, ay) and (bx, by), the number of its ring, its number in that."""
+"""An edge: its box, its ends (ax, ay) and (bx, by), the number of its ring, its number there."""
 
 _FEW = 16
-"""As many edges are looked at one by one."""
+"""The number of edges up to which a search examines all of them."""
 
 
 class LatticeForm:
     """A shape on a lattice, its interior on the left of its rings; many solids share it.
 
     Args:
-        rings: the exterior first.
-        cut: gives the convex pieces that make it up.
+        rings: the rings, the exterior first.
+        cut: returns the convex pieces of the form.
     """
 
     def __init__(
@@ -58,14 +60,14 @@ class LatticeForm:
         self._scaled: dict[int, LatticeForm] = {1: self}
 
     def mapped(self, matrix: MatrixRows) -> LatticeForm:
-        """Return the image under a linear map, given by rows. Cost: O(n)."""
+        """Return the image under a linear map. Cost: O(n)."""
         return LatticeForm(
             [_map(ring, matrix) for ring in self.rings],
             lambda: [_map(piece, matrix) for piece in self.pieces],
         )
 
     def scaled(self, factor: int) -> LatticeForm:
-        """Return the form on a lattice that is so many times as fine. Cost: O(n), once."""
+        """Return the form on a lattice that is finer by a factor. Cost: O(n), once."""
         found = self._scaled.get(factor)
         if found is None:
             found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
@@ -88,7 +90,7 @@ class LatticeForm:
 
     @cached_property
     def _lefts(self) -> tuple[list[int], int]:
-        """The left ends of the edges, and the greatest width of one."""
+        """The left ends of the edges, and the greatest width of an edge."""
         return [edge[0] for edge in self.edges], max(edge[1] - edge[0] for edge in self.edges)
 
     @cached_property
@@ -98,14 +100,14 @@ class LatticeForm:
 
     @cached_property
     def pieces(self) -> list[ConvexRing]:
-        """Convex pieces that make up the form."""
+        """The convex pieces of the form."""
         return self._cut()
 
     def near(self, box: LatticeBox) -> list[BoxedEdge]:
         """Return the edges whose boxes meet a box.
 
-        Cost: O(log n), and for each edge that begins in the x-range of the box, or to the left of
-        it by no more than the widest edge is wide.
+        Cost: O(log n), plus O(1) for each edge that begins in the x-range of the box, or left of it
+        by at most the greatest width of an edge.
         """
         left, right, low, high = box
         edges = self.edges
@@ -119,7 +121,7 @@ class LatticeForm:
         ]
 
     def holds(self, x: Rational, y: Rational) -> bool:
-        """Decide whether a point, given times two, is inside and not on the boundary.
+        """Decide whether a point, multiplied by two, is inside and not on the boundary.
 
         Cost: as for `near`.
         """
@@ -136,11 +138,11 @@ class Solid(NamedTuple):
     """A form at a place of a lattice.
 
     Attributes:
-        form: on the lattice.
-        x: how far it is moved.
-        y: likewise.
-        scale: of the lattice.
-        slack: a bound on how far each point of it is from its true place, by (3).
+        form: the form on the lattice.
+        x: its move in x.
+        y: its move in y.
+        scale: the scale of the lattice.
+        slack: a bound on the distance of each point from its true place, by (3).
     """
 
     form: LatticeForm
@@ -156,7 +158,7 @@ class Solid(NamedTuple):
         return left + self.x, right + self.x, low + self.y, high + self.y
 
     def on(self, scale: int) -> Solid:
-        """Return the solid on a finer lattice, whose scale is a multiple of this one's."""
+        """Return the solid on a finer lattice, whose scale is a multiple of this scale."""
         factor = scale // self.scale
         if factor == 1:
             return self
@@ -164,17 +166,17 @@ class Solid(NamedTuple):
 
     @property
     def pieces(self) -> list[ConvexRing]:
-        """The convex pieces at their place."""
+        """Return the convex pieces at their place."""
         x, y = self.x, self.y
         return [[(px + x, py + y) for px, py in piece] for piece in self.form.pieces]
 
     def leave(self, x: int | Fraction, y: int | Fraction) -> Point:
-        """Return a point of the lattice, or between, in the plane."""
+        """Convert a point of the lattice, or between, to the plane."""
         return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
 
 
 def _map(ring: IntRing, matrix: MatrixRows) -> list[IntVertex]:
-    """The image of a ring, which has the interior on its left again."""
+    """Return the image of a ring, with the interior on the left again."""
     a, b, c, d = matrix
     image = [(a * x + b * y, c * x + d * y) for x, y in ring]
     return image if a * d > b * c else image[::-1]
@@ -194,12 +196,12 @@ def put_on_lattice(value: Fraction, scale: int) -> int:
     """
     n, d = value.as_integer_ratio()
     whole, rest = divmod(scale, d)
-    # Without a common lattice, coordinates are Fractions, which do as well.
+    # Without a common lattice, coordinates are Fractions.
     return n * whole if rest == 0 else value * scale  # type: ignore[return-value]
 
 
 def measure_slack(region: Region, error: Fraction) -> Fraction:
-    """Return how far a region is off whose turn is off by an error, by (3). Cost: O(n).
+    """Return the slack of a region for an error of its turn, by (3). Cost: O(n).
 
     >>> measure_slack(Region([(0, 0), (3, 0), (3, -4)]), Fraction(1, 100))
     Fraction(21, 200)

@@ -1,28 +1,30 @@
-"""The relation of two solids at their true turns, proved by rational turns that get nearer.
+"""The relation of two solids at their true turns, proved by increasingly precise rational turns.
 
-Let d be the sum of the slacks of two solids, s the distance that they should have.
+Let d be the sum of the slacks of two solids, and s their required distance.
 
-(1) Solids that are apart by more than d are apart in truth. If their distance is at least s + d,
-    or less than s - d, so it is with s in truth.
+(1) If the solids are more than d apart, the true solids are apart. If their distance is at least
+    s + d, the true distance is at least s; if it is less than s - d, the true one is less than s.
 (2) A point inside a convex piece of a solid, farther from its sides than the slack, is inside the
-    solid in truth.
+    true solid.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import pairwise
 from typing import NamedTuple
 
+from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.layout.meeting import Relation, meet
 from exactsweep.layout.nearest import NearestPoints, find_gap
-from exactsweep.layout.pieces import ConvexRing, bound_piece, find_common_point
+from exactsweep.layout.pieces import bound_piece, find_common_point
 from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.numbers.point import Point
 
 MOST_BITS = 256
-"""As near are rational turns at most to angles that have none."""
+"""The greatest precision, in bits, of rational turns for angles that have none."""
 
 
 class PairVerdict(NamedTuple):
@@ -30,10 +32,10 @@ class PairVerdict(NamedTuple):
 
     Attributes:
         meeting: a Relation, None if it is undecided.
-        gap: the NearestPoints, if it is less than asked for.
-        too_close: whether that is so; None if it is undecided.
-        bits: how near the turns were that decided.
-        slack: the sum of both slacks, 0 where turns are exact.
+        gap: the NearestPoints, if their distance is less than required.
+        too_close: whether the distance is less than required; None if it is undecided.
+        bits: the precision of the turns that decided.
+        slack: the sum of both slacks, 0 for exact turns.
     """
 
     meeting: Relation | None
@@ -44,25 +46,25 @@ class PairVerdict(NamedTuple):
 
 
 class CommonPoint(NamedTuple):
-    """A point inside two solids, and the numbers of a piece of each that has it inside."""
+    """A point inside two solids, and for each the number of a piece around it."""
 
     point: Point
     pieces: tuple[int, int]
 
 
 Refine = Callable[[int], tuple[Solid, Solid]]
-"""The pair of solids, with turns off by at most 2**-bits."""
+"""A function that returns the pair of solids, with turns off by at most 2**-bits."""
 
 
 def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
-    """Decide how two solids lie, and whether they are less than the spacing apart.
+    """Decide the relation of two solids, and whether they are less than the spacing apart.
 
     Args:
-        refine: gives the two solids.
-        bits: how near the turns are at first; they are doubled until the verdict is proved.
-        spacing: the least distance that is asked for.
+        refine: returns the two solids.
+        bits: the first precision of the turns; it doubles until the verdict is proved.
+        spacing: the least allowed distance.
 
-    Cost: that of `meet` for exact turns, and with a spacing or without exact turns of `find_gap`.
+    Cost: that of `meet` for exact turns; with a spacing or without exact turns also `find_gap`.
     """
     while True:
         a, b = share_scale(*refine(bits))
@@ -94,11 +96,11 @@ def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
 
 
 def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
-    """Find a point inside two solids, in truth, by (2); None if there is none that proves it.
+    """Find a point that is inside both true solids by (2); None if no point proves it.
 
     Args:
         a: a solid.
-        b: another one, on the same lattice.
+        b: another solid on the same lattice.
 
     Cost: O(p q) for the pieces of both.
     """
@@ -120,8 +122,5 @@ def _is_deep(point: Point, piece: ConvexRing, slack: Fraction) -> bool:
     """Decide whether a point inside a piece is farther from its sides than the slack."""
     if not slack:
         return True
-    sides = zip(piece, [*piece[1:], piece[0]], strict=True)
-    return all(
-        square > slack * slack * length
-        for square, length in (measure_to_edge(point, side) for side in sides)
-    )
+    sides = (measure_to_edge(point, side) for side in pairwise((*piece, piece[0])))
+    return all(square > slack * slack * length for square, length in sides)

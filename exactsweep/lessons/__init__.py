@@ -1,4 +1,4 @@
-"""Lessons: notebooks that are run by the tests and stored with what they show."""
+"""Lessons: notebooks, which the tests run, stored with their output."""
 
 from exactsweep.lessons.notebook import list_titles, read_notebook, run_notebook
 

@@ -1,4 +1,4 @@
-"""Runs the lessons and stores what they show: `python -m exactsweep.lessons`."""
+"""The command `python -m exactsweep.lessons`: run all lessons and store their output."""
 
 from exactsweep.lessons.notebook import (
     FOLDER,

@@ -1,4 +1,4 @@
-"""Notebooks read, run without Jupyter, and written with what their cells show."""
+"""Functions that read, run and write notebooks, without Jupyter."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from exactsweep.numbers.number import quote
 Notebook = dict[str, Any]
 
 FOLDER = Path(__file__).parent
-"""Where the lessons are."""
+"""The folder of the lessons."""
 
 _NAMES = ("tour", "sweeps", "paper", "judging", "layouts")
 
-# Longer outputs, such as the interactive page with its scripts, are made anew by whoever runs it.
+# Longer outputs, such as the interactive page, are not stored; a new run makes them again.
 _MOST_STORED = 60_000
 
 
 @tells_arguments
 def list_titles() -> dict[str, str]:
-    """Return the lessons, by file name without its suffix, with their titles.
+    """Return the titles of the lessons, by file name without suffix.
 
     Example:
         >>> list_titles()["judging"]
@@ -45,7 +45,7 @@ def read_notebook(name: str) -> Notebook:
         name: one of `list_titles`.
 
     Returns:
-        The document, as the format of notebooks has it.
+        The document in the format of notebooks.
     """
     if name not in _NAMES:
         raise ExactSweepError(f"{quote(name)} is no lesson")
@@ -54,7 +54,7 @@ def read_notebook(name: str) -> Notebook:
 
 
 def write_notebook(path: Path, notebook: Notebook) -> None:
-    """Write a notebook, one line an element, as Jupyter does."""
+    """Write a notebook with one element per line, as Jupyter does."""
     text = json.dumps(notebook, indent=1, ensure_ascii=False)
     path.write_text(f"{text}\n", encoding="utf-8", newline="\n")
 
@@ -67,11 +67,11 @@ def run_notebook(notebook: Notebook) -> Notebook:
         notebook: as `read_notebook` returns it.
 
     Returns:
-        The same with what each cell prints, the value at its end as text, HTML or SVG, and what it
-        draws with `matplotlib.pyplot`, as SVG.
+        The notebook with the output of each cell: its prints, its last value as text, HTML or SVG,
+        and its figures of `matplotlib.pyplot` as SVG.
 
     Raises:
-        Whatever a cell raises.
+        Exception: any exception of a cell.
     """
     if "cells" not in notebook:
         raise ExactSweepError("the notebook has no cells")
@@ -115,7 +115,7 @@ def _run(source: str, names: dict[str, Any], number: int) -> Iterator[dict[str, 
 
 
 def _show(value: object) -> dict[str, str]:
-    """Collect what a notebook shows of a value, by media type."""
+    """Collect the representations of a value, by media type."""
     from matplotlib.figure import Figure
 
     if isinstance(value, Figure):
@@ -135,7 +135,7 @@ def _open_figures() -> set[int]:
 
 
 def _draw_figures(figures: Iterable[int]) -> Iterator[str]:
-    """Figures of pyplot, which are then closed."""
+    """Return the figures of pyplot as SVG, and close them."""
     from matplotlib import pyplot
 
     for number in sorted(figures):

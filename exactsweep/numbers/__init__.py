@@ -1,1 +1,1 @@
-"""Exact numbers and points: read, limited, written. Below words and canvas."""
+"""Exact numbers and points: reading, limits, writing. This package imports no other one."""

@@ -1,9 +1,9 @@
-"""Sums of many fractions, in the time that their result asks for.
+"""Sums of many fractions, in time proportional to that of the last addition.
 
-A running sum of n fractions with unrelated denominators is, after each step, a fraction longer than
-the last one, whose greatest common divisors take time with the square of its length: n times. Added
-in pairs, and the sums in pairs again, numbers of equal length meet, and the last step, which is
-needed in any case, takes half of all the time. Short fractions are not reduced at all on the way.
+A running sum of n fractions with unrelated denominators grows at each step. Its greatest common
+divisor takes time proportional to the square of its length, n times. `add_up` adds in pairs, then
+the sums in pairs again. So both terms of each addition have about the same length, and the last
+addition, which is unavoidable, takes half of the time. Short fractions are not reduced on the way.
 """
 
 from collections.abc import Callable, Iterable
@@ -16,7 +16,7 @@ from exactsweep.numbers.number import split_ratios
 _Pair = tuple[int, int]
 _Term = TypeVar("_Term", _Pair, Fraction)
 
-# As long as it may be before it is reduced: later, what cancels would be carried on.
+# The length up to which fractions stay unreduced; longer ones would carry common factors along.
 _BITS = 2000
 
 
@@ -24,12 +24,12 @@ def add_up(terms: Iterable[Fraction]) -> Fraction:
     """Add fractions.
 
     Args:
-        terms: any number of them, in any order.
+        terms: any number of fractions, in any order.
 
     Returns:
-        Their sum, 0 of none.
+        The sum; 0 for no terms.
 
-    Cost: O(s^2) for s digits in all denominators that have no common factors.
+    Cost: O(s^2) for s digits in all denominators, if these have no common factors.
 
     Example:
         >>> add_up(Fraction(1, k * (k + 1)) for k in range(1, 100))
@@ -45,9 +45,9 @@ def add_ratios(terms: Iterable[_Pair]) -> Fraction:
         terms: pairs of a numerator and a positive denominator.
 
     Returns:
-        Their sum.
+        The sum.
 
-    Cost: as `add_up`.
+    Cost: as for `add_up`.
 
     Example:
         >>> add_ratios([(2, 4), (3, 6)])
@@ -63,7 +63,7 @@ def add_ratios(terms: Iterable[_Pair]) -> Fraction:
 
 
 def _in_pairs(add: Callable[[_Term, _Term], _Term], terms: list[_Term]) -> list[_Term]:
-    """Add the first two, the next two and so on; the last one stays as it is if it is alone."""
+    """Add the first two terms, the next two and so on; an odd last term stays."""
     pairs = zip(terms[::2], terms[1::2], strict=False)
     return [add(one, other) for one, other in pairs] + terms[len(terms) & ~1 :]
 

@@ -1,7 +1,7 @@
-"""Arguments that are not what a function asks for: told by name, where it cannot do with them.
+"""Turn failures caused by arguments of the wrong type into errors that name the argument.
 
-What can be done with is not looked at, so that lists may be tuples and arrays, and a call costs
-nothing; only where a function fails are its arguments held against its annotations.
+The decorator checks arguments only after a function has failed. Then it compares them with the
+annotations. So a call that succeeds costs nothing, and may pass tuples or arrays for lists.
 """
 
 from __future__ import annotations
@@ -23,23 +23,23 @@ from exactsweep.numbers.number import quote
 _Accepted = ParamSpec("_Accepted")
 _Returned = TypeVar("_Returned")
 
-# Of what an argument holds so many are looked at.
+# The number of items of an argument that the check examines.
 _LOOKED_AT = 100
 
 
 class ArgumentError(ExactSweepError):
-    """An argument that is not of the kind that a function asks for; the message names it."""
+    """An argument of the wrong type; the message names it."""
 
 
 def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accepted, _Returned]:
-    """Let a function that fails on an argument of another kind than its annotation say so.
+    """Decorate a function so that it names an argument of the wrong type if it fails on it.
 
     Args:
-        function: with annotations.
+        function: a function with annotations.
 
     Returns:
-        The same; it raises ArgumentError where it would raise Python's TypeError, or the like, for
-        an argument of another kind. Whatever else it raises, it raises as before.
+        The function. It raises ArgumentError instead of Python's TypeError and similar errors, if
+        an argument does not match its annotation. Other errors are unchanged.
 
     Example:
         >>> @tells_arguments
@@ -57,7 +57,7 @@ def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accep
         except ExactSweepError:
             raise
         except Exception:
-            # A fault of this program must not be called one of the caller.
+            # An error of this program must not be reported as one of the caller.
             fault = _find_fault(function, arguments, named)
             if fault is None:
                 raise
@@ -69,7 +69,7 @@ def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accep
 def _find_fault(
     function: Callable[..., object], arguments: tuple[object, ...], named: Mapping[str, object]
 ) -> str | None:
-    """The first argument that is of another kind."""
+    """Find the first argument of the wrong type."""
     signature = inspect.signature(function)
     try:
         bound = signature.bind(*arguments, **named)
@@ -88,7 +88,7 @@ def _find_fault(
 
 
 class _UnseenType(type):
-    """Types that only type checkers know: what has a type of that name is of this one."""
+    """A type that only type checkers import; values match it by the name of their type."""
 
     def __getattr__(cls, name: str) -> type:
         if name.startswith("_"):
@@ -103,7 +103,7 @@ class _UnseenType(type):
 
 
 class _ModuleNames(dict[str, object]):
-    """The names of a module, and those that are imported for type checkers alone."""
+    """The names of a module, with those that it imports for type checkers alone."""
 
     def __missing__(self, name: str) -> object:
         for module in (builtins, abc, typing):
@@ -144,14 +144,14 @@ def _fits(value: object, hint: object) -> bool:
     return not of or all(_fits(one, its) for one, its in _look_into(value, kind, of))
 
 
-# Of this no value is.
+# No value has this type.
 _NOTHING = _UnseenType("nothing", (), {})
 
 
 def _look_into(value: object, kind: type, of: Sequence[object]) -> Iterable[tuple[object, object]]:
-    """The first things that an argument holds, as far as it can be looked into more than once."""
+    """Return the first items of an argument, if it can be iterated more than once."""
     if isinstance(value, str | bytes | Mapping) and not issubclass(kind, Mapping):
-        # Letters and keys are no list of other things.
+        # Text and mappings do not count as lists.
         return () if type(value) in of else [(value, _NOTHING)]
     if isinstance(value, tuple) and kind is tuple and ... not in of:
         return zip(value, of, strict=False) if len(value) == len(of) else [(value, _NOTHING)]

@@ -1,9 +1,9 @@
-"""Long ints and their decimal digits, both ways, in less than quadratic time.
+"""Conversion between long ints and decimal digits in less than quadratic time.
 
-Python's own conversions take time with the square of the length, and refuse more than 4300 digits.
-Here each half of a long number is converted by itself, n = h b + l, with b the square of the base
-of its halves: powers of two as decimals on the way out, which multiply in nearly linear time, and
-powers of ten as ints on the way in, which multiply by Karatsuba's method.
+Python's own conversions take quadratic time, and refuse more than 4300 digits. This module splits a
+long number n = h b + l and converts each half by itself, where b is the square of the base of the
+halves. To write, it uses powers of two as decimals, which multiply in nearly linear time. To read,
+it uses powers of ten as ints, which multiply by Karatsuba's method.
 """
 
 from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, Context, Decimal, Inexact, localcontext
@@ -11,7 +11,7 @@ from typing import TypeVar
 
 _IntOrDecimal = TypeVar("_IntOrDecimal", int, Decimal)
 
-# Up to here halves are no quicker than the whole.
+# The length up to which a split is no faster.
 _BITS, _DIGITS = 2**13, 2**11
 
 _EXACT = Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN, traps=[Inexact])
@@ -36,7 +36,7 @@ def write_int(value: int) -> str:
 
 
 def read_int(text: str) -> int:
-    """Read decimal digits, as many as there are, perhaps after a minus sign.
+    """Read any number of decimal digits, perhaps after a minus sign.
 
     Cost: O(n^1.6) for n digits.
 
@@ -53,7 +53,7 @@ def read_int(text: str) -> int:
 
 
 def _square(base: _IntOrDecimal, times: int) -> list[_IntOrDecimal]:
-    """The base, its square, the square of that, as far as numbers of so many bases have halves."""
+    """List the base, its square, the square of that and so on, as far as a length needs them."""
     bases = [base]
     while 2 ** len(bases) <= times:
         bases.append(bases[-1] * bases[-1])

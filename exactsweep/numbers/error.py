@@ -1,4 +1,4 @@
-"""The base of all refusals, and how a refusal says what it is about."""
+"""The base class of all refusals, and context managers that name the refused thing."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,13 +9,13 @@ class ExactSweepError(ValueError):
 
 
 class name_refusals:  # noqa: N801
-    """Put a name in front of whatever is refused inside a `with` block.
+    """Put a name in front of the message of a refusal inside a `with` block.
 
     Args:
-        name: of the thing that is read there, such as "generatrix" or "hole 2".
+        name: the name of the input, such as "generatrix" or "hole 2".
 
     Raises:
-        ExactSweepError: the refusal, of the type that it has, its message after the name.
+        ExactSweepError: the refusal, with the same type, and the name before its message.
 
     Example:
         >>> with name_refusals("hole 2"):
@@ -39,16 +39,16 @@ class name_refusals:  # noqa: N801
 def require_imports(
     package: str, extra: str, what: str, refusal: type[ExactSweepError]
 ) -> Iterator[None]:
-    """Refuse, if an import inside the `with` block fails, and say what to install.
+    """Refuse if an import inside the `with` block fails, and name the extra to install.
 
     Args:
         package: the library.
-        extra: the extra of exactsweep that has it.
-        what: what it is needed for.
-        refusal: the error to raise.
+        extra: the extra of exactsweep that installs the library.
+        what: the feature that needs the library.
+        refusal: the type of the error to raise.
 
     Raises:
-        ExactSweepError: the refusal, where the library is not there, or cannot be loaded.
+        ExactSweepError: the refusal, if the library is missing or cannot be loaded.
 
     Example:
         >>> with require_imports("naps", "bed", "rest", ExactSweepError):
@@ -60,6 +60,6 @@ def require_imports(
         yield
     except ModuleNotFoundError:
         raise refusal(f"{what} needs {package}: pip install 'exactsweep[{extra}]'") from None
-    except ImportError as error:  # of a library that it needs, or for want of memory
+    except ImportError as error:  # of a library that it needs, or of memory
         said = " ".join(str(error).split())
         raise refusal(f"{what} needs {package}, which cannot be loaded: {said}") from None

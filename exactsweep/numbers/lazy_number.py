@@ -1,12 +1,12 @@
-"""Long numbers whose signs are told by their first digits, and exactly where these do not tell.
+"""Long numbers with intervals of ints, which decide most comparisons.
 
-A cross product of coordinates of thousands of digits takes milliseconds, and whether a ring is
-simple is a question of thousands of signs. So each number comes with an interval of ints that holds
-it, times a scale that is the same for all coordinates of a ring. Differences and products of
-intervals hold those of the numbers; (1) two numbers whose intervals are apart are told apart, and
-(2) all others are computed, as quotients of ints that are never reduced: a greatest common divisor
-of n digits takes n^2 steps, a product n^1.6. What is compared must be of one degree in the
-coordinates, or else the intervals are not on one scale; predicates of geometry are.
+A cross product of coordinates of thousands of digits takes milliseconds, and a test for a simple
+ring needs thousands of signs. So each number has an interval of ints that contains the number times
+a scale; all coordinates of a ring have the same scale. Differences and products of intervals
+contain those of the numbers. (1) If two intervals are disjoint, they decide the comparison. (2)
+Otherwise the numbers are computed as quotients of ints without reduction: a greatest common divisor
+of n digits takes n^2 steps, a product n^1.6. Two numbers are comparable only if they have the same
+degree in the coordinates, and so the same scale. Predicates of geometry compare such numbers only.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _Ratio = tuple[int, int]
 
 
 class LazyNumber:
-    """A number, computed when its interval does not tell what is asked; made by `lazy_points`."""
+    """A number that is computed only if its interval does not decide; made by `lazy_points`."""
 
     __slots__ = ("_compute", "_high", "_low", "_ratio")
 
@@ -53,7 +53,7 @@ class LazyNumber:
         return LazyNumber(min(ends), max(ends), product)
 
     def _sign(self, other: LazyNumber | int) -> int:
-        """The sign of the difference, times something positive; the only int is 0."""
+        """Return the difference times a positive number; an int operand must be 0."""
         low, high = (0, 0) if isinstance(other, int) else (other._low, other._high)
         if self._low > high:
             return 1
@@ -85,14 +85,14 @@ class LazyNumber:
 
 
 def lazy_points(points: Sequence[Vertex]) -> list[tuple[LazyNumber, LazyNumber]]:
-    """Make points of lazy numbers, all on one scale.
+    """Make points of lazy numbers, all with the same scale.
 
     Example:
         >>> (x, y), (u, v) = lazy_points([(Fraction(1, 3), 2), (1, 0)])
         >>> x * v - y * u < 0, x - x == 0, x == u
         (True, True, False)
     """
-    # The length of the whole part, negative where there is none; half a bit more or less.
+    # The number of bits of the integral part, negative for small numbers; at most half a bit off.
     sizes = (c.numerator.bit_length() - c.denominator.bit_length() for p in points for c in p if c)
     shift = _BITS - max(sizes, default=0)
 

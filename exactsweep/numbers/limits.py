@@ -1,12 +1,12 @@
 """Limits on untrusted input: digits per number, bytes per text.
 
-There is one limit on numbers, for those in texts and Decimals: some characters, `1e999999999`, must
-not ask for gigabytes, and what is answered must be readable again.
+One limit holds for numbers in texts and Decimals. A few characters, such as `1e999999999`, must not
+allocate gigabytes, and every answer must be readable again.
 
-1. A number may have `max_digits` D in its numerator and in its denominator, however it is spelled.
-2. One that is written out may have as many as it is written with, up to 32 D + 7: no vertex of a
-   loop that is computed from numbers of D digits has more, by 3 to 5. Certificates, whose cost is
-   counted in steps, have no limit; nor do ints, Fractions and floats, which are numbers already.
+1. A number may have D = `max_digits` digits in its numerator and in its denominator.
+2. A number that is written out digit by digit may have 32 D + 7 digits. By 3 to 5, no vertex of a
+   loop that is computed from numbers of D digits has more. Certificates have no limit, because
+   their checker counts steps. Ints, Fractions and floats have no limit, because they are in memory.
 
 Let |n|, d < 10^D for all coordinates n/d of two polygons.
 
@@ -15,19 +15,19 @@ Let |n|, d < 10^D for all coordinates n/d of two polygons.
    d2, which cancel that of d1 in C, and C is over those of g.
 4. Two such lines cross, at a vertex t of a trajectory or a hole or at the end of an exact fit, over
    A B' - A' B < 8 * 10^12D, with numerators below 32 * 10^12D; a reference point adds D digits.
-5. What is swept is bounded by such lines moved by a vertex of G, with |A|, |B| < 2 * 10^8D, and by
+5. Such lines moved by a vertex of G bound the swept area, with |A|, |B| < 2 * 10^8D, and so do
    edges of G moved by t: over its denominator, |A|, |B| < 16 * 10^16D and |C| < 256 * 10^16D. Two
    of these cross over less than 512 * 10^32D, with numerators below 8192 * 10^32D.
 
-And one on texts, since reading takes memory in proportion to them, up to 130 bytes for a byte:
+Another limit holds for texts, because reading takes up to 130 bytes of memory for each byte:
 
-6. A text may count for `max_mib` MiB. It counts for as many bytes as it has, and for no less than
-   16 bytes for each vertex, 32 for each element of SVG and 64 for each entity of DXF; what a file
-   draws again and again counts each time.
-7. An answer may have more vertices than fit into that, whatever the limit. So whoever writes one
-   says, where it does, which limit reads it, by the same count.
+6. A text may count for `max_mib` MiB. It counts for its number of bytes, but for at least 16 bytes
+   for each vertex, 32 for each element of SVG and 64 for each entity of DXF. An element that a file
+   draws repeatedly counts each time.
+7. An answer may have more vertices than the limit allows. Then its writer reports the limit that is
+   needed to read it, by the same count.
 
-What is computed from an answer, and from answers to that, can pass any limit: both can be raised.
+Repeated computations on answers can exceed any limit, so the caller can raise both limits.
 """
 
 from collections.abc import Iterator
@@ -37,7 +37,7 @@ from typing import TypedDict
 
 from exactsweep.numbers.error import ExactSweepError
 
-# What Python itself is ready to print of an int (`sys.int_info.default_max_str_digits`).
+# Python's own limit for printing an int (`sys.int_info.default_max_str_digits`).
 DEFAULT_DIGITS = 4300
 DEFAULT_MIB = 16
 
@@ -48,25 +48,25 @@ _max_mib: ContextVar[float | None] = ContextVar("max_mib", default=None)
 
 
 class LimitError(ExactSweepError):
-    """A limit that is none."""
+    """A value that cannot be a limit."""
 
 
 @contextmanager
 def limits(*, max_digits: int | None = None, max_mib: float | None = None) -> Iterator[None]:
-    """Change, inside a `with` block, how large what is read may be.
+    """Change the limits on input inside a `with` block.
 
-    What is computed from numbers read under the limit on digits can be written in any format and
-    read again; the limit is on the number, not on how it is spelled.
+    The limit on digits applies to the number, not to its spelling. Results computed from numbers
+    within the limit can be written in any format and read again.
 
     Args:
-        max_digits: the most digits of the numerator and of the denominator of a number in a string
-            or `Decimal`, in lowest terms; 4300 unless changed. A number that is written out may
-            have 32 times as many, and 7 more. None to leave it.
-        max_mib: for how many MiB a file, or a line of a file of pairs, may count: for what it has,
-            and no less than 16 bytes for each vertex; 16 MiB unless changed. None to leave it.
+        max_digits: the largest number of digits of the numerator and of the denominator of a number
+            in a string or `Decimal`, in lowest terms; 4300 by default. A number that is written out
+            digit by digit may have 32 times as many and 7 more. None keeps the limit.
+        max_mib: the largest size in MiB of a file, or of a line of a file of pairs, where each
+            vertex counts for at least 16 bytes; 16 MiB by default. None keeps the limit.
 
     Raises:
-        LimitError: digits that are no int from one on; MiB that are no number above 0.
+        LimitError: `max_digits` is not an int of at least 1, or `max_mib` is not a number above 0.
 
     Example:
         >>> from exactsweep import Polygon
@@ -94,7 +94,7 @@ class Limits(TypedDict):
 
 
 def list_limits() -> Limits:
-    """List the limits as they were changed, as arguments of `limits`, for another process.
+    """List the changed limits as arguments of `limits`, for another process.
 
     Example:
         >>> with limits(max_mib=2):
@@ -105,20 +105,20 @@ def list_limits() -> Limits:
 
 
 def get_max_digits() -> int:
-    """Return the most digits of a number, by 1."""
+    """Return the largest number of digits of a number, by 1."""
     return _max_digits.get() or DEFAULT_DIGITS
 
 
 def answer_digits() -> int:
-    """Return the most digits of a number that is written out: by 5, of any vertex of an answer."""
+    """Return the largest number of digits of a number that is written out, by 2."""
     return 32 * get_max_digits() + 7
 
 
 def get_max_mib() -> float:
-    """Return for how many MiB a text may count."""
+    """Return the limit on the size of a text in MiB."""
     return _max_mib.get() or DEFAULT_MIB
 
 
 def get_max_bytes() -> int:
-    """Return for how many bytes a text may count."""
+    """Return the limit on the size of a text in bytes."""
     return int(get_max_mib() * 2**20)

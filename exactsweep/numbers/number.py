@@ -1,6 +1,6 @@
-"""Coordinates in and out: every accepted number becomes the `Fraction` that it is, exactly.
+"""Reading and writing of coordinates: every accepted number becomes the equal `Fraction`.
 
-How long numbers of strangers may be is said, and proved to be enough, in `limits`.
+Module `limits` defines the limits on untrusted input, and proves that they suffice for answers.
 """
 
 import operator
@@ -21,7 +21,7 @@ _ECHO = 40
 
 _new = object.__new__
 
-# The names of the slots: the properties of a Fraction, written in Python, take four times as long.
+# The slots of a Fraction; its properties, written in Python, take four times as long.
 _numerator, _denominator = attrgetter("_numerator"), attrgetter("_denominator")
 
 # JSON's grammar of numbers, and fractions.
@@ -34,7 +34,7 @@ _NUMBER = re.compile(
 
 _SHOWN_DIGITS = 24
 
-# Digits that int() reads whatever limit the interpreter was given.
+# The number of digits that int() reads under every limit of the interpreter.
 _SHORT = sys.int_info.str_digits_check_threshold
 
 
@@ -42,7 +42,7 @@ class NumberError(ExactSweepError):
     """A value that is not an exact rational number, or one beyond the limits."""
 
 
-# 10**-d and 2**-d are one number, of d digits in decimals and of d/3.32 as a fraction.
+# 2**-d has d digits as a decimal, and d/3.32 digits in the denominator of a fraction.
 _DIGITS_BEFORE_REDUCTION = 5
 
 
@@ -60,8 +60,8 @@ def to_fraction(value: object) -> Fraction:
 
     Raises:
         NumberError: bool, nan, infinities, complex, irrational or symbolic values, other types,
-            strings outside the grammar, and strings and Decimals beyond `limits`, refused before
-            anything is computed that is five times as long.
+            strings outside the grammar, and strings and Decimals beyond `limits`. The function
+            refuses them before it computes a number five times as long.
 
     Cost: linear in the length of the input, times the cost of a multiplication of that length.
 
@@ -101,7 +101,7 @@ def to_fraction(value: object) -> Fraction:
 def _make_reduced(numerator: int, denominator: int) -> Fraction:
     """Make a Fraction of coprime ints, the second one positive.
 
-    Fraction(n, d) spends nine tenths of its time on types and on the greatest common divisor.
+    Fraction(n, d) spends 90% of its time on type checks and the greatest common divisor.
     """
     fraction = _new(Fraction)
     fraction._numerator = numerator  # type: ignore[attr-defined]
@@ -110,7 +110,7 @@ def _make_reduced(numerator: int, denominator: int) -> Fraction:
 
 
 def split_ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
-    """Return the numerators and the denominators, many at a time.
+    """Return the numerators and the denominators of many numbers.
 
     Example:
         >>> split_ratios([Fraction(1, 2), Fraction(3)])
@@ -120,7 +120,7 @@ def split_ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
 
 
 def divide_exactly(value: int | Fraction, divisor: int | Fraction) -> Fraction:
-    """Divide by a positive number, quickly where both are ints.
+    """Divide by a positive number; faster than `/` for two ints.
 
     Example:
         >>> divide_exactly(6, 4), divide_exactly(Fraction(1, 2), 3)
@@ -138,7 +138,7 @@ def divide_exactly(value: int | Fraction, divisor: int | Fraction) -> Fraction:
 
 
 def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
-    """Divide by a positive number, to an int where that is the result.
+    """Divide by a positive number; the result is an int if it is whole.
 
     Example:
         >>> ratio(6, 3), ratio(6, 4)
@@ -154,7 +154,7 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
 
 
 def to_int(value: int | Fraction) -> int | Fraction:
-    """Return the number as an int, if it is one.
+    """Convert a whole number to an int, and return other numbers unchanged.
 
     Example:
         >>> to_int(Fraction(4, 2)), to_int(Fraction(1, 2))
@@ -164,7 +164,7 @@ def to_int(value: int | Fraction) -> int | Fraction:
 
 
 def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
-    """Divide by a positive int, quickly where all is integer.
+    """Divide numbers by a positive int; faster for ints.
 
     Example:
         >>> divide_all([3, Fraction(1, 2)], 1)
@@ -186,7 +186,7 @@ def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]
 
 
 def negate(value: int | Fraction) -> int | Fraction:
-    """Change the sign, quickly.
+    """Change the sign; faster than `-` for Fractions.
 
     Example:
         >>> negate(Fraction(1, 2))
@@ -199,21 +199,21 @@ def negate(value: int | Fraction) -> int | Fraction:
 
 
 def add_to_all(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
-    """Add a number to each of others, quickly where those are ints.
+    """Add a number to each of several others; faster for ints.
 
     Example:
         >>> add_to_all(Fraction(1, 2), [1, 2])
         [Fraction(3, 2), Fraction(5, 2)]
     """
     if isinstance(value, Fraction) and all(type(k) is int for k in ints):
-        # n/d + k is in lowest terms as n/d is.
+        # n/d + k is in lowest terms if n/d is.
         n, d = value.as_integer_ratio()
         return [_make_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
     return [value + k for k in ints]
 
 
 def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
-    """Find the fraction of least numerator and denominator strictly between two others.
+    """Find the fraction of least numerator and denominator strictly between two fractions.
 
     Args:
         a: numerator of the lower bound, at least 0.
@@ -237,10 +237,10 @@ def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
 
 
 def read_any_length(text: str) -> Fraction:
-    """Read a number as `to_fraction` does, if it is written out, however long it is.
+    """Read a number of any length that is written out, as `to_fraction` does.
 
     Args:
-        text: what `format_fraction` wrote, of a length that the caller has answered for.
+        text: the output of `format_fraction`; the caller has checked its length.
 
     Example:
         >>> read_any_length("1" + "0" * 200_000) == 10**200_000
@@ -272,7 +272,7 @@ def format_fraction(value: Fraction) -> str:
 def _from_string(text: str) -> Fraction:
     if len(text) <= _SHORT and text.isascii() and len(text) <= get_max_digits():
         digits = text.removeprefix("-")
-        # Most numbers are whole, decimals without an exponent, or fractions.
+        # Most numbers are integers, decimals without an exponent, or fractions.
         whole, point, decimals = digits.partition(".")
         whole, slash, below = whole.partition("/")
         if whole.isdecimal() and (whole[0] != "0" or whole == "0"):
@@ -302,12 +302,12 @@ def _from_string(text: str) -> Fraction:
 
 def _from_decimal(text: str, match: re.Match[str]) -> Fraction:
     sign, whole, decimals, exponent = match.group("sign", "whole", "decimals", "exponent")
-    # Up to 15 digits, lest the exponent itself takes time.
+    # Up to 15 digits, so that reading the exponent takes no time.
     if exponent is not None and len(exponent) > 15:
         raise _too_long(text)
     places = len(decimals or "") - int(f"{match['subtract'] or ''}{exponent or 0}")
     digits = f"{whole}{decimals or ''}".lstrip("0") or "0"
-    # Refused before it is computed, however short it may be afterwards.
+    # Refuse the number before computing it, even if the reduced number would be short.
     length = max(len(digits) - min(places, 0), places)
     if length > _DIGITS_BEFORE_REDUCTION * _allowed_digits(text):
         raise _too_long(text)
@@ -327,7 +327,7 @@ def _from_real(value: float | Real) -> Fraction:
 
 
 def _check(text: str, value: Fraction) -> Fraction:
-    """Refuse what is too long in lowest terms."""
+    """Refuse a number that is too long in lowest terms."""
     most = _allowed_digits(text)
     longest = max(abs(value.numerator), value.denominator)
     # A bit is 0.30102999... digits.
@@ -337,7 +337,7 @@ def _check(text: str, value: Fraction) -> Fraction:
 
 
 def _allowed_digits(text: str) -> int:
-    """By 1 and 2 of `limits`."""
+    """Return the largest number of digits of a number, by 1 and 2 of `limits`."""
     return max(get_max_digits(), min(len(text), answer_digits()))
 
 
@@ -346,7 +346,7 @@ def _too_long(text: str) -> NumberError:
 
 
 def quote(value: object) -> str:
-    """Write any value for a message: its repr, cut short where it is long.
+    """Write any value for a message: its repr, shortened if it is long.
 
     >>> quote("7" * 99)
     "'777777777777777777777777777777777777..."
@@ -361,7 +361,7 @@ def quote(value: object) -> str:
 
 
 def abridge(value: Fraction) -> str:
-    """Write a number for people: exactly, or its first digits where it is long.
+    """Write a number for people: exactly, or its first digits if it is long.
 
     >>> abridge(Fraction(-7, 2)), abridge(Fraction(10**99))
     ('-7/2', '100000000000000000000...')

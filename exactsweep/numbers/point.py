@@ -1,4 +1,4 @@
-"""Points of the plane, and what pairs of exact numbers are called."""
+"""Points of the plane, and type names for pairs of exact numbers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Point(NamedTuple):
     y: Fraction
 
     def __repr__(self) -> str:
-        """As Python writes it; but Python refuses to write ints of more than 4300 digits."""
+        """Write the point as Python would, also with ints of more than 4300 digits."""
         x, y = (
             f"Fraction({write_int(c.numerator)}, {write_int(c.denominator)})"
             if isinstance(c, Fraction)
@@ -28,11 +28,11 @@ class Point(NamedTuple):
 
 
 _make_point = partial(tuple.__new__, Point)
-"""As `Point._make` does, which is written in Python."""
+"""A faster `Point._make`, which is written in Python."""
 
 
 def make_points(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> list[Point]:
-    """Put coordinates together, many at a time. Cost: O(n).
+    """Make points of two lists of coordinates. Cost: O(n).
 
     >>> make_points([Fraction(1)], [Fraction(2)])
     [Point(x=Fraction(1, 1), y=Fraction(2, 1))]
@@ -47,8 +47,8 @@ Rational = int | Fraction
 Vertex = tuple[Rational, Rational]
 Edge = tuple[Vertex, Vertex]
 Loop = tuple[Point, ...]
-"""The vertices of a closed line; the last one is not the first one again."""
+"""The vertices of a closed line; the last vertex does not repeat the first."""
 Fit = tuple[Point, Point]
-"""An exact fit by its ends, which are equal where it is a single position."""
+"""An exact fit by its ends, which are equal for a single position."""
 PointRings = Sequence[Sequence[Point]]
-"""Rings, in which the last vertex is not the first one again."""
+"""Rings; the last vertex of a ring does not repeat the first."""

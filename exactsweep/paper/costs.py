@@ -13,6 +13,7 @@ from functools import partial
 from typing import Any
 
 from exactsweep.corpus.generator.growing import (
+    bowls,
     cc,
     cm_hard,
     cm_undercut,
@@ -170,10 +171,11 @@ def _list_costs() -> Iterator[Cost]:
         ("Corollary 4.5", "SweepO_CM", run_outer_cm, outer, cm_hard),
         ("Corollary 4.6", "SweepI_CM", run_inner_cm, inner, cm_undercut),
     ):
-        one = partial(Cost, row, procedure, run, letter, MN, family, slack=PLANAR)
-        yield one("mn", 8, 16)
-        yield one("m", 32, 128)
-        yield one("n", 32, 128)
+        one = partial(Cost, row, procedure, run, letter, MN, slack=PLANAR, family=family)
+        yield one(varied="mn", first=8, timed=16)
+        yield one(varied="m", first=32, timed=128)
+        yield one(varied="n", first=32, timed=128)
+        yield one(varied="m", first=32, timed=128, family=bowls)
     row = "Corollary 4.5"
     yield Cost(row, "Trajectory_CM", run_trajectory_cm, path, MN, wide, "m", 64, 128, slack=PLANAR)
     row, procedure = "Corollary 5.7", "Trajectory_MM"
@@ -182,6 +184,8 @@ def _list_costs() -> Iterator[Cost]:
     yield one(figure10, "m", 32, 32)
     yield one(figure10, "n", 32, 32)
     yield one(mm, "mn", 16, 16)
+    yield one(bowls, "m", 32, 32, limit=1.08)
+    yield one(bowls, "n", 32, 32, limit=1.08)
     one = partial(Cost, row, f"{procedure} to the letter", path, path, MN_LOG, figure10)
     yield one("m", 32, 32)
     yield one("n", 16, 16)
@@ -227,6 +231,14 @@ def tabulate(growth: Iterable[Growth]) -> Table:
         rows.append([procedure, family, varied, one.bound, claimed, *exponents, verdict])
     header = ("procedure", "family", "doubled", "bound", "its exponent", *UNITS, "verdict")
     return Table("Exponents of the claimed bound, and of what was found", header, rows)
+
+
+def compare_outputs(procedure: str) -> Evidence:
+    """Compare what a procedure returns, on each family, with what it returns to the letter."""
+    costs = [c for c in COSTS if c.procedure.partition(",")[0] == procedure]
+    m, n = map(max, zip(*(size for c in costs for size in c.sizes(c.first, 2)), strict=True))
+    tried = f"Outputs with up to m = {m} and n = {n}, on families, as to the letter."
+    return Evidence(tried, find_first_failure(cost.compare() for cost in costs))
 
 
 def measure_costs(row: str, effort: Effort) -> Evidence:

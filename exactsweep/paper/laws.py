@@ -11,7 +11,13 @@ from exactsweep.paper.pairs import SweepPair, draw_pairs
 from exactsweep.procedures.chain import split
 
 MANY = 40
-KINDS_OF_PAIRS = {"": "", "weak": " with vertical edges", "large": " of 24 to 64 vertices each"}
+KINDS_OF_PAIRS = {
+    "": "",
+    "weak": " with vertical edges",
+    "large": " of 24 to 64 vertices each",
+    "far": " with coordinates of 30 digits",
+    "resting": " with an edge of G on teeth",
+}
 Law = Callable[[SweepPair], str]
 """What is wrong with a pair; empty if nothing is."""
 

@@ -36,6 +36,8 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
     if "figure" in row:
         check = resolve_name(f"{FIGURES}.figure.check_figure")
         found.append(check(row["figure"], _join(row["against"])))
+    if "letter" in row:
+        found.append(resolve_name("exactsweep.paper.costs.compare_outputs")(row["name"]))
     if "costs" in row:
         found.append(resolve_name("exactsweep.paper.costs.measure_costs")(row["name"], effort))
     return Evidence(

@@ -3,7 +3,8 @@
 "CC", "CM" and "MM" are the paper's classes, each letter being a polygon's; "S" is one of any shape,
 monotone to no direction as a rule. Strict polygons have no vertical edge, as the paper
 takes for granted; weak ones have vertical edges, at the ends and inside their chains. Large ones
-have so many vertices that the kernel's batches, ceilings and bounds come into play.
+have so many vertices that the kernel's batches, ceilings and bounds come into play; far ones have
+coordinates of 30 digits; in resting ones a long edge of G lies on several teeth, pointed or flat.
 """
 
 from __future__ import annotations
@@ -98,6 +99,7 @@ def _corners(ring: Ring) -> Ring:
     return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
 
 
+FAR = 10**30 + 57
 LARGE: dict[str, tuple[SeededFamily, ...]] = {
     "CC": (cc,),
     "CM": (cm, cm_hard, cm_undercut),
@@ -119,11 +121,34 @@ def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator
         effort: the seed of the run.
         kind: two letters, G's and D's.
         count: how many.
-        how: "weak", "large" or nothing.
+        how: "weak", "large", "far", "resting" or nothing.
     """
     for number in range(count):
         random = effort.random(f"{kind} {how} {number}")
         if how == "large":
             yield draw_large(random, kind)
+        elif how == "resting":
+            yield draw_resting(random)
+        elif how == "far":
+            yield SweepPair(*(_move_far(ring) for ring in draw_pair(random, kind)))
         else:
             yield draw_pair(random, kind, strict=not how)
+
+
+def draw_resting(random: Prng) -> SweepPair:
+    """Draw a CM pair in which an edge of G rests on teeth, and sheared, so that it has a slope."""
+    slope, depth, teeth = random.between(-2, 2), random.between(1, 2), random.between(2, 3)
+    bottom, x = [(0, 2)], 1
+    for _ in range(teeth):
+        flat = random.between(0, 1)
+        bottom += [(x, 0), (x + flat, 0), (x + flat + 1, depth)]
+        x += flat + 2
+    end = bottom.pop()[0]
+    lid = [(end, 2), (end // 2, 3)]
+    wide = random.choice([4, 9])
+    pair = [(1, 0), (wide, 0), (wide + 1, 1), (0, 1)], [*bottom, *lid]
+    return SweepPair(*(_corners([(x, y + slope * x) for x, y in ring]) for ring in pair))
+
+
+def _move_far(ring: Ring) -> Ring:
+    return _corners([(FAR * x + 7**33, FAR * y - 5**41) for x, y in ring])

@@ -1,8 +1,9 @@
-"""The procedures of the paper, section by section, and what grew from them.
+"""The procedures of the paper, section by section, and the solvers built on them.
 
-The ten of the paper, under their own names: `trajectory_cc`, `sweep_inner_cc` and `sweep_outer_cc`
-(Section 3), `trajectory_cm`, `sweep_inner_cm` and `sweep_outer_cm` (Section 4), `trajectory_mm` and
-`sweep_mm` (Section 5), `lower_envelope_cm` (Appendix) and `lower_envelope_mm` (Section 5.1).
+The paper's ten procedures have their own names: `trajectory_cc`, `sweep_inner_cc` and
+`sweep_outer_cc` (Section 3), `trajectory_cm`, `sweep_inner_cm` and `sweep_outer_cm` (Section 4),
+`trajectory_mm` and `sweep_mm` (Section 5), `lower_envelope_cm` (Appendix) and `lower_envelope_mm`
+(Section 5.1).
 """
 
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc

@@ -1,9 +1,9 @@
-"""The sweep of two shapes that share no direction of monotonicity, with holes or without.
+"""The sweep of two shapes that share no direction of monotonicity, with or without holes.
 
 G travels along the loop T, the exterior of the no-fit polygon, and covers S = T + G. A point p is
-left out exactly if I(G) + p misses T, and so lies inside of T or outside. The first are the
-positions in which I(G) fits into T; the second those around which T's inside is a no-fit polygon.
-So the two sides of S are one question each of those that `ss` answers.
+not covered if and only if I(G) + p does not meet T, and so lies inside or outside T. The positions
+p with I(G) + p inside T are an inner fit of I(G) in T. Those with I(G) + p outside are the free
+positions of I(G) around T. So `ss` solves one problem for each side of S.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class ShapeSolution(Solution):
     Args:
         generatrix: G.
         directrix: D.
-        scale: that of their lattice, where not all vertices need to be on it.
+        scale: the scale of their lattice; some vertices may be off the lattice.
     """
 
     kind = "SS"
@@ -77,9 +77,9 @@ class ShapeSolution(Solution):
 
     @made_once
     def _around_path(self) -> ShapeSolution:
-        """T's inside, and I(G), which misses T where a point is not swept."""
+        """The Solution of I(G) around T's inside, for the points that are not swept."""
         path = Region(Polygon._from_canonical(self.trajectory))
-        # T's corners where contact segments cross would make the common lattice huge.
+        # A lattice with T's corners at crossings of contact segments would be huge.
         return ShapeSolution(self._pair[0].reflected(), path, self.frame.scale)
 
     @made_once
@@ -95,9 +95,9 @@ class ShapeSolution(Solution):
 
     @made_once
     def inner(self) -> list[Point]:
-        """The loop around D of what is not swept: D with its undercuts and holes closed."""
+        """The inner loop around D: D with its undercuts and holes closed."""
         ring = self._pair[1].exterior.vertices
-        # D lies in one of them, and they have no inner points in common.
+        # D lies in one of these loops, and their interiors are disjoint.
         return next(loop for loop in self._inside if Overlap([loop], [ring]).at(ORIGIN))
 
     @made_once

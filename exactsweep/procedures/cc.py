@@ -18,7 +18,7 @@ from exactsweep.procedures.chain import inverse
 def merge_by_slope(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Vertex]:
     """Merge the edges of two convex chains in order of slope, from the sum of their left ends.
 
-    This is the infimal convolution of the two chains as functions of x. Parallel edges add up
+    The result is the infimal convolution of the two chains as functions of x. Parallel edges add up
     to one edge, so that the result is strictly convex. A single point only moves the other chain.
 
     Args:

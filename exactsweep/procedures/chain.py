@@ -1,13 +1,13 @@
 """X-monotone chains, their convex parts, and the reverse and inverse operators.
 
 Sections 1 and 3, Definitions 3.1 and 5.1. A polygon that is monotone to the X axis falls into
-a bottom chain and a top chain (Figure 2). Both are kept counter-clockwise, as the paper has
-them: a bottom chain runs from left to right, a top chain from right to left. Vertical edges may
-stand anywhere in a chain (weak monotonicity).
+a bottom chain and a top chain (Figure 2). Both run counter-clockwise, as in the paper: a bottom
+chain from left to right, a top chain from right to left. Vertical edges may stand anywhere in a
+chain (weak monotonicity).
 
-Errata. The paper calls a chain convex when closing it by a straight edge gives a convex polygon;
-that holds for a chain that bulges to either side, and Lemma 3.1 needs the side: here a convex
-chain turns left at every vertex. Its slope, "measured clockwise", is meant counter-clockwise.
+Errata. The paper calls a chain convex if a straight edge closes it to a convex polygon. This holds
+for chains that bulge to either side, but Lemma 3.1 needs one side. Here a convex chain turns left
+at every vertex. The paper measures slopes "clockwise" and means counter-clockwise.
 """
 
 from __future__ import annotations
@@ -33,25 +33,25 @@ class ChainError(ExactSweepError):
 
 
 class KeptChain(list[Vertex]):
-    """A chain of a polygon that is swept again and again; it caches what is found about it.
+    """A chain with a cache, for polygons that are swept many times.
 
-    It must not change. `inverse`, `measure_width` and `split_chain` of `convex_part` compute
+    The chain must not change. `inverse`, `measure_width` and `split_chain` of `convex_part` compute
     their results for it once.
 
     Attributes:
-        parts: what it was split into last, after the unit of the slopes.
+        parts: the unit of the slopes, and the parts of the last split.
     """
 
     parts: tuple[Rational | None, list[Any]] | None = None
 
     @made_once
     def inverted(self) -> KeptChain:
-        """Its inverse."""
+        """The inverse of the chain."""
         return KeptChain(_inverse(self))
 
     @made_once
     def width(self) -> Rational | None:
-        """Its width, as `measure_width` has it."""
+        """The width of the chain, as `measure_width` returns it."""
         return _measure_width(self)
 
 
@@ -74,7 +74,7 @@ def _inverse(chain: Sequence[Vertex]) -> list[Vertex]:
 
 
 def reverse(edges: Sequence[tuple[T, T]]) -> list[tuple[T, T]]:
-    """Turn every directed edge round and leave the edges in their order (Definition 3.1).
+    """Reverse every directed edge and keep the order of the edges (Definition 3.1).
 
     Laid end to end, the reversed edges of a chain are the edges of its `inverse`. Cost: O(n).
 
@@ -85,7 +85,7 @@ def reverse(edges: Sequence[tuple[T, T]]) -> list[tuple[T, T]]:
 
 
 def complement(chain: Sequence[Vertex]) -> list[Vertex]:
-    """The same chain as the boundary of the other side (Definition 5.2).
+    """Return the same chain as the boundary of the other side (Definition 5.2).
 
     The interior of a polygon lies left of its boundary; the complement's lies left of the boundary
     walked the other way. Cost: O(n).
@@ -97,7 +97,7 @@ def complement(chain: Sequence[Vertex]) -> list[Vertex]:
 
 
 def measure_width(chain: Sequence[Vertex]) -> Rational | None:
-    """The width of a chain from left to right, if all its coordinates are ints. Cost: O(n).
+    """Return the width of a chain from left to right, if all coordinates are ints. Cost: O(n).
 
     >>> measure_width([(0, 0), (2, 1), (3, 0)])
     3
@@ -115,14 +115,14 @@ def _measure_width(chain: Sequence[Vertex]) -> Rational | None:
 def split_by_slope(chain: Sequence[Vertex], unit: Rational | None) -> list[SlopedPart]:
     """Split a bottom chain at its reflex vertices into convex parts, with the slopes of edges.
 
-    As `find_convex_parts`, which see. Slopes of edges no wider than w differ by 1 / w^2 at least,
-    if they differ. So, counted in that unit and rounded down, they are ints in the same order, and
-    equal only where the slopes are.
+    The parts are those of `find_convex_parts`. Two different slopes of edges no wider than w differ
+    by at least 1 / w^2. So slopes rounded down to multiples of 1 / w^2 keep their order, and are
+    equal only if the slopes are. They are stored as ints, in that unit.
 
     Args:
         chain: points from left to right; x must not decrease.
-        unit: how many units of slope one is: w^2, if all is of ints; else None, and the slopes
-            are Fractions.
+        unit: the number of units in slope 1: w^2 if all coordinates are ints; or None, for slopes
+            that are Fractions.
 
     Raises:
         ChainError: x decreases, or never increases.
@@ -150,8 +150,8 @@ def split_by_slope(chain: Sequence[Vertex], unit: Rational | None) -> list[Slope
                 )
             if dy == 0:
                 continue
-            # A vertical edge bounds its neighbours from the side only: as functions of x they
-            # jump there, and what the sweep sees of the edge follows from their closed ends.
+            # A vertical edge bounds its neighbours from the side only. As functions of x they
+            # jump there, and their closed ends determine the contacts with the edge.
             if edges:
                 parts.append((points, slopes, edges))
             points, slopes, edges = [vertex], [], []
@@ -181,8 +181,8 @@ def split_by_slope(chain: Sequence[Vertex], unit: Rational | None) -> list[Slope
 def find_convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
     """Split a bottom chain at its reflex vertices into convex chains without vertical edges.
 
-    Adjacent parts share the reflex vertex (Section 4, step 1). Collinear edges become one, and
-    repeated points are passed over.
+    Adjacent parts share the reflex vertex (Section 4, step 1). Collinear edges become one edge, and
+    repeated points become one point.
 
     Args:
         chain: Points from left to right; x must not decrease.
@@ -203,9 +203,9 @@ def find_convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
 
 
 def require_convex(chain: Sequence[Vertex]) -> list[Vertex]:
-    """Return a bottom chain that has but one convex part.
+    """Return the corners of a convex bottom chain.
 
-    Raises ChainError when it is not convex, or has a vertical edge between others. Cost: O(n).
+    Raises ChainError if the chain is not convex or has a vertical edge inside. Cost: O(n).
 
     >>> require_convex([(0, 0), (1, -1), (2, -2), (3, 0)])
     [(0, 0), (2, -2), (3, 0)]
@@ -218,7 +218,7 @@ def require_convex(chain: Sequence[Vertex]) -> list[Vertex]:
 
 
 def list_graph_edges(chain: Sequence[Vertex]) -> list[Edge]:
-    """The edges of a chain that are not vertical. Cost: O(n).
+    """List the edges of a chain that are not vertical. Cost: O(n).
 
     >>> list_graph_edges([(0, 0), (1, 0), (1, 2), (2, 2)])
     [((0, 0), (1, 0)), ((1, 2), (2, 2))]
@@ -227,12 +227,12 @@ def list_graph_edges(chain: Sequence[Vertex]) -> list[Edge]:
 
 
 def take_corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> list[Vertex]:
-    """Leave out repeated points, and those that lie straight between their neighbours.
+    """Drop repeated points, and points on the segment between their neighbours.
 
     Args:
         chain: points in order; the line never turns back on itself.
-        suspects: the numbers of the points that may lie straight or be repeated, or repeat the
-            one before; all if left out.
+        suspects: the indices of points that may have to be dropped, or that may repeat the point
+            before; all points by default.
 
     Cost: O(n).
 
@@ -254,7 +254,7 @@ def take_corners(chain: Sequence[Vertex], suspects: Container[int] | None = None
 
 
 def _straight(p: Vertex, q: Vertex, r: Vertex) -> bool:
-    """Decide whether three points lie on one line, without differences of Fractions."""
+    """Decide whether three points are collinear, without differences of Fractions."""
     if all(type(c) is int for c in (*p, *q, *r)):
         return (q[0] - p[0]) * (r[1] - q[1]) == (q[1] - p[1]) * (r[0] - q[0])
     (px, pd), (qx, qd), (rx, rd) = (x.as_integer_ratio() for x, _ in (p, q, r))
@@ -269,16 +269,16 @@ def _straight(p: Vertex, q: Vertex, r: Vertex) -> bool:
 def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
     """Split an X-monotone polygon into its bottom and its top chain (Section 2, Figure 2).
 
-    Vertical edges at the left and at the right extreme belong to neither.
+    Vertical edges at the left and at the right extreme belong to neither chain.
 
     Args:
-        loop: Vertices, counter-clockwise, not closed, starting anywhere.
+        loop: vertices, counter-clockwise, not closed, starting anywhere.
 
     Returns:
         (bottom, left to right; top, right to left).
 
     Raises:
-        ChainError: when the polygon is not monotone to the X axis.
+        ChainError: the polygon is not monotone to the X axis.
 
     Cost: O(n).
 
@@ -288,7 +288,7 @@ def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
     start, highest = loop.index(min(loop)), max(loop)
     ring = [*loop[start:], *loop[:start]]
     end = ring.index(highest)
-    # Up to its greatest vertex, the upper end of a vertical edge on the right, if there is one.
+    # The bottom chain runs to the greatest vertex, the upper end of a vertical edge on the right.
     bottom, top = ring[: end + 1], ring[end:]
     while bottom[-2][0] == highest[0]:
         bottom.pop()

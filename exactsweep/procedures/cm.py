@@ -1,14 +1,14 @@
 """The CM sweep: convex generatrix, monotone directrix (Section 4).
 
-D_b is split at its reflex vertices into convex chains D_1, ..., D_k; each is a CC sweep, and the
-trajectory and the outer boundary are the lower envelopes of what those give (Lemma 4.1). The
-inner boundary is D_b with its undercuts closed (Figure 7). Time and space O(m n), optimal
+The reflex vertices split D_b into convex chains D_1, ..., D_k. Each chain gives a CC sweep. The
+trajectory and the outer boundary are the lower envelopes of the results (Lemma 4.1). The inner
+boundary is D_b with its undercuts closed (Figure 7). Time and space are O(m n), which is optimal
 (Corollaries 4.5 and 4.6).
 
-Why one crossing is all (Lemma A.3), degenerate input included: T(G_t, D_i) is the minimum over a
-in D_i of D_b(a) + h(x - a) for one convex h. For convex h the difference of two sub-trajectories,
-the left one minus the right one, never decreases along x, whatever D_b is, jumps and parallel
-edges included: it is zero in one point, on one segment, or nowhere.
+Lemma A.3, one crossing at most, also holds for degenerate input. T(G_t, D_i) is the minimum over a
+in D_i of D_b(a) + h(x - a) for one convex h. For convex h, the difference of two sub-trajectories,
+the left one minus the right one, never decreases along x. This holds for every D_b, with jumps and
+parallel edges. So the difference is zero in one point, on one segment, or nowhere.
 """
 
 from __future__ import annotations
@@ -64,9 +64,9 @@ def sweep_outer_cm(
 ) -> Envelope:
     """Outer boundary of the sweep of a convex G along a monotone D_b.
 
-    Procedure SweepO_CM. The chains are given as for `sweep_outer_cc` and `trajectory_cm`.
+    Procedure SweepO_CM. Arguments as for `sweep_outer_cc` and `trajectory_cm`.
 
-    Raises ChainError when the directrix is not X-monotone. Cost: O(m n).
+    Raises ChainError if the directrix is not X-monotone. Cost: O(m n).
 
     >>> print(sweep_outer_cm([(1, 0), (0, 0)], [(0, 0), (1, 0)], [(0, 0), (2, 2), (4, 0)]))
     (-1, 0) (1, 0) (2, 1) (3, 0) (5, 0)
@@ -78,7 +78,7 @@ def sweep_outer_cm(
 def sweep_parts(edges: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
     """Step 2: solve the CC sweep of each convex part and take the lower envelope.
 
-    The edges of reversed G_t (or of reversed G_t and G_b) come as one convex chain.
+    One convex chain has the edges of reversed G_t (or of reversed G_t and G_b).
     """
     unit = measure_unit(edges, directrix)
     chain = take_whole(edges, unit)
@@ -91,16 +91,16 @@ def sweep_inner_cm(
 ) -> list[Vertex]:
     """Inner boundary of the sweep of a convex G_t along a monotone D_b.
 
-    Procedure SweepI_CM. Where two sub-trajectories meet, G touches D_b in two places; what lies
-    between them is replaced by the part of G_t there: the bottom chain of an undercut (Figure 7a).
-    Where they share a segment, both places are on one edge of G_t (Figure 7b), and any point of
-    the segment gives the same bottom chain, so that the one at which the envelope changes over
-    serves. At a step of the envelope it is the higher position that closes the undercut.
+    Procedure SweepI_CM. Where two sub-trajectories meet, G touches D_b in two places. The part of
+    G_t between them replaces D_b there: it is the bottom chain of an undercut (Figure 7a). Where
+    the sub-trajectories share a segment, both places are on one edge of G_t (Figure 7b), and all
+    points of the segment give the same bottom chain. At a step of the envelope the higher position
+    closes the undercut.
 
     Args:
         generatrix: G_t: points from right to left, strictly convex, no vertical edge.
         directrix: D_b: points from left to right, vertical edges allowed.
-        trajectory: The result of `trajectory_cm` for the same chains, when it is at hand.
+        trajectory: the result of `trajectory_cm` for the same chains, if the caller has it.
 
     Returns:
         points from left to right, vertical edges included, no three collinear.
@@ -129,8 +129,9 @@ def sweep_inner_cm(
         i, left, in_left = _find_contact(reversed_edges, before, pieces[k - 1], at)
         j, right, in_right = _find_contact(reversed_edges, after, pieces[k], at)
         step = height(pieces[k - 1], pieces[k], at)
-        # Vertices of G are corners. A contact may be straight, or be the vertex of G beside it,
-        # unless both are inside edges of D_b; at a step, one is where a part of D_b ends.
+        # Vertices of G are corners. A contact may be collinear with its neighbours, or equal to a
+        # vertex of G, unless both contacts are inside edges of D_b. At a step one of them is an end
+        # of a part of D_b.
         plain = in_left and in_right
         higher = trajectory.point(k if step < 0 else k - 1, at)
         inner += before[done : i + 1]
@@ -148,12 +149,13 @@ def sweep_inner_cm(
 def _find_contact(
     moving: Sequence[Vertex], points: Sequence[Vertex], piece: Piece, at: Break
 ) -> tuple[int, Break, bool]:
-    """Find where G touches a convex part of D_b, standing at a break on a piece of the trajectory.
+    """Find where G, at a break on a piece of the trajectory, touches a convex part of D_b.
 
-    In order of slope, the piece follows all flatter edges of D_i and of reversed G_t: VE if D_i has
-    an edge of its slope, EV if G_t has one, EE if both; of an EE contact, a segment, the right end.
+    In order of slope, the piece follows all flatter edges of D_i and of reversed G_t. The contact
+    is VE if D_i has an edge of that slope, EV if G_t has one, and EE if both have one. For EE,
+    which is a segment, the result is its right end.
 
-    Returns (number of an edge of the part, x on it, whether that is VE and inside the edge).
+    Returns (number of an edge of the part, x on it, whether the contact is VE and inside the edge).
     Cost: O(log m + log n).
     """
     dx, dy, _, start, _ = piece
@@ -181,9 +183,9 @@ def _place(
     *,
     touching: bool,
 ) -> list[Vertex]:
-    """Vertices of G_t between two breaks, left to right, when G is at a position, at a break.
+    """List the vertices of G_t between two breaks, left to right, for a position of G at a break.
 
-    With those that are at the breaks, if `touching`. All three breaks have one denominator.
+    `touching` includes vertices at the breaks. All three breaks have the same denominator.
     Cost: O(log n + vertices returned).
     """
     n, d = at

@@ -1,13 +1,13 @@
-"""The garbage collector, which has nothing to do while loops are made."""
+"""A pause of the garbage collector while the kernel makes loops."""
 
 import gc
 
 
 class pause_collector:  # noqa: N801
-    """Keep the collector from running while many objects are made that refer to one another.
+    """Disable the garbage collector in a `with` block that makes many objects.
 
-    It looks for cycles among all objects each time that their number has grown by some share. The
-    kernel makes none, but 100,000 vertices make it look so often that this takes half of the time.
+    The collector searches all objects for cycles whenever their number has grown by some share. The
+    kernel makes no cycles, but with 100,000 vertices the searches take half of the time.
     """
 
     def __enter__(self) -> None:

@@ -1,28 +1,28 @@
-"""Contact lines: where the boundary of the free positions of a polygon of any shape can run.
+"""Contact lines, which contain the boundary of the free positions of polygons of any shape.
 
-Let D and H = I(G) be sets with interiors connected, bounded by rings with the interior on the left,
-and O = int D + int H the positions of overlap, an open set. A position that is not in O, and at
-which the two touch, lies on a *contact segment*: a convex vertex of one, moved along an edge of the
-other whose direction has its place between those of the two edges at the vertex, ends included.
+Let D and H = I(G) be sets with connected interiors, bounded by rings with the interior on the left.
+Let O = int D + int H be the positions of overlap, an open set. A *contact segment* is the path of a
+convex vertex of one set along an edge of the other. The direction of the edge lies between the
+directions of the two edges at the vertex, or equals one of them.
 
-(1) A free position with contact lies on a contact segment. Where the two touch, the cones of both
-    have no inner point in common, so one of them is convex; two disjoint cones of which one is
-    convex are parted by the line through an edge of one of them; and the vertex on the other side
-    of that line is convex, since its cone lies in a half-plane. The ends of a shared piece of two
-    edges are vertices for which this holds, too.
-    A shape that touches itself in a point has several cones there, with gaps between them. Those
-    of the other one lie in one gap, since interiors that are connected cannot pass each other
-    there; so the corner of the ring around that gap stands for all.
-(2) Left of a contact segment, near each inner point of it, there is overlap: the vertex has gone
-    through the edge there, and the interior next to it with it.
+(1) A free position with contact lies on a contact segment. At a common point, the cones of the two
+    sets have disjoint interiors, so one of the cones is convex. A line through an edge of one cone
+    separates them. The cone beyond that line lies in a half-plane, so its vertex is convex. The
+    ends of a piece that two edges share are vertices with this property, too. A set that touches
+    itself in a point has several cones there, with gaps between them. The cones of the other set
+    lie in one gap, since connected interiors cannot pass each other there. So the corner of the
+    ring around that gap represents all cones.
+(2) Near each inner point of a contact segment, the positions on its left overlap: there the vertex
+    has crossed the edge, and the interior beside the vertex lies in the other interior.
 
-By (1) the boundary of the free positions, and the exact fits, are made of pieces of contact
-segments, and each piece between two neighbouring crossings is free or overlapped as a whole. By (2)
-a free region lies right of every contact segment that bounds it, and an exact fit has contact
-segments of both directions along it.
+By (1) the boundary of the free positions, and the exact fits, consist of pieces of contact
+segments. Each piece between two neighbouring crossings is either free or overlapped. By (2) a free
+region lies right of every contact segment that bounds it, and contact segments of both directions
+run along an exact fit.
 
-Reduced convolution: Behar and Lien, "Fast and robust 2D Minkowski sum using reduced convolution",
-IROS 2011, has the same segments for polygons without holes, without the ends of the ranges.
+Reference: the reduced convolution of Behar and Lien, "Fast and robust 2D Minkowski sum using
+reduced convolution", IROS 2011, has the same segments for polygons without holes, but excludes the
+ends of the ranges of directions.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures.leeway import Leeway
 
 _UNITS = 2**32
-_BEYOND = 1  # how far pieces go on outside of a leeway
+_BEYOND = 1  # the length by which pieces extend beyond a leeway
 
 StretchPlace = tuple[int, int]
 """A place n / d on a line; d > 0."""
@@ -50,9 +50,9 @@ StretchPlace = tuple[int, int]
 Cut = tuple[int, StretchPlace, bool, bool, bool]
 """A crossing of a stretch with another one.
 
-A key, greater for another cut only where its place is not less; the place on the stretch; whether
-there is overlap just before it, and just after it, on account of the other stretch; whether contact
-segments run both ways along that.
+Its fields: a sort key that never decreases with the place; the place on the stretch; whether the
+other stretch proves overlap just before the place, and just after it; whether contact segments run
+both ways along the other stretch.
 """
 
 ReducedPoint = tuple[int, int, int, int]
@@ -62,26 +62,27 @@ ReducedPoint = tuple[int, int, int, int]
 class Stretch:
     """A stretch of a line on which contact segments of the same directions lie.
 
-    The line has the points with dx * y - dy * x = c / e; dx, dy are coprime ints, dx > 0 or (0, 1),
-    and so are c and e > 0. Places on it are values of x, of y if it is vertical. All is kept in
-    ints, so that shapes off the lattice, such as trajectories, take no Fractions.
+    The line consists of the points with dx * y - dy * x = c / e. The direction (dx, dy) has coprime
+    ints, with dx > 0 or (0, 1); c and e > 0 are coprime ints. A place on the line is the value of
+    x, or of y if the line is vertical. All numbers are ints, so that shapes off the lattice, such
+    as trajectories, need no Fractions.
 
     Args:
         line: dx, dy and c / e.
         low: the place of one end.
-        high: that of the other one.
-        left: as the attribute.
-        right: likewise.
+        high: the place of the other end.
+        left: see the attribute.
+        right: see the attribute.
 
     Attributes:
-        low, high: its ends, Breaks.
-        left, right: on which sides there is overlap: whether contact segments run along (dx, dy),
-            and whether they run against it.
+        low, high: the places of the ends.
+        left, right: the sides with overlap: whether contact segments run along (dx, dy), and
+            whether they run against it.
         low_through, high_through: the same for segments that run through the point `low` or `high`;
-            None where the line goes no further.
-        low_covered, high_covered: whether there is overlap just inside of an end at which the
-            stretch was cut short.
-        cuts: crossings with other stretches.
+            None if the line ends there.
+        low_covered, high_covered: whether the stretch was cut at that end, with overlap just
+            inside.
+        cuts: the crossings with other stretches.
     """
 
     __slots__ = (
@@ -120,7 +121,7 @@ class Stretch:
         self.cuts: list[Cut] = []
 
     def between(self, low: Rational, high: Rational) -> Stretch:
-        """The piece from one place to another; an end that is not the stretch's is covered."""
+        """Return the piece between two places; an end inside the stretch counts as covered."""
         line = self.dx, self.dy, ratio(self.c, self.e)
         piece = Stretch(line, low, high, self.left, self.right)
         piece.low_covered = self.low_covered or piece.low != self.low
@@ -129,7 +130,7 @@ class Stretch:
         return piece
 
     def bound(self) -> tuple[int, int, int, int]:
-        """Bounds of the stretch, rounded outwards to ints: left, right, low, high."""
+        """Return the bounds of the stretch, rounded outwards to ints: left, right, low, high."""
         dx, dy, c, e, (low, below), (high, above) = (
             self.dx,
             self.dy,
@@ -147,9 +148,9 @@ class Stretch:
         return left, right, floor, -((-high * dy * e - c * above) // (dx * e * above))
 
     def within(self, leeway: Leeway) -> Stretch | None:
-        """The piece that is in the leeway, or a little more; None if there is none.
+        """Return the piece in the leeway, or a little more; None if the stretch is outside.
 
-        Outside of the leeway there is overlap everywhere, and so just inside of an end that is cut.
+        All positions outside the leeway overlap, and so do those just inside an end that is cut.
         """
         west, east, south, north = leeway
         left, right, lowest, highest = self.bound()
@@ -185,7 +186,7 @@ class Stretch:
         return self if (start, end) == (low, high) else self.between(start, end)
 
     def vertex(self, place: StretchPlace) -> ReducedPoint:
-        """The point of the line at a place."""
+        """Return the point of the line at a place."""
         n, d = place
         common = gcd(n, d)
         if self.dx == 0:
@@ -197,8 +198,8 @@ class Stretch:
 
 class _RankedEdge(NamedTuple):
     rank: int
-    number: int  # of the direction, either way round
-    ahead: bool  # whether it runs along that direction
+    number: int  # of the direction; opposite directions have the same number
+    ahead: bool  # whether the edge runs along that direction
     offset: Rational
     low: Rational
     high: Rational
@@ -213,12 +214,12 @@ class _Convex(NamedTuple):
 def find_contact_stretches(
     stationary: Rings, moving: Rings, leeway: Leeway | None = None
 ) -> list[Stretch]:
-    """The contact segments of two shapes, those on one line put together.
+    """Find the contact segments of two shapes, and join those on one line to stretches.
 
     Args:
         stationary: the rings of D.
-        moving: the rings of H = I(G), the orbiting shape turned by half a turn.
-        leeway: segments may be left out that are outside of it.
+        moving: the rings of H = I(G), the orbiting shape after half a turn.
+        leeway: segments outside it may be left out.
 
     Returns:
         The stretches, in the order of their lines.
@@ -233,7 +234,7 @@ def find_contact_stretches(
         list
     )
     for (_, corners), (edges, _) in (sides, sides[::-1]):
-        # Twice round, so that each range of directions is one slice.
+        # The edges of two turns, so that each range of directions is one slice.
         circle = 2 * len(directions)
         order = sorted(edges)
         order += [edge._replace(rank=edge.rank + circle) for edge in order]
@@ -266,7 +267,7 @@ def find_contact_stretches(
 
 
 class _DirectedRing:
-    """A ring, its edges, of which edge i ends at vertex i, and their directions, either way."""
+    """A ring, its edges, and their directions; edge i ends at vertex i."""
 
     def __init__(self, ring: Sequence[Vertex]) -> None:
         self.vertices = ring
@@ -275,7 +276,7 @@ class _DirectedRing:
 
 
 def _rank(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
-    """Directions of edges, either way round, in order of slope, and their places there."""
+    """Sort the directions of edges by slope, and return each direction's place in that order."""
     found = set(given)
     vertical = {(0, 1)} & found
     order = sorted((v * _UNITS // u, u, v) for u, v in found - vertical)
@@ -289,7 +290,7 @@ def _rank(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
 def _list_features(
     rings: Sequence[_DirectedRing], ranks: dict[Vector, int], half: int
 ) -> tuple[list[_RankedEdge], list[_Convex]]:
-    """The edges and the convex vertices of a shape, with the ranks of their directions.
+    """List the edges and the convex vertices of a shape, with the ranks of their directions.
 
     Directions are ranked counter-clockwise from just above straight down, `half` to half a turn.
     """
@@ -317,7 +318,7 @@ def _list_features(
 def _join_segments(
     line: tuple[int, int, Rational], segments: list[tuple[Rational, Rational, bool]]
 ) -> Iterator[Stretch]:
-    """Put the contact segments of one line together: stretches with the same directions along."""
+    """Join the contact segments of one line to stretches with constant directions."""
     if len(segments) == 1:
         ((low, high, ahead),) = segments
         yield Stretch(line, low, high, ahead, not ahead)
@@ -332,7 +333,7 @@ def _join_segments(
     for place in sorted(starting.keys() | ending.keys()):
         along -= ending[place][True]
         against -= ending[place][False]
-        # Segments that end here where others start do not run through: (2) is not said of their
+        # Segments that end here, where others start, do not run through. (2) does not cover their
         # ends, and an exact fit can begin there.
         through = along > 0, against > 0
         along += starting[place][True]

@@ -1,26 +1,26 @@
-"""Convex parts, and what of their sub-trajectories matters (Sections 4 and 5, step 1).
+"""Convex parts and the relevant edges of their sub-trajectories (Sections 4 and 5, step 1).
 
-A convex part is a maximal run of edges that become steeper: of D_b, of reversed G_t, or of a
-trajectory that is the directrix of the next sweep. Each edge is whole and holds between two breaks.
-Mostly all vertices are on the lattice, and only the two end edges may be cut by a break; what they
-have beyond is above the part, on the chain that it was cut from. Inside a trajectory, the vertices
-are crossings: there each edge is known by its line.
+A convex part is a maximal run of edges of increasing slope: of D_b, of reversed G_t, or of a
+trajectory that is the directrix of the next sweep. Each edge is stored whole and holds between two
+breaks. Usually all vertices are on the lattice, and a break cuts the two end edges at most. The
+rest of a cut edge lies above the part, on the chain that the part belongs to. Inside a trajectory
+the vertices are crossings, and each edge is stored by its line.
 
-What matters of T(G_t, D_i), the sum of a part c of reversed G_t and a part p = D_i:
+Let c be a part of reversed G_t and p = D_i a part of D_b. The relevant edges of their sum
+T(G_t, D_i) are the edges that can lie on the envelope.
 
     (1)  T(G_t, D_i) has the edges of c and of p in order of slope (Lemma 3.1).
-    (2)  Where the part before p is at least as low at their common end, p need not be turned about
-         there: G standing on that end with an edge flatter than p's first one would overlap the
-         part before. So these edges of c are above the envelope except for single points, and need
-         not be made.
+    (2)  Let the part before p be at least as low as p at their common end. If G stood on that end
+         with an edge flatter than p's first edge, G would overlap the part before. So these edges
+         of c are above the envelope except for single points, and need not be made.
     (3)  The same holds for p's last edge and the steeper edges of c.
-    (4)  A sum does not know which of its two chains moves: (2) and (3) hold with c and p exchanged.
-    (5)  At a convex end of both, on the lattice, or at a lower end than the neighbour's, p has to
-         be turned about; so it has at the ends of D_b.
+    (4)  A sum is symmetric in its two chains, so (2) and (3) hold with c and p exchanged.
+    (5)  All slopes are relevant at an end of p that is lower than its neighbour's end, at an end
+         that is convex for both, on the lattice, and at the ends of D_b.
 
-So what matters of a pair is the edges with slopes between the ends of both parts, which in an MM
-sweep of real outlines is nothing for most pairs. Slopes are ints (see `split_by_slope`), so that
-edges are found and merged without products.
+So the relevant edges of a pair are those with slopes between the ends of both parts. In an MM sweep
+of real outlines most pairs have none. Slopes are ints (see `split_by_slope`), so that edges are
+found and merged without products.
 """
 
 from __future__ import annotations
@@ -36,24 +36,24 @@ from exactsweep.procedures.chain import KeptChain, measure_width, require_convex
 from exactsweep.procedures.envelope import Break, Envelope, Piece
 
 Box = tuple[Rational, Rational, Rational]
-"""Bounds of a convex part: (left, right, low), of its x-range and its least y, rounded to ints."""
+"""Bounds of a convex part, rounded outwards to ints: (left, right, low), where low bounds y."""
 
 Slope = Rational | float
-"""Of an edge, as `split_by_slope` has it, or infinite."""
+"""The slope of an edge in the unit of `split_by_slope`, or an infinity."""
 
 
 class ConvexPart(NamedTuple):
     """A convex part with its vertices on the lattice.
 
     Attributes:
-        points: its vertices, the end edges whole.
-        left: the break on the first edge from which on it holds; None if that is its start.
-        right: the same on the last edge.
-        flattest: the slope from which on it matters: of its first edge, or infinite where the other
-            polygon has to turn about the left end, (5).
-        steepest: the same for the right end.
-        slopes: of its edges, ascending.
-        edges: each as a vector.
+        points: the vertices, the end edges whole.
+        left: the break on the first edge at which the part starts; None for the start of the edge.
+        right: the break on the last edge at which the part ends, likewise.
+        flattest: the least relevant slope: that of the first edge, or minus infinity where the
+            other polygon has to turn about the left end, (5).
+        steepest: the greatest relevant slope, likewise for the right end.
+        slopes: the slopes of the edges, ascending.
+        edges: the edges as vectors.
     """
 
     points: Sequence[Vertex]
@@ -66,7 +66,7 @@ class ConvexPart(NamedTuple):
 
     @property
     def box(self) -> Box:
-        """Its box."""
+        """The bounds of the part."""
         return (*self.x_range, self.points[bisect_left(self.slopes, 0)][1])
 
     @property
@@ -94,7 +94,7 @@ class ConvexPart(NamedTuple):
         (x, y), (ox, oy) = points[i], origins[j]
         x += ox
         y += oy
-        # Whole, an end edge goes beyond the break; it may have been left out for its slope, (4).
+        # A whole end edge extends beyond the break. It may be missing because of its slope, (4).
         breaks: list[Break] = [(x, 1)]
         if left is not None and i == 0 < last_i:
             n, d = left
@@ -133,14 +133,14 @@ class ConvexPart(NamedTuple):
 
 
 class CrossingPart(NamedTuple):
-    """A convex part whose vertices are crossings: edges by their lines.
+    """A convex part whose vertices are crossings; edges are stored by their lines.
 
     Attributes:
-        edges: its edges as pieces.
+        edges: the edges as pieces.
         breaks: edge k holds from break k to break k + 1.
-        flattest: as of a `ConvexPart`.
-        steepest: the same.
-        slopes: of its edges, ascending.
+        flattest: the least relevant slope, as for `ConvexPart`.
+        steepest: the greatest relevant slope, likewise.
+        slopes: the slopes of the edges, ascending.
     """
 
     edges: Sequence[Piece]
@@ -151,7 +151,7 @@ class CrossingPart(NamedTuple):
 
     @property
     def box(self) -> Box:
-        """Its box. A convex part is lowest at an end or at a vertex, all of which are breaks."""
+        """The bounds of the part. Its lowest point is an end or a vertex, and so at a break."""
         k = bisect_left(self.slopes, 0)
         dx, dy, c, _, _ = self.edges[k and k - 1]
         n, d = self.breaks[k]
@@ -165,10 +165,10 @@ class CrossingPart(NamedTuple):
     def sweep(self, chain: ConvexPart, source: int) -> Envelope | None:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
 
-        An edge is moved by a vertex of G; an edge of G by a crossing (x/w, y/w), which makes its
-        line integer again when it is multiplied by w.
+        A vertex of G moves an edge of the part. A crossing (x/w, y/w) moves an edge of G, whose
+        line is integer again after a multiplication by w.
 
-        Arguments, result and cost as for `ConvexPart.sweep`.
+        Arguments, result and cost are those of `ConvexPart.sweep`.
         """
         own, breaks, flattest, steepest, slopes = self
         points, _, _, chain_flattest, chain_steepest, chain_slopes, others = chain
@@ -181,7 +181,8 @@ class CrossingPart(NamedTuple):
         pieces: list[Piece] = []
         found: list[Break] = [(n + points[at][0] * d, d)]
         for k in range(first, last + 1):
-            # About vertex k, G turns up to the slope of edge k, in the end up to its own last edge.
+            # At vertex k, add the edges of G up to the slope of edge k; at the last one, all the
+            # rest.
             slope: Slope = slopes[k] if k < last else inf
             if at < end and chain_slopes[at] < slope:
                 n, d = breaks[k]
@@ -205,7 +206,7 @@ class CrossingPart(NamedTuple):
 
 
 def round_outwards(start: Break, end: Break) -> tuple[Rational, Rational]:
-    """The least x-range between ints that holds two breaks. Cost: O(1)."""
+    """Return the least x-range between ints that contains two breaks. Cost: O(1)."""
     (n, d), (m, e) = start, end
     return n // d, -(-m // e)
 
@@ -218,9 +219,10 @@ def _find_what_matters(
     chain_flattest: Slope,
     chain_steepest: Slope,
 ) -> tuple[int, int, int, int]:
-    """Find the edges of a part and of a part of reversed G_t that matter, by their attributes.
+    """Find the relevant edges of a part and of a part of reversed G_t.
 
-    Returns (first of the part, first that does not matter after it, the same two of the other).
+    Returns (start, end) of the edges of the part, then (start, end) for the other one; ends are
+    excluded.
     """
     i, last_i, j, last_j = 0, len(slopes), 0, len(chain_slopes)
     if flattest > chain_flattest:  # (2)
@@ -248,11 +250,10 @@ def count_flatter(points: Sequence[Vertex], dx: Rational, dy: Rational) -> int:
 
 
 def measure_unit(*directrices: Sequence[Vertex] | Envelope) -> int | None:
-    """The unit in which the slopes of chains or envelopes are ints, for `split_parts`.
+    """Return the unit in which the slopes of chains or envelopes are ints, for `split_parts`.
 
-    A power of two, so that it is mostly the same for a chain with whatever it is swept with.
-
-    None if there are others than ints. Cost: O(n).
+    The unit is a power of two, so that a chain usually has the same unit in different sweeps. It is
+    None if some coordinate is not an int. Cost: O(n).
     """
     widest = 0
     for chain in directrices:
@@ -264,7 +265,7 @@ def measure_unit(*directrices: Sequence[Vertex] | Envelope) -> int | None:
 
 
 def take_whole(chain: Sequence[Vertex], unit: Rational | None) -> ConvexPart:
-    """A convex chain as the only part. Raises ChainError when it is not convex. Cost: O(n)."""
+    """Return a convex chain as one part. Raises ChainError if it is not convex. Cost: O(n)."""
     part, *others = split_chain(chain, unit)
     if others:
         require_convex(chain)
@@ -272,18 +273,18 @@ def take_whole(chain: Sequence[Vertex], unit: Rational | None) -> ConvexPart:
 
 
 def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPart]:
-    """Step 1: the convex parts of a bottom chain, from left to right.
+    """Step 1: split a bottom chain into convex parts, from left to right.
 
-    Raises ChainError when it is not X-monotone. Cost: O(m).
+    Raises ChainError if the chain is not X-monotone. Cost: O(m).
     """
     kept = chain if type(chain) is KeptChain else None
-    # Looked up once: another thread may sweep the polygon with another unit meanwhile.
+    # One look-up: another thread may sweep the polygon with another unit at the same time.
     before = None if kept is None else kept.parts
     if before is not None and before[0] == unit:
         return before[1]
     found = split_by_slope(chain, unit)
     parts: list[ConvexPart] = []
-    # What joins two parts is a vertex, or a wall, of which the lower end has to be turned about.
+    # A vertex joins two parts, or a wall. At the lower end of a wall all slopes are relevant, (5).
     falls = True
     for k, (points, slopes, edges) in enumerate(found, 1):
         flattest: Slope = -inf if falls else slopes[0]
@@ -299,7 +300,7 @@ def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPa
 
 
 def split_envelope(envelope: Envelope, unit: Rational | None) -> Iterator[CrossingPart]:
-    """Step 1: the convex parts of an envelope without gaps, from left to right. Cost: O(m)."""
+    """Step 1: split an envelope without gaps into convex parts, left to right. Cost: O(m)."""
     breaks, pieces = envelope.breaks, envelope.pieces
     slopes: list[Rational] = [
         divide_exactly(dy, dx) if unit is None else dy * unit // dx for dx, dy, _, _, _ in pieces
@@ -321,12 +322,12 @@ def split_envelope(envelope: Envelope, unit: Rational | None) -> Iterator[Crossi
 
 
 def split_parts(directrix: Sequence[Vertex] | Envelope, unit: Rational | None) -> list[ConvexPart]:
-    """Step 1: the convex parts of a bottom chain, or of an envelope of edges on the lattice.
+    """Step 1: split a bottom chain, or an envelope of edges on the lattice, into convex parts.
 
-    A crossing in a lower envelope is concave, so that it ends a part: with the edges that it cuts
-    made whole, the parts are on the lattice.
+    A crossing in a lower envelope is concave, so a part ends there. Parts store cut edges whole,
+    so their vertices are on the lattice.
 
-    Raises ChainError when a chain is not X-monotone. Cost: O(m).
+    Raises ChainError if a chain is not X-monotone. Cost: O(m).
 
     Example:
         >>> from exactsweep.procedures.lower_envelope import lower_envelope_cm

@@ -1,20 +1,20 @@
-"""Positions that are known to be overlapped, in squares of a grid: what lies there need not be cut.
+"""Squares of a grid that lie in the overlap; pieces of contact segments in them are dropped.
 
-Most of a contact segment runs through the inside of the positions of overlap O = int D + int H. The
-plane is cut into squares of side h. A closed square lies in O if it lies in one of these sets:
+Most of a contact segment runs inside O = int D + int H, the positions of overlap. A grid cuts the
+plane into squares of side h. A closed square lies in O if it lies in one of these sets:
 
-(1) A + B, with A the closed squares that lie in D, and B the grid points in the interior of H: a
-    point p of the square is the limit of inner points of D, so that p + b = p' + b' for an inner
-    point p' near p and a b' near b, inner to H.
+(1) A + B, for the closed squares A in D and the grid points B inside H. A point p of a square in A
+    is a limit of inner points of D. So p + b = p' + b' for an inner point p' of D near p, and an
+    inner point b' of H near b.
 (2) The inside of the parallelogram a + b, for an edge a of D and an edge b of H. At its inner
     points the edge a and the edge -b of G cross, and where edges cross, interiors meet.
 
-Squares of (1) fill shapes that are wide, those of (2) the sums of thin ones, whose edges are long:
-of n zigzags across n zigzags, each parallelogram has the size of the whole answer. Bounds are
-rounded so that a square is left out rather than wrong.
+Squares of (1) fill wide shapes. Squares of (2) fill the sums of thin shapes, whose edges are long:
+for n zigzags across n zigzags, each parallelogram is as large as the whole answer. Rounding of
+bounds can lose a square but never adds a wrong one.
 
-(3) Of a stretch, only what lies in columns where it leaves the squares matters. It is cut at
-    borders of columns; just inside of a cut there is overlap.
+(3) Only the columns in which a stretch leaves the squares are relevant. The stretch is cut at
+    borders of columns, and just inside each cut there is overlap.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ from exactsweep.procedures.parallelograms import fill_parallelograms
 from exactsweep.procedures.squares import find_squares_of_sum, halve_squares
 
 _FEW = 400
-"""As many stretches are cut faster as they are."""
+"""The number of stretches up to which cutting all of them is faster than a cover."""
 _SQUARES_PER_STRETCH = 2
 _MOST_COLUMNS = 384
 """A sum of (1) takes time by the third power of their number."""
 _ONE_OF = 16
-"""One of so many stretches tells how many are covered."""
+"""One of this many stretches is in the sample that estimates how many are covered."""
 
 
 def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings) -> list[Stretch]:
@@ -47,9 +47,9 @@ def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings
         moving: the rings of H.
 
     Returns:
-        Stretches between the same lines, with ends that are covered marked.
+        Stretches on the same lines, with marks at covered ends.
 
-    Cost: O(s) for s squares, a fixed number for each stretch, in words of their columns, and
+    Cost: O(s) word operations for s squares, a fixed number of squares per stretch, and
     O(k log s + x) for k stretches and x columns in which they are not covered.
     """
     if len(stretches) < _FEW:
@@ -63,12 +63,12 @@ def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings
 
 
 class Cover:
-    """The squares of (1), for a grid with about so many columns over each shape.
+    """The covered squares of a grid, by (1), for a given number of columns over each shape.
 
     Attributes:
-        side: that of a square.
+        side: the side of a square.
         left, low: the first column and the first row.
-        columns: the rows that are covered, as the bits of an int for each column.
+        columns: an int for each column, whose bits are the covered rows.
     """
 
     def __init__(self, stationary: Rings, moving: Rings, columns: int) -> None:
@@ -83,9 +83,9 @@ class Cover:
         self._blocks = _list_blocks(self.columns)
 
     def refine(self, shapes: tuple[Rings, Rings], work: int) -> None:
-        """Halve the squares, and add those of (2), until so many of their columns were met.
+        """Halve the squares and add those of (2), up to a number of column borders.
 
-        Sums of (1) take much longer on a finer grid, and gain little.
+        Sums of (1) would take much longer on the finer grid, and gain little.
         """
         if self.side % 2 == 0:
             self.side, self.left, self.low = self.side // 2, 2 * self.left, 2 * self.low
@@ -95,7 +95,7 @@ class Cover:
         self._blocks = _list_blocks(self.columns)
 
     def uncovered(self, stretch: Stretch) -> Iterator[Stretch]:
-        """The pieces of a stretch that leave the squares, cut at borders of columns."""
+        """Find the pieces of a stretch that leave the squares, cut at borders of columns."""
         side, dx, dy, c, e = self.side, stretch.dx, stretch.dy, stretch.c, stretch.e
         (low, below), (high, above) = stretch.low, stretch.high
         start, end = low // (below * side), -(-high // (above * side))
@@ -130,7 +130,7 @@ class Cover:
             yield self._cut(stretch, since, end, start, end)
 
     def _cut(self, stretch: Stretch, first: int, last: int, start: int, end: int) -> Stretch:
-        """The piece of a stretch in some of its columns."""
+        """Return the piece of a stretch in some of its columns."""
         if (first, last) == (start, end):
             return stretch
         low: Rational = first * self.side if first > start else ratio(*stretch.low)
@@ -146,7 +146,7 @@ class Cover:
 
 
 def _list_blocks(columns: list[int]) -> list[list[int]]:
-    """The rows that all of 1, 2, 4, ... neighbouring columns have."""
+    """List the rows common to each 1, 2, 4, ... neighbouring columns."""
     blocks = [columns]
     while len(blocks[-1]) > 1:
         below = blocks[-1]

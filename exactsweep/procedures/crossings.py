@@ -1,4 +1,4 @@
-"""Crossings of stretches of contact lines, and the sides on which they go on."""
+"""Crossings of stretches of contact lines, with the sides on which the stretches continue."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _DROPPED_AFTER = 8
 
 
 def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
-    """Note in all stretches where they cross or touch those of other lines.
+    """Record in all stretches their crossings and contacts with stretches of other lines.
 
     Cost: O(k^2) at worst for k stretches.
     """
@@ -31,7 +31,7 @@ def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
 
 
 def cross(first: Stretch, second: Stretch) -> None:
-    """Note in two stretches where they cross or touch, unless they are parallel. Cost: O(1)."""
+    """Record in two stretches where they meet, unless they are parallel. Cost: O(1)."""
     adx, ady, ac = first.dx, first.dy, first.c
     bdx, bdy, bc = second.dx, second.dy, second.c
     turn = adx * bdy - ady * bdx
@@ -48,7 +48,7 @@ def cross(first: Stretch, second: Stretch) -> None:
         n, m = x if adx else y, x if bdx else y
         if turn < 0:
             n, m = -n, -m
-    # How far it is past the ends, times positive numbers.
+    # The distances past the ends, times positive numbers.
     (low, below), (high, above) = first.low, first.high
     past_low, to_high = n * below - low * d, high * d - n * above
     if past_low < 0 or to_high < 0:
@@ -57,7 +57,7 @@ def cross(first: Stretch, second: Stretch) -> None:
     past_other_low, to_other_high = m * below - low * d, high * d - m * above
     if past_other_low < 0 or to_other_high < 0:
         return
-    # There is overlap all around on the sides of what runs through.
+    # A segment that runs through has overlap on its left, on both sides of the crossing.
     a_left, a_right = first.left, first.right
     if past_low == 0:
         a_left, a_right = first.low_through or _NEITHER
@@ -69,7 +69,7 @@ def cross(first: Stretch, second: Stretch) -> None:
     elif to_other_high == 0:
         b_left, b_right = second.high_through or _NEITHER
     if turn < 0:
-        # The first goes from the right of the second to its left, and so on.
+        # The first stretch goes from the right of the second to its left: exchange the sides.
         a_left, a_right, b_left, b_right = a_right, a_left, b_right, b_left
     twice = second.left and second.right
     first.cuts.append((n * _UNITS // d, (n, d), b_left, b_right, twice))

@@ -1,14 +1,13 @@
-"""Lower envelopes of chains: the edges they are made of, and the breaks between which each holds.
+"""Lower envelopes of chains: pieces of edges, and the breaks between which each is the lowest.
 
-An envelope is kept as pieces of edges, each edge by its whole line, with the breaks between which
-it is the lowest. An edge that a crossing cuts short keeps the vertex at which it began: on integer
-input all lines stay integer, a crossing is only a break n/d, and no Fraction is made before
-somebody reads the vertices. Of an edge whose ends are not on the lattice only the line is known,
-which is integer all the same. Where there is no chain the envelope has a gap, which counts as
-infinitely high.
+An envelope stores each piece by the whole line of its edge, and the breaks between which the piece
+is the lowest. An edge that a crossing cuts short keeps its start vertex. So all lines of integer
+input stay integer, a crossing is only a break n/d, and nothing becomes a Fraction before somebody
+reads the vertices. An edge whose ends are not on the lattice is stored by its line alone, which is
+integer, too. Where no chain exists, the envelope has a gap, which counts as infinitely high.
 
-Pieces are compared between breaks by integer arithmetic: which of two lines is lower at x = n / d
-is the sign of u * n + v * d, with u and v from the lines alone, without a division.
+Integer arithmetic compares pieces between breaks. The lower of two lines at x = n / d is given by
+the sign of u * n + v * d, where u and v depend on the lines alone. No division is needed.
 """
 
 from __future__ import annotations
@@ -31,12 +30,12 @@ Span = tuple[Break, Break]
 Piece = tuple[Rational, Rational, Rational, Vertex | None, int]
 """(dx, dy, c, start, source): a piece of the line y = (dy * x + c) / dx with dx > 0.
 
-It is of the edge from `start` to start + (dx, dy), or of one whose ends are not on the lattice if
-`start` is None; and that edge is of the chain number `source`.
+The piece belongs to the edge from `start` to start + (dx, dy), of chain number `source`. `start` is
+None for an edge whose ends are not on the lattice.
 """
 
 GAP: Piece = (0, 0, 1, None, -1)
-"""Where there is no chain: the line at infinity, above all others, of chain -1."""
+"""A gap between chains: the line at infinity, above all others, of chain -1."""
 
 
 class Envelope:
@@ -45,8 +44,8 @@ class Envelope:
     Iterating gives the vertices from left to right, vertical edges included, no three collinear.
 
     Attributes:
-        breaks: one more than there are pieces, ascending.
-        pieces: from left to right, `GAP` where there is no chain.
+        breaks: the breaks, ascending, one more than pieces.
+        pieces: the pieces from left to right, `GAP` between chains.
 
     >>> list(Envelope.of([(0, 0), (1, -1), (2, 0)]))
     [(0, 0), (1, -1), (2, 0)]
@@ -62,7 +61,7 @@ class Envelope:
     def of(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
         """Wrap a chain, from left to right, vertical edges allowed.
 
-        Raises ChainError when it is not X-monotone. Cost: O(n).
+        Raises ChainError if the chain is not X-monotone. Cost: O(n).
         """
         first, *rest = (cls.of_convex(part, source) for part in find_convex_parts(chain))
         for part in rest:
@@ -77,12 +76,12 @@ class Envelope:
 
     @property
     def sources(self) -> list[int]:
-        """Of each piece the number of the chain that it comes from."""
+        """The number of the chain of each piece."""
         return [piece[4] for piece in self.pieces]
 
     @property
     def widest(self) -> Rational | None:
-        """The width of its widest edge, if all edges are of ints. Cost: O(n)."""
+        """The width of the widest edge, if all coordinates are ints. Cost: O(n)."""
         steps = [piece[:2] for piece in self.pieces]
         if all(issubclass(kind, int) for kind in set(map(type, chain.from_iterable(steps)))):
             return max(steps)[0]
@@ -115,19 +114,19 @@ class Envelope:
         self.pieces += chain.pieces
 
     def take_gap(self, end: Break) -> None:
-        """Append a gap up to a break, if that is right of the end."""
+        """Append a gap up to a break, if the break is right of the end."""
         if precedes(self.breaks[-1], end):
             self.pieces.append(GAP)
             self.breaks.append(end)
 
     def take_between(self, chain: Envelope, start: Break, end: Break, first: int = 0) -> int:
-        """Append what a chain has between two breaks, if the second is right of the first.
+        """Append the pieces of a chain between two breaks, if the second is right of the first.
 
         Args:
-            chain: it reaches as far as the breaks do.
-            start: a break.
-            end: a break.
-            first: a piece of the chain that begins at the first break, or left of it.
+            chain: an envelope over the whole range between the breaks.
+            start: the first break.
+            end: the second break.
+            first: the number of a piece of the chain that begins at the first break or left of it.
 
         Returns the number of the last piece taken, or `first`.
         Cost: O(log n + pieces taken).
@@ -146,9 +145,9 @@ class Envelope:
         return last
 
     def keep(self, spans: Sequence[Span]) -> Envelope | None:
-        """Keep the parts over some x-ranges, given from left to right, and gaps between them.
+        """Keep the parts over some x-ranges, which ascend, and put gaps between them.
 
-        Returns None if it reaches none of them.
+        Returns None if the envelope reaches none of the ranges.
         Cost: O(log k) for k x-ranges, O(log n) for each that it reaches, and O(pieces kept).
         """
         kept: Envelope | None = None
@@ -191,7 +190,7 @@ class Envelope:
                 and begin is not None
                 and start == (begin[0] + adx, begin[1] + ady)
             ):
-                # Mostly an edge begins where another one ends, and so does what holds of them.
+                # Usually the edges share a vertex: no arithmetic is needed.
                 found.append(start)
             else:
                 step = u * at[0] + (ac * bdx - bc * adx) * at[1]
@@ -242,12 +241,12 @@ def find_point_on(edge: Edge, at: Break) -> Vertex:
 
 
 def cross(start: Vertex, end: Vertex, piece: Piece) -> Rational:
-    """Positive when start to end is steeper than a piece, zero when parallel. Cost: O(1)."""
+    """Return a number that is positive if start to end is steeper than a piece, 0 if parallel."""
     return piece[0] * (end[1] - start[1]) - piece[1] * (end[0] - start[0])
 
 
 def height(first: Piece, second: Piece, at: Break) -> Rational:
-    """Positive when the line of the first piece is above that of the second one at a break."""
+    """Return a number that is positive if the first piece's line is above the second's."""
     adx, ady, ac, _, _ = first
     bdx, bdy, bc, _, _ = second
     return (ady * bdx - bdy * adx) * at[0] + (ac * bdx - bc * adx) * at[1]
@@ -259,7 +258,7 @@ def find_crossing(u: Rational, v: Rational) -> Break:
 
 
 def value(at: Break) -> Fraction:
-    """The x of a break."""
+    """Return the x of a break."""
     return divide_exactly(*at)
 
 

@@ -1,13 +1,14 @@
 """Exact fits: slots of D exactly as wide as G.
 
-There G touches D without overlap, but no neighbourhood of free translations holds the position:
-the boundary of the no-fit polygon, a regular set, does not show it (Definition 1.1 asks only for
-contact and for disjoint interiors). From below, at x0, the heights are
+In an exact fit G touches D without overlap, but every neighbourhood has positions with overlap on
+both sides. The boundary of the no-fit polygon, a regular set, does not show such positions.
+Definition 1.1 requires only contact and disjoint interiors. From below, at x0, the heights are
 
     max(T(x0-), T(x0+))  <  y  <=  least limit of D_b(a) - G_t(a - x0) over the open common x-range.
 
-G is held from both sides only where two pairs of discontinuities coincide in x0, one of D and one
-of G each: a vertical edge, or an end of the polygon. All fits are segments of positive length.
+D holds G from both sides only if two pairs of discontinuities coincide in x0. Each pair has one
+discontinuity of D and one of G: a vertical edge, or an end of the polygon. All fits of monotone
+pairs are segments of positive length.
 """
 
 from __future__ import annotations
@@ -33,10 +34,10 @@ def find_exact_fits(
         trajectory: T(G_t, D_b), points from left to right.
 
     Returns:
-        Pairs (the end that hangs on the trajectory, the end inside the slot), by x.
+        Pairs (the end on the trajectory, the end inside the slot), by x.
 
-    Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet O(log m +
-    log n) and the edges of D_b and of G_t over each other.
+    Cost: O(d g) for d and g discontinuities. For each x0 at which two pairs meet, O(log m + log n +
+    the edges of D_b and of G_t over each other).
 
     Example:
         >>> slot = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)]
@@ -74,7 +75,7 @@ def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
 
 
 def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
-    """The least limit of D_b(a) - G_t(a - shift) over the open common x-range.
+    """Return the least limit of D_b(a) - G_t(a - shift) over the open common x-range.
 
     Cost: O(log m + log n), and the edges of both over each other.
     """

@@ -1,21 +1,20 @@
 """The free positions of two polygons of any shape, from their contact lines.
 
-See `contact_lines` for (1) and (2). What follows from them, step by step:
+See `contact_lines` for (1) and (2). They imply:
 
-(3) A piece of a stretch between two neighbouring crossings cannot be free if at one of its ends it
-    goes off to the left of a stretch that runs through there: there is overlap by (2).
-(4) The pieces that are left bound a free region on their right, or, if contact segments run along
-    them both ways, are exact fits, or are overlapped after all.
-(5) From a piece that bounds a free region, the next one of its boundary is the first that is met by
-    turning counter-clockwise from the way back. It is left by (3), too, and so are all others
-    until the loop closes. So a walk that comes to an end shows that all of its pieces are
-    overlapped, and one position of a loop that closes decides all of it.
-    Around all overlap, if it is bounded, runs a loop that needs no question: the contact segments
-    lie in the closure of O, so the least end p of all pieces that are left is the least point of
-    that closure, a corner of the unbounded free region. Of the pieces that leave p, the one
-    furthest clockwise has that region on its right.
-(6) A single free position has overlap in all directions, and so contact segments through it that
-    have every direction on their left: more than two, or two that run both ways each.
+(3) Consider a piece of a stretch between two neighbouring crossings. If another stretch runs
+    through one of its ends and the piece leaves to the left of it, the piece overlaps, by (2).
+(4) Each remaining piece bounds a free region on its right, or is an exact fit, if contact segments
+    run along it both ways, or overlaps after all.
+(5) Let a piece bound a free region. The next piece of the boundary is the first one
+    counter-clockwise from the way back. (3) does not remove it, nor any later piece until the loop
+    closes. So if a walk ends without closing, all of its pieces overlap. If it closes, one position
+    decides the loop. The loop around all overlap, if that is bounded, needs no overlap test. The
+    contact segments lie in the closure of O. So the least end p of all remaining pieces is the
+    least point of that closure, a corner of the unbounded free region. Of the pieces that leave p,
+    the one furthest clockwise has that region on its right.
+(6) A single free position has overlap in all directions. So every direction lies left of some
+    contact segment through it. This takes more than two segments, or two that run both ways each.
 """
 
 from __future__ import annotations
@@ -33,13 +32,13 @@ from exactsweep.procedures.contact_lines import ReducedPoint, Stretch, StretchPl
 
 
 class Free(NamedTuple):
-    """Free positions, as they are bounded.
+    """The boundary of the free positions, and the exact fits.
 
     Attributes:
         around: the loops around overlap.
         within: the loops around free regions, except for the unbounded one.
-        fits: exact fits, sorted: segments, an end on a loop first if the other one is not, else the
-            lesser end; and points as segments of two equal ends.
+        fits: the exact fits, sorted: segments, or points as segments with two equal ends. If only
+            one end lies on a loop, it comes first; otherwise the lesser end.
 
     Loops are canonical: counter-clockwise, corners only, the least vertex first, not closed.
     """
@@ -50,7 +49,7 @@ class Free(NamedTuple):
 
 
 _FreeEdge = tuple[ReducedPoint, ReducedPoint, int, int]
-"""A piece of a stretch between crossings: start, end, direction; a free region is on its right."""
+"""A piece of a stretch between crossings: start, end, direction. The right side is free."""
 
 
 def find_free_positions(
@@ -63,13 +62,13 @@ def find_free_positions(
     """Find the loops and the exact fits among stretches that have been cut at their crossings.
 
     Args:
-        stretches: of contact segments, with their cuts.
-        overlap: whether there is overlap at a position.
-        scale: what the positions found are divided by, when they leave the lattice.
-        is_bounded: whether all overlap is known to be bounded.
+        stretches: the stretches of contact segments, with their cuts.
+        overlap: decides whether a position overlaps.
+        scale: the divisor of positions when they leave the lattice.
+        is_bounded: whether the positions of overlap are known to be bounded.
 
-    Cost: O(k log k) for k cuts, and a question of `overlap` for each loop of pieces, which few are
-    but the free ones, each piece with segments both ways, and each position that (6) leaves.
+    Cost: O(k log k) for k cuts, and one call of `overlap` for each closed walk, each piece with
+    segments both ways, and each position that (6) leaves. Few closed walks are not free.
     """
     pieces: list[_FreeEdge] = []
     both_ways: list[tuple[Stretch, ReducedPoint, ReducedPoint]] = []
@@ -100,7 +99,7 @@ def find_free_positions(
 def _find_left_over(
     stretch: Stretch, suspects: set[ReducedPoint]
 ) -> list[tuple[StretchPlace, StretchPlace]]:
-    """The pieces of a stretch that (3) leaves; adds the positions that (6) does to the suspects.
+    """Find the pieces of a stretch that (3) leaves, and add positions by (6) to the suspects.
 
     Cost: O(k log k) for k cuts.
     """
@@ -131,7 +130,7 @@ def _find_left_over(
             since_n, since_d, covered = n, d, after
         else:
             covered = covered or after
-        # Where one line's stretches meet, another line that passes has a cut with each: not alone.
+        # Where two stretches of one line meet, a crossing line has a cut with each of them.
         if not alone or (twice and other_twice):
             suspects.add(stretch.vertex(place))
     end_n, end_d = stretch.high
@@ -141,7 +140,7 @@ def _find_left_over(
 
 
 def _find_outermost(pieces: Sequence[_FreeEdge]) -> int:
-    """A piece that bounds the unbounded free region, by (5)."""
+    """Find a piece that bounds the unbounded free region, by (5)."""
     found = _find_least([piece[0] for piece in pieces])
     for k, (start, _, ex, ey) in enumerate(pieces):
         if start == pieces[found][0]:
@@ -152,7 +151,7 @@ def _find_outermost(pieces: Sequence[_FreeEdge]) -> int:
 
 
 def _find_least(points: Sequence[ReducedPoint]) -> int:
-    """The number of the lexicographically least point."""
+    """Find the index of the lexicographically least point."""
     least = 0
     xn, xd, yn, yd = points[0]
     for k, (n, d, m, e) in enumerate(points):
@@ -166,7 +165,7 @@ def _find_least(points: Sequence[ReducedPoint]) -> int:
 def _walk_rings(
     pieces: Sequence[_FreeEdge], overlap: Callable[[Point], bool], known: int | None
 ) -> Iterator[Sequence[_FreeEdge]]:
-    """The rings of free pieces, by (5); that of a known one first."""
+    """Walk the rings of free pieces, by (5), starting with that of a piece known to be free."""
     leaving: defaultdict[ReducedPoint, list[int]] = defaultdict(list)
     for number, piece in enumerate(pieces):
         leaving[piece[0]].append(number)
@@ -188,7 +187,7 @@ def _walk_rings(
 
 
 def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[int]) -> int | None:
-    """The first piece counter-clockwise from the way back."""
+    """Find the first piece counter-clockwise from the way back."""
     if len(leaving) < 2:
         return leaving[0] if leaving else None
     x, y = -piece[2], -piece[3]
@@ -209,7 +208,7 @@ def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[
 
 
 def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_FreeEdge]]:
-    """Part a ring where it comes back to a point: positions of overlap in several pieces touch."""
+    """Split a ring where it returns to a point, as when two parts of the overlap touch."""
     way: list[_FreeEdge] = []
     places: dict[ReducedPoint, int] = {}
     for piece in ring:
@@ -224,7 +223,7 @@ def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_Free
 
 
 def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:
-    """The canonical loop of a ring, and whether it runs around overlap, counter-clockwise."""
+    """Return the canonical loop of a ring, and whether the ring runs counter-clockwise."""
     corners = [
         (start, bx, by, dx, dy)
         for (_, _, bx, by), (start, _, dx, dy) in zip([ring[-1], *ring[:-1]], ring, strict=True)
@@ -240,7 +239,7 @@ def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point],
 
 
 def _leave(vertex: ReducedPoint, scale: int) -> Point:
-    """A vertex of the lattice or between, divided by the scale."""
+    """Divide a vertex, on the lattice or between, by the scale."""
     xn, xd, yn, yd = vertex
     return Point(divide_exactly(xn, xd * scale), divide_exactly(yn, yd * scale))
 
@@ -253,7 +252,7 @@ def _find_middle(p: ReducedPoint, q: ReducedPoint) -> Point:
 def _join(
     fits: Iterable[tuple[Stretch, ReducedPoint, ReducedPoint]], bounding: Container[ReducedPoint]
 ) -> Iterator[tuple[ReducedPoint, ReducedPoint]]:
-    """Join exact fits that go on in one line, unless they meet a loop there."""
+    """Join exact fits that continue each other on one line, unless a loop passes there."""
     for _, group in groupby(fits, key=lambda fit: (fit[0].dx, fit[0].dy, fit[0].c, fit[0].e)):
         start: ReducedPoint | None = None
         end: ReducedPoint | None = None
@@ -277,7 +276,7 @@ def _lies_on(vertex: ReducedPoint, fit: tuple[ReducedPoint, ReducedPoint]) -> bo
 def _hang(
     fit: tuple[ReducedPoint, ReducedPoint], bounding: Container[ReducedPoint], scale: int
 ) -> Fit:
-    """Put the end on a loop first, if only one is, else the lesser one; and leave the lattice."""
+    """Put the end on a loop first, if only one is, else the lesser one; divide by the scale."""
     first, second = fit
     p, q = _leave(first, scale), _leave(second, scale)
     return (q, p) if second in bounding and first not in bounding else (p, q)

@@ -1,9 +1,9 @@
-"""Positions at which the bounds of a part lie in those of its container: all others are overlapped.
+"""The leeway: the positions at which the bounds of a part lie in the bounds of its container.
 
-(1) Where the bounds of the part reach beyond those of the container, so do inner points of it, and
-    the part overlaps what is outside.
-(2) So of a contact segment only what lies in the *leeway* matters, the box of the other positions,
-    which is closed, and as wide and high as the container is wider and higher than the part.
+(1) If the bounds of the part reach beyond those of the container, so do inner points of the part,
+    and the part overlaps the outside.
+(2) So only the pieces of contact segments in the leeway are relevant. It is a closed box. Its width
+    is the width of the container minus that of the part, and its height likewise.
 """
 
 from __future__ import annotations
@@ -30,15 +30,15 @@ class Leeway(NamedTuple):
 
 
 def find_leeway(container: Rings, part: Rings) -> Leeway:
-    """The leeway of a part in a container. Cost: O(m + n)."""
+    """Find the leeway of a part in a container. Cost: O(m + n)."""
     around, within = bound(container), bound(part)
     return Leeway(*(a - b for a, b in zip(around, within, strict=True)))
 
 
 def frame_outside(container: Rings) -> list[list[Vertex]]:
-    """The rings of what is outside of a container and in its bounds, the interior on the left.
+    """Return the rings of the outside of a container within its bounds, interior on the left.
 
-    A part with its bounds in those of the container can overlap what is outside of it only there.
+    A part whose bounds lie in those of the container can overlap the outside only there.
     """
     left, right, low, high = bound(container)
     return [
@@ -48,6 +48,6 @@ def frame_outside(container: Rings) -> list[list[Vertex]]:
 
 
 def bound(rings: Rings) -> tuple[Rational, Rational, Rational, Rational]:
-    """The bounds of a shape: left, right, low, high."""
+    """Return the bounds of a shape: left, right, low, high."""
     xs, ys = zip(*chain.from_iterable(rings), strict=True)
     return min(xs), max(xs), min(ys), max(ys)

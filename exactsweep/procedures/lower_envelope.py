@@ -4,10 +4,10 @@ Lemma A.3 allows the partial trajectory and the next sub-trajectory to meet in a
 segment. With vertical edges in D_b they may also pass each other without meeting, where one of
 them ends: the envelope then jumps, and its chain has a vertical edge there.
 
-Erratum. Section 5.1 has the envelope of N segments grow in proportion to N. It can have order
+Erratum. Section 5.1 claims that the envelope of N segments has O(N) pieces. It can have order
 N alpha(N) pieces, alpha the inverse Ackermann function: A. Wiernik and M. Sharir, "Planar
 realizations of nonlinear Davenport-Schinzel sequences by segments", Discrete & Computational
-Geometry 3 (1988). One merge is linear all the same; what it returns can be larger than its input.
+Geometry 3 (1988). One merge takes linear time, but its result can be larger than its input.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ from exactsweep.procedures.envelope import (
 def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
     """Extend the partial trajectory T_{i-1} by the sub-trajectory T(G_t, D_i) (Appendix).
 
-    Procedure LowerEnvelope_CM, which also serves the sub-outer chains (Corollary A.4): both are
-    walked from right to left, from where the first of them ends to where the partial trajectory is
-    no longer above the piece; what lies right of that is trimmed off the partial trajectory.
+    Procedure LowerEnvelope_CM, also for sub-outer chains (Corollary A.4). It walks along both from
+    right to left. It starts where the first of them ends, and stops where the partial trajectory is
+    no longer above the piece. The partial trajectory loses everything right of that place.
 
     Args:
         partial: the envelope so far; it is changed in place.
-        piece: one convex chain, starting over the partial trajectory, that crosses it at most
-            once and is the lower one on the right (Lemma A.3); if it crosses more often, only the
-            last crossing counts (see `part_pairs.sweep_pairs`). If it ends first, what is left of
-            the partial trajectory beyond is dropped: in a CM sweep the next piece is lower there.
+        piece: one convex chain that starts over the partial trajectory, crosses it at most once and
+            is lower on the right (Lemma A.3). If it crosses more often, only the last crossing
+            counts (see `part_pairs.sweep_pairs`). If it ends first, the partial trajectory loses
+            its end beyond: in a CM sweep the next piece is lower there.
 
     Returns:
-        The same envelope.
+        The envelope `partial`.
 
     Raises:
         ChainError: the piece does not start over the partial trajectory.
@@ -62,38 +62,38 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
     return partial
 
 
-# Where the piece takes over. P is the partial trajectory, Q the piece; the walk goes from right to
-# left, over edge i of P and edge j of Q. At the head of the loop, just left of x, which is the
-# lesser right end of the two edges,
+# Where the piece takes over. P is the partial trajectory, Q the piece. The walk goes from right to
+# left, over edge i of P and edge j of Q. Let x be the lesser right end of the two edges. At the
+# head of the loop, just left of x,
 #
 #     (1)  P is above Q.
 #
 # Let x' be the greater left end of the two edges, and let the lines be P_i and Q_j.
 #
-#     (2)  P_i < Q_j at x': they cross between x' and x. Left of the crossing P is the lower one by
-#          Lemma A.3, right of it Q: the crossing is where Q takes over.
+#     (2)  P_i < Q_j at x': they cross between x' and x. By Lemma A.3 P is lower left of the
+#          crossing, and Q right of it. Q takes over at the crossing.
 #     (3)  P_i = Q_j at x': Q takes over at x', in a vertex of one of them.
 #     (4)  P_i > Q_j at x', and Q begins there: Q takes over at x', by a step down.
-#     (5)  P_i > Q_j at x', and P begins there: Q takes over at x', with nothing of P left.
-#     (6)  P_i > Q_j at x', an end of edge i: edge i is above Q throughout and is trimmed off. If
-#          edge i - 1 ends at or below Q_j there, which needs a step of P, Q takes over at x'. If
-#          not, (1) holds for edge i - 1.
+#     (5)  P_i > Q_j at x', and P begins there: Q takes over at x', and nothing of P is left.
+#     (6)  P_i > Q_j at x', an end of edge i: edge i is above Q throughout and is dropped. If edge
+#          i - 1 ends at or below Q_j there, which needs a step of P, Q takes over at x'. If not,
+#          (1) holds for edge i - 1.
 #     (7)  P_i > Q_j at x', an end of edge j alone: (1) holds for edge j - 1, Q being continuous.
 #
-# Each round ends the walk or takes one from i, from j or from both.
+# Each round ends the walk, or decreases i, j or both by one.
 
 
 def join(partial: Envelope, piece: Envelope, *, ends_first: bool = False) -> None:
-    """Let the piece take over where it becomes the lower one; what of it is left is appended.
+    """Replace the end of an envelope by a piece, from where the piece becomes the lower one.
 
     Args:
         partial: the envelope so far; it is changed in place.
-        piece: as for `lower_envelope_cm`; it starts over the partial trajectory, which is not asked
-            again.
-        ends_first: whether it ends before the partial trajectory does. Then that stays as it is
-            where the piece is nowhere lower at its end.
+        piece: as for `lower_envelope_cm`; the caller has checked that it starts over the partial
+            trajectory.
+        ends_first: whether the piece ends before the partial trajectory. Then nothing changes if
+            the piece is not lower at its end.
 
-    Cost: as of `lower_envelope_cm`.
+    Cost: that of `lower_envelope_cm`.
     """
     breaks, edges = partial.breaks, partial.pieces
     piece_breaks, piece_edges = piece.breaks, piece.pieces
@@ -158,8 +158,8 @@ def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
 
     Procedure LowerEnvelope_MM. Between chains that do not overlap the envelope has a gap.
 
-    Cost: O(N log k) for k envelopes, N being the largest total size on a level of the recursion,
-    which has a factor alpha(k) more than the size of the input at worst.
+    Cost: O(N log k) for k envelopes. N is the largest total size on a level of the recursion, at
+    most alpha(k) times the size of the input.
 
     Example:
         >>> a, b = Envelope.of([(0, 0), (4, 0)]), Envelope.of([(1, 1), (2, -1), (5, 2)])
@@ -172,33 +172,33 @@ def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
     return merge(lower_envelope_mm(envelopes[:half]), lower_envelope_mm(envelopes[half:]))
 
 
-# The merge of A and B walks both in vertical sync. Let x_0 < x_1 < ... be the breaks of either over
-# their common x-range; between two of them each is on one edge i or j, a line or a gap. "Own" is
-# the chain that the envelope is on, "other" the other one, and
+# The merge of A and B walks along both in vertical sync. Let x_0 < x_1 < ... be the breaks of
+# either over their common x-range. Between two of them, A is on one edge i and B on one edge j;
+# each is a line or a gap. "Own" is the chain that the envelope is on, "other" the other one, and
 #
 #     (1)  f = own - other, linear between x_k and x_{k+1}.
 #
-# Before each round, the walk being at x_k with edges i and j to the right of it,
+# Before each round, with the walk at x_k and edges i and j to the right of it,
 #
-#     (2)  `changes` holds where the envelope changes chain left of x_k, with the edges i and j
-#          that begin or go on there; own is nowhere the higher one between these places.
+#     (2)  `changes` lists where the envelope changes chain left of x_k, with the edges i and j
+#          that begin or continue there. Own is nowhere higher between these places.
 #
 # To keep (2) beyond x_{k+1}, let s = f just right of x_k and e = f just left of x_{k+1}.
 #
-#     (3)  s > 0, or s = 0 < e: own is the higher one right of x_k; change there, which turns the
-#          signs of s and e.
-#     (4)  Then s <= 0; and s < 0 if e > 0, by (3). So own becomes the higher one iff e > 0: change
-#          at the crossing, which lies between x_k and x_{k+1}.
-#     (5)  s <= 0 and e <= 0: own is the lower one or they are equal; no change. On one line, s = e
-#          = 0, the envelope stays on the chain that it is on.
-#     (6)  A gap is the line at infinity: over a gap of one chain s and e have its sign, and nothing
-#          crosses; over gaps of both, s = e = 0.
+#     (3)  s > 0, or s = 0 < e: own is higher right of x_k. Change there, which flips the signs of s
+#          and e.
+#     (4)  Then s <= 0; and s < 0 if e > 0, by (3). So own becomes higher if and only if e > 0.
+#          Change at the crossing, which lies between x_k and x_{k+1}.
+#     (5)  s <= 0 and e <= 0: own is lower or equal; no change. On one line, s = e = 0, the envelope
+#          stays on its chain.
+#     (6)  A gap is the line at infinity. Over a gap of one chain s and e have its sign, and nothing
+#          crosses. Over gaps of both, s = e = 0.
 #
-# Where one chain ends the other one goes on alone, in its edge at that place.
+# Where one chain ends, the other one continues alone, in its edge at that place.
 
 
 def merge(first: Envelope, second: Envelope) -> Envelope:
-    """Lower envelope of two envelopes, both walked in vertical sync where they overlap.
+    """Merge two envelopes into their lower envelope, in vertical sync where they overlap.
 
     Cost: O(size of first + size of second).
     """
@@ -255,7 +255,7 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
                 break
             bdx, bdy, bc, _, _ = b_pieces[j]
             b_n, b_d = b_breaks[j + 1]
-    # What has ended cannot be own any more.
+    # A chain that has ended cannot be own any more.
     if on_first == (i == size_a):
         changes.append(((n, d), i - 1, j) if on_first else ((n, d), j - 1, i))
     breaks, pieces = merged.breaks, merged.pieces

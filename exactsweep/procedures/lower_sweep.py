@@ -18,9 +18,9 @@ from exactsweep.procedures.mm_inner import inner_mm
 from exactsweep.procedures.solution import Kind
 
 KEPT_VERTICES = 256
-"""Polygons of more vertices do not keep their chains: there the sweep takes far longer."""
+"""The largest number of vertices of a polygon with cached chains."""
 KEPT_POLYGONS = 512
-"""So many polygons keep their chains, those that came last: up to 1 kB for each vertex."""
+"""The number of polygons with cached chains, the last ones used; up to 1 kB per vertex."""
 
 
 class LowerSweep:
@@ -79,12 +79,12 @@ class LowerSweep:
 def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
     """The bottom and the top chain of a monotone polygon in a frame (Section 2, Figure 2).
 
-    Nesting sweeps each part around many others. So the chains of the small polygons swept last are
-    kept, each with what was found about it (see `KeptChain`).
+    Nesting sweeps each part around many others. So the function caches the chains of the last small
+    polygons (see `KeptChain`).
 
     Args:
-        polygon: monotone to the direction of the frame.
-        frame: of a pair of which it is one.
+        polygon: a polygon that is monotone to the direction of the frame.
+        frame: the frame of a pair with this polygon.
 
     Returns:
         (bottom, left to right; top, right to left), which must not be changed.

@@ -1,4 +1,4 @@
-"""Properties that are computed when they are first read."""
+"""Properties that are computed on first access and then cached."""
 
 from __future__ import annotations
 

@@ -1,17 +1,17 @@
 """The MM sweep: monotone generatrix, monotone directrix (Section 5).
 
-G_t is split into convex parts as well; each is a CM sweep, and the trajectory is the lower
-envelope of what those give (Lemma 5.1). Both loops are trajectories again, of the inverse
-generatrix along the two sides of the first trajectory (Lemma 5.3).
+G_t is split into convex parts, too. Each part gives a CM sweep, and the trajectory is the lower
+envelope of the results (Lemma 5.1). Both loops are trajectories of the inverse generatrix, along
+the two sides of the first trajectory (Lemma 5.3).
 
-Errata. Lemma 5.3: along the inner side, I(G) must stay inside T, so that its x-range stays within
-T's; the boundary lives on D's x-range, and what Trajectory_MM adds at either end, where I(G) only
-partly overlaps, is cut off. Lemma 5.2: the size is O(m n alpha(min(m, n))), alpha the inverse
-Ackermann function (E. Oks and M. Sharir, "Minkowski sums of monotone and general simple polygons",
-Discrete & Computational Geometry 35, 2006), since the envelope of N segments can have more than a
-constant times N pieces (A. Wiernik and M. Sharir 1988, see `lower_envelope`). Lemma 5.5: the inner
-boundary can have order m n^2 edges, not O(m n): near a needle of D_b it has a corner for
-every pair of a peak and a valley of G_t.
+Errata. Lemma 5.3: along the inner side, I(G) must stay inside T, and the x-range of I(G) within
+that of T. So the boundary extends over D's x-range only. Trajectory_MM also adds pieces beyond both
+ends, where the x-range of I(G) reaches beyond T's; they are cut off. Lemma 5.2: the size is O(m n
+alpha(min(m, n))), alpha the inverse Ackermann function (E. Oks and M. Sharir, "Minkowski sums of
+monotone and general simple polygons", Discrete & Computational Geometry 35, 2006), since the
+envelope of N segments can have more than a constant times N pieces (A. Wiernik and M. Sharir 1988,
+see `lower_envelope`). Lemma 5.5: the inner boundary can have order m n^2 edges, not O(m n): near a
+needle of D_b it has a corner for every pair of a peak and a valley of G_t.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def sweep_mm(
         generatrix_top: G_t: points from right to left.
         generatrix_bottom: G_b: points from left to right.
         directrix: D_b: points from left to right.
-        trajectory: The result of `trajectory_mm` for G_t and D_b, when it is at hand.
+        trajectory: the result of `trajectory_mm` for G_t and D_b, if the caller has it.
 
     Returns:
         (inner, outer), each from left to right, vertical edges included, no three collinear.

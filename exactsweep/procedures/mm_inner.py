@@ -1,19 +1,19 @@
 """The inside of a trajectory as a directrix for the inverse generatrix (Lemma 5.3).
 
-The complement of the lower trajectory's upper side, turned by half a turn, is a bottom chain whose
-convex parts are the concave runs of T. Their vertices are mostly crossings, not on the lattice;
-but a part is swept by moving its edges, which are pieces of lattice edges, by vertices of G, and
-G's edges by its vertices, so that integer lines and breaks n/d are all that is needed.
+The complement of the lower trajectory's upper side, turned by half a turn, is a bottom chain. Its
+convex parts are the concave runs of T. Their vertices are usually crossings, not on the lattice.
+But a sweep of a part moves its edges, pieces of lattice edges, by vertices of G, and G's edges by
+the vertices of the part. So integer lines and breaks n/d suffice.
 
-Where G touches D_b the inner loop is D_b itself, and that is read off the trajectory. An edge of
-it that comes from part i of G_t and part j of D_b, and is as steep as an edge of D_j, is drawn by
-a vertex of G sliding along that edge, or by an edge of G that lies on it; what slides over is
-touched. Any other edge is drawn by an edge of G sliding over the vertex of D_j at which its slope
-has its place (Table 1: VE, EE, EV).
+Where G touches D_b the inner loop is D_b itself, and the trajectory shows where G touches D_b. Let
+an edge of the trajectory come from part i of G_t and part j of D_b. If D_j has an edge of the same
+slope, a vertex of G slides along that edge, or an edge of G lies on it, and G touches all points
+passed. Otherwise an edge of G slides over the vertex of D_j between whose edges its slope lies
+(Table 1: VE, EE, EV).
 
 The inner boundary R(x) = max over u of T(u) + G_t(x - u) (Lemma 5.3) is nowhere above D_b, since
-T(u) <= D_b(x) - G_t(x - u), and is D_b(x) where that holds with equality, which is to say where G
-touches D. So R has to be computed over the gaps between touched points only.
+T(u) <= D_b(x) - G_t(x - u). It equals D_b(x) where this holds with equality, that is, where G
+touches D. So only the gaps between touched points need a computation of R.
 """
 
 from __future__ import annotations
@@ -40,11 +40,11 @@ from exactsweep.procedures.envelope import (
 from exactsweep.procedures.part_pairs import sweep_pairs
 
 FEW_EDGES = 8
-"""So few are sooner walked along than searched."""
+"""The number of pieces up to which a walk is faster than a search."""
 
 
 def take_inside(trajectory: Envelope) -> Envelope:
-    """The inverse of the complement of a lower trajectory, its edges as lines. Cost: O(t)."""
+    """Return the inverse of the complement of a lower trajectory, edges as lines. Cost: O(t)."""
     return Envelope(
         [(-n, d) for n, d in reversed(trajectory.breaks)],
         [(dx, dy, -c, None, source) for dx, dy, c, _, source in reversed(trajectory.pieces)],
@@ -52,7 +52,7 @@ def take_inside(trajectory: Envelope) -> Envelope:
 
 
 def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[Span]:
-    """The x-ranges of D_b between points that G touches, left to right.
+    """Find the x-ranges of D_b between points that G touches, left to right.
 
     Args:
         trajectory: T(G_t, D_b), `sources` as `trajectory_mm` numbers them.
@@ -61,7 +61,7 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
     Returns:
         list of open x-ranges, none of them empty.
 
-    Cost: O(t log m + m) for t edges of T, and to sort what is touched of each edge of D_b.
+    Cost: O(t log m + m) for t edges of T, and a sort of the touched ranges of each edge of D_b.
 
     >>> from exactsweep.procedures.mm import trajectory_mm
     >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
@@ -115,7 +115,7 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
 
 
 def close_gaps(floor: Envelope, closed: Envelope, gaps: Iterable[Span]) -> Envelope:
-    """An envelope with another one in its place over gaps, given from left to right. Cost: O(n)."""
+    """Replace an envelope by another one over gaps, which ascend. Cost: O(n)."""
     joined = Envelope([floor.breaks[0]], [])
     for left, right in gaps:
         joined.take_between(floor, joined.breaks[-1], left)
@@ -129,9 +129,9 @@ def inner_mm(
 ) -> list[Vertex]:
     """Inner boundary: I(G) slides along the inside of T (Lemma 5.3).
 
-    Turned by half a turn, that is G_t along the bottom chain of the inverse of T's complement.
-    Where G touches D_b the boundary is D_b itself, so that only the gaps between are swept: the
-    faster way that the paper mentions after Corollary 5.8 (see `find_gaps`).
+    After half a turn, G_t slides along the bottom chain of the inverse of T's complement. Where G
+    touches D_b the boundary is D_b itself, so the function sweeps the gaps only (see `find_gaps`).
+    This is the faster algorithm that the paper mentions after Corollary 5.8.
 
     Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
     overlaps a gap; all t of them at worst.
@@ -145,7 +145,7 @@ def inner_mm(
     chains, slots = split_chain(reversed_top, unit), list(split_envelope(inside, unit))
 
     def guess() -> Iterator[tuple[int, int]]:
-        # The part of G_t that draws the trajectory likely reaches deepest into the gap beside it.
+        # The part of G_t that draws the trajectory probably reaches deepest into the next gap.
         owners = chain.from_iterable(repeat(k, len(slot.edges)) for k, slot in enumerate(slots))
         return ((source // len(parts), k) for source, k in zip(inside.sources, owners, strict=True))
 

@@ -1,7 +1,7 @@
 """The sweep of two polygons that are monotone to one direction (Theorems 2.1 and 2.2).
 
-The lower sweep (G_t, D_b) and the upper sweep (G_b, D_t) never mix; the upper one is the lower one
-of both polygons turned by half a turn.
+The lower sweep (G_t, D_b) and the upper sweep (G_b, D_t) are independent. The upper sweep is the
+lower sweep of both polygons after half a turn.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class MonotoneSolution(Solution):
 
     @made_once
     def frame(self) -> Frame:
-        """The common lattice, turned."""
+        """The common lattice, turned so that the direction is the X axis."""
         g, d = self._pair
         return Frame(self._direction, lcm(g.lattice()[0], d.lattice()[0]))
 
@@ -66,7 +66,7 @@ class MonotoneSolution(Solution):
         with pause_collector():
             lower, upper = map(half, self.halves)
             upper = inverse(upper)
-            # At each end the two chains meet in a point or are joined by a vertical edge.
+            # At each end the two chains meet in a point, or a vertical edge joins them.
             loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
             points = self.frame.leave(loop)
             if self._direction != X_AXIS:
@@ -97,7 +97,7 @@ class MonotoneSolution(Solution):
 
     @made_once
     def fits(self) -> list[Fit]:
-        """The slots of D that are exactly as wide as G."""
+        """The exact fits, in slots of D that are exactly as wide as G."""
         found: list[Fit] = []
         for half, turned in zip(self.halves, (False, True), strict=True):
             for fit in find_exact_fits(half.top, half.directrix, half.path):

@@ -1,8 +1,9 @@
-"""Undercuts of a shape: what lies between D and the loop around it, whatever D's shape.
+"""Undercuts of a shape: the regions between D and the loop around it, for any shape of D.
 
-Both boundaries are cut where they meet. What is left of the loop off D, and of D off the loop, run
-backwards, bounds the regions between them, which lie on the left: an undercut has one piece of the
-loop in its boundary, its bottom chain, and the rest is D's. It has only one, since D is connected.
+Both boundaries are cut where they meet. The pieces of the loop off D, and the pieces of D off the
+loop, the latter reversed, bound the regions between, which lie on the left. The boundary of an
+undercut has one piece of the loop, its bottom chain; the rest belongs to D. It has only one such
+piece, since D is connected.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ def find_mouths(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Mou
     along: set[Edge] = set()
     for i, (a, b) in enumerate(edges):
         for j, (p, q) in enumerate(others):
-            # Turned round, an edge that runs along the other touches it and does not overlap it.
+            # A reversed edge that runs along the other one touches it and does not overlap it.
             points = touch(a, b, q, p) or []
             shared[0][i].update(points)
             shared[1][j].update(points)
@@ -74,7 +75,7 @@ def _edges(ring: Sequence[Vertex]) -> Iterator[Edge]:
 def _chains(
     pieces: Sequence[Edge], vertices: set[Vertex], on_directrix: Sequence[set[Vertex]]
 ) -> Iterator[list[Vertex]]:
-    """The pieces of the loop off D, joined to chains from D to D."""
+    """Join the pieces of the loop off D to chains from D to D."""
     touching = vertices.union(*on_directrix)
     ahead = dict(pieces)
     for start, _ in pieces:
@@ -86,9 +87,9 @@ def _chains(
 
 
 def _way(bottom: Sequence[Vertex], leaving: dict[Vertex, Vertex]) -> list[Vertex]:
-    """Back along D from the end of a bottom chain to its start, the region on the left."""
+    """Walk back along D from the end of a bottom chain to its start, the region on the left."""
     way = [bottom[-1]]
     while way[-1] != bottom[0]:
-        # D's exterior is simple: one piece leaves each vertex.
+        # D's exterior is simple, so one piece leaves each vertex.
         way.append(leaving[way[-1]])
     return way

@@ -6,14 +6,14 @@ D_k. (1) to (6) of `contact_lines` and `free_positions` hold for such a union:
 (1) A boundary point of the union is one of some O_k, so it lies on a contact segment of D_k.
 (2) Left of a contact segment of D_k lies O_k, and so the union.
 (3) to (5) follow from (1) and (2).
-(6) Where a single position is free, open sectors of the O_k cover all directions around it. A
-    sector starts along a contact segment that leaves the position, or against one that ends there,
-    with the sector on its left. Two lines, of which not both have segments both ways, have too few
-    such rays: a sector over the direction between the ends of the others would have to start
-    before them.
+(6) Around a single free position, open sectors of the O_k cover all directions. A sector starts
+    along a contact segment that leaves the position, or against one that ends there, with the
+    sector on its left. Two lines that do not both have segments in both directions give too few
+    starts: the direction between the ends of the other sectors would need a sector that starts
+    before it.
 
-Shapes that touch or overlap each other are no exception. Where rings of the union touch in a point,
-`free_positions` parts them.
+This also holds for shapes that touch or overlap each other. Where rings of the union touch in a
+point, `free_positions` separates them.
 """
 
 from __future__ import annotations
@@ -28,30 +28,30 @@ from exactsweep.procedures.leeway import bound
 
 
 class Obstacles:
-    """The question whether a part overlaps the outside of a container, or a placed shape.
+    """A test whether a part overlaps the outside of a container or a placed shape.
 
     Args:
-        outside: the rings of the container, clockwise, and of its defects: what they leave.
+        outside: the outside of the container, as its rings clockwise and those of its defects.
         placed: the rings of each placed shape.
         part: the rings of the part.
     """
 
     def __init__(self, outside: Rings, placed: Sequence[Rings], part: Rings) -> None:
         left, right, low, high = bound(part)
-        # The bounds of positions at which the part can meet each placed shape.
+        # For each placed shape, bounds of the positions at which the part can meet it.
         self._near = [
             (west - right, east - left, south - high, north - low)
             for west, east, south, north in map(bound, placed)
         ]
         self._outside = Overlap(outside, part, unbounded=True)
         self._of_placed = cache(lambda k: Overlap(placed[k], part))
-        # The one that overlapped last is likely to do so again.
+        # The shape that overlapped last is likely to do so again.
         self._last = 0
 
     def at(self, t: Point) -> bool:
-        """Decide whether the part overlaps any of them at a position.
+        """Decide whether the part at a position overlaps any of the shapes.
 
-        Cost: O(k) for k placed shapes, and a question of `Overlap` for each one that is near.
+        Cost: O(k) for k placed shapes, and that of `Overlap.at` for each shape nearby.
         """
         low_x, high_x, low_y, high_y = floor(t.x), ceil(t.x), floor(t.y), ceil(t.y)
         near = [

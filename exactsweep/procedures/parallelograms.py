@@ -1,10 +1,11 @@
-"""Squares of a grid inside of parallelograms that are spanned by an edge of each of two shapes.
+"""Squares of a grid inside parallelograms, which an edge of each of two shapes spans.
 
 Floats choose the parallelograms, the greatest first, and find the rows of their squares. Their
-error is bounded: in units of squares all coordinates are below 2**14, so each one, rounded once, is
-off by less than 2**-39. The sides are read off at borders of columns only if they span more than
-`_MARGIN` columns, so a quotient along a side is off by less than 2**-32, and an ordinate by less
-than 2**-17. The rows are those that lie inside by more than `_MARGIN`; so do the columns.
+error has a proved bound. In units of squares all coordinates are below 2**14, so rounding one
+coordinate changes it by less than 2**-39. A side gives ordinates at borders of columns only if it
+spans more than `_MARGIN` columns. So the error of a quotient along a side is less than 2**-32, and
+that of an ordinate less than 2**-17. Only rows and columns that lie inside by more than `_MARGIN`
+count.
 """
 
 from __future__ import annotations
@@ -18,11 +19,11 @@ from exactsweep.numbers.point import Rational, Vertex
 
 _MARGIN = 1 / 64
 _NARROW = 3
-"""Parallelograms narrower than so many squares hold few."""
+"""The width in squares below which a parallelogram contains few squares."""
 _PATIENCE = 3
-"""So many parallelograms of one size that are covered, for each that is not, are looked at."""
+"""The number of covered parallelograms of one size that are tolerated for each uncovered one."""
 _OF_COVERED = 2
-"""The cost of one that is covered, in borders of columns."""
+"""The cost of a covered parallelogram, in borders of columns."""
 
 _SpannedCorner = tuple[float, float]
 _SpanningEdge = tuple[Vertex, Vertex, float, float]
@@ -31,14 +32,14 @@ _SpanningEdge = tuple[Vertex, Vertex, float, float]
 def fill_parallelograms(
     columns: list[int], corner: Vertex, side: Rational, shapes: tuple[Rings, Rings], work: int
 ) -> None:
-    """Add the squares inside of parallelograms, of each size until so many borders were met.
+    """Add the squares inside parallelograms, size by size, up to a limit of work for each size.
 
     Args:
-        columns: the squares that are covered, as the bits of an int for each column; changed.
+        columns: an int for each column, whose bits are the covered squares; changed in place.
         corner: the lower left corner of the first row of the first column.
-        side: that of a square.
+        side: the side of a square.
         shapes: the rings of D and of H.
-        work: how many borders of columns are met at most, about, for each size; the next size is
+        work: about the greatest number of column borders to cross for each size; the next size is
             half as large.
 
     Cost: O(work) for each size.
@@ -50,7 +51,7 @@ def fill_parallelograms(
         for j, (_, _, bx, by) in enumerate(sides[1]):
             area = ax * by - ay * bx
             if abs(area) > _NARROW * max(length, abs(bx), abs(by)):
-                # Of one size, they come from all over the shapes.
+                # Within one size, the order takes them from all over the shapes.
                 found.append((-frexp(area)[1], (7919 * i + 104729 * j) % 10007, i, j))
     found.sort()
     x, y = corner
@@ -75,13 +76,13 @@ def fill_parallelograms(
 
 
 def _list_longest(rings: Rings, side: Rational, work: int) -> list[_SpanningEdge]:
-    """The longest edges, with their vectors in squares."""
+    """List the longest edges, with their vectors in squares."""
     edges = [
         (p, q, float((q[0] - p[0]) / side), float((q[1] - p[1]) / side))
         for ring in rings
         for p, q in zip((ring[-1], *ring[:-1]), ring, strict=True)
     ]
-    # As long as any parallelogram can be wide enough, and not more pairs than can be looked at.
+    # Edges that can span a wide enough parallelogram, and not more pairs than the work allows.
     edges = [edge for edge in edges if hypot(*edge[2:]) > _NARROW]
     edges.sort(key=lambda edge: -hypot(*edge[2:]))
     return edges[: max(1, round((2 * work) ** 0.5))]
@@ -96,7 +97,7 @@ def _is_covered(columns: list[int], corners: list[_SpannedCorner]) -> bool:
 
 
 def _fill(columns: list[int], corners: list[_SpannedCorner]) -> int:
-    """Add the squares inside of one parallelogram; returns how many borders of columns it has."""
+    """Add the squares inside one parallelogram, and return the number of its column borders."""
     k = min(range(4), key=lambda i: corners[i])
     start, one, end, other = corners[k:] + corners[:k]
     turn = (one[0] - start[0]) * (end[1] - start[1]) - (one[1] - start[1]) * (end[0] - start[0])
@@ -119,7 +120,7 @@ def _read_off(
     last: int,
     inner: Callable[[float, float], float],
 ) -> list[float]:
-    """The ordinates of a line of two sides at borders of columns; of a steep side the inner end."""
+    """Return ordinates of two sides at borders of columns; of a steep side, the inner end."""
     found: list[float] = []
     for (ax, ay), (bx, by), stop in ((start, middle, floor(middle[0]) + 1), (middle, end, last)):
         borders = range(first + len(found), min(stop, last))

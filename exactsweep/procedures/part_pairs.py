@@ -1,11 +1,11 @@
-"""The pairs of convex parts that need not be swept, by boxes and a ceiling over a trajectory.
+"""The pairs of convex parts that need no sweep, by boxes and a ceiling over a trajectory.
 
-Two parts without a slope in common give nothing that matters (see `convex_part`); along the inside
-of a trajectory nothing matters but what lies over gaps. If many pairs are left, most of them never
-come near the envelope. So its x-range is cut into strips of equal width,
-each with an upper bound of an envelope already computed; a sub-trajectory whose least y is no less
-than the bounds of all strips that it crosses is nowhere below that envelope, and need not be made.
-Heights of the envelope are rounded upwards to ints and those of the boxes downwards.
+Two parts without a common slope have no relevant edges (see `convex_part`). Along the inside of a
+trajectory only the pieces over gaps are relevant. Most of the remaining pairs never come near the
+envelope. So the x-range of the envelope is cut into strips of equal width. Each strip has an upper
+bound of an envelope that is already computed. A sub-trajectory whose least y reaches the bounds of
+all strips that it crosses is nowhere below that envelope, and need not be made. The bounds of
+strips are rounded upwards to ints, and those of boxes downwards.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from exactsweep.procedures.lower_envelope import join, lower_envelope_mm, merge
 STRIPS_PER_EDGE = 2
 STRIPS_PER_CHAIN = 4
 FEW_PAIRS = 40
-"""So many pairs are swept sooner than a ceiling is made over half of them."""
+"""The number of pairs up to which sweeping all is faster than a ceiling over half of them."""
 
 
 Parts = Sequence[ConvexPart] | Sequence[CrossingPart]
@@ -33,7 +33,7 @@ Guess = Callable[[], Iterable[tuple[int, int]]]
 
 
 class Boxes(NamedTuple):
-    """The boxes of consecutive parts, and their ends, both of which ascend."""
+    """The boxes of consecutive parts, and their left and right ends, each ascending."""
 
     boxes: list[Box]
     lefts: list[Rational]
@@ -50,11 +50,11 @@ class Ceiling:
     """Upper bounds of an envelope over strips of its x-range; of a gap, infinity.
 
     Args:
-        envelope: what is known of the envelope to be found.
+        envelope: an upper bound of the envelope to be found.
         span: bounds of the x-ranges of all sums.
-        chains: how many convex chains of G_t and D_b there are. There are no more
-            strips than in proportion, so that a pair crosses O(1) of them on average.
-        gaps: the x-ranges that matter, from left to right; all of it, if left out.
+        chains: the number of convex chains of G_t and D_b. The number of strips is proportional to
+            it, so that a pair crosses O(1) of them on average.
+        gaps: the relevant x-ranges, from left to right; the whole x-range by default.
 
     Cost: O(size of the envelope).
     """
@@ -71,7 +71,7 @@ class Ceiling:
         width = end - self.start + 1
         count = int(min(STRIPS_PER_EDGE * len(pieces), STRIPS_PER_CHAIN * chains, width))
         self.width = -(-width // count)
-        # One strip more: the end of the x-range may lie on its border.
+        # One more strip: the end of the x-range may lie on a border.
         self.tops = tops = [cast("Rational | float", -inf)] * (count + 1)
         # First and last strip of each window; no strip is in two of them.
         self.windows: list[tuple[int, int]] = []
@@ -97,11 +97,11 @@ class Ceiling:
             self.windows.append((first, last))
 
     def _open(self, first: int, last: int) -> None:
-        """Take some strips for unbounded."""
+        """Mark some strips as unbounded."""
         self.tops[first : last + 1] = [inf] * (last + 1 - first)
 
     def _find_strips(self, breaks: Iterable[Break]) -> list[int]:
-        """The strips in which breaks lie."""
+        """Find the strips that contain breaks."""
         start, width = self.start, self.width
         return [(n // d - start) // width for n, d in breaks]
 
@@ -109,9 +109,9 @@ class Ceiling:
         """Find the boxes whose sum with that of a part comes below the ceiling.
 
         Args:
-            part: a box of a part of G_t.
-            boxes: those of D_b.
-            numbers: of the boxes that are asked about, ascending.
+            part: the box of a part of G_t.
+            boxes: the boxes of D_b.
+            numbers: the numbers of the boxes to test, ascending.
 
         Cost: O(strips crossed), for most boxes O(1), and O(log m) for each window.
         """
@@ -127,7 +127,7 @@ class Ceiling:
             for k in numbers[bisect_left(numbers, begin) : bisect_left(numbers, done)]:
                 first, last, least = each[k]
                 least += low
-                # Most are decided by the strip in the middle.
+                # The strip in the middle decides most of them.
                 if least < tops[(both + first + last) // twice] or least < max(
                     tops[(left + first) // width : (right + last) // width + 1]
                 ):
@@ -135,32 +135,33 @@ class Ceiling:
         return reached
 
 
-# How the sub-trajectories of a batch become few envelopes. Let c be a part of G_t, p_1, p_2, ...
-# the parts of D_b from left to right; or, since a sum does not know which of its chains moves, c a
-# part of D_b and p_1, p_2, ... those of reversed G_t, if these are more. Let s_j be the whole
-# sub-trajectory of c and p_j, and s'_j what matters of it, s_j cut at its ends (see `convex_part`).
+# The sub-trajectories of a batch become few envelopes. Let c be a part of G_t and p_1, p_2, ...
+# the parts of D_b from left to right. A sum is symmetric in its chains; so if G_t has more parts, c
+# is a part of D_b and p_1, p_2, ... are the parts of reversed G_t. Let s_j be the whole
+# sub-trajectory of c and p_j, and s'_j its relevant edges, s_j cut at its ends (see `convex_part`).
 # E is the envelope of all pairs.
 #
-#     (1)  For j < k, wherever p_j and p_k lie, s_j - s_k never decreases along x: they cross once
-#          at most, and on the right it is s_k that is lower (Lemma A.3; `cm` has the reason).
+#     (1)  For j < k, wherever p_j and p_k lie, s_j - s_k never decreases along x. So they cross
+#          once at most, and s_k is lower on the right (Lemma A.3; `cm` has the reason).
 #     (2)  At each x some s'_j is on E; and s_j >= E everywhere.
 #
-# A run R joins s'_j for ascending j: by LowerEnvelope_CM, where s'_k starts over R and does not end
-# before it, with a gap between, where it starts right of R; else a new run begins. It keeps
+# A run R joins s'_j for ascending j. If s'_k starts over R and does not end before R,
+# LowerEnvelope_CM joins it. If s'_k starts right of R, it joins R with a gap between. Otherwise a
+# new run begins. The invariant is
 #
-#     (3)  where s'_j, of those that R has taken in, is on E, so is R.
+#     (3)  where a member s'_j of R is on E, R is on E.
 #
-# For (3) let s'_k be taken in, over x >= w from then on.
+# To prove (3), let s'_k join R and replace it over x >= w.
 #
-#     (4)  Right of w, R is lost: there it is not below s'_k, so that s'_k is on E where R was.
-#     (5)  Something of s'_k is left out, left of w, only if some s'_j in R is not above it at w:
-#          s_j <= s_k there, and further left as well, by (1). If s'_k is on E at some x there, so
-#          is s_j, by (2). Either s'_j is there too, and R is on E by (3); or s_j is cut off there,
-#          where it is above E except for single points.
+#     (4)  R loses its part right of w. There R is not below s'_k, so s'_k is on E where R was.
+#     (5)  s'_k loses a part left of w only if some s'_j in R is not above it at w. Then s_j <= s_k
+#          there, and further left, by (1). If s'_k is on E at some x there, so is s_j, by (2).
+#          Either x is in the range of s'_j, and R is on E by (3); or s_j is cut off there, where it
+#          is above E except for single points.
 #
-# So the lowest of all runs is E, by (2) and (3), though a run by itself need not be the lowest of
-# what it has taken in. Where only gaps matter, (2) is said of each x in a gap, and of E there; so
-# pairs whose sums lie beside all gaps are left out, and what a run has there.
+# So the lowest of all runs is E, by (2) and (3). A single run need not be the envelope of its
+# members. If only gaps are relevant, (2) holds for each x in a gap. Then pairs whose sums lie
+# outside all gaps are left out, and so are the pieces of a run there.
 
 
 def sweep_pairs(
@@ -169,24 +170,24 @@ def sweep_pairs(
     gaps: Sequence[Span] | None = None,
     guess: Guess | None = None,
 ) -> Envelope:
-    """Steps 2 and 3: the CM sweep of each convex part of G_t, and their lower envelope.
+    """Steps 2 and 3: sweep each convex part of G_t, and take the lower envelope.
 
-    What matters of a sub-trajectory is its edges between the slopes of both parts (see
-    `convex_part`); a pair without slopes in common gives nothing. The others are swept in
-    batches, each three times the last, those parts of G_t first that reach highest. What a batch
-    gives is a ceiling over the next, and pairs that do not come below it need not be swept.
+    Only the edges between the slopes of both parts are relevant (see `convex_part`), so pairs
+    without a common slope give nothing. The other pairs are swept in batches, each three times as
+    large as the last. The parts of G_t that reach highest come first. The result of a batch is a
+    ceiling for the next one, and pairs that do not come below it need no sweep.
 
     Args:
         chains: the convex parts of reversed G_t.
         parts: the convex parts of D_b.
-        gaps: the x-ranges that matter, from left to right; all of it, if left out.
-        guess: makes pairs of a chain and a part that are likely to be lowest; these go first, if
+        gaps: the relevant x-ranges, from left to right; the whole x-range by default.
+        guess: returns pairs of a chain and a part that are likely to be lowest. They come first, if
             there are too many pairs to sweep them all at once.
 
     Returns:
         The lower envelope, `sources` as in `trajectory_mm`.
 
-    Cost: O(m n log k) for k runs, one for each part of G_t at best, and at most one for each pair.
+    Cost: O(m n log k) for k runs; between one for each part of G_t and one for each pair.
     """
     exchanged = len(parts) < len(chains)
     rows, columns = (parts, chains) if exchanged else (chains, parts)
@@ -200,7 +201,7 @@ def sweep_pairs(
         few = sum(map(len, facing)) <= FEW_PAIRS
 
     def sweep_row(i: int, numbers: Iterable[int]) -> Iterable[Envelope]:
-        """The runs of one row, with some of the columns."""
+        """Compute the runs of one row, with some of the columns."""
         runs: list[Envelope] = []
         run: Envelope | None = None
         for k in numbers:
@@ -260,9 +261,9 @@ def sweep_pairs(
 
 
 def find_facing(asked: Sequence[Sequence[int]], rows: Parts, columns: Parts) -> list[list[int]]:
-    """Of the columns asked about for each row, those with slopes in common.
+    """Keep, for each row, the given columns that have a slope in common with it.
 
-    Cost: O(columns asked about).
+    Cost: O(columns given).
     """
     ends = [(k, columns[k].flattest, columns[k].steepest) for k in range(len(columns))]
     found = []
@@ -274,7 +275,7 @@ def find_facing(asked: Sequence[Sequence[int]], rows: Parts, columns: Parts) -> 
 
 
 def keep_over(gaps: Sequence[Span], rows: Parts, columns: Parts) -> list[list[int]]:
-    """For each row the numbers of the columns with which its sums lie over some gap.
+    """Find, for each row, the columns whose sum with it lies over some gap.
 
     Cost: O(log m) for each row and each gap, and O(numbers returned).
     """
@@ -297,7 +298,7 @@ def keep_over(gaps: Sequence[Span], rows: Parts, columns: Parts) -> list[list[in
 def add_to_run(run: Envelope, piece: Envelope) -> bool:
     """Join a piece to a run, if it starts over the run or right of it, and does not end before it.
 
-    Returns whether it did. Cost: as for `lower_envelope_cm`.
+    Returns whether the piece was joined. Cost: as for `lower_envelope_cm`.
     """
     (n, d), (start, start_d) = run.breaks[-1], piece.breaks[0]
     if n * start_d <= start * d:

@@ -25,7 +25,7 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
         directrix: D_b, from left to right, with the same ends; both have corners only.
 
     Returns:
-        Pockets from left to right. Two that share only a point or a wall are two.
+        Pockets from left to right. Regions that share only a point or a wall are separate pockets.
 
     Cost: O(m + size of inner).
 
@@ -42,7 +42,7 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
     while i < len(low):
         below, above = low[i], high[j]
         left, right = max(below[0][0], above[0][0]), min(below[1][0], above[1][0])
-        # Along an edge a slice begins where the last one ended.
+        # Along an edge, a slice begins where the last one ended.
         last_b, last_a = b1, a1
         b0 = below[0] if below[0][0] == left else last_b
         a0 = above[0] if above[0][0] == left else last_a
@@ -70,15 +70,15 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
 
 
 def _close(chain: list[Vertex]) -> list[Vertex]:
-    """Take the corners of a chain that is cut at either end, where points may be there twice."""
+    """Drop points that are not corners from a chain whose cut ends may repeat a point."""
     return take_corners(chain, {0, 1, len(chain) - 2, len(chain) - 1})
 
 
 def _contact_height(below: Vertex, above: Vertex, outside: Vertex | None) -> Rational:
     """Find where at the end of a pocket the bottom chain meets D.
 
-    Between the two chains there may be a wall: of the inner loop, up to the height at which D
-    arrives from outside the pocket, and of D from there on.
+    A wall may join the two chains. It belongs to the inner loop up to the height at which D arrives
+    from outside the pocket, and to D above.
     """
     if outside is None:
         return below[1]

@@ -1,4 +1,4 @@
-"""The record of what the procedures find about a pair (G, D), whatever the shapes."""
+"""The record of the results of the procedures for a pair (G, D) of any shape."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from exactsweep.numbers.point import Fit, Point, Vertex
 from exactsweep.procedures.made_once import made_once
 
 Kind = Literal["CC", "CM", "MM", "SS"]
-"""The classes of the paper; and "SS", of polygons of any shape."""
+"""The classes of the paper, and "SS" for polygons of any shape."""
 
 
 class Solution:
@@ -56,23 +56,24 @@ class Solution:
 
     @made_once
     def fits(self) -> list[Fit]:
-        """The exact fits, sorted, the end that hangs on a loop first, where only one does."""
+        """The exact fits, sorted. If only one end lies on a loop, it comes first."""
         raise NotImplementedError
 
     @made_once
     def pockets(self) -> list[list[list[Vertex]]]:
         """The regions between D and the inner loop, in the frame.
 
-        Each as its bottom chain, a piece of the inner loop, and the vertices of D on the way back.
+        Each consists of its bottom chain, a piece of the inner loop, and D's vertices on the way
+        back.
         """
         raise NotImplementedError
 
     @made_once
     def holes(self) -> list[list[Point]]:
-        """The loops around free positions inside the trajectory: none, but of kind "SS"."""
+        """The loops around free positions inside the trajectory; only of kind "SS"."""
         return []
 
     @made_once
     def unswept(self) -> list[list[Point]]:
-        """The holes of the swept area beside the inner loop: none, but of kind "SS"."""
+        """The holes of the swept area beside the inner loop; only of kind "SS"."""
         return []

@@ -1,6 +1,6 @@
-"""Squares of a grid that lie in a shape, grid points inside of one, and sums of both.
+"""Squares of a grid that lie in a shape, grid points inside a shape, and sums of both.
 
-A set of squares or points is a list of ints, one for each column of the grid, whose bits are rows.
+A set of squares or points is a list of ints, one for each column of the grid. Their bits are rows.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from exactsweep.numbers.point import Rational
 
 
 def find_squares_of_sum(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, list[int]]:
-    """Find the squares of one shape moved by the grid points inside of another one.
+    """Find the squares of one shape, moved by the grid points inside another shape.
 
     Returns:
         The first column, the first row, and the rows of each column.
@@ -37,7 +37,7 @@ def find_squares_of_sum(stationary: Rings, moving: Rings, side: int) -> tuple[in
 
 
 def halve_squares(columns: list[int]) -> list[int]:
-    """The same squares on the grid of half the side.
+    """Return the same squares on the grid of half the side.
 
     >>> [bin(column) for column in halve_squares([0b101])]
     ['0b110011', '0b110011']
@@ -52,7 +52,7 @@ def halve_squares(columns: list[int]) -> list[int]:
 
 
 def _stack(stacked: dict[int, int], length: int) -> int:
-    """Bits moved by 0, 1, ..., length - 1 places, all together."""
+    """Return the union of the bits moved by 0, 1, ..., length - 1 places."""
     found = stacked.get(length)
     if found is None:
         half = (length + 1) // 2
@@ -62,7 +62,7 @@ def _stack(stacked: dict[int, int], length: int) -> int:
 
 
 def _find_runs(bits: int) -> Iterator[tuple[int, int]]:
-    """The runs of ones in an int: where they start and how long they are."""
+    """Find the runs of ones in an int: the start and the length of each."""
     start = 0
     while bits:
         zeros = (bits & -bits).bit_length() - 1
@@ -74,7 +74,7 @@ def _find_runs(bits: int) -> Iterator[tuple[int, int]]:
 
 
 def _lay_grid(rings: Rings, side: int) -> tuple[int, int, int]:
-    """The first column and row of squares that a shape can meet, and how many columns there are."""
+    """Find the first column and row of squares that a shape can meet, and the column count."""
     points = list(chain.from_iterable(rings))
     left, low = (int(min(p[k] for p in points) // side) - 1 for k in (0, 1))
     right = int(max(x for x, _ in points) // side) + 1
@@ -82,11 +82,11 @@ def _lay_grid(rings: Rings, side: int) -> tuple[int, int, int]:
 
 
 def find_squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
-    """The closed squares that lie in a shape: first column, first row, and the rows of each column.
+    """Find the closed squares in a shape: first column, first row, and the rows of each column.
 
     A square lies in the shape if no edge comes near it and the number of edges below it, on the
-    left border of the column, is odd. Each edge turns all bits above it: above all edges, which are
-    an even number, none is left.
+    left border of the column, is odd. Each edge flips all bits above it. The number of edges is
+    even, so no bit is set above all edges.
     """
     left, low, width = _lay_grid(rings, side)
     near, odd = [0] * width, [0] * width
@@ -111,7 +111,7 @@ def find_squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
 
 
 def find_points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
-    """The grid points in the interior of a shape, as for `find_squares_in`, by grid lines."""
+    """Find the grid points in the interior of a shape, as `find_squares_in`, by grid lines."""
     left, low, width = _lay_grid(rings, side)
     on, odd = [0] * width, [0] * width
     for px, py, qx, qy in _list_rising(rings):
@@ -132,14 +132,14 @@ def find_points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
 
 
 def _set_bits(first: int, last: int) -> int:
-    """The bits from one place to another, either way round."""
+    """Set the bits between two places, in either order."""
     if first > last:
         first, last = last, first
     return (1 << (last - first + 1)) - 1 << first
 
 
 def _list_rising(rings: Rings) -> Iterator[tuple[Rational, Rational, Rational, Rational]]:
-    """The edges, each from its lesser to its greater end."""
+    """List the edges, each from its lesser to its greater end."""
     for ring in rings:
         p = ring[-1]
         for q in ring:

@@ -1,10 +1,10 @@
-"""Polygons of any shape, with holes or without: no-fit and inner-fit positions (kind "SS").
+"""No-fit and inner-fit positions of polygons of any shape, with or without holes (kind "SS").
 
-Beyond the paper. Its sets carry over: the positions of overlap are O = int D + int I(G), an open
-set, and the free positions are the rest. What bounds them is looked for where it can be, on the
-contact segments of the pair (see `contact_lines`), and what is left there after their crossings is
-decided by exact questions whether two polygons overlap (see `free_positions`). No part of either
-polygon is made and no union, so that nothing of a partition has to be removed again.
+The paper does not treat this case, but its sets carry over. The positions of overlap are O = int D
++ int I(G), an open set, and all others are free. The boundary of the free positions lies on the
+contact segments of the pair (see `contact_lines`), cut at their crossings. Exact tests whether two
+polygons overlap decide the remaining pieces (see `free_positions`). The method needs neither a
+partition of the polygons nor a union.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ class FreeRegions(NamedTuple):
     """The positions of a part inside a container.
 
     Attributes:
-        regions: free regions, each as its exterior and the loops around overlap inside it, all
-            counter-clockwise.
-        fits: exact fits, as for `Free`.
+        regions: the free regions, each with its exterior and the loops around overlap inside it,
+            all counter-clockwise.
+        fits: the exact fits, as for `Free`.
     """
 
     regions: list[tuple[list[Point], list[list[Point]]]]
@@ -40,19 +40,19 @@ class FreeRegions(NamedTuple):
 
 
 def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> Free:
-    """The no-fit polygon of two shapes, with its holes and exact fits.
+    """Find the no-fit polygon of two shapes, with its holes and exact fits.
 
     Args:
         directrix: the rings of D, interior on the left.
         generatrix: the rings of G.
-        scale: what the positions are divided by, when they leave the lattice of the rings.
+        scale: the divisor of the positions when they leave the lattice of the rings.
 
     Returns:
         Positions of G's origin: one loop around all overlap, the loops within it, sorted, and the
         exact fits.
 
-    Cost: O(k log k + c + q m n) for k contact segments, c crossings of them and q loops and
-    exact fits to be decided; k <= 2 m n and c <= k^2, and few of either for real outlines.
+    Cost: O(k log k + c + q m n) for k contact segments, c crossings, and q overlap tests of loops
+    and exact fits. k <= 2 m n and c <= k^2; real outlines have few of both.
 
     >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).around[0]]
@@ -75,13 +75,13 @@ def inner_fit_ss(
         container: its rings, interior on the left: the exterior, and defects as clockwise holes.
         part: the rings of the part.
         scale: as for `no_fit_ss`.
-        placed: the rings of shapes that the part must not overlap either.
+        placed: the rings of each shape that the part must not overlap.
 
     Returns:
-        Positions of the part's origin; nothing where it does not fit.
+        Positions of the part's origin; empty if the part does not fit.
 
-    Cost: as for `no_fit_ss`; of contact segments those count that are near the leeway, and each
-    question is asked of the shapes that are near.
+    Cost: as for `no_fit_ss`, where k counts contact segments near the leeway only, and each overlap
+    test covers the shapes nearby.
 
     >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [tuple(int(c) for p in fit for c in p) for fit in inner_fit_ss(square, unit).fits]
@@ -104,7 +104,7 @@ def inner_fit_ss(
 
 
 def _turn(shape: Rings) -> Rings:
-    """I(G): a shape turned by half a turn."""
+    """Return I(G), a shape after half a turn."""
     return [inverse(ring) for ring in shape]
 
 
@@ -117,16 +117,16 @@ def _find_free(
     *,
     is_bounded: bool = False,
 ) -> Free:
-    """Find the loops and fits that contact segments bound, without what solid + H covers."""
+    """Find the loops and fits that contact segments bound, after dropping covered pieces."""
     stretches = leave_out_covered(stretches, solid, moving)
     cut_at_crossings(stretches)
     return find_free_positions(stretches, overlap, scale, is_bounded=is_bounded)
 
 
 def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:
-    """Find the least of some exteriors that have a loop inside.
+    """Find the smallest exterior around a loop.
 
-    None crosses another one or the loop; those that overlap it lie around it or inside.
+    No exterior crosses another one or the loop. Those that overlap it lie around it or inside it.
     """
     size = find_doubled_area(loop)
     around = [

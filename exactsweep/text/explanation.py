@@ -24,12 +24,12 @@ _HALVES: dict[Half, str] = {
 def tell(s: Sweep) -> Iterator[str]:
     r"""Explain a sweep in words, step by step, as `explain` finds it.
 
-    After the way around D come the holes of the no-fit polygon, in which G can be as well, and the
-    exact fits, each with what touches. Features have the index and the coordinates of the caller's
-    input; positions are those of the reference point.
+    The way around D comes first, then the holes of the no-fit polygon and the exact fits, each with
+    its contacts. Features have the index and the coordinates of the caller's input. Positions are
+    those of the reference point.
 
-    Returns:
-        Lines of text, of ASCII characters only, one after the other.
+    Yields:
+        Lines of text, with ASCII characters only.
 
     Example:
         >>> from exactsweep import sweep
@@ -75,13 +75,13 @@ class _FeatureNames:
             (px, py), (x, y), (qx, qy) = corners[before], corners[k], corners[after]
             self.vertices[i] = f"vertex {i} of {letter}, {write_pair((x, y))}"
             self.edges[j] = f"edge {j} of {letter}, {write_pair((x, y))}-{write_pair((qx, qy))}"
-            # What is inside of a hole is outside of the shape.
+            # The inside of a hole is outside the shape.
             if ((x - px) * (qy - y) < (y - py) * (qx - x)) == (k < len(shape.rings[0])):
                 self.reflex.add(i)
 
 
 class _Teller:
-    """Finds the words for the steps of one sweep."""
+    """A writer of the steps of one sweep in words."""
 
     def __init__(self, s: Sweep) -> None:
         self.sweep = s
@@ -95,23 +95,23 @@ class _Teller:
         g, d = len(s.generatrix), len(s.directrix)
         yield f"Class {CLASSES[s.kind]}, of {g} and {d} vertices."
         yield (
-            "The generatrix, G, goes once around the directrix, D, which it keeps on its left, "
-            f"in {len(steps)} steps."
+            f"The generatrix G travels once around the directrix D in {len(steps)} steps, "
+            "with D on its left."
         )
         yield (
-            f"A position is that of the point {write_pair(s.reference)} of G; "
-            "vertices and edges of G and D are those of the input."
+            f"Positions are those of the point {write_pair(s.reference)} of G. "
+            "Vertices and edges have the numbers of the input."
         )
         if s.kind == "SS":
             rest = count(len(s.no_fit_holes), "hole")
             yield (
-                "Inside of its way, where it cannot slide to, there is room for it in "
-                f"{rest} of the no-fit polygon."
+                "Inside its path, which G cannot enter by sliding, "
+                f"the no-fit polygon has {rest} with room for G."
             )
         elif s.direction and s.direction != (1, 0):
             yield (
-                f"Both are monotone to {write_pair(s.direction)}; "
-                "what is below, above or an end is so with this direction to the right."
+                f"Both polygons are monotone to {write_pair(s.direction)}. "
+                "The words below, above, left and right assume that this direction points right."
             )
         yield (
             f"Contacts: {', '.join(f'{events[e]} {e}' for e in ('EV', 'VE', 'EE') if events[e])}; "
@@ -132,7 +132,7 @@ class _Teller:
                 yield f"Here {self._landmark(mark)}"
 
     def holes(self) -> Iterator[str]:
-        """Tell the holes of the no-fit polygon, an edge a line."""
+        """Describe the holes of the no-fit polygon, one line for each edge."""
         s = self.sweep
         loops = [hole.vertices for hole in s.no_fit_holes]
         for k, along in enumerate(s.contacts_along(loops)):
@@ -148,7 +148,7 @@ class _Teller:
                 yield from (f"  {self._slide(contact)}" for contact in contacts)
 
     def fits(self) -> Iterator[str]:
-        """Tell the exact fits, each with what touches all along."""
+        """Describe the exact fits, each with the contacts that last all along."""
         s = self.sweep
         ways = iter(s.contacts_along([fit for fit in s.exact_fits if fit[0] != fit[1]]))
         for k, (start, end) in enumerate(s.exact_fits):
@@ -190,7 +190,7 @@ class _Teller:
                 self._stop(contact, step.end) for contact in self._choose_telling(step.reasons)
             )
             return f"Stop: {', and '.join(stops)}"
-        return "Slot: nothing stops G, but straight on it would be in an exact fit"
+        return "Slot: nothing stops G, but straight on it would enter an exact fit"
 
     def _stop(self, contact: Contact, position: Point) -> str:
         event, i, j = contact
@@ -210,7 +210,7 @@ class _Teller:
         return f"{g.vertices[i]}, runs into {d.vertices[j]}"
 
     def _choose_telling(self, contacts: Iterable[Contact]) -> list[Contact]:
-        """Leave out what comes with two edges that touch: contacts at their ends."""
+        """Drop the contacts at the ends of two edges that touch."""
         contacts = list(contacts)
         implied: set[Contact] = set()
         for event, e, d in contacts:
@@ -256,6 +256,6 @@ class _Teller:
             hanging, inside = inside, hanging
         way = name_heading((inside.x - hanging.x, inside.y - hanging.y))
         return (
-            f"exact fit {landmark.number} hangs: G could go {way} to {write_pair(inside)}, "
+            f"exact fit {landmark.number} begins: G could go {way} to {write_pair(inside)}, "
             "touching D on both sides"
         )

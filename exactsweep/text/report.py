@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
@@ -17,34 +17,34 @@ from exactsweep.numbers.number import abridge, format_fraction
 from exactsweep.numbers.point import Fit, Point
 from exactsweep.words import CLASSES, write_pair
 
-# rich takes longer to import than all the rest.
+# rich takes longer to import than everything else.
 if TYPE_CHECKING:
     from rich.table import Table
 
 _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
-# Of long numbers the first bits tell these digits, unless what is made of them, give or take what
-# it may be off, is around the middle between two.
+# The number of leading bits that usually determine the shown digits of a long number; they do not
+# if the value with its error bound is near the middle between two results.
 _BITS = 200
 _NEARLY = Context(prec=60, Emax=MAX_EMAX, Emin=MIN_EMIN)
 _AROUND = Decimal(f"0.{'9' * 50}"), Decimal(f"1.{'0' * 49}1")
-# Far beyond any line: rich wraps to a width, always.
+# A width beyond the length of any line, because rich always wraps.
 _NO_WRAPPING = 10**9
 
 
 def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool = False) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
-    Areas are exact, with a decimal approximation beside them where that is another number; of a
-    long loop the first vertices are shown, and how many more there are.
+    Areas are exact. A decimal approximation stands beside an area if it is a different number. The
+    report shows the first vertices of a long loop, and counts the rest.
 
     Args:
         sweep: a Sweep.
-        terminal_width: columns of the terminal to be filled; None for plain text, whose lines are
-            as long as they need to be.
-        everything: whether all vertices are shown, and all digits of their coordinates.
+        terminal_width: the width of the terminal in columns; None for plain text, with lines of any
+            length.
+        everything: whether to show all vertices, and all digits of their coordinates.
 
     Returns:
-        Lines of text, of ASCII characters only; for a terminal also its control sequences.
+        Lines of text with ASCII characters only; for a terminal also control sequences.
 
     Example:
         >>> from exactsweep import sweep
@@ -187,21 +187,15 @@ def _tell(
     terminal_width: int | None,
     everything: bool,
 ) -> str:
-    from rich.table import Table
-
     texts = _texts(loops) | _fit_texts(fits)
     width = max(map(len, [*facts, *shapes, name, *texts]))
-    sizes = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    sizes.add_column(min_width=width, style="bold")
-    sizes.add_column("vertices", justify="right")
-    sizes.add_column("area about", overflow="fold")
-    sizes.add_column("area exactly", overflow="fold")
+    sizes = make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
     for called, shape in shapes.items():
         sizes.add_row(called, str(len(shape)), *_area(shape.area))
     sizes.add_row(name, "", *_area(area))
     tables = [list_facts(facts, width), sizes]
     if everything:
-        # Long numbers take a table a long time.
+        # A table takes long for long numbers.
         lines = {**{n: loop.vertices for n, loop in loops.items()}, **_fit_ends(fits)}
         told = (f"{n:<{width}}  {' '.join(map(_write_point, ends))}\n" for n, ends in lines.items())
         return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
@@ -217,11 +211,11 @@ def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
 
     Args:
         tables: the tables.
-        terminal_width: columns of the terminal to be filled; None for plain text, whose lines are
-            as long as they need to be.
+        terminal_width: the width of the terminal in columns; None for plain text, with lines of any
+            length.
 
     Returns:
-        Lines of text; for a terminal also its control sequences.
+        Lines of text; for a terminal also control sequences.
     """
     from rich.console import Console
 
@@ -237,12 +231,34 @@ def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
         if k:
             console.print()
         console.print(table)
-    # rich fills every row up with blanks.
+    # rich pads every row with blanks.
     return "".join(f"{line.rstrip()}\n" for line in text.getvalue().splitlines())
 
 
+def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 0) -> Table:
+    """Make a table without lines, its first column bold.
+
+    Args:
+        heads: of the columns.
+        numbers: the heads of those that are right-aligned.
+        width: the least one of the first column.
+    """
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    for k, head in enumerate(heads):
+        table.add_column(
+            head,
+            style="" if k else "bold",
+            justify="right" if head in numbers else "left",
+            overflow="fold",
+            min_width=0 if k else width,
+        )
+    return table
+
+
 def list_facts(texts: Mapping[str, str], width: int) -> Table:
-    """Make a table of names and texts; names take at least so many columns."""
+    """Make a table of names and texts; names take at least the given number of columns."""
     from rich.table import Table
 
     table = Table.grid(padding=(0, 2, 0, 0))
@@ -259,7 +275,7 @@ def _area(area: Fraction) -> tuple[str, str]:
 
 
 def _texts(loops: Mapping[str, Polygon]) -> dict[str, str]:
-    # Lines are broken at blanks, and a vertex must not be.
+    # rich breaks lines at blanks, but must not break a vertex.
     return {name: str(loop).replace(", ", ",") for name, loop in loops.items()}
 
 
@@ -272,7 +288,7 @@ def _fit_ends(fits: Iterable[Fit]) -> dict[str, tuple[Point, ...]]:
 
 
 def approximate(value: Fraction) -> str:
-    """Round to six significant digits, to give an idea of a number.
+    """Round a number to six significant digits.
 
     >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
     ('-6.66667', '30', '6.33825E+29')
@@ -289,7 +305,7 @@ def approximate(value: Fraction) -> str:
 
 
 def take_root(square: Fraction) -> Fraction:
-    """Return the square root of a number of any size: exactly, or to 60 bits or so, rounded up.
+    """Return the square root of a number of any size: exactly, or rounded up to about 60 bits.
 
     >>> take_root(Fraction(1, 4)), float(take_root(Fraction(2)))
     (Fraction(1, 2), 1.4142135623730951)

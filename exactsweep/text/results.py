@@ -1,4 +1,4 @@
-"""JSON out: exact, a name a line."""
+"""Results as exact JSON with one name per line, and as WKT."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ def sweep_to_json(sweep: Sweep) -> str:
         sweep: a Sweep.
 
     Returns:
-        One object, a name a line: "kind", "direction", "reference", "area", and the vertex lists
-        "generatrix", "directrix", "trajectory", "inner" and "outer". The direction is a pair
-        of integers; all other numbers are strings that `to_fraction` reads. Of kind "SS" the
+        One object with one name per line: "kind", "direction", "reference", "area", and the vertex
+        lists "generatrix", "directrix", "trajectory", "inner" and "outer". The direction is a pair
+        of integers; all other numbers are strings that `to_fraction` reads. For the kind "SS" the
         direction is null, "unswept" lists the other holes of the swept area, and a polygon with
-        holes is an object, "exterior" and "holes".
+        holes is an object with "exterior" and "holes".
 
     Cost: linear in the length of the result.
     """
@@ -55,9 +55,9 @@ def no_fit_to_json(n: NoFitPolygon) -> str:
         n: a NoFitPolygon.
 
     Returns:
-        One object, a name a line: "stationary", "orbiting", "kind", "reference", "exterior",
-        "holes", "exact_fits" and "area", written as by `sweep_to_json`; an exact fit is a pair of
-        points.
+        One object with one name per line: "stationary", "orbiting", "kind", "reference",
+        "exterior", "holes", "exact_fits" and "area", in the form of `sweep_to_json`. An exact fit
+        is a pair of points.
 
     Cost: linear in the length of the result.
     """
@@ -82,9 +82,9 @@ def inner_fit_to_json(f: InnerFit) -> str:
         f: an InnerFit.
 
     Returns:
-        One object, a name a line: "container", "part", "placed" if there are placed shapes,
-        "reference", "regions", each an object, "exterior" and "holes", "exact_fits" and "area",
-        written as by `no_fit_to_json`.
+        One object with one name per line: "container", "part", "placed" if there are placed
+        shapes, "reference", "regions", "exact_fits" and "area", in the form of `no_fit_to_json`.
+        Each region is an object with "exterior" and "holes".
 
     Cost: linear in the length of the result.
     """
@@ -102,7 +102,7 @@ def inner_fit_to_json(f: InnerFit) -> str:
 
 
 def write_json_value(shape: AnyPolygon) -> object:
-    """Make the list of vertices of a shape, or of one with holes the object of its rings."""
+    """Convert a shape to a list of vertices, or a shape with holes to an object of its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
 
@@ -121,7 +121,7 @@ def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit) -> str:
         result: a Sweep, a NoFitPolygon or an InnerFit.
 
     Returns:
-        One object, a name a line.
+        One object with one name per line.
 
     Cost: that of its `certificate`.
     """
@@ -135,12 +135,13 @@ def explanation_to_json(sweep: Sweep) -> str:
         sweep: a Sweep.
 
     Returns:
-        One object: the input as by `sweep_to_json`, "undercuts", "exact_fits", and "steps", a step
-        a line. Names are those of `Undercut` and `Step`. All numbers but the shared direction
-        and the numbers of features, undercuts and exact fits are strings. Features are numbered
-        as the caller gave them; "features" says which number each vertex listed, and the edge from
-        it to the next, has there. "holes" are those of the no-fit polygon, each with its "loop" and
-        with "contacts", a list for each edge; "exact_fit_contacts" has a list for each exact fit.
+        One object: the input as by `sweep_to_json`, "undercuts", "exact_fits", and "steps" with one
+        step per line. Names are those of `Undercut` and `Step`. All numbers are strings, except the
+        shared direction and the numbers of features, undercuts and exact fits. Features have the
+        numbers of the caller's input. "features" maps each listed vertex, and the edge from it to
+        the next, to that number. "holes" are the holes of the no-fit polygon, each with its "loop"
+        and its "contacts", a list for each edge. "exact_fit_contacts" has a list for each exact
+        fit.
 
     Cost: that of `exactsweep.evidence.steps`.
     """
@@ -199,14 +200,14 @@ def _input(sweep: Sweep) -> dict[str, str]:
 
 
 def direction_to_json(direction: Vector | None) -> str:
-    """Write a direction as a pair of integers, of whatever length; null for none."""
+    """Write a direction as a pair of integers of any length, or null."""
     if direction is None:
         return "null"
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
 def list_numbers(shape: AnyPolygon) -> dict[str, list[int]]:
-    """List the numbers that the caller gave the vertices, and the edges that start there."""
+    """List the numbers of vertices, and of the edges that start there, in the caller's input."""
     size = len(shape)
     return {
         "vertices": [shape.vertex_index(k) for k in range(size)],
@@ -261,10 +262,10 @@ def sweep_to_wkt(sweep: Sweep) -> str:
         sweep: a Sweep.
 
     Returns:
-        POLYGONs, a line each, in exact decimals: three, and one for each unswept hole.
+        A POLYGON per line, in exact decimals: three, and one for each unswept hole.
 
     Raises:
-        FormatError: a coordinate is not a finite decimal, such as 1/3, which WKT cannot hold.
+        FormatError: a coordinate, such as 1/3, is not a finite decimal, so WKT cannot hold it.
 
     Cost: linear in the length of the result, times the cost of a division of that length.
     """
@@ -304,7 +305,7 @@ def inner_fit_to_wkt(f: InnerFit) -> str:
 
     Returns:
         Lines of WKT in exact decimals: a POLYGON for each region, a LINESTRING or a POINT for each
-        exact fit; "POLYGON EMPTY" where the part does not fit.
+        exact fit; "POLYGON EMPTY" if the part does not fit.
 
     Raises:
         FormatError: as by `sweep_to_wkt`.

@@ -1,16 +1,16 @@
 """The data of the page: places as floats, scaled exactly, and the exact coordinates as text.
 
-A stop is a vertex of the trajectory, or a point of an edge where a contact begins or ends, where
-two vertices meet or where an undercut is closed; from each stop to the next the same features
-touch. In large sweeps, where two vertices meet is not looked for. Holes of the no-fit polygon and
-exact fits have stops as the trajectory has. What touches at a stop for an instant only is found by
-the page, when G is there.
+A stop is a vertex of the trajectory, or a point of an edge where a contact begins or ends, two
+vertices meet, or G closes an undercut. From each stop to the next the same features touch. Large
+sweeps have no stops where two vertices meet. Holes of the no-fit polygon and exact fits have stops,
+too. Features that touch only at a stop are found by the page itself when G is there.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactsweep.draw import ContactStretch, DrawError, Scale
@@ -34,8 +34,8 @@ class Track(NamedTuple):
     """Positions along which G can be moved.
 
     Attributes:
-        name: what it is called.
-        corners: the vertices of a loop; of an exact fit the ends, for the way there and back.
+        name: the name of the track.
+        corners: the vertices of a loop; for an exact fit the two ends, for the way there and back.
     """
 
     name: str
@@ -66,15 +66,15 @@ def find_stops(s: Sweep) -> list[Stop]:
 
 
 def track_stops(s: Sweep, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
-    """Find all stops of tracks, each all the way around from its first vertex.
+    """Find all stops of tracks, each once around from its first vertex.
 
     Returns:
-        For each track a list of Stop, whose `vertex` is its number in the track, None inside an
-        edge, and whose `contacts` last from there to the next stop; and whether it was looked for
-        where two vertices meet.
+        A list of Stop for each track, and whether the stops include meetings of two vertices. The
+        `vertex` of a Stop is its number in the track, or None inside an edge. Its `contacts` last
+        from there to the next stop.
 
-    Cost: that of `Sweep.contacts_along`, `undercuts` and `exact_fits`, of `Meetings`, and
-    O(log u) for each stretch if there are u positions of undercuts and ends of exact fits.
+    Cost: that of `Sweep.contacts_along`, `undercuts`, `exact_fits` and `Meetings`, plus O(log u)
+    for each stretch, for u positions of undercuts and ends of exact fits.
     """
     landmarks = _landmarks(s)
     meetings = find_meetings(s, sum(len(track.corners) for track in listed))
@@ -104,17 +104,17 @@ def gather_page_data(
     y_down: bool = False,
     tell: Callable[[str], object] = str,
 ) -> dict[str, Any]:
-    """Gather what the page shows, as plain JSON data.
+    """Collect the data of the page as plain JSON data.
 
     Args:
         s: a Sweep.
-        names: what G and D are called.
+        names: the names of G and D.
         y_down: whether Y points down.
-        tell: is called with a few words before each step that may take long.
+        tell: a function that is called with a few words before each step that may take long.
 
     Returns:
-        Places are flat lists x, y, x, y, ... of floats, those of G relative to the point whose
-        path is drawn; "exact" are the coordinates in the same order as strings.
+        A dict. Places are flat lists x, y, x, y, ... of floats; those of G are relative to the
+        point whose path the page shows. "exact" has the coordinates as strings, in the same order.
 
     Cost: that of `find_stops` and of the loops.
     """
@@ -174,13 +174,14 @@ def gather_positions(
     names: tuple[str, str] | None = None,
     y_down: bool = False,
 ) -> dict[str, Any]:
-    """Gather what the page shows of a no-fit polygon or of an inner fit, as plain JSON data.
+    """Collect the data of the page of a no-fit polygon or an inner fit as plain JSON data.
 
-    Stops are the vertices of its loops, and the page itself finds what touches anywhere.
+    Stops are the vertices of its loops, the ends of exact fits on them, and where two vertices
+    meet. The page itself finds the contacts everywhere.
 
     Args:
         found: a NoFitPolygon or an InnerFit.
-        names: what the shape that moves and the one that stays are called.
+        names: the names of the moving and of the stationary shape.
         y_down: whether Y points down.
 
     Returns:
@@ -203,7 +204,19 @@ def gather_positions(
     shift = find_shift(shapes)
     paths = [Point(p.x + shift.x, p.y + shift.y) for points in [*loops, *fits] for p in points]
     scale = Scale.of(shapes.directrix.vertices, paths)
-    ends = {corner for loop in loops for corner in loop}
+    tracks = [*loops, *fits]
+    meetings = find_meetings(shapes, sum(map(len, tracks)), shapes.placed, inside=not is_outside)
+    landmarks = sorted({end for fit in fits for end in fit})
+    stops = []
+    for corners in tracks:
+        edges = enumerate(pairwise([*corners, corners[0]]))
+        pieces = _cut([ContactStretch(k, *edge, ()) for k, edge in edges], landmarks)
+        if meetings is not None:
+            pieces = _cut(pieces, meetings.on_edges(corners))
+        stops.append(
+            [(one.start, one.edge if one.start == corners[one.edge] else None) for one in pieces]
+        )
+    ends = {position for on_track in stops[: len(loops)] for position, _ in on_track}
     where = "around" if is_outside else "in"
     title = f"{'No-fit polygon' if is_outside else 'Inner fit'} of {_sizes(shapes, where)}"
     return gather_shapes(shapes, scale, names, title, y_down, where) | {
@@ -211,7 +224,7 @@ def gather_positions(
         "asked": "positions",
         "area": format_fraction(found.area),
         "areaName": "Area of overlap" if is_outside else "Area of free positions",
-        "hasMeetings": True,
+        "hasMeetings": meetings is not None,
         "inner": show_points(scale, []),
         "outer": show_points(scale, []),
         "unswept": [],
@@ -220,11 +233,11 @@ def gather_positions(
         "tracks": [
             {
                 "name": name,
-                **show_positions(shapes, scale, corners),
-                "vertex": list(range(len(corners))),
-                "contacts": [[] for _ in corners],
+                **show_positions(shapes, scale, [position for position, _ in on_track]),
+                "vertex": [vertex for _, vertex in on_track],
+                "contacts": [[] for _ in on_track],
             }
-            for name, corners in zip(called, [*loops, *fits], strict=True)
+            for name, on_track in zip(called, stops, strict=True)
         ],
         "undercuts": [],
         "fits": [
@@ -242,7 +255,7 @@ def gather_shapes(
     y_down: bool,
     where: str = "around",
 ) -> dict[str, Any]:
-    """Gather the two shapes, the scale and the names."""
+    """Collect the two shapes, the scale and the names."""
     return {
         "title": title if names is None else f"{f' {where} '.join(names)}: {_sizes(s, where)}",
         "names": names,
@@ -260,7 +273,7 @@ def gather_shapes(
 
 
 def show_points(scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
-    """Give the places of points, and their coordinates as text."""
+    """Return the places of points, and their coordinates as text."""
     return {
         "places": [c for point in points for c in scale.place(point)],
         "exact": _exact(points),
@@ -268,7 +281,7 @@ def show_points(scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
 
 
 def show_positions(s: Moving, scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
-    """Give positions of the reference point, placed where the anchor is then."""
+    """Return the places of the anchor for positions of the reference point."""
     dx, dy = find_shift(s)
     placed = show_points(scale, [Point(p.x + dx, p.y + dy) for p in points])
     return {**placed, "exact": _exact(points)}
@@ -288,7 +301,7 @@ def _landmarks(s: Sweep) -> list[Point]:
 
 
 def _cut(pieces: list[ContactStretch], inside: Sequence[Point]) -> list[ContactStretch]:
-    """Cut stretches at those of some sorted positions that are inside one."""
+    """Cut stretches at the sorted positions that lie inside them."""
     found = []
     for piece in pieces:
         low, high = sorted((piece.start, piece.end))
@@ -320,5 +333,5 @@ def _around_anchor(s: Moving, scale: Scale) -> dict[str, Any]:
 
 
 def _number(shape: AnyPolygon) -> dict[str, list[int]]:
-    """The numbers of the features, and the sizes of the rings."""
+    """Return the numbers of the features, and the sizes of the rings."""
     return {**list_numbers(shape), "rings": [len(ring) for ring in shape.rings]}

@@ -1,4 +1,4 @@
-"""The page inside a notebook."""
+"""The interactive page inside a notebook."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class InlinePage:
 
     Args:
         s: a Sweep.
-        height: of its frame, in pixels.
+        height: the height of its frame, in pixels.
 
     Attributes:
         html: the page, as by `make_page`; write it to a file to open it alone.
@@ -39,7 +39,7 @@ class InlinePage:
         return f"<InlinePage: {self._title}>"
 
     def _repr_html_(self) -> str:
-        # The scripts in it run in a frame of their own, with no access to the notebook.
+        # The scripts run in a separate frame, without access to the notebook.
         return (
             f'<iframe title="{escape(self._title)}" sandbox="allow-scripts" '
             f'srcdoc="{escape(self.html)}" '

@@ -1,7 +1,8 @@
-"""Meetings of two vertices for an instant: positions that lasting contacts do not show.
+"""Meetings of two vertices for an instant, which lasting contacts do not show.
 
-Nothing else touches inside an edge of a loop for an instant only: two features that touch at
-positions on a segment, which does not cross the loop, touch it inside an edge with an end only.
+These are the only instant contacts inside an edge of a loop. Two features touch at the positions of
+a segment. The segment does not cross the loop. So inside an edge of the loop, only an end of the
+segment can touch the loop, and there two vertices meet.
 """
 
 from __future__ import annotations
@@ -12,15 +13,15 @@ from fractions import Fraction
 from itertools import pairwise
 from math import lcm
 
+from exactsweep.draw.sweeps import Moving
 from exactsweep.evidence.contact import find_facing
-from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import to_int
 from exactsweep.numbers.point import Point
 
-# Pairs of vertices, and looks at one of them from an edge, that take a second at most.
+# The number of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
 
 
@@ -28,32 +29,40 @@ class Meetings:
     """The positions at which two vertices meet without overlap near them.
 
     Args:
-        s: a Sweep.
+        s: the moving and the stationary shape, of a sweep or a fit.
+        others: further stationary shapes.
+        inside: whether the moving shape is inside the stationary one, as in an inner fit.
 
     Attributes:
-        reference: that of the sweep.
-        scale: of the lattice on which the two meet.
+        reference: the reference point of the moving shape.
+        scale: the scale of the lattice of the translations.
         translations: the translations, on the lattice, sorted.
 
     Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
-    overlap: O(m + n) for convex polygons, O(m n) for any.
+    overlap. Convex polygons have O(m + n) such pairs, others O(m n).
     """
 
-    def __init__(self, s: Sweep) -> None:
+    def __init__(
+        self, s: Moving, others: Sequence[AnyPolygon] = (), *, inside: bool = False
+    ) -> None:
         self.reference = s.reference
-        self.scale = lcm(s.generatrix.lattice()[0], s.directrix.lattice()[0])
-        g, d = (_outline(shape, self.scale) for shape in (s.generatrix, s.directrix))
-        pairs = set()
-        for i, j in find_facing(dict(enumerate(g.edges)), d):
-            pairs |= {(i, j), (g.after[i], j)}
-        for j, i in find_facing(dict(enumerate(d.edges)), g):
-            pairs |= {(i, j), (i, d.after[j])}
-        self.translations = sorted({minus(d.vertices[j], g.vertices[i]) for i, j in pairs})
+        self.scale = lcm(*(shape.lattice()[0] for shape in (s.generatrix, s.directrix, *others)))
+        g = _outline(s.generatrix, self.scale)
+        around = [_outline(s.directrix, self.scale, reverse=inside)]
+        translations = set()
+        for d in (*around, *(_outline(shape, self.scale) for shape in others)):
+            pairs = set()
+            for i, j in find_facing(dict(enumerate(g.edges)), d):
+                pairs |= {(i, j), (g.after[i], j)}
+            for j, i in find_facing(dict(enumerate(d.edges)), g):
+                pairs |= {(i, j), (i, d.after[j])}
+            translations |= {minus(d.vertices[j], g.vertices[i]) for i, j in pairs}
+        self.translations = sorted(translations)
 
     def on_edges(self, loop: Sequence[Point]) -> list[Point]:
         """Find where two vertices meet inside an edge of a loop of free positions, sorted.
 
-        Cost: O(t log p), and O(1) for each edge and each position in its x-range.
+        Cost: O(t log p), plus O(1) for each edge and each position in its x-range.
 
         Example:
             >>> from exactsweep import sweep
@@ -73,23 +82,28 @@ class Meetings:
         return sorted(found)
 
 
-def find_meetings(s: Sweep, corners: int) -> Meetings | None:
-    """Find where vertices meet, if that takes a second at most.
+def find_meetings(
+    s: Moving, corners: int, others: Sequence[AnyPolygon] = (), *, inside: bool = False
+) -> Meetings | None:
+    """Find where vertices meet, if the search takes at most a second; otherwise return None.
 
     Args:
-        s: a Sweep.
-        corners: the number of corners of all loops on which they are looked for.
+        s: as for `Meetings`.
+        corners: the number of corners of all loops to search.
+        others: as for `Meetings`.
+        inside: likewise.
     """
-    if len(s.generatrix) * len(s.directrix) > _MOST_PAIRS:
+    if len(s.generatrix) * sum(map(len, (s.directrix, *others))) > _MOST_PAIRS:
         return None
-    found = Meetings(s)
+    found = Meetings(s, others, inside=inside)
     return found if len(found.translations) * corners <= _MOST_LOOKS else None
 
 
-def _outline(shape: AnyPolygon, scale: int) -> Outline:
-    """The features of a shape, in ints if it is on the lattice."""
+def _outline(shape: AnyPolygon, scale: int, *, reverse: bool = False) -> Outline:
+    """Return the features of a shape, or of all that is outside, with ints on the lattice."""
     exterior, *holes = (
         [(to_int(x * scale), to_int(y * scale)) for x, y in ring] for ring in shape.rings
     )
-    # With the interior on the left, as all of an outline has it.
-    return Outline([exterior, *(hole[::-1] for hole in holes)])
+    # The interior is on the left, as in every Outline.
+    rings = [exterior, *(hole[::-1] for hole in holes)]
+    return Outline([ring[::-1] for ring in rings] if reverse else rings)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
     from exactsweep.evidence.sweep import Sweep
 
-# d3-zoom and what it needs, each before those that need it; vendor/README.md says more.
+# d3-zoom and its dependencies, in the order of dependence; see vendor/README.md.
 _LIBRARIES = (
     "d3-color",
     "d3-dispatch",
@@ -49,13 +49,13 @@ def make_page(
 
     Args:
         s: a Sweep, a NoFitPolygon or an InnerFit.
-        names: what G and D are called, such as their files.
-        y_down: whether Y points down, as viewers of SVG have it.
-        tell: is called with a few words before each step that may take long.
+        names: the names of G and D, such as their files.
+        y_down: whether Y points down, as in viewers of SVG.
+        tell: a function that is called with a few words before each step that may take long.
 
     Returns:
-        An HTML document that needs nothing else: no network, no other file. A policy in it lets
-        a browser run its own scripts only and load nothing.
+        An HTML document that needs no network and no other file. Its policy allows its own scripts
+        only, and forbids the browser to load anything.
 
     Cost: that of the loops, contacts and undercuts, and linear in the length of the result.
 
@@ -95,7 +95,7 @@ def _text(name: str) -> str:
 
 
 def embed_json(data: object) -> str:
-    """JSON that cannot end the script element in which it stands."""
+    """Write JSON that cannot end the script element around it."""
     text = json.dumps(data, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 

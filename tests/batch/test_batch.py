@@ -7,13 +7,13 @@ from typing import Any
 
 import pytest
 import strategies
-from command import refusal, run
+from command import run
 from hypothesis import given
 from hypothesis import strategies as st
 from partlist import part_list
 from tiers import examples
 
-from exactsweep import Polygon, sweep
+from exactsweep import Polygon, limits, sweep
 from exactsweep.batch import BatchError, Part, read_parts, take_all_pairs, take_listed_pairs, work
 from exactsweep.batch import run as run_batch
 from exactsweep.batch.job import CHUNK_PAIRS
@@ -79,13 +79,6 @@ def test_what_is_computed_is_chosen(what: str, members: list[str]) -> None:
     assert list(record) == ["index", "generatrix", "directrix", *members]
 
 
-def test_areas_are_those_of_the_loops() -> None:
-    areas = line_record('{"generatrix": "square", "directrix": "notch"}', "areas")
-    expected = sweep(SQUARE.polygon, NOTCH.polygon)
-    for name in ("trajectory", "inner", "outer"):
-        assert Fraction(str(areas[f"{name}_area"])) == getattr(expected, name).area
-
-
 @pytest.mark.parametrize(
     "line",
     [
@@ -127,6 +120,8 @@ REFUSED = {
     PAIR + ', "direction": [0, 1]}': "the directrix is not monotone to (0, 1)",
     PAIR + ', "direction": [0, 0]}': "(0, 0) is not a direction",
     PAIR + ', "direction": 1}': "$.direction is '1', not a pair of numbers",
+    PAIR + ', "direction": "10"}': "$.direction is '10', not a pair of numbers",
+    PAIR + ', "direction": [1, 0, 0]}': "$.direction is a list, not a pair of numbers",
     PAIR + ', "reference": [1, "x"]}': "reference: 'x' is not a number",
     PAIR + ', "id": 1.5}': "$.id is 1.5, not a string or an integer",
     "\ufeff" + PAIR + ', "id": null, "direction": [0, 1]}': "the directrix is not monotone",
@@ -141,10 +136,6 @@ def test_a_bad_pair_is_an_error_record(line: str, message: str) -> None:
     record = line_record(line)
     assert str(record["error"]).startswith(message)
     assert str(record["error"]).isprintable()
-
-
-def test_bytes_that_are_no_text_are_an_error_record() -> None:
-    assert str(line_record(b"\xff")["error"]).startswith("not UTF-8 text: invalid start byte at")
 
 
 def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
@@ -186,12 +177,6 @@ def test_parts_are_read_once_and_bad_ones_stay(tmp_path: Path) -> None:
     assert two == Part("2", "$.polygons[2][0] has 3 coordinates, not 2")
     record = json.loads(take_all_pairs([a, one], [two]).work.line(1, 1))
     assert record["error"] == f"generatrix: {reason}"
-
-
-def test_no_pairs_are_a_batch_too(tmp_path: Path) -> None:
-    path = tmp_path / "out.jsonl"
-    assert run_batch(take_all_pairs([], PARTS), str(path)) == (0, 0, 0)
-    assert path.read_bytes() == b""
 
 
 def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
@@ -271,7 +256,9 @@ def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
     assert message in result.stderr
 
 
-def test_refusals_are_one_line(tmp_path: Path) -> None:
-    output = str(tmp_path / "out")
-    assert refusal(run("batch", "none", "-o", output)) == "none: No such file or directory"
-    assert re.match("none: ", refusal(run("batch", "--all", "none", "none", "-o", output)))
+def test_batches_under_other_limits_are_other_batches() -> None:
+    jobs = [take_all_pairs(PARTS, PARTS)]
+    for changed in ({"max_mib": 2}, {"max_mib": 3}, {"max_digits": 2}):
+        with limits(**changed):
+            jobs.append(take_all_pairs(PARTS, PARTS))
+    assert len({job.digest for job in jobs}) == len(jobs)

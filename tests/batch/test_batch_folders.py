@@ -18,9 +18,10 @@ from hypothesis import given
 from strategies import simple_polygons
 from tiers import examples
 
-from exactsweep import Polygon, Region, no_fit_polygon
+from exactsweep import Point, Polygon, Region, no_fit_polygon
 from exactsweep.batch import Part, Rounding, take_all_pairs
 from exactsweep.batch.parts import rotate_parts
+from exactsweep.batch.rounded import round_values
 from exactsweep.formats.folder import find_files, list_parts, make_unique
 from exactsweep.formats.rounding import contains
 from exactsweep.geometry.turn import read_turn
@@ -130,6 +131,23 @@ def test_rounded_records_permit_no_overlap(one: Polygon, other: Polygon) -> None
     assert abs(Fraction(record["area"]) - exact.area) <= Fraction(1, 20)
 
 
+def test_exact_fits_that_rounding_moves_are_left_out_where_overlap_must_be() -> None:
+    fits: list[list[tuple[Any, Any]]] = [
+        [("4/3", 1), ("4/3", 3)],
+        [("1.5", "0.25"), ("1.5", "0.25")],
+        [(1, "0.1"), (1, 2)],
+    ]
+    exact = [tuple(Point(Fraction(x), Fraction(y)) for x, y in fit) for fit in fits]
+    closest = round_values({"exact_fits": exact}, Rounding(1, outward=False))["exact_fits"]
+    assert [[[str(c) for c in p] for p in fit] for fit in closest] == [
+        [["13/10", "1"], ["13/10", "3"]],
+        [["3/2", "1/5"], ["3/2", "1/5"]],
+        [["1", "1/10"], ["1", "2"]],
+    ]
+    kept = round_values({"exact_fits": exact}, Rounding(1, outward=True))["exact_fits"]
+    assert kept == exact[2:]
+
+
 def test_tables_have_numbers_on_request(folder: Path, tmp_path: Path) -> None:
     lists = ("--all", str(folder / "one.json"), str(folder / "sub" / "one.json"))
     for what in ("areas", "nfp"):
@@ -172,14 +190,6 @@ def test_a_folder_of_drawings_becomes_a_table(tmp_path: Path) -> None:
     assert len({row["directrix"].partition("#")[0] for row in rows}) >= 13
     assert all(row["error"] or float(row["area"]) > 0 for row in rows)
     assert sum(bool(row["error"]) for row in rows) == 0
-
-
-@pytest.mark.parametrize("name", ["x" * 300, "a\nb" + "x" * 300, "x" * 252])
-def test_names_that_cannot_be_are_refused_in_one_line(name: str, tmp_path: Path) -> None:
-    part = tmp_path / "part.json"
-    part.write_text("[[0,0],[2,0],[0,1]]")
-    done = run("batch", "--all", str(part), str(part), "-o", str(tmp_path / name))
-    assert "File name too long" in refusal(done)
 
 
 def test_a_module_needs_no_main_guard(tmp_path: Path) -> None:

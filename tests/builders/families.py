@@ -203,3 +203,6 @@ def shipped() -> Iterator[tuple[str, Shape, Shape]]:
         yield f"{id}-above", turned(d), turned(g)
     for count in 2, 3:
         yield f"lower-bounds-inner-mm-{count}", needles(count), mountains()
+    for m, n in (7, 8), (10, 12), (13, 16):
+        g, d = growing.ceilings(m, n)
+        yield f"lower-bounds-undercuts-mm-{m}-{n}", d, g

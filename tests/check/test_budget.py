@@ -1,4 +1,4 @@
-"""What verifying a claim may take: no fewer steps than the operations that they stand for."""
+"""Limits of steps for verifying a claim, compared with counts of operations."""
 
 import sys
 from collections import defaultdict
@@ -191,7 +191,7 @@ def seen(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 
 def test_the_common_lattice_of_crossings_is_not_used(seen: list[int]) -> None:
-    """Of the edges of a trajectory each is taken by itself, with its own two crossings."""
+    """Of the edges of a trajectory each is checked by itself, with its own two crossings."""
     s = sweep(star(9), [(-y, x) for x, y in star(8)])
     denominators = [lcm(x.denominator, y.denominator) for x, y in s.trajectory.vertices]
     assert verify(s.certificate()).proved

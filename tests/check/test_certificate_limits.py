@@ -1,4 +1,4 @@
-"""What comes out of accepted input is read again, however long its numbers are."""
+"""Results of accepted input are readable again, whatever the length of their numbers."""
 
 import json
 from fractions import Fraction
@@ -39,7 +39,7 @@ CAVE = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), 
 
 
 def sheared(ring: Any, one: Fraction, other: Fraction) -> list[tuple[Fraction, Fraction]]:
-    """Along X, then along Y: lines along Y come to lie along (one, one * other + 1)."""
+    """Along X, then along Y: lines along Y become (one, one * other + 1)."""
     return [(x + one * y, other * (x + one * y) + y) for x, y in ring]
 
 

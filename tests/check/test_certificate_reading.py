@@ -180,7 +180,7 @@ def test_loop_that_meets_itself_is_refused() -> None:
 
 
 def test_many_edges_are_refused_at_once() -> None:
-    """Convex corners that are all alone, so that each has to be held against each."""
+    """Convex corners that are all alone, so that the checker has to compare each with each."""
     saw = Polygon([*((k, k % 2) for k in range(2 * 10**4)), (0, 9)])
     turned = Polygon([(-x, -y) for x, y in saw.vertices])
     loops = {

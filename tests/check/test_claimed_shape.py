@@ -1,4 +1,4 @@
-"""Whether rings are a polygon with holes: as the kernel says, which does it in another way."""
+"""The test whether rings are a polygon with holes, compared with the kernel's own test."""
 
 from collections import Counter
 from random import Random

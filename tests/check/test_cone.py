@@ -1,4 +1,4 @@
-"""Angles that shapes fill at a point, held against sectors of the compass."""
+"""Angles that shapes fill at a point, compared with sectors of the compass."""
 
 from fractions import Fraction
 from itertools import permutations, product

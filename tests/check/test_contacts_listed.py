@@ -73,7 +73,7 @@ def test_without_a_lattice_parallel_edges_are_known(monkeypatch: pytest.MonkeyPa
 
 
 def test_the_size_of_loops_alone_may_be_allowed() -> None:
-    """What is wrong with a loop is said if there are just as many steps as loops have points, and
+    """The refusal names the fault of a loop with just as many steps as points of loops, and
     one for the area. With 7,200 bits a step counts for 113 and 12 more."""
     far = str(2**7200)
     certificate = sweep(UNIT, VALLEY).certificate()

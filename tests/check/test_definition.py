@@ -297,7 +297,7 @@ def test_inner_loop_bounds_what_no_free_translation_covers(pair: Pair, data: st.
 
 
 def covered(trajectory: tuple[Point, ...], g: Polygon, p: tuple[Fraction, Fraction]) -> bool:
-    """Whether G's interior reaches p from a free translation: -G + p overlaps the outside of P.
+    """Decide whether G's interior reaches p from a free position: -G + p overlaps P's outside.
 
     The outside, as far as it matters, in two polygons: below and above P, parted left and right
     of it by the lines through its extreme vertices.

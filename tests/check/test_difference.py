@@ -1,4 +1,4 @@
-"""What is claimed and what is true: on which segments a point is."""
+"""The segments of claimed and true answers that contain a point."""
 
 from fractions import Fraction
 from typing import Any

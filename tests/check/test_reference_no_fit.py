@@ -44,7 +44,7 @@ def on_segment(t: Point, ends: tuple[Point, Point]) -> bool:
 
 
 def verdict_of(answer: ReferenceNoFit, t: Point) -> str:
-    """What the answer says of a position."""
+    """Locate a position in the answer."""
     sides = [point_in_polygon(t, loop) for loop in (answer.exterior, *answer.holes)]
     if 0 in sides or any(on_segment(t, fit) for fit in answer.exact_fits):
         return "CONTACT"

@@ -250,7 +250,7 @@ def test_loop_is_what_a_canonical_monotone_polygon_is(ring: list[tuple[int, int]
 
 
 def _holds(q: Polygon, loop: Vertices) -> bool:
-    """Whether all of a loop is in Q: its vertices, the points where it meets edges of Q, and a
+    """Decide whether a loop is in Q: its vertices, the points where it meets edges of Q, and a
     point of each part between.
     """
     for edge in edges(loop):

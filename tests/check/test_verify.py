@@ -1,4 +1,4 @@
-"""Certificates: true ones are proved, whoever wrote them, and false ones are not."""
+"""Certificates: true ones are proved, whatever wrote them, and false ones are not."""
 
 import json
 import random
@@ -158,7 +158,7 @@ def _on(p: Point, segment: Vertices) -> bool:
 
 
 def test_edge_without_contact_is_refused() -> None:
-    """The valley filled up: nothing touches along the new edge, and none is said to."""
+    """The valley filled up: nothing touches along the new edge, and nothing is listed."""
     g, d = Polygon(UNIT), Polygon(VALLEY)
     certificate = sweep(g, d).certificate()
     filled = Polygon([(-1, -1), (4, -1), (4, 3), (-1, 3)]).vertices
@@ -223,7 +223,7 @@ def test_a_trajectory_into_a_notch_that_only_the_tip_fits_into_is_refused() -> N
     mended: list[Any] = [p for p in true.trajectory.vertices if not (2 < p.x < 4 and p.y == 1)]
     after = next(k for k, p in enumerate(mended) if p == (4, 0))
     trajectory = Polygon([*mended[:after], (3, 3), *mended[after:]])
-    # What I(G) leaves of its inside: above the shoulders, and above the tip.
+    # The parts of its inside that I(G) leaves: above the shoulders, and above the tip.
     inner = Polygon([(0, 2), ("8/3", 2), (3, 3), ("10/3", 2), (6, 2), (6, 4), (0, 4)])
     assert inner.area < d.area
     loops = trajectory.vertices, inner.vertices, true.outer.vertices

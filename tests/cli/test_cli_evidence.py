@@ -58,7 +58,7 @@ def test_the_steps_are_written_as_json() -> None:
 
 
 def on_a_terminal(command: str) -> str:
-    """What is sent to a terminal of 24 lines and 80 columns."""
+    """Return the output on a terminal of 24 lines and 80 columns."""
     end, terminal = pty.openpty()
     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
     environment = {**os.environ, "PAGER": "sed s/^/page:/", "TERM": "xterm"}

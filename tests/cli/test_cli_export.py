@@ -84,17 +84,6 @@ def test_json_that_is_rounded_has_numbers(files: dict[str, str]) -> None:
     assert all(isinstance(c, (int, float)) for v in found[0]["vertices"] for c in v)
 
 
-@pytest.mark.parametrize("command", COMMANDS)
-def test_every_result_that_we_write_can_be_converted(command: str, files: dict[str, str]) -> None:
-    pair = (
-        (files["part"], files["plate"]) if command == "sweep" else (files["plate"], files["part"])
-    )
-    done = run(command, *pair, "--json")
-    found = parse_regions(run("convert", "-", "--to", "json", stdin=done.stdout).stdout)
-    expected = {"sweep": "trajectory", "nfp": None, "ifp": "regions 0"}
-    assert found[0].name == expected[command]
-
-
 def test_a_report_may_have_all_vertices(files: dict[str, str]) -> None:
     assert " ... 4 more\n" in run("sweep").stdout
     whole = run("sweep", "--all").stdout

@@ -17,7 +17,6 @@ from rich.console import Console
 
 from exactsweep.cli import main
 from exactsweep.cli.bar import show_bar
-from exactsweep.cli.help import EXAMPLES
 from exactsweep.formats import format_polygons
 
 
@@ -34,9 +33,10 @@ def commands(group: click.Group = main, prefix: str = "") -> Iterator[tuple[str,
 def test_help_has_an_example_that_can_be_given(name: str, command: click.Command) -> None:
     shown = run(*name.split(), "--help").stdout
     examples = re.findall(r"^ +exactsweep (.*)$", shown.partition("  Example")[2], re.M)
-    assert examples == [f"{name} {example}".strip() for example in EXAMPLES[name]]
-    for example in EXAMPLES[name]:
-        command.make_context(name, shlex.split(example))
+    assert examples
+    for example in examples:
+        assert f"{example} ".startswith(f"{name} ")
+        command.make_context(name, shlex.split(example.removeprefix(name)))
     assert "\\b" not in shown
 
 

@@ -92,11 +92,6 @@ def test_a_drawing_by_svg_is_shown_as_its_viewers_show_it(nest: Path) -> None:
     assert pictures[0] == pictures[1] != pictures[2]
 
 
-def test_standard_input_is_read(nest: Path) -> None:
-    done = run("layout", "-", stdin=(nest / "layout.json").read_text(encoding="utf-8"))
-    assert done.exit_code == 0
-
-
 def test_a_wrong_convention_is_named(tmp_path: Path) -> None:
     data = dict(find_layout_case("layouts-tiles").data)
     data["placements"] = [
@@ -124,14 +119,6 @@ def test_folders_are_judged_in_a_table(tmp_path: Path) -> None:
     assert rows[5] == ["2 of 4 valid"]
     data = json.loads(run("layout", str(tmp_path), "--json", "--workers", "1").stdout)
     assert [row["valid"] for row in data] == [None, True, False, True]
-
-
-def test_a_folder_of_valid_layouts_passes(tmp_path: Path) -> None:
-    for slug in ("tiles", "plug"):
-        case_file(tmp_path, slug)
-    done = run("layout", str(tmp_path), "--workers", "1")
-    assert (done.exit_code, done.stdout.splitlines()[-1]) == (0, "2 of 2 valid")
-    assert run("layout", str(tmp_path), "--spacing", "1/9", "--workers", "1").exit_code == 1
 
 
 def test_pictures_are_of_one_layout(tmp_path: Path) -> None:

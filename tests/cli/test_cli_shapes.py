@@ -13,7 +13,7 @@ from tiers import examples
 
 from exactsweep import Polygon, Region, free_positions, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import verify
-from exactsweep.formats import parse_polygon, read_region
+from exactsweep.formats import parse_polygon
 from exactsweep.text.report import report_inner_fit, report_no_fit
 from exactsweep.text.results import inner_fit_to_json, no_fit_to_json
 
@@ -74,11 +74,6 @@ def files(tmp_path: Path) -> dict[str, str]:
     return {name: str(tmp_path / name) for name in texts}
 
 
-def test_holes_are_read(files: dict[str, str]) -> None:
-    assert read_region(files["plate.wkt"]) == read_region(files["plate.json"]) == PLATE
-    assert read_region(files["square.json"]) == Region(SQUARE)
-
-
 @pytest.mark.parametrize("name", ["plate.wkt", "plate.json"])
 def test_the_no_fit_polygon_has_its_holes_and_fits(name: str, files: dict[str, str]) -> None:
     assert run("nfp", files[name], files["square.json"]).stdout == PLATE_REPORT
@@ -87,44 +82,6 @@ def test_the_no_fit_polygon_has_its_holes_and_fits(name: str, files: dict[str, s
     assert run("nfp", files[name], "-", "--json", stdin=json.dumps(SQUARE)).stdout == (
         no_fit_to_json(expected)
     )
-
-
-def test_json_has_everything_as_exact_strings(files: dict[str, str]) -> None:
-    found = json.loads(run("nfp", files["plate.wkt"], files["square.json"], "--json").stdout)
-    assert list(found) == [
-        "stationary", "orbiting", "kind", "reference", "exterior", "holes", "exact_fits", "area",
-    ]  # fmt: skip
-    assert Region(found["stationary"]["exterior"], found["stationary"]["holes"]) == PLATE
-    assert found["orbiting"] == [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
-    assert found["holes"] == [[["1", "1"], ["3", "1"], ["3", "2"], ["1", "2"]]]
-    assert found["exact_fits"] == [[["5", "1"], ["5", "3"]], [["7", "2"], ["7", "2"]]]
-    assert (found["kind"], found["area"]) == ("SS", "58")
-
-
-def test_wkt_has_holes_and_fits(files: dict[str, str]) -> None:
-    shown = run("nfp", files["plate.wkt"], files["square.json"], "--wkt").stdout
-    assert shown.splitlines() == [
-        "POLYGON ((-1 -1, 9 -1, 9 5, -1 5, -1 -1), (1 1, 3 1, 3 2, 1 2, 1 1))",
-        "LINESTRING (5 1, 5 3)",
-        "POINT (7 2)",
-    ]
-
-
-def test_wkt_is_refused_where_it_cannot_be_exact(files: dict[str, str]) -> None:
-    told = "is not a finite decimal, which is all that WKT can hold; use --json, or --round"
-    message = refusal(run("nfp", files["plate.wkt"], files["third.json"], "--wkt"))
-    assert message == f"exterior, vertex 0: -1/3 {told}"
-    reference = ("--reference", "0", "1/7")
-    message = refusal(run("ifp", files["plate.wkt"], files["square.json"], "--wkt", *reference))
-    assert message == f"region 0, exterior, vertex 0: 22/7 {told}"
-
-
-def test_the_reference_moves_the_answer(files: dict[str, str]) -> None:
-    options = ("--json", "--reference", "1/2", "-1")
-    found = json.loads(run("nfp", files["plate.wkt"], files["square.json"], *options).stdout)
-    expected = no_fit_polygon(PLATE, SQUARE)
-    assert Polygon(found["exterior"]) == expected.exterior.translated(("1/2", -1))
-    assert found["exact_fits"][1] == [["15/2", "1"], ["15/2", "1"]]
 
 
 def test_positions_in_a_container_are_found(files: dict[str, str]) -> None:
@@ -249,32 +206,6 @@ def test_what_is_not_swept_is_written(tmp_path: Path, files: dict[str, str]) -> 
     assert found["area"] == str(144 - 60 - 16)
     lines = run("sweep", *pair, "--wkt").stdout.splitlines()
     assert lines[3:] == ["POLYGON ((3 3, 7 3, 7 7, 3 7, 3 3))"]
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ('{"holes": []}', '$ has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'),
-        ('{"exterior": 1}', "$.exterior is '1', not a list of vertices"),
-        ('{"exterior": [[0,0],[1,0],[0,1]], "holes": 7}', "$.holes is '7', not a list of holes"),
-        (
-            '{"exterior": [[0,0],[9,0],[0,9]], "holes": [[[1,1],[2,1],[1,"x"]]]}',
-            "$.holes[0][2][1]: 'x' is not a number",
-        ),
-        (
-            '{"exterior": [[0,0],[9,0],[0,9]], "holes": [[[8,8],[9,8],[8,9]]]}',
-            "hole 0 is not inside the exterior",
-        ),
-        (
-            "POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 9 1, 1 2, 1 1))",
-            "hole 0, edge 0, and the exterior, edge 1 cross",
-        ),
-        ("POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2))", "line 1, column 32: the ring is not"),
-    ],
-)
-@pytest.mark.parametrize("command", ["nfp", "ifp", "sweep"])
-def test_bad_holes_are_refused_in_one_line(command: str, text: str, message: str) -> None:
-    assert refusal(run(command, "-", NOTCH, stdin=text)).startswith(f"standard input: {message}")
 
 
 @pytest.mark.parametrize("command", ["nfp", "ifp"])

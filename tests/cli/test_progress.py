@@ -1,4 +1,4 @@
-"""Nothing that takes long is silent on a terminal; nothing is said elsewhere, or at once."""
+"""Progress: long commands show it on a terminal, and only there, after a second."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

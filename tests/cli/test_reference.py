@@ -69,6 +69,7 @@ def test_the_reference_is_made_without_a_warning(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     for name in MODULES:
         page = (tmp_path / Path(*name.split("."))).with_suffix(".html").read_text(encoding="utf-8")
+        assert 'README.md"' not in page, f"{name}: a link to a file without a page"
         module = importlib.import_module(name)
         for public in public_names(module):
             if not inspect.ismodule(getattr(module, public)):

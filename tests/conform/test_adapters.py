@@ -21,7 +21,6 @@ from exactsweep.conform.adapters.npm import SCRIPT
 from exactsweep.conform.adapters.orbit import sort_out
 from exactsweep.conform.adapters.page import write_page
 from exactsweep.conform.adapters.program import ProgramError
-from exactsweep.conform.adapters.table import Rows, read_journal, write_tables
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import judge_case
@@ -297,30 +296,13 @@ def test_who_is_exact_on_what_is_one_page(tmp_path: Path) -> None:
     with Journal(path, command=[], hello=hello, seconds=1) as journal:
         for _ in range(3):
             journal.add(judge_case(peer, case))
-    *_, head, _, row = write_page([path], "three cases").splitlines()
+    by_kind, verdicts = write_page([path], "three cases").split("## All verdicts")
+    *_, head, _, row = by_kind.strip().splitlines()
     assert head.startswith("| program | convex | monotone |")
     assert row.startswith("| a program | 1 of 2 |  |")
-
-
-def test_journals_become_a_table(tmp_path: Path) -> None:
-    square = [(0, 0), (8, 0), (8, 8), (0, 8)]
-    case = Case.of("squares", "", square, [(0, 0), (1, 0), (1, 1), (0, 1)])
-    loop = case.trajectory.vertices
-    off = [(float(x) + 3.2 * (x == 8), float(y)) for x, y in loop]
-    for numbers, expected in (("binary64", "(0.4)"), ("rational", "(3.2)")):
-        path = tmp_path / numbers
-        hello = Hello("a program", ("trajectory",), numbers, "origin")  # type: ignore[arg-type]
-        answers = iter([{"trajectory": loop}, {"trajectory": off}, {"unsupported": "no"}])
-        peer = CallablePeer(lambda *_, found=answers: next(found), hello)
-        with Journal(path, command=[], hello=hello, seconds=1) as journal:
-            for _ in range(3):
-                journal.add(judge_case(peer, case))
-        rows: Rows = {}
-        read_journal(path, rows)
-        title, _, head, _, row = write_tables(rows).splitlines()
-        assert title == "**No-fit polygons of pairs that share a direction**"
-        assert head == "| program | cases | exact or equivalent | conservative |"
-        assert row == f"| a program | 2 | 1 | 1 {expected} |"
+    *_, head, _, row = verdicts.strip().splitlines()
+    assert head.endswith("| cases | exact | unsound | smallest not right |")
+    assert row == "| a program | outer path | 2 | 1 | 1 | squares |"
 
 
 def test_a_ring_is_prepared_exactly() -> None:

@@ -2,12 +2,14 @@
 
 import json
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
 from command import refusal, run
 
 from exactsweep.conform.judge.verdict import Comparison, Verdict
 from exactsweep.conform.report.text import describe
+from exactsweep.conform.run.outcome import OvertimeError
 from exactsweep.corpus import case_to_json, find_case
 
 CASE = find_case("fits-square")
@@ -38,6 +40,18 @@ def test_what_is_a_failure_can_be_chosen(folder: Path) -> None:
     assert run("compare", "fits-square", "answer.json", "--accept", fits).exit_code == 0
     assert run("compare", "fits-square", "answer.json", "--accept", "equivalent").exit_code == 1
     assert run("compare", "fits-square", "answer.json", "--accept", "good").exit_code == 2
+
+
+def test_what_is_not_compared_in_time_is_undecided_and_does_not_pass(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def compare(*_: object, **options: object) -> NoReturn:
+        raise OvertimeError
+
+    monkeypatch.setattr("exactsweep.conform.run.outcome.compare", compare)
+    done = run("compare", "fits-square", "answer.json")
+    assert done.exit_code == 1
+    assert done.stdout.startswith("fits-square: undecided, there is an answer, but")
 
 
 def test_a_sweep_is_a_case_and_an_answer(folder: Path) -> None:

@@ -13,6 +13,9 @@ import pytest
 from command import EXACTSWEEP, refusal, run
 from judged import CONVEX, CORRECT, FAULTY, TWO, write_cases
 
+from exactsweep.conform.run.cases import read_cases
+from exactsweep.formats import FormatError
+
 
 @pytest.fixture
 def two(tmp_path: Path) -> str:
@@ -126,7 +129,8 @@ def test_what_cannot_be_run_is_refused(options: tuple[str, ...], message: str) -
 def test_cases_that_are_none_are_refused(tmp_path: Path, text: str, message: str) -> None:
     path = tmp_path / "cases"
     path.write_bytes(text.encode("latin-1"))
-    assert message in refusal(run("conform", "--cases", str(path), "--", *CONVEX))
+    with pytest.raises(FormatError, match=re.escape(message)):
+        list(read_cases(str(path)))
 
 
 def test_two_cases_with_one_id_are_refused(two: str, tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from exactsweep.corpus import Case
 
 
 def test_the_protocol_is_as_the_readme_says(tmp_path: Path) -> None:
-    readme = (ROOT / "exactsweep/conform/README.md").read_text(encoding="utf-8")
+    readme = (ROOT / "exactsweep/conform/PROTOCOL.md").read_text(encoding="utf-8")
     blocks = re.findall(r"^```json\n(.*?)^```$", readme, re.M | re.S)
     hello, line, answers = (block.splitlines() for block in blocks[:3])
     said = read_hello(hello[0])

@@ -30,12 +30,13 @@ SURVIVED = {
     "never-reads": ("timeout", "no answer within 0.5 s"),
     "closes-output": ("crash", "closed its output"),
     "leaves-children": ("crash", "exited with code 0"),
+    "hides-a-child": ("timeout", "no answer within 0.5 s"),
     "dies": ("crash", "was ended by signal 9, SIGKILL"),
 }
 REFUSED = {
     "no-hello": "no hello within 0.5 s",
     "dies-at-once": "no hello: exited with code 1; it says: no licence",
-    "endless-hello": "no hello, but a line of more than 16 MiB (max_mib)",
+    "endless-hello": "no hello: a line of more than 16 MiB (max_mib)",
     "garbage-hello": "'Loading ...' is no JSON line",
     "deep-hello": "nested too deeply",
     "partial-hello": 'the hello has no "loops"',

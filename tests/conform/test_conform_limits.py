@@ -187,7 +187,7 @@ def test_memory_is_limited_and_told(tmp_path: Path) -> None:
     assert largest in {case.id for case in TWO}
     assert size == max(outcome["memory"] for outcome in report["outcomes"]) > MIB
     said = refusal(run("conform", *options, "--memory", "1", "--", *CORRECT))
-    assert said == "no hello, but more than 1.0 MiB"
+    assert said == "no hello: holds more than 1.0 MiB"
 
 
 # What a user is told who has forgotten something.

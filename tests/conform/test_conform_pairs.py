@@ -1,6 +1,7 @@
 """Pairs of one's own: in any format, with answers that are made here."""
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -8,8 +9,10 @@ import pytest
 from command import refusal, run
 from judged import CONVEX, CORRECT, FAULTY, SLOT, SQUARE
 
+from exactsweep.conform.run.cases import require_distinct
 from exactsweep.conform.run.pairs import read_pairs
 from exactsweep.corpus import Case
+from exactsweep.formats import FormatError
 
 SVG = '<svg><rect id="plate" width="6" height="4"/><circle id="disc" r="1"/></svg>'
 WKT = "POLYGON ((0 0, 3 0, 0 3, 0 0)) POLYGON ((0 0, 1 0, 0 1, 0 0))"
@@ -57,7 +60,8 @@ def test_own_polygons_may_have_holes(tmp_path: Path) -> None:
     path = write(tmp_path, line)
     assert run("conform", "--pairs", path, "--", *shapes).exit_code == 0
     crossing = json.dumps({"directrix": {**plate, "holes": [ring]}, "generatrix": SQUARE})
-    assert "hole 0" in refusal(run("conform", "--pairs", write(tmp_path, crossing), "--", *shapes))
+    with pytest.raises(FormatError, match="hole 0"):
+        list(read_pairs(write(tmp_path, crossing)))
 
 
 def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
@@ -91,8 +95,8 @@ def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
     ],
 )
 def test_what_is_no_pair_is_refused_by_line(tmp_path: Path, text: str, message: str) -> None:
-    said = refusal(run("conform", "--pairs", write(tmp_path, text), "--", *CONVEX))
-    assert message in said
+    with pytest.raises(ValueError, match=re.escape(message)):
+        list(require_distinct(read_pairs(write(tmp_path, text))))
 
 
 @pytest.mark.parametrize("options", [("--cases", "a", "--pairs", "b"), ("--flatten", "1")])

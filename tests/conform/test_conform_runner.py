@@ -312,7 +312,7 @@ def write_journal(path: Path) -> None:
 
 def test_the_journal_of_something_else_is_refused(tmp_path: Path) -> None:
     journal_of(tmp_path)
-    other = journal_of(tmp_path, "--resume", command=[*FAULTY, "closed"])
+    other = journal_of(tmp_path, "--resume", command=[*FAULTY, "reversed"])
     assert "is the journal of another command" in other.stderr
     assert "of another timeout" in journal_of(tmp_path, "--resume", "--timeout", "3").stderr
 

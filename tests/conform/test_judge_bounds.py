@@ -21,7 +21,8 @@ from tiers import examples
 from exactsweep import Point, Polygon
 from exactsweep.check import classify
 from exactsweep.conform import Outcome, Run, Verdict
-from exactsweep.conform.judge import hausdorff, loops, region
+from exactsweep.conform.judge import compare as comparing
+from exactsweep.conform.judge import distance, region
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.region import find_differences, find_overlap
 from exactsweep.conform.judge.verdict import PartComparison
@@ -72,7 +73,7 @@ def test_what_is_too_large_to_be_compared_is_never_called_better(
     ring += [(low.x - k, high.y + k)]
     sound = judge(ring).verdict
     assert sound == ("conservative" if k == 1 else "wrong")
-    monkeypatch.setattr(loops, "MOST_MEASURED", 3)
+    monkeypatch.setattr(comparing, "MOST_MEASURED", 3)
     assert judge(ring).verdict == sound
     for work in (0, 4):
         monkeypatch.setattr(region, "MAX_WORK", work)
@@ -111,17 +112,17 @@ def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> Non
 def test_the_distance_of_large_loops_takes_bounded_work(monkeypatch: pytest.MonkeyPatch) -> None:
     looked_at = 0
 
-    class Counting(hausdorff.Edges):
-        def nearest(self, place: hausdorff.Place) -> Any:
+    class Counting(distance.LoopEdges):
+        def find_nearest(self, place: distance.Place) -> Any:
             nonlocal looked_at
-            looked_at += len(self._segments)
-            return super().nearest(place)
+            looked_at += len(self.edges)
+            return super().find_nearest(place)
 
-    monkeypatch.setattr(hausdorff, "Edges", Counting)
+    monkeypatch.setattr(distance, "LoopEdges", Counting)
     rim = [Point(Fraction(k), Fraction(k * k % 7, 50)) for k in range(3000)]
     noisy = [*rim, Point(Fraction(3000), Fraction(900)), Point(Fraction(-1), Fraction(900))]
     box = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (3000, 0), (3000, 900), (0, 900)]]
-    low, high = hausdorff.bound_distance([box], [noisy])
+    low, high = distance.bound_distance([box], [noisy])
     assert low <= high
     assert looked_at < 2_000_000
 
@@ -132,7 +133,7 @@ def test_of_very_many_edges_neither_distance_nor_area_is_measured(
     far = [[9, 9], [10, 9], [9, 10]]
     small = judge(far)
     assert small.area == CASE.trajectory.area + Fraction(1, 2)
-    monkeypatch.setattr(loops, "MOST_MEASURED", 3)
+    monkeypatch.setattr(comparing, "MOST_MEASURED", 3)
     large = judge(far)
     assert (small.verdict, large.verdict) == ("wrong", "wrong")
     assert (large.distance_squared, large.area) == (None, None)

@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from exactsweep.check import classify
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
@@ -38,11 +39,19 @@ FALSE = "false exact fits"
         ([[[1, 1], [1, 3]], [[1, 1], [1, 3]], [[9, 9], [9, 8]]], FALSE, "invented, given twice"),
         ([[[1.0000000001, 1.0], [1.0, 3.0]]], BUT, "rounded"),
         ([[[1.001, 1.0], [1.0, 3.0]]], "unsound", "missing, invented"),
+        ([[[0, 1], [2, 1]]], "unsound", "missing, invented"),
+        ([[[-2, 0], [-2, 1]]], FALSE, "missing, invented"),
+        ([[[1, 3]]], "malformed", ""),
+        ([[1, 3]], "malformed", ""),
     ],
 )
 def test_a_fit_is_judged_by_itself(fits: Any, verdict: str, kind: str) -> None:
     (part,) = compare(FIT, {"exact_fits": fits}).parts
     assert (part.verdict, part.kind) == (verdict, kind)
+    if part.verdict is Verdict.UNSOUND:
+        assert part.unsound is not None
+        assert part.unsound.translation is not None
+        assert classify(BLOCK, WIDE, part.unsound.translation).verdict == "OVERLAP"
 
 
 @pytest.mark.parametrize("to", [float, round])

@@ -25,5 +25,13 @@ def test_a_right_answer_passes_in_any_way(name: str) -> None:
     assert judged.convicted == []
 
 
+@pytest.mark.long
+@pytest.mark.parametrize("name", ["the nearest doubles", "the nearest integers"])
+def test_a_rounded_answer_passes_in_all_cases(name: str) -> None:
+    """Rounding may make a loop touch itself, or a spike."""
+    judged = judge_writing(WRITINGS[name], (case for case in shipped_cases() if case.size <= 60))
+    assert judged.convicted == []
+
+
 def test_there_are_more_than_forty_ways() -> None:
     assert len(WRITINGS) > 40

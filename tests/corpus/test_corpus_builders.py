@@ -10,6 +10,7 @@ from builders.families import shipped
 from builders.shipping import ShippingError, digest, with_answers, written
 from click.testing import CliRunner
 from shipped_cases import shipped_cases
+from tiers import mostly_long
 
 from exactsweep.corpus import themes
 from exactsweep.corpus.case import read_given_rings
@@ -23,7 +24,7 @@ def text_of(theme: str) -> str:
     return read_theme(command.DATA, theme)
 
 
-@pytest.mark.parametrize("theme", themes())
+@pytest.mark.parametrize("theme", mostly_long(themes(), [*themes()][::3]))
 def test_shipped_files_are_written_from_their_cases(theme: str) -> None:
     assert written(theme, with_answers(theme, text_of(theme), [])) == text_of(theme)
 

@@ -4,7 +4,6 @@ import csv
 import json
 import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 from command import EXACTSWEEP, refusal, run, shell
@@ -17,7 +16,6 @@ from exactsweep.corpus import (
     case_from_json,
     cases,
     find_case,
-    generate,
     notes,
     themes,
 )
@@ -76,14 +74,6 @@ def test_show_tells_the_case_and_the_notes_on_its_flags() -> None:
         assert f"\n{flag}\n  {notes()[flag].meaning}\n  Catches: " in text
 
 
-def test_show_of_a_flag_and_of_a_family() -> None:
-    assert lines("show", "huge")[1] == "Some coordinate is beyond 2^53."
-    assert lines("show", "near-fits")[0] == "near-fits, a family of the generator, numeric"
-    both = lines("show", "near-parallel")
-    assert both[0] == "near-parallel, a flag"
-    assert "near-parallel, a family of the generator, numeric" in both
-
-
 def test_show_as_json_is_one_line() -> None:
     for id in "fits-square", "gen-turned-9-4":
         assert read(lines("show", id, "--json")) == [find_case(id)]
@@ -112,21 +102,6 @@ def test_export_as_wkt_holds_every_figure_or_says_why_not() -> None:
     case = find_case("worked-swallowtail")
     for row, ring in (rows[1], case.directrix_ring), (rows[5], case.outer.vertices):
         assert parse_polygon(row[2]) == Polygon(ring)
-
-
-def test_export_as_wkt_has_segments_for_exact_fits() -> None:
-    rows = list(csv.reader(lines("export", "fits-square", "--to", "wkt")))
-    assert rows[-1] == ["fits-square", "exact fit", "LINESTRING (1 -1, 1 1)", ""]
-
-
-def test_export_as_geojson_marks_what_doubles_do_not_hold() -> None:
-    text = run("corpus", "export", "worked-swallowtail", "fits-square", "--to", "geojson")
-    features = json.loads(text.stdout)["features"]
-    assert [f["properties"]["exact"] for f in features[:5]] == [True, True, False, True, True]
-    rounded = features[2]
-    assert rounded["properties"]["vertices"][1] == ["-2/3", "-2/3"]
-    assert rounded["geometry"]["coordinates"][0][1] == [-2 / 3, -2 / 3]
-    assert features[-1]["geometry"] == {"type": "LineString", "coordinates": [[1, -1], [1, 1]]}
 
 
 def test_export_as_geojson_is_exact_where_it_says_so() -> None:
@@ -164,17 +139,6 @@ def test_export_as_svg_is_a_sheet_of_pictures() -> None:
         assert str(texts[1]).startswith(f"{case.kind}, {case.size} vertices")
 
 
-def test_export_to_a_file(tmp_path: Path) -> None:
-    target = tmp_path / "cases.jsonl"
-    assert lines("export", "worked", "-o", str(target)) == []
-    assert read(target.read_text().splitlines()) == list(cases(prefix="worked-"))
-
-
-def test_generate_writes_the_cases_of_the_function() -> None:
-    found = lines("generate", "--family", "turned", "--seed", "3", "--count", "4")
-    assert read(found) == list(generate("turned", 3, 4))
-
-
 def test_generate_takes_families_in_turn() -> None:
     found = read(lines("generate", "--family", "grid", "--family", "fits", "--count", "5"))
     assert [case.id for case in found] == [
@@ -185,10 +149,6 @@ def test_generate_takes_families_in_turn() -> None:
         *(f"gen-{family}-0-0" for family in FAMILIES),
         "gen-convex-0-1",
     ]
-
-
-def test_generate_of_nothing_writes_nothing() -> None:
-    assert lines("generate", "--count", "0") == []
 
 
 def test_schema_is_that_of_the_package() -> None:

@@ -103,7 +103,7 @@ def test_random_numbers_are_those_of_splitmix64() -> None:
     ]
 
 
-@given(st.text(), st.integers(-(2**70), 2**70), st.integers(0, 2**130))
+@given(st.text("abc 7"), st.integers(-(2**70), 2**70), st.integers(0, 2**130))
 def test_random_numbers_are_between_their_bounds(seed: str, low: int, span: int) -> None:
     random, again = Prng(seed), Prng(seed)
     drawn = random.between(low, low + span)
@@ -144,16 +144,6 @@ def test_flags_are_known(family: str) -> None:
     for case in drawn(family):
         assert "generated" in case.flags
         assert set(case.flags) <= set(notes())
-
-
-def test_a_generated_case_depends_on_family_seed_and_number() -> None:
-    inputs = {
-        (case.directrix_ring, case.generatrix_ring)
-        for family in ("monotone", "fits")
-        for seed in (1, 2)
-        for case in generate(family, seed, 5)
-    }
-    assert len(inputs) == 20
 
 
 def has(*flags: str) -> Callable[[Case], bool]:

@@ -35,6 +35,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_every_case_is_there_with_a_version(folder: Path) -> None:
     listed = sorted(path.name for path in (folder / "cases").iterdir())
     assert listed == [f"{theme}.jsonl" for theme in themes()]
@@ -50,6 +51,7 @@ def test_every_case_is_there_with_a_version(folder: Path) -> None:
         assert case_from_json(line) == known[line["id"]]
 
 
+@pytest.mark.long
 def test_checksums_are_those_of_all_files(folder: Path) -> None:
     sums = dict(
         line.split("  ")[::-1]
@@ -65,6 +67,7 @@ def test_checksums_are_those_of_all_files(folder: Path) -> None:
     assert (folder / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
 
 
+@pytest.mark.long
 def test_strings_have_no_escapes_but_two(folder: Path) -> None:
     """So that a reader needs none."""
     for path in (folder / "cases").iterdir():
@@ -80,6 +83,7 @@ def test_the_folder_is_all_or_nothing(tmp_path: Path) -> None:
     assert said.startswith(str(tmp_path / "file"))
 
 
+@pytest.mark.long
 def test_readers_have_at_most_thirty_lines(folder: Path) -> None:
     assert {path.name for path in (folder / "readers").iterdir()} == READERS.keys()
     for path in (folder / "readers").iterdir():

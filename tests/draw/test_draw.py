@@ -114,13 +114,6 @@ def test_the_generatrix_is_drawn_at_the_positions() -> None:
     assert choose_telling_positions(FIT) == list(points((1, 3), (1, 1), (-1, -1)))
 
 
-def test_positions_are_read_as_all_numbers_are() -> None:
-    with pytest.raises(ValueError, match=r"^position 1: nan"):
-        picture_of(EXAMPLE, positions=[(0, 0), (float("nan"), 0)])
-    with pytest.raises(ValueError, match=r"^position 0 is not a pair of numbers$"):
-        picture_of(EXAMPLE, positions=[(0, 0, 0)])
-
-
 def test_a_far_reference_point_leaves_the_picture_alone() -> None:
     far = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
     assert find_anchor(far) == EXAMPLE.reference
@@ -138,12 +131,6 @@ def test_plot_makes_a_figure_and_takes_axes() -> None:
     assert EXAMPLE.plot(mine, positions=[]) is mine
     assert axes is not mine
     assert "generatrix G" not in labels(mine)
-
-
-def test_settings_of_the_user_are_left_alone() -> None:
-    before = dict(pyplot.rcParams)
-    EXAMPLE.plot()
-    assert dict(pyplot.rcParams) == before
 
 
 def test_no_two_things_differ_by_colour_alone() -> None:

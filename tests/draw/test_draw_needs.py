@@ -1,4 +1,4 @@
-"""What pictures and formats say where a library is missing, or cannot be loaded."""
+"""Messages of pictures and formats if a library is missing or cannot be loaded."""
 
 import sys
 from collections.abc import Callable

@@ -44,10 +44,6 @@ def test_shapes_of_one_point_or_line_have_a_scale(x: Fraction, y: Fraction) -> N
         Scale.of(shape).places(shape)
 
 
-def test_ordinary_coordinates_are_left_as_they_are() -> None:
-    assert Scale.of([(-2, -2), (10, 7)]).places([(8, Fraction(13, 5))]) == [(8.0, 2.6)]
-
-
 def test_digits_behind_a_long_head_are_seen() -> None:
     head, step = Fraction(7**600), Fraction(1, 3**900)
     line = [(head, head), (head + step, head + 2 * step), (head + 2 * step, head)]

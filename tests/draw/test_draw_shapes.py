@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-import pytest
 from command import run
 from hypothesis import given
 from matplotlib.axes import Axes
@@ -23,9 +22,7 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.canvas import style
-from exactsweep.draw import DrawError, make_figure, plot_positions, save
-from exactsweep.geometry.point_set import is_on
-from exactsweep.numbers.point import Point
+from exactsweep.draw import make_figure
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 # Holes in which the square has room, just slides, and just fits.
@@ -143,41 +140,6 @@ def test_a_far_reference_point_leaves_the_picture_alone() -> None:
     assert "vertex 0 of G" in labels(far)
 
 
-@pytest.mark.parametrize("scale", ["1e30", "1e-30"])
-def test_size_changes_labels_only(scale: str) -> None:
-    factor = Point(*Polygon([(0, 0), (scale, 0), (0, scale)]).vertices[1]).x
-    big = [[(x * factor, y * factor) for x, y in ring] for ring in PLATE.rings]
-    part = [(x * factor, y * factor) for x, y in SQUARE]
-    axes = picture_of(no_fit_polygon(Region(big[0], big[1:]), part))
-    plain = picture_of(no_fit_polygon(PLATE, SQUARE))
-    assert labels(axes) == labels(plain)
-    for label in ("exterior", "exact fit", "exact fit, one position"):
-        assert line(axes, label) == line(plain, label)
-
-
-@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
-def test_files_are_the_same_each_time(tmp_path: Path, suffix: str) -> None:
-    files = [tmp_path / f"{name}{suffix}" for name in "ab"]
-    for file in files:
-        figure = make_figure()
-        plot_positions(no_fit_polygon(PLATE, SQUARE), figure.axes[0])
-        save(figure, str(file))
-    one, other = (file.read_bytes() for file in files)
-    assert one == other
-
-
-def test_positions_are_read_as_all_numbers_are() -> None:
-    with pytest.raises(ValueError, match=r"^position 0: 'x' is not a number"):
-        picture_of(inner_fit_polygon(PLATE, SQUARE), positions=[("x", 0)])
-
-
-def test_without_matplotlib_the_refusal_says_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
-    for found in (no_fit_polygon(PLATE, SQUARE), inner_fit_polygon(PLATE, SQUARE)):
-        with pytest.raises(DrawError, match="pip install"):
-            found.plot()
-
-
 @examples(25)
 @given(simple_polygons(), simple_polygons())
 def test_every_answer_has_a_picture_in_a_notebook(d: Polygon, g: Polygon) -> None:
@@ -205,13 +167,6 @@ def test_the_summary_tells_the_sizes() -> None:
     texts = Balanced(inner_fit_polygon(PLATE, SQUARE)._repr_html_()).texts
     for text in ("inner fit of 4 in 16 vertices", "3", "6", "8"):
         assert text in texts
-
-
-def test_a_point_is_on_a_loop_or_not() -> None:
-    square = Polygon(SQUARE)
-    half = Polygon([("1/2", 0), (1, 0), (0, 1)]).vertices[1]
-    assert is_on(half, square.vertices)
-    assert not is_on(Point(half.x, half.x), square.vertices)
 
 
 def test_a_sweep_of_any_shape_is_drawn(tmp_path: Path) -> None:
@@ -250,9 +205,3 @@ def test_what_is_not_swept_is_cut_out() -> None:
     texts = Balanced(s._repr_html_()).texts
     assert "no shared direction" in texts
     assert "4 vertices, area 16" in texts
-
-
-def test_plots_take_what_is_found() -> None:
-    assert labels(plot_positions(inner_fit_polygon(CHANNEL, SQUARE), make_figure().axes[0])) == (
-        labels(picture_of(inner_fit_polygon(CHANNEL, SQUARE)))
-    )

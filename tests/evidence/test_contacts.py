@@ -15,7 +15,6 @@ from exactsweep import Point, Polygon, PolygonError, Region, sweep
 from exactsweep.evidence.contact import (
     MonotoneOutline,
     find_contacts,
-    find_edge_contacts,
     find_facing,
 )
 from exactsweep.geometry.outline import Outline
@@ -54,7 +53,7 @@ def inside(edge: tuple[Vertex, Vertex], p: Vertex) -> bool:
 
 
 def overlap(e: tuple[Vertex, Vertex], f: tuple[Vertex, Vertex]) -> bool:
-    """Whether two edges have a segment of positive length in common."""
+    """Decide whether two edges have a segment of positive length in common."""
     if max(min(e), min(f)) >= min(max(e), max(f)):
         return False
     return cross(*e, f[0]) == cross(*e, f[1]) == 0
@@ -78,7 +77,7 @@ def meetings(g: Sequence[Vertex], d: Sequence[Vertex]) -> Found:
 
 
 def lasting(generatrix: Polygon, directrix: Polygon, p: Point, q: Point) -> Found:
-    """What touches along an edge of the trajectory for longer than a moment.
+    """Find the contacts that last along a piece of an edge of the trajectory.
 
     Contacts change only where a vertex meets a vertex, so one point between each two will do.
     """
@@ -136,17 +135,6 @@ def test_contacts_at_any_position_are_all_there_are(pair: Pair, part: int) -> No
     assert s.contacts_at(beyond) == ()
 
 
-@given(own.turned_pairs("CM"))
-@usually
-def test_contacts_do_not_depend_on_the_frame(pair: tuple[Polygon, Polygon, Any]) -> None:
-    generatrix, directrix, direction = numbered(pair[0]), numbered(pair[1]), pair[2]
-    s = sweep(generatrix, directrix, direction=direction)
-    for (p, q), found in zip(edges(s.trajectory), s.contacts, strict=True):
-        assert list(found) == sorted(lasting(generatrix, directrix, p, q))
-    t = s.trajectory.vertices[0]
-    assert list(s.contacts_at(t)) == sorted(touching(generatrix, directrix, t))
-
-
 @given(any_pair, st.data())
 @usually
 def test_features_are_numbered_as_given(pair: Pair, data: st.DataObject) -> None:
@@ -193,81 +181,6 @@ def test_lasting_contacts_of_a_convex_generatrix_involve_one_edge_of_it(pair: Pa
         else:
             assert events <= {"EV", "EE"}
             assert len({i for _, i, _ in found}) == 1
-
-
-def test_lemma_a1_does_not_hold_at_a_moment() -> None:
-    r"""At a vertex of a CM trajectory two vertices of G touch two edges of D.
-
-    ::
-
-        # # # # #
-        # /---\ #
-    """
-    roof = [(0, 0), (2, 2), (4, 0), (4, 4), (0, 4)]
-    s = sweep(UNIT, roof)
-    assert s.contacts_at(("3/2", "1/2")) == (("VE", 2, 1), ("VE", 3, 0))
-
-
-def test_lemma_a1_does_not_hold_for_two_horns() -> None:
-    r"""MM: both tips of G slide along one edge of D at once.
-
-    ::
-
-        # # # # #
-         |\_/|       D's bottom edge is 0, G's tips are 2 and 4
-    """
-    horns = [(0, 0), (2, 0), (2, 1), (1, "1/2"), (0, 1)]
-    s = sweep(horns, [(0, 0), (9, 0), (9, 3), (0, 3)])
-    assert s.kind == "MM"
-    assert s.trajectory.vertices[:2] == own.points((-2, -1), (9, -1))
-    assert s.contacts[0] == (("VE", 2, 0), ("VE", 4, 0))
-
-
-def test_all_events_worked_by_hand() -> None:
-    r"""A triangle around a square: EV along its slanted edge, VE along the sides of the square.
-
-    ::
-
-        .        # #      T: (-1, 0) (0, -1) (2, -1) (2, 2) (-1, 2)
-        . .      # #
-    """
-    square = [(0, 0), (2, 0), (2, 2), (0, 2)]
-    s = sweep([(0, 0), (1, 0), (0, 1)], square)
-    assert s.contacts == (
-        (("EV", 1, 0),),  # the slanted edge turns about (0, 0)
-        (("VE", 2, 0),),  # the upper tip under the bottom side
-        (("EE", 2, 1),),  # the left side on the right side
-        (("EE", 0, 2),),  # the lower side on the upper side
-        (("VE", 1, 3),),  # the right tip at the left side
-    )
-    assert s.vertex_contacts[0] == (("VV", 1, 0),)
-    # At (2, -1), the upper tip comes to the corner of the square.
-    assert s.vertex_contacts[2] == (("VV", 2, 1),)
-    assert s.vertex_contacts[3] == (("VV", 0, 2),)
-
-
-def test_one_edge_of_the_trajectory_may_have_several_contacts() -> None:
-    """Three teeth on one line, two of them under the bar at a time.
-
-    ::
-
-        #############
-        #   ##   ##  #
-        =======>
-    """
-    teeth = [(0, 0), (1, 0), (1, 2), (3, 2), (3, 0), (4, 0), (4, 2), (6, 2), (6, 0), (7, 0)]
-    bar = [(0, 0), (5, 0), (5, 1), (0, 1)]
-    s = sweep(bar, [*teeth, (7, 4), (0, 4)])
-    assert s.trajectory.vertices[:2] == own.points((-5, -1), (7, -1))
-    assert s.contacts[0] == (("EE", 2, 0), ("EE", 2, 4), ("EE", 2, 8))
-    assert s.contacts_at((-1, -1)) == (
-        ("EE", 2, 0),
-        ("EE", 2, 4),
-        ("EV", 2, 0),
-        ("EV", 2, 1),
-        ("EV", 2, 4),
-        ("VV", 2, 5),
-    )
 
 
 def test_positions_that_are_no_points_are_refused() -> None:
@@ -321,35 +234,6 @@ def test_an_edge_faces_the_corners_that_lie_to_its_right() -> None:
         }
 
 
-STAIRS = [(0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (3, 0), (3, 1), (4, 1), (4, 0), (5, 0), (5, 3)]
-
-
-@pytest.mark.parametrize(
-    ("g", "d"),
-    [
-        (BLOCK, [*STAIRS, (0, 3)]),
-        ([*STAIRS, (0, 3)], [(0, 0), (7, 0), (7, 1), (0, 1)]),
-        ([*STAIRS, (0, 3)], [*STAIRS, (0, 3)]),
-        (KITE, BOOT),
-        (BOOT, [(0, 0), (4, -2), (8, 0), (6, 1), (4, 0), (2, 1)]),
-    ],
-)
-def test_contacts_along_edges_in_one_line(g: list[Vertex], d: list[Vertex]) -> None:
-    s = sweep(numbered(Polygon(g)), numbered(Polygon(d)))
-    for (p, q), found in zip(edges(s.trajectory), s.contacts, strict=True):
-        assert list(found) == sorted(lasting(s.generatrix.exterior, s.directrix.exterior, p, q))
-
-
-def test_a_contact_late_on_the_longest_of_many_edges() -> None:
-    """On one line, a long edge that begins first and short ones behind it."""
-    bar, tooth = Outline([[(0, 0), (2, 0), (2, 1), (0, 1)]]), Outline([[(80, 1), (81, 1), (80, 2)]])
-    found = [("EE", 2, 0)]
-    for shift, expected in (0, [found, [], []]), (-3, [[], found, []]):
-        ends = [(0, 81), (82, 83), (84, 85)]
-        line: list[tuple[Vertex, Vertex]] = [((x + shift, 0), (y + shift, 0)) for x, y in ends]
-        assert find_edge_contacts(line, bar, tooth) == expected
-
-
 def staircase(size: int) -> list[Vertex]:
     """An X-monotone ring with a wall in the middle of its bottom chain, and one at either end."""
     bottom = [(2 * k, k % 2) for k in range(size)]
@@ -364,22 +248,6 @@ def test_edges_through_a_point_are_found_by_its_x(size: int) -> None:
     for x, y in product(range(-1, 4 * size), range(-7, 11)):
         point = Fraction(x, 2), Fraction(y, 2)
         assert sorted(searched.edges_through(point)) == [*walked.edges_through(point)]
-
-
-def test_of_each_chain_one_edge_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
-    outline = MonotoneOutline(staircase(50))
-    asked: list[int] = []
-
-    def note(k: int) -> tuple[Vertex, Vertex]:
-        asked.append(k)
-        return Outline.edge(outline, k)
-
-    monkeypatch.setattr(outline, "edge", note)
-    for x in (1, 41, 97):
-        found = [*outline.edges_through((x, Fraction(1, 2)))]
-        assert len(asked) == 2
-        assert found == asked[:1]
-        asked.clear()
 
 
 def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:

@@ -1,4 +1,4 @@
-"""What draws the loops: features of G at positions on the trajectory, on the edge they draw."""
+"""The features of G that draw the loops, at positions on the trajectory, on the edge they draw."""
 
 from collections.abc import Iterator
 from itertools import product

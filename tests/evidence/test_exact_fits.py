@@ -2,7 +2,6 @@
 
 import random
 from fractions import Fraction
-from itertools import pairwise, product
 
 import families
 import pytest
@@ -13,7 +12,7 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
-from exactsweep.check import classify, point_in_polygon, reference_exact_fits
+from exactsweep.check import reference_exact_fits
 from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.mm import trajectory_mm
@@ -29,12 +28,6 @@ def rectilinear_pairs(draw: st.DrawFn) -> Pair:
     generatrix = draw(own.rectilinear_rings() | st.just([(0, 0), (1, 0), (1, 1), (0, 1)]))
     directrix = Polygon(draw(own.rectilinear_rings()))
     return Polygon(generatrix), draw(st.sampled_from([directrix, directrix.reflected()]))
-
-
-@given(rectilinear_pairs())
-@often
-def test_fits_are_those_of_the_definition(pair: Pair) -> None:
-    assert sweep(*pair).exact_fits == reference_exact_fits(*pair)
 
 
 @given(own.turned_pairs("MM") | own.turned_pairs("CM"))
@@ -62,50 +55,6 @@ def test_fits_of_many_rectilinear_pairs_are_fits() -> None:
     assert found > 50
 
 
-@given(rectilinear_pairs())
-@often
-def test_fits_hang_on_the_trajectory_and_lie_within(pair: Pair) -> None:
-    s = sweep(*pair)
-    for hanging, end in s.exact_fits:
-        assert hanging != end
-        assert point_in_polygon(hanging, s.trajectory) == 0
-        for share in Fraction(1, 10**20), Fraction(1, 2), Fraction(1):
-            x = hanging.x + share * (end.x - hanging.x)
-            y = hanging.y + share * (end.y - hanging.y)
-            assert point_in_polygon((x, y), s.trajectory) == 1
-
-
-@given(rectilinear_pairs())
-@often
-def test_fits_go_as_deep_as_they_can(pair: Pair) -> None:
-    generatrix, directrix = pair
-    for hanging, end in sweep(generatrix, directrix).exact_fits:
-        share = Fraction(1, 10**20)
-        x, y = end.x + share * (end.x - hanging.x), end.y + share * (end.y - hanging.y)
-        assert classify(directrix, generatrix, (x, y)).verdict == "OVERLAP"
-
-
-@given(rectilinear_pairs())
-@often
-def test_contact_inside_the_trajectory_is_an_exact_fit(pair: Pair) -> None:
-    """Tried wherever a vertex meets a vertex, and half a unit off."""
-    generatrix, directrix = pair
-    s = sweep(generatrix, directrix)
-    half = Fraction(1, 2)
-    differences = {
-        Point(v.x - w.x + dx, v.y - w.y + dy)
-        for v, w in product(directrix.vertices, generatrix.vertices)
-        for dx, dy in ((0, 0), (0, half), (half, 0))
-    }
-    for t in sorted(differences)[::3]:
-        if point_in_polygon(t, s.trajectory) == 1:
-            fits = any(
-                p.x == t.x == q.x and min(p.y, q.y) <= t.y <= max(p.y, q.y) for p, q in s.exact_fits
-            )
-            verdict = classify(directrix, generatrix, t).verdict
-            assert verdict == ("CONTACT" if fits else "OVERLAP")
-
-
 @given(rectilinear_pairs(), own.matrices())
 @often
 def test_linear_maps_commute(pair: Pair, matrix: own.Matrix) -> None:
@@ -114,75 +63,6 @@ def test_linear_maps_commute(pair: Pair, matrix: own.Matrix) -> None:
     image = sweep(*(own.mapped(polygon, matrix) for polygon in pair))
     mapped = [tuple(Point(a * x + b * y, c * x + d * y) for x, y in fit) for fit in s.exact_fits]
     assert [*image.exact_fits] == sorted(mapped)
-
-
-@given(rectilinear_pairs())
-@often
-def test_parts_of_a_slot_are_not_reported_twice(pair: Pair) -> None:
-    fits = sweep(*pair).exact_fits
-    assert list(fits) == sorted(set(fits))
-    spans = sorted((p.x, *sorted((p.y, q.y))) for p, q in fits)
-    for (x, _, top), (other, bottom, _) in pairwise(spans):
-        assert x != other or top < bottom
-
-
-UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
-#  # : #
-#  # : #
-#  # # #
-SLOT = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-
-
-def test_slots_from_below_and_from_above() -> None:
-    """A beam with a slot on each side: one fit goes up, one goes down.
-
-    ::
-
-        # # # : #
-        # # # # #
-        # : # # #
-    """
-    beam = [(0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (5, 0), (5, 3), (4, 3), (4, 2), (3, 2)]
-    beam += [(3, 3), (0, 3)]
-    assert sweep(UNIT, beam).exact_fits == (own.points((1, -1), (1, 0)), own.points((3, 3), (3, 2)))
-
-
-def test_reference_point_moves_the_fits() -> None:
-    assert sweep(UNIT, SLOT, reference=(1, 1)).exact_fits == (own.points((2, 4), (2, 2)),)
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_hair_makes_or_breaks_a_fit(sign: int) -> None:
-    """Narrower by 10**-40 and the square has room; wider and it stays out."""
-    hair = Fraction(sign, 10**40)
-    wider = [(0, 0), (1 + hair, 0), (1 + hair, 1), (0, 1)]
-    s = sweep(wider, SLOT)
-    assert s.exact_fits == ()
-    assert point_in_polygon((1 - hair / 2, 2), s.trajectory) == sign
-
-
-def test_pointed_and_slanted_slots_have_no_fits() -> None:
-    """A V-shaped dent into which G fits from edge to edge is met from free positions on."""
-    dent = [(0, 0), (1, 0), (2, 1), (3, 0), (4, 0), (4, 3), (0, 3)]
-    wedge = [(0, -1), (2, -1), (2, 0), (1, 1), (0, 0)]
-    s = sweep(wedge, dent)
-    assert s.exact_fits == ()
-    assert point_in_polygon((1, 0), s.trajectory) == 0
-
-
-def test_mould_with_walls_is_a_fit() -> None:
-    """The same wedge, with walls to both sides of it and of the dent.
-
-    ::
-
-        #####
-        ##:##
-        # : #
-    """
-    mould = [(0, 0), (1, 0), (1, 1), (2, 2), (3, 1), (3, 0), (4, 0), (4, 4), (0, 4)]
-    wedge = [(0, -1), (2, -1), (2, 0), (1, 1), (0, 0)]
-    # To either side of x = 1, a shoulder of G comes under the ground, and stops there at y = 0.
-    assert sweep(wedge, mould).exact_fits == (own.points((1, 0), (1, 1)),)
 
 
 def comb(teeth: int) -> list[tuple[int, int]]:
@@ -203,15 +83,6 @@ def test_to_lift_a_long_comb_takes_what_lies_over_it() -> None:
         assert len(fits) == teeth - 1
         found.append(tally.total)
     assert found[1] < 2.5 * found[0]
-
-
-def test_fits_of_chains_come_by_x_whatever_meets_there() -> None:
-    """Both teeth of G in slots at once; and each of them in one, beside D."""
-    slots = [(-5, 0), (-3, 0), (-3, 3), (-2, 3), (-2, 0), (0, 0), (0, 2), (1, 2), (1, 0), (3, 0)]
-    fork = [(4, 0), (3, 0), (3, -9), (1, -9), (1, 0), (0, 0)]
-    trajectory = list(trajectory_mm(fork, slots))
-    fits = [((-6, 0), (-6, 3)), ((-3, 0), (-3, 2)), ((0, 0), (0, 2))]
-    assert find_exact_fits(fork, slots, trajectory) == fits
 
 
 @pytest.mark.parametrize(

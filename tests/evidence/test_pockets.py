@@ -16,7 +16,7 @@ Chain = list[Vertex]
 
 
 def under_lid(chain: Chain) -> Chain:
-    """What is above a chain, up to a lid, as a loop."""
+    """Return the region between a chain and a lid above it, as a loop."""
     return take_corners([*chain, (chain[-1][0], 10**6), (chain[0][0], 10**6)])
 
 

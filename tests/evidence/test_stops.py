@@ -1,4 +1,4 @@
-"""What stops G at a contact: every pair of corners on a small grid, every way to go."""
+"""Stops of G at a contact: every pair of corners on a small grid, every way to go."""
 
 from fractions import Fraction
 from itertools import product

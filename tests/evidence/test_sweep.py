@@ -1,11 +1,9 @@
 """Laws of the whole sweep, and the sweep against its definition."""
 
-import random
 from fractions import Fraction
 from itertools import product
 from typing import Any
 
-import families
 import pytest
 import strategies as own
 from definition import find_failure
@@ -22,7 +20,6 @@ from exactsweep import (
     PolygonError,
     Region,
     Sweep,
-    no_fit_polygon,
     sweep,
 )
 from exactsweep.check import classify, point_in_polygon, reference_loops
@@ -42,10 +39,6 @@ UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 def loops(s: Sweep) -> Loops:
     return s.trajectory, s.inner, s.outer
-
-
-def difference(p: Point, q: Point) -> tuple[Fraction, Fraction]:
-    return p.x - q.x, p.y - q.y
 
 
 def edges(polygon: Polygon) -> list[tuple[Point, Point]]:
@@ -135,15 +128,6 @@ def test_translation_commutes(pair: Pair, g: Any, d: Any) -> None:
     assert moved.area == s.area == s.outer.area - s.inner.area
 
 
-@given(any_pair)
-@often
-def test_point_reflection_commutes(pair: Pair) -> None:
-    generatrix, directrix = pair
-    s = sweep(generatrix, directrix)
-    turned = sweep(generatrix.reflected(), directrix.reflected())
-    assert loops(turned) == tuple(loop.reflected() for loop in loops(s))
-
-
 @given(any_pair, own.matrices())
 @often
 def test_linear_maps_commute(pair: Pair, matrix: own.Matrix) -> None:
@@ -196,26 +180,6 @@ def test_reference_point_moves_the_positions_only(pair: Pair, point: Any) -> Non
     assert other.undercuts == tuple(
         undercut._replace(positions=moved(undercut.positions)) for undercut in s.undercuts
     )
-
-
-@given(any_pair)
-@often
-def test_loops_are_nested(pair: Pair) -> None:
-    generatrix, directrix = pair
-    s = sweep(generatrix, directrix)
-    for within, around in (directrix, s.inner), (s.inner, s.outer):
-        assert all(point_in_polygon(v, around) >= 0 for v in within.vertices)
-        assert all(point_in_polygon(v, within) <= 0 for v in around.vertices)
-        assert within.area <= around.area
-
-
-@given(any_pair)
-@often
-def test_every_difference_of_vertices_is_in_the_closed_trajectory(pair: Pair) -> None:
-    generatrix, directrix = pair
-    trajectory = sweep(generatrix, directrix).trajectory
-    for v, w in product(directrix.vertices, generatrix.vertices):
-        assert point_in_polygon(difference(v, w), trajectory) >= 0
 
 
 @given(any_pair, st.data())
@@ -303,13 +267,6 @@ def test_sizes_of_sweeps_with_a_convex_generatrix(pair: Pair) -> None:
         assert len(of_inner[0]) - 1 <= len(of_d[0]) - 1 + (k - 1) * n
 
 
-@given(any_pair)
-@seldom
-def test_no_fit_polygon_is_the_trajectory(pair: Pair) -> None:
-    generatrix, directrix = pair
-    assert no_fit_polygon(directrix, generatrix).exterior == sweep(generatrix, directrix).trajectory
-
-
 @given(any_pair, st.data())
 @seldom
 def test_spelling_of_the_input_does_not_matter(pair: Pair, data: st.DataObject) -> None:
@@ -382,8 +339,3 @@ def test_refusals_name_what_is_wrong(
     assert issubclass(error, ValueError)
     with pytest.raises(error, match=message):
         sweep(*arguments, **options)
-
-
-def test_pairs_are_known_by_their_seed() -> None:
-    first, again = (families.random_pair(random.Random("1:7")) for _ in range(2))
-    assert first == again

@@ -1,30 +1,21 @@
 """Sweeps of polygons of any shape: contacts, undercuts, steps and certificates."""
 
-import json
 from fractions import Fraction
-from typing import Any
 
-import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from polyominoes import Cells, frame, polyominoes, region
 from tiers import examples
 
-from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import Point, Polygon, Region, sweep
 from exactsweep.check import classify, verify
 from exactsweep.evidence.contact import number_as_given
-from exactsweep.evidence.steps import explain
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import Outline
 from exactsweep.numbers.point import ORIGIN
-from exactsweep.procedures.mouths import find_mouths
 
-Ring = list[tuple[int, int]]
 SHEARS = [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 1), (0, -1, 1, 0)]
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
-# A cave of 2 x 2 with an opening in its right wall that is just high enough for a unit square.
-DOOR = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4), (0, 4)]
-PLATE = [(0, 0), (9, 0), (9, 9), (6, 9), (6, 3), (5, 3), (5, 9), (0, 9)]
 
 
 def shape_sweep(g: Region, d: Region) -> Sweep:
@@ -88,13 +79,6 @@ def test_contacts_touch_where_they_are_said_to(
                 )
 
 
-@given(polyominoes(12, 5), polyominoes(7, 4), st.sampled_from(SHEARS))
-@examples(40)
-def test_certificates_are_proved(d: Cells, g: Cells, matrix: tuple[int, int, int, int]) -> None:
-    s = sweep(region(g, matrix), region(d, matrix))
-    assert verify(json.loads(json.dumps(s.certificate()))).reason == "proved"
-
-
 @given(polyominoes(12, 5), polyominoes(7, 4))
 @examples(40)
 def test_undercuts_holes_and_the_directrix_fill_the_inner_loop(d: Cells, g: Cells) -> None:
@@ -107,35 +91,6 @@ def test_undercuts_holes_and_the_directrix_fill_the_inner_loop(d: Cells, g: Cell
             assert classify(s.directrix, s.generatrix, position).verdict == "CONTACT"
 
 
-def test_an_undercut_behind_a_door() -> None:
-    big = shape_sweep(Region([(0, 0), (2, 0), (2, 2), (0, 2)]), Region(DOOR))
-    (undercut,) = big.undercuts
-    # The cave and its door; the mouth is the door's opening.
-    assert undercut.polygon.area == 2 * 2 + 1
-    assert set(undercut.extremes) == {Point(Fraction(4), Fraction(y)) for y in (1, 2)}
-    assert undercut.intersection == "segment"
-
-
-def test_a_hole_is_inside_the_inner_loop_and_no_undercut() -> None:
-    plate = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(2, 2), (5, 2), (5, 5), (2, 5)]])
-    s = sweep(UNIT, plate)
-    assert s.kind == "SS"
-    assert s.unswept == s.undercuts == ()
-    assert s.inner == plate.exterior
-    assert s.outer == Polygon([(-1, -1), (10, -1), (10, 10), (-1, 10)])
-    assert s.area == 121 - 81
-
-
-def test_what_is_passed_by_in_a_wide_cave_is_not_swept() -> None:
-    # G goes in along one wall and out along the other: the middle of the cave stays free.
-    corners = [(0, 0), (20, 0), (20, 14), (10, 14), (10, 12), (18, 12), (18, 2), (2, 2), (2, 12)]
-    cave = [*corners, (8, 12), (8, 14), (0, 14)]
-    s = sweep(UNIT, cave)
-    assert s.kind == "SS"
-    assert s.unswept == (Polygon([(3, 3), (17, 3), (17, 11), (3, 11)]),)
-    assert s.inner == Polygon(cave)
-
-
 def test_an_inner_loop_that_has_all_corners_and_middles_of_the_directrix_on_it() -> None:
     """Found by the campaign: the undercut lies in a quarter of an edge of D."""
     d = [(12, 7), (20, 13), (24, 15), (23, 17), (16, 13)]
@@ -143,30 +98,6 @@ def test_an_inner_loop_that_has_all_corners_and_middles_of_the_directrix_on_it()
     s = shape_sweep(Region([*g, (2, 16), (1, 15)]), Region(d))
     closed = [(12, 7), (18, "23/2"), ("203/11", "129/11"), ("208/11", "134/11")]
     assert s.inner == Polygon([*closed, *d[1:]])
-
-
-def test_the_numbers_of_features_are_those_of_the_input() -> None:
-    hole = [(4, 4), (4, 6), (6, 6), (6, 4)]
-    plate = Region([(9, 0), (9, 9), (0, 9), (0, 0)], [hole])
-    ring = Region(
-        [(20, -5), (20, 15), (-5, 15), (-5, -5)], [[(-2, -2), (14, -2), (14, 14), (-2, 14)]]
-    )
-    s = sweep(ring, plate)
-    # Inside the ring the plate touches the hole of the ring.
-    contact = {c.event: c for c in s.contacts_at((2, 0))}["EE"]
-    # Edge 3 of the hole of G, at x = -2 + 2, runs from its vertex 3 to 0; edge 2 of D is at x = 0.
-    assert (contact.generatrix, contact.directrix) == (4 + 3, 2)
-
-
-@given(polyominoes(10, 4), polyominoes(5, 3))
-@examples(30)
-def test_steps_go_round_the_trajectory(d: Cells, g: Cells) -> None:
-    s = shape_sweep(region(g), region(d))
-    steps = explain(s)
-    assert [step.start for step in steps] == list(s.trajectory.vertices)
-    for step in steps:
-        assert step.ending in {"corner", "stop", "exact fit"}
-        assert step.touches
 
 
 @given(polyominoes(6, 3))
@@ -178,13 +109,6 @@ def test_a_mould_around_its_part(g: Cells) -> None:
     assert s.kind == "SS"
     assert (ORIGIN, ORIGIN) in s.exact_fits
     assert verify(s.certificate()).proved
-
-
-def test_a_bottom_chain_with_a_corner_is_one_mouth() -> None:
-    roof = [(0, 0), (6, 0), (6, 6), (4, 6), (3, 2), (2, 6), (0, 6)]
-    (mouth,) = find_mouths([p if p != (3, 2) else (3, 5) for p in roof], roof)
-    assert mouth.bottom == [(4, 6), (3, 5), (2, 6)]
-    assert mouth.top == [(2, 6), (3, 2), (4, 6)]
 
 
 def test_features_of_several_holes_are_numbered_as_given() -> None:
@@ -205,13 +129,3 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
     for k, vertex in enumerate(swept.vertices):
         x, y = given[swept.vertex_index(k)]
         assert vertex == Point(Fraction(x), Fraction(y))
-
-
-@pytest.mark.parametrize("reference", [(0, 0), ("1/3", -2)])
-def test_answers_with_exact_fits_are_proved_for_any_reference_point(reference: Any) -> None:
-    frame = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (3, 2), (3, 3), (0, 3)]
-    n = no_fit_polygon(frame, UNIT, reference=reference)
-    f = inner_fit_polygon([(0, 0), (3, 0), (3, 1), (0, 1)], UNIT, reference=reference)
-    for answer in (n, f):
-        assert len(answer.exact_fits) == 1
-        assert verify(answer.certificate()).proved

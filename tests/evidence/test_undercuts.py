@@ -33,8 +33,6 @@ any_pair = (
     | walled_pairs.map(lambda pair: (Polygon(pair.generatrix), Polygon(pair.directrix)))
 )
 
-UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
-
 
 def edges(polygon: Polygon) -> list[Edge]:
     v = polygon.vertices
@@ -46,7 +44,7 @@ def middle(p: Point, q: Point) -> Point:
 
 
 def along(edge: Edge, p: Point, q: Point) -> bool:
-    """Whether p to q is a piece of a directed edge, the same way round."""
+    """Decide whether p to q is a piece of a directed edge, the same way round."""
     (ax, ay), (bx, by) = edge
     if not all(min(edge) <= v <= max(edge) for v in (p, q)):
         return False
@@ -80,19 +78,8 @@ def test_bottom_chain_is_a_piece_of_the_inner_loop(pair: Pair) -> None:
             assert point_in_polygon(middle(p, q), s.directrix) == -1
 
 
-@given(any_pair)
-@often
-def test_extremes_lie_on_the_directrix(pair: Pair) -> None:
-    s = sweep(*pair)
-    for undercut in s.undercuts:
-        for extreme in undercut.extremes:
-            assert point_in_polygon(extreme, s.directrix) == 0
-            assert point_in_polygon(extreme, s.inner) == 0
-            assert point_in_polygon(extreme, undercut.polygon) == 0
-
-
 def covers(generatrix: Polygon, position: Point, undercut: Undercut) -> bool:
-    """Whether the bottom chain lies on the boundary of G at a position, edge in edge."""
+    """Decide whether the bottom chain lies on the boundary of G at a position, edge in edge."""
     boundary = edges(generatrix.translated(position))
     return all(
         # The region is on the left of the chain, G on its right.
@@ -155,23 +142,6 @@ def test_segments_go_as_far_as_they_can(pair: Pair) -> None:
                 assert covers(s.generatrix.exterior, middle(a, b), undercut)
 
 
-@given(own.pairs("CC"))
-@examples(30)
-def test_convex_polygons_have_no_undercuts(pair: Pair) -> None:
-    assert sweep(*pair).undercuts == ()
-
-
-@given(any_pair, own.translations())
-@examples(50)
-def test_undercuts_move_with_the_directrix(pair: Pair, by: tuple[Fraction, Fraction]) -> None:
-    generatrix, directrix = pair
-    s, moved = sweep(generatrix, directrix), sweep(generatrix, directrix.translated(by))
-    assert len(moved.undercuts) == len(s.undercuts)
-    for before, after in zip(s.undercuts, moved.undercuts, strict=True):
-        assert after.polygon == before.polygon.translated(by)
-        assert after.intersection == before.intersection
-
-
 @given(own.turned_pairs("MM"), st.booleans())
 @examples(50)
 def test_undercuts_do_not_depend_on_the_frame(
@@ -207,31 +177,6 @@ def test_two_pockets_that_touch_are_two() -> None:
         own.points((0, -1), (3, -1)),
     ]
     assert [undercut.intersection for undercut in s.undercuts] == ["segment", "segment"]
-
-
-def test_a_bar_as_wide_as_a_notch_closes_it_in_one_position() -> None:
-    ridge = [(0, 0), (1, 0), (2, 2), (3, 0), (6, 0), (6, 3), (0, 3)]
-    (undercut,) = sweep([(0, 0), (2, 0), (2, 1), (0, 1)], ridge).undercuts
-    assert undercut.positions == own.points((1, -1))
-    assert undercut.intersection == "point"
-
-
-def test_pocket_behind_a_wall_ends_on_the_wall() -> None:
-    r"""A step down behind which the square cannot get under the slope.
-
-    ::
-
-        # # # # #      D_b: 1 on [0, 1], a wall up to 3, a slope down to 0 at x = 4
-        #   + + #
-        #   /---\#     the square comes to rest with its left side at the wall
-    """
-    notch = [(0, 1), (1, 1), (1, 3), (4, 0), (5, 0), (5, 4), (0, 4)]
-    s = sweep(UNIT, notch)
-    (undercut,) = s.undercuts
-    # Its upper right corner is on the slope, y = 4 - x, at (2, 2).
-    assert undercut.polygon == Polygon([(1, 2), (2, 2), (1, 3)])
-    assert undercut.extremes == own.points((1, 2), (2, 2))
-    assert undercut.positions == own.points((1, 1))
 
 
 def test_wall_of_the_generatrix_belongs_to_the_bottom_chain() -> None:
@@ -278,23 +223,6 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
         assert [[*u.positions] for u in far.undercuts] == positions
         for name in ("contacts", "inner_drawn", "outer_drawn"):
             assert far.certificate()[name] == near.certificate()[name], (seed, name)
-
-
-@pytest.mark.parametrize(
-    ("third", "covered"),
-    [((3, 0), True), ((2, 0), False), ((3, -1), False)],
-    ids=["as G is", "another x", "another y"],
-)
-def test_all_corners_of_a_chain_are_corners_of_the_generatrix(
-    third: tuple[int, int], covered: bool
-) -> None:
-    """First and last edges are on G's, and the first corner is one of G's, whatever is between."""
-    g = Outline([[(-1, 5), (0, 2), (1, 0), (3, 0), (4, 2), (5, 5)]])
-    square = Outline([[(0, 0), (9, 0), (9, 9), (0, 9)]])
-    chain = [(0, 2), (1, 0), third, (4, 2), (5, 5)]
-    for way in (chain, chain[::-1]):
-        found = Tracer(square, g).covering_position(way)
-        assert found == ((0, 0) if covered else None)
 
 
 def test_a_chain_may_be_covered_from_the_middle_of_an_edge_but_not_beyond_g() -> None:

@@ -65,9 +65,17 @@ def test_rows_and_columns_and_blocks_in_blocks() -> None:
     inner = [*insert("a"), (8, "cut")]
     outer = [*insert("b", (41, 2), (42, 2)), (8, "away")]
     (part,) = parse_polygons(with_blocks({"a": TRIANGLE, "b": inner}, outer))
-    # What is on layer 0 in a block is on the layer of what draws it.
+    # Entities on layer 0 in a block are on the layer of what draws it.
     assert part.layer == "cut"
     assert part.polygon == Polygon([(28, 56), (34, 56), (28, 60)])
+
+
+def test_the_rest_of_a_block_is_read_where_part_of_it_is_refused() -> None:
+    text = with_blocks({"a": [(0, "3DFACE"), *TRIANGLE]}, insert("a"))
+    found = parse_polygons(text)
+    assert [part.polygon for part in found] == [Polygon([(10, 20), (13, 20), (10, 22)])]
+    (reason,) = found.left_out
+    assert reason.endswith(": no line, polyline, arc, circle, ellipse, spline or block")
 
 
 @fewer
@@ -84,6 +92,15 @@ def test_turned_blocks_stay_within_the_tolerance(degrees: Fraction, third: Point
         true = (10 + u * cos(turn) - v * sin(turn), 20 + u * sin(turn) + v * cos(turn))
         near = min(abs(p.x - true[0]) + abs(p.y - true[1]) for p in found.vertices)
         assert near < tolerance
+
+
+def test_lines_in_a_turned_block_are_placed_as_a_polyline_is() -> None:
+    sides = [*line(1, 2, 4, 2, (30, 0)), *line(4, 2, 1, 4, (31, 0)), *line(1, 4, 1, 2)]
+    drawn = [
+        parse_polygon(with_blocks({"a": shape}, insert("a", (50, 30))), tolerance="1e-3")
+        for shape in (TRIANGLE, sides)
+    ]
+    assert drawn[0] == drawn[1]
 
 
 def test_numbers_too_large_to_be_turned_are_refused() -> None:

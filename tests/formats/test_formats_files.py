@@ -213,22 +213,6 @@ def test_floats_come_back_whole_or_are_refused(polygon: Polygon) -> None:
     assert rows == [[float(x), float(y)] for x, y in polygon.vertices]
 
 
-@given(strategies.simple_polygons())
-@examples(50)
-def test_int64_comes_back_whole_or_is_refused(polygon: Polygon) -> None:
-    if all(c.denominator == 1 and abs(c) < 2**63 for v in polygon.vertices for c in v):
-        assert from_numpy(to_numpy(polygon, "int64")) == polygon
-    else:
-        with pytest.raises(FormatError, match=r"^vertex \d+: .* is not an int64$"):
-            to_numpy(polygon, "int64")
-
-
-def test_floats_of_shapely_are_binary() -> None:
-    polygon = from_shapely(shapely.Polygon([(0, 0), (0.1, 0), (0, 1)]))
-    assert polygon.vertices[2 - 1].x == Fraction(0.1) != Fraction("0.1")
-    assert from_shapely(shapely.LinearRing([(0, 0), (1, 0), (0, 1)])) == TRIANGLE
-
-
 @pytest.mark.parametrize(
     ("geometry", "message"),
     [

@@ -201,15 +201,6 @@ def test_no_outline_vanishes_in_joints(tmp_path: Path) -> None:
     assert part.region.area == 1591
 
 
-def test_dust_at_a_corner_is_no_outline() -> None:
-    corners = "0,0 9,0 9,9 0.001,9 0,8.999"
-    (part,) = parse_polygons(f"<svg><polyline points='{corners} 0,0.001 0,0'/></svg>", join="1/100")
-    assert part.polygon.area > 80
-    dust = "<path d='M0 0h9'/><path d='M9 0v9'/><path d='M9 9h.001'/><path d='M9 9L0 0'/>"
-    parts = parse_regions(f"<svg>{dust}</svg>", join="1/100", nested=True)
-    assert [part.region.area for part in parts] == [Fraction(81, 2)]
-
-
 @pytest.mark.parametrize(
     "sheet",
     ["{" * 9999, "}" * 9999, "/*" * 9999, "@" * 9999 + "{", "@a{" * 9999, "rect{}rect{fill:red"],
@@ -217,3 +208,31 @@ def test_dust_at_a_corner_is_no_outline() -> None:
 def test_broken_style_sheets_hide_nothing(sheet: str) -> None:
     text = f"<svg><style>{sheet}</style><rect width='2' height='2'/></svg>"
     assert parse_polygon(text).area == 4
+
+
+def test_heights_of_geojson_are_ignored_and_a_note_says_so() -> None:
+    text = '{"type": "Polygon", "coordinates": [[[0, 0, 7], [4, 0], [0, 4, -1], [0, 0, 7]]]}'
+    found = parse_polygons(text)
+    assert [part.polygon.area for part in found] == [8]
+    assert found.notes == ["third coordinates, which are heights, are ignored"]
+    assert parse_polygons(text.replace(", 7", "").replace(", -1", "")).notes == []
+
+
+@pytest.mark.parametrize(
+    ("sheet", "notes"),
+    [
+        (".a, rect, #b, * { display: inline }", []),
+        ("g .a { stroke: red }", []),
+        (
+            "g .a, .b { display: none } a > b { visibility: hidden }",
+            [
+                "2 selectors of style sheets ignored, first 'g .a': only names, classes and ids "
+                "are read"
+            ],
+        ),
+    ],
+)
+def test_selectors_that_are_ignored_are_noted(sheet: str, notes: list[str]) -> None:
+    rect = '<rect class="a" id="b" width="2" height="1"/>'
+    found = parse_polygons(f"<svg><style>{sheet}</style>{rect}</svg>")
+    assert (len(found), found.notes) == (1, notes)

@@ -3,7 +3,6 @@
 import json
 import xml.etree.ElementTree
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 import shapely
@@ -22,7 +21,6 @@ from exactsweep.formats import (
     from_shapely,
     parse_region,
     parse_regions,
-    read_region,
     round_regions,
     to_shapely,
 )
@@ -77,7 +75,7 @@ def test_shapely_has_the_same_region(region: Region) -> None:
     assert Fraction(made.area) == region.area
     back = from_shapely(made)
     assert back == (region if region.holes else region.exterior)
-    # What shapely reads from the text is the same region to shapely.
+    # shapely reads the same region from the text.
     for text, read in (("wkt", shapely.from_wkt), ("geojson", shapely.from_geojson)):
         assert read(format_polygons([region], text)).equals(made)
 
@@ -110,13 +108,6 @@ def test_without_holes_nothing_is_written_otherwise() -> None:
         )
 
 
-def test_dxf_has_a_polyline_for_each_ring() -> None:
-    first, second = parse_regions(format_polygons([NamedRegion(PLATE, "p")], "dxf"))
-    assert (first.layer, second.layer) == ("p", "p")
-    assert first.region == Region(PLATE.exterior)
-    assert (second.region,) == tuple(map(Region, PLATE.holes))
-
-
 @pytest.mark.parametrize("form", ["wkt", "geojson", "svg", "dxf"])
 def test_what_a_hole_cannot_be_is_named(form: str) -> None:
     message = "hole 0, vertex 1: 4/3 is not a finite decimal"
@@ -136,10 +127,3 @@ def test_holes_are_rounded() -> None:
     thin = NamedRegion(Region(PLATE.exterior, [[(1, 1), ("1.3", 1), ("1.3", "1.2")]]))
     with pytest.raises(ValueError, match=r"^rounded to 0 places: hole 0: "):
         round_regions([thin], 0, lambda one: "closest")
-
-
-def test_files_come_back_whole(tmp_path: Path) -> None:
-    for form in HOLDING:
-        path = tmp_path / f"plate.{form}"
-        path.write_text(format_polygons([PLATE], form))
-        assert read_region(str(path)) == PLATE

@@ -148,7 +148,7 @@ def test_packingsolver_mirrors_and_flattens() -> None:
     assert "mirrored" not in part
     assert part["turns"] == ["0"]
     assert [placed.get("mirrored") for placed in found.data["placements"]] == [True, None]
-    item["allowed_rotations"] = [{"start": 0, "end": 10}]
+    item["allowed_rotations"] = [{"start": 0, "end": 359.5}]
     (found,) = read(data, instance, tolerance=Fraction(1, 10))
     assert "turns" not in found.data["parts"][0]
     assert found.notes[0] == "$.item_types[0]: whether turns are in its ranges is not looked at"
@@ -314,3 +314,10 @@ def try_read(text: object, instance: object) -> None:
         pass
     except Exception as error:
         raise AssertionError(f"{json.dumps(text)}, {instance}") from error
+
+
+@pytest.mark.parametrize("name", ["instance", "container"])
+def test_an_option_that_is_no_string_is_named(name: str) -> None:
+    wrong: Any = {name: 5}
+    with pytest.raises(FormatError, match=rf"^{name} is 5, not a string$"):
+        parse_layouts("<svg/>", **wrong)

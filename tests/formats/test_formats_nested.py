@@ -15,9 +15,7 @@ from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
     FormatError,
     NamedPolygon,
-    NamedRegion,
     format_polygons,
-    parse_polygons,
     parse_region,
     parse_regions,
 )
@@ -29,15 +27,6 @@ def square(low: int, high: int) -> Polygon:
 
 def drawn(*squares: tuple[int, int], layer: str = "cut") -> list[NamedPolygon]:
     return [NamedPolygon(square(*sides), layer=layer) for sides in squares]
-
-
-def test_holes_are_holes_only_on_request() -> None:
-    text = format_polygons(drawn((1, 2), (0, 9), (3, 4), (5, 8), (6, 7)), "dxf")
-    assert len(parse_polygons(text)) == len(parse_regions(text)) == 5
-    plate, island = parse_regions(text, nested=True)
-    holes = [square(1, 2), square(3, 4), square(5, 8)]
-    assert plate == NamedRegion(Region(square(0, 9), holes), layer="cut")
-    assert island == NamedRegion(Region(square(6, 7)), layer="cut")
 
 
 def test_layers_are_nested_apart() -> None:
@@ -105,19 +94,6 @@ def test_names_are_those_of_the_exteriors() -> None:
 
 
 WKT = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))\n"
-
-
-def test_holes_are_converted_there_and_back(tmp_path: Path) -> None:
-    path = tmp_path / "plate.wkt"
-    path.write_text(WKT)
-    for form in ("geojson", "svg", "json", "wkt"):
-        onward = tmp_path / f"plate.{form}"
-        done = run("convert", str(path), "-o", str(onward))
-        turned = "turned\n" if "svg" in (path.suffix[1:], form) else ""
-        assert done.output.endswith(turned)
-        assert done.output.count("\n") == bool(turned)
-        path = onward
-    assert path.read_text() == WKT
 
 
 def test_nested_outlines_are_read_by_commands(tmp_path: Path) -> None:

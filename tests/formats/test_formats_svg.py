@@ -1,5 +1,6 @@
 import re
 from fractions import Fraction
+from math import radians, tan
 
 import pytest
 import strategies
@@ -9,9 +10,6 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.formats import FormatError, format_polygons, parse_polygon, parse_polygons
-from exactsweep.formats.curved.svg_transform import read_transform
-from exactsweep.formats.reading import Reading
-from exactsweep.numbers.point import Point
 
 fewer = examples(40)
 SQUARE = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
@@ -84,13 +82,6 @@ def test_transformations_are_exact(
     body = format_polygons([scaled], "svg").partition("\n")[2].partition("</svg>")[0]
     image = parse_polygon(svg(f'<g transform="matrix({numbers} {e},{f})">{body}</g>'))
     assert image == strategies.mapped(scaled, matrix).translated(move)
-
-
-def test_transformations_are_applied_from_the_last_to_the_first() -> None:
-    point = (Fraction(1), Fraction(2))
-    image = read_transform("translate(10,20)rotate(90),scale(2 3)", Reading()).point(*point)
-    assert image == Point(Fraction(4), Fraction(22))
-    assert read_transform(" ", Reading()).point(*point) == point
 
 
 def test_shapes_are_chosen_by_id_or_index() -> None:
@@ -218,3 +209,52 @@ def test_any_path_is_read_or_refused(data: str) -> None:
 def test_a_view_box_of_one_unit_is_one() -> None:
     inner = '<svg viewBox="0 0 1 1" width="2" height="2"><path d="M0 0h1v1z"/></svg>'
     assert parse_polygon(f"<svg>{inner}</svg>") == Polygon([(0, 0), (2, 0), (2, 2)])
+
+
+@pytest.mark.parametrize(
+    ("fit", "scales", "moved"),
+    [
+        ("", (2, 2), (1, 0)),
+        ('preserveAspectRatio="none"', (4, 2), (0, 0)),
+        ('preserveAspectRatio="xMinYMin"', (2, 2), (0, 0)),
+        ('preserveAspectRatio=" xMidYMax meet"', (2, 2), (1, 0)),
+        ('preserveAspectRatio="xMaxYMin meet"', (2, 2), (2, 0)),
+        ('preserveAspectRatio="xMaxYMin slice"', (4, 4), (0, 0)),
+        ('preserveAspectRatio="xMinYMid slice"', (4, 4), (0, -1)),
+        ('preserveAspectRatio="xMidYMax slice"', (4, 4), (0, -2)),
+    ],
+)
+def test_a_view_is_fitted_into_its_box(
+    fit: str, scales: tuple[int, int], moved: tuple[int, int]
+) -> None:
+    """A unit square becomes a box of 4 by 2."""
+    inner = f'<svg viewBox="3 5 1 1" width="4" height="2" {fit}><path d="M3 5h1v1z"/></svg>'
+    (x, y), (dx, dy) = scales, moved
+    expected = Polygon([(dx, dy), (dx + x, dy), (dx + x, dy + y)])
+    assert parse_polygon(f"<svg>{inner}</svg>") == expected
+
+
+@pytest.mark.parametrize("fit", ["yMidXMid", "xMidYmid", "xMidMid", "slice", "xMidYMidd"])
+def test_a_view_is_fitted_in_no_other_way(fit: str) -> None:
+    inner = f'<svg viewBox="0 0 1 1" width="4" height="2" preserveAspectRatio="{fit}">'
+    with pytest.raises(FormatError, match=f"preserveAspectRatio is '{fit}'$"):
+        parse_polygon(f'<svg>{inner}<path d="M0 0h1v1z"/></svg></svg>')
+
+
+@pytest.mark.parametrize("degrees", [30, -60, 89, "100.5"])
+def test_a_skew_moves_by_the_tangent(degrees: object) -> None:
+    shape = f'<path transform="{{}}({degrees})" d="M0 0H3V2Z"/>'
+    along = parse_polygon(svg(shape.format("skewX")), tolerance="1e-3")
+    tangent = tan(radians(float(str(degrees))))
+    for x, y in [(0.0, 0), (3.0, 0), (3 + 2 * tangent, 2)]:
+        assert min(abs(p.x - x) + abs(p.y - y) for p in along.vertices) < 1e-3
+    across = parse_polygon(svg(shape.format("skewY")), tolerance="1e-3")
+    for x, v in [(0, 0.0), (3, 3 * tangent), (3, 3 * tangent + 2)]:
+        assert min(abs(p.x - x) + abs(p.y - v) for p in across.vertices) < 1e-3
+
+
+@pytest.mark.parametrize("degrees", ["89.99999", "-90.00001"])
+def test_a_skew_by_nearly_a_quarter_is_refused(degrees: str) -> None:
+    shape = f'<path transform="skewX({degrees})" d="M0 0H3V2Z"/>'
+    with pytest.raises(FormatError, match="a skew by"):
+        parse_polygon(svg(shape), tolerance="1e-3")

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from command import refusal, run
+from command import run
 
 from exactsweep import Polygon
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons, parse_regions
@@ -77,12 +77,3 @@ def test_lines_of_json_are_read_one_by_one() -> None:
         "line 2: $: an error: no simple polygon",
         "line 4: column 44: not JSON: Expecting value",
     ]
-
-
-def test_when_nothing_can_be_read_that_is_a_refusal() -> None:
-    text = "\n".join(LINES.splitlines()[1:4])
-    message = refusal(run("convert", "-", "--to", "json", stdin=text))
-    assert message == (
-        "standard input: line 1: $: an error: no simple polygon; "
-        "standard input: line 3: column 44: not JSON: Expecting value"
-    )

@@ -1,6 +1,5 @@
 """Directions of monotonicity against a count of sign changes, one direction at a time."""
 
-from fractions import Fraction
 from itertools import combinations, pairwise
 from math import gcd
 from typing import Any
@@ -8,12 +7,10 @@ from typing import Any
 import pytest
 import strategies as own
 from hypothesis import given
-from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import DirectionError, Polygon, sweep
 from exactsweep.geometry.direction import (
-    _SMALL,
     X_AXIS,
     Directions,
     _find_simplest_between,
@@ -119,7 +116,7 @@ def test_arcs_hold_the_directions_and_no_others(polygon: Polygon) -> None:
 
 
 def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
-    """Whether u or -u lies on an arc of at most half a turn, counter-clockwise."""
+    """Decide whether u or -u lies on an arc of at most half a turn, counter-clockwise."""
 
     def cross(a: Vector, b: Vector) -> int:
         return a[0] * b[1] - a[1] * b[0]
@@ -162,18 +159,6 @@ def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
         if strict:
             assert is_strictly_monotone(one, chosen)
             assert is_strictly_monotone(other, chosen)
-
-
-@given(own.turned_pairs("MM"))
-@often
-def test_choice_serves_every_pair_with_a_shared_direction(
-    pair: tuple[Polygon, Polygon, Vector],
-) -> None:
-    one, other, direction = pair
-    assert is_weakly_monotone(one, direction)
-    chosen = choose_direction(one, other)
-    assert is_weakly_monotone(one, chosen)
-    assert is_weakly_monotone(other, chosen)
 
 
 @pytest.mark.parametrize(
@@ -222,11 +207,6 @@ def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
     assert other in message
 
 
-def test_not_monotone_at_all_is_said() -> None:
-    with pytest.raises(DirectionError, match="the directrix: no direction"):
-        choose_direction(Polygon(UNIT), Polygon(STAR))
-
-
 def test_direction_asked_for_is_refused_with_those_there_are() -> None:
     with pytest.raises(DirectionError) as caught:
         sweep(UNIT, NOTCHED, direction=("1/2", 0))
@@ -248,26 +228,6 @@ def test_directions_are_read_as_primitive_vectors(given_: Any, expected: Vector)
     assert read_direction(given_) == expected
 
 
-def test_directions_of_ints_and_fractions_are_reduced() -> None:
-    half = Fraction(1, 2)
-    assert reduce_direction((3, half)) == reduce_direction((-3, -half)) == (6, 1)
-    assert reduce_direction((half, 3)) == (1, 6)
-    assert reduce_direction((0, -half)) == (0, 1)
-
-
-@given(st.lists(own.simple_polygons(), min_size=3, max_size=3))
-@examples(30)
-def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None:
-    a, b, c = map(find_monotone_directions, polygons)
-
-    def members(directions: Directions) -> list[bool]:
-        return [u in directions for u in trials(*polygons)]
-
-    assert members(a & b) == members(b & a)
-    assert members((a & b) & c) == members(a & (b & c))
-    assert members(a & a) == members(a)
-
-
 # All directions of small components, by angle.
 HALF = sorted(
     ((p, q) for p in range(7) for q in range(-6, 7) if gcd(p, q) == 1 and (p or q > 0)),
@@ -284,11 +244,6 @@ def test_the_simplest_between_two_directions_is_strictly_between() -> None:
             if X_AXIS not in between:
                 least = min(between, key=lambda w: w[0] ** 2 + w[1] ** 2)
                 assert _find_simplest_between(u, turn[j]) == least, (u, turn[j])
-
-
-def test_the_smallest_directions_are_those_of_least_squares() -> None:
-    by_length = sorted(HALF, key=lambda u: (u[0] ** 2 + u[1] ** 2, u))
-    assert [X_AXIS, *_SMALL] == sorted(by_length[:8], key=lambda u: u != X_AXIS)
 
 
 def test_the_simplest_of_single_directions_has_the_least_squares() -> None:

@@ -111,12 +111,6 @@ def test_a_shape_in_a_hole_does_not_meet_the_shape_around_it() -> None:
     assert distance_squared(SQUARE, around).value == 4
 
 
-def test_a_gap_of_any_size_is_seen() -> None:
-    gap = Fraction(1, 10**30)
-    beside = [(1 + gap, 0), (2, 0), (2, 1), (1 + gap, 1)]
-    assert distance_squared(SQUARE, beside).value == gap**2
-
-
 def test_coordinates_without_a_common_lattice() -> None:
     one = [(0, 0), (Fraction(1, 2**5001), 0), (0, 1)]
     other = [(3, 0), (4, 0), (3, Fraction(1, 3**3500))]

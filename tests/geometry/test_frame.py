@@ -1,14 +1,13 @@
 """Into the frame of a pair and back; points on the lattice are pairs of ints there."""
 
 from fractions import Fraction
-from itertools import product
 
 import pytest
 
 from exactsweep import Point, Polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.lattice import lcm_within, read_columns, reduce_lattice, to_lattice
+from exactsweep.geometry.lattice import lcm_within, reduce_lattice, to_lattice
 from exactsweep.numbers.point import ORIGIN, Vertex
 
 HALF = Fraction(1, 2)
@@ -45,23 +44,6 @@ def test_what_enters_a_frame_leaves_it_where_it_was(direction: Vector, scale: in
         assert place == ((p * u - q * v) / Fraction(square), (q * u + p * v) / Fraction(square))
 
 
-def test_a_lattice_is_of_pairs_of_ints_however_it_is_read() -> None:
-    corners = [(0, 0), (3, 0), (0, 2)]
-    for rows in (
-        corners,
-        [[*pair] for pair in corners],
-        [Point(*map(Fraction, pair)) for pair in corners],
-    ):
-        scale, points = Polygon(rows).lattice()
-        assert (scale, points) == (1, ((0, 0), (3, 0), (0, 2)))
-        assert isinstance(points, tuple)
-    mixed = [(0, 0), [3, 0], Point(Fraction(0), Fraction(2))]
-    assert read_columns(mixed) == (1, [(0, 0), (3, 0), (0, 2)])
-    assert read_columns([(0, HALF), (3, 0)]) == (2, [(0, 1), (6, 0)])
-    for other in ([(0, 0), "12"], [(0, 0), (1, 2, 3)], [(0, 0), (0, "x")], [], [(0, 0), {1, 2}]):
-        assert read_columns(other) is None
-
-
 def test_a_lattice_is_reduced_by_what_all_have_in_common() -> None:
     assert reduce_lattice(12, ((6, 3), (9, 15))) == (4, ((2, 1), (3, 5)))
     assert reduce_lattice(4, ((2, 8), (6, 3))) == (4, ((2, 8), (6, 3)))
@@ -78,17 +60,3 @@ def test_the_longest_scale_has_8192_bits() -> None:
     for bits, scale in ((8191, 2**8191), (8192, 1)):
         unit = Fraction(1, 2**bits)
         assert to_lattice([unit, Fraction(1)], [Fraction(0), unit])[0] == scale
-
-
-def test_points_are_put_on_their_common_lattice() -> None:
-    values = [Fraction(n, d) for n, d in product((-3, 0, 2), (1, 2, 9))]
-    for x, y in product(values, repeat=2):
-        scale, points = to_lattice([x, HALF], [y, Fraction(1, 3)])
-        assert scale % 6 == 0
-        assert all(type(c) is int for point in points for c in point)
-        assert [(Fraction(u, scale), Fraction(v, scale)) for u, v in points] == [
-            (x, y),
-            (HALF, Fraction(1, 3)),
-        ]
-        assert scale in (6, 18)
-    assert to_lattice([Fraction(2)], [Fraction(3)]) == (1, [(2, 3)])

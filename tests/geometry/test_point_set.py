@@ -142,13 +142,6 @@ def test_maps_are_about_the_origin_unless_told() -> None:
         assert image == Polygon(expected)
 
 
-def test_mirror_image_in_a_slanted_line_by_hand() -> None:
-    triangle = Polygon([(0, 0), (5, 0), (1, 2)])
-    assert triangle.mirrored((1, 2)) == Polygon([(0, 0), (1, 2), (-3, 4)])
-    assert triangle.mirrored((1, 1)) == Polygon([(0, 0), (0, 5), (2, 1)])
-    assert triangle.mirrored((1, -1)) == Polygon([(0, 0), (0, -5), (-2, -1)])
-
-
 def test_unrelated_denominators_are_mapped_exactly() -> None:
     long = [Fraction(1, 10**3000 + k) for k in (7, 9, 33)]
     zero = Fraction(0)
@@ -239,13 +232,6 @@ def test_a_copy_of_a_region_keeps_the_numbers_of_the_input() -> None:
     for twin in (copy.copy(PLATE), copy.deepcopy(PLATE), pickle.loads(pickle.dumps(PLATE))):
         assert twin == PLATE
         assert given_features(twin) == given_features(PLATE)
-
-
-def test_a_point_is_a_pair() -> None:
-    point: Any = Polygon([("1/2", 0), (1, 0), (1, 1)])[0]
-    x, y = point
-    assert (x, y) == point == (0.5, 0) < (1, 0)
-    assert pickle.loads(pickle.dumps(point)) == point
 
 
 def test_what_a_float_can_be_is_one_in_geojson() -> None:

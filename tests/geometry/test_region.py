@@ -1,4 +1,4 @@
-"""Regions: what is taken, what is refused and how, and that equal sets are equal."""
+"""Regions: accepted and refused input, messages, and equality of equal sets."""
 
 import pickle
 import sys
@@ -185,22 +185,6 @@ def test_refusals_of_the_exterior_and_of_numbers() -> None:
         Region(SQUARE, [[(1, 1), (float("nan"), 1), (1, 2)]])
 
 
-def test_rings_may_touch_in_single_points() -> None:
-    touching = Region(SQUARE, [[(0, 4), (2, 3), (2, 5)], [(2, 5), (4, 5), (4, 7)]])
-    assert touching.area == 81 - 2 - 2
-    three = Region(
-        SQUARE, [[(4, 4), (6, 4), (6, 5)], [(4, 4), (4, 6), (3, 6)], [(4, 4), (2, 4), (2, 3)]]
-    )
-    assert len(three.holes) == 3
-
-
-def test_a_hole_between_touching_points_may_lie_outside() -> None:
-    """Its vertices are all on the exterior or in it, and it is outside between two of them."""
-    notched = [(0, 0), (9, 0), (9, 9), (6, 9), (5, 4), (4, 9), (0, 9)]
-    with pytest.raises(PolygonError):
-        Region(notched, [[(4, 9), (5, 4), (6, 9)]])
-
-
 @given(polyominoes(14, 5))
 def test_polyominoes_with_holes(cells: Cells) -> None:
     made = region(cells)
@@ -219,13 +203,6 @@ def test_two_holes_that_share_a_square_are_refused(x: int, y: int, cells: Cells)
     if shares:
         with pytest.raises(PolygonError):
             Region(frame, [loops[0], moved])
-
-
-def test_only_a_region_without_holes_may_be_convex() -> None:
-    box = [(0, 0), (9, 0), (9, 9), (0, 9)]
-    assert Region(box).is_convex
-    assert not Region(box, [[(1, 1), (2, 1), (1, 2)]]).is_convex
-    assert not Region([*box, (1, 5)]).is_convex
 
 
 def test_few_edges_of_a_region_are_tried_against_each_other(

@@ -7,9 +7,10 @@ import importlib
 import inspect
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import matplotlib as mpl
 import numpy as np
@@ -24,16 +25,19 @@ from exactsweep import (
     Polygon,
     PolygonError,
     inner_fit_polygon,
+    limits,
     no_fit_polygon,
 )
 from exactsweep.batch import take_all_pairs
 from exactsweep.canvas.style import Look
 from exactsweep.cli.pair import GENERATRIX
-from exactsweep.corpus import case_to_json, find_case, layout_cases
+from exactsweep.corpus import Case, case_to_json, find_case, layout_cases
 from exactsweep.draw import Picture, Scale, make_figure
 from exactsweep.formats import NamedPolygon, NamedRegion, format_polygons
 from exactsweep.geometry.region import Region
+from exactsweep.layout import Layout, LayoutPart, Placement
 from exactsweep.numbers.arguments import ArgumentError, tells_arguments
+from exactsweep.numbers.limits import list_limits
 
 ROOMS = ("batch", "check", "conform", "corpus", "draw", "formats", "layout", "lessons", "view")
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -65,6 +69,33 @@ class Unspeakable:
     __str__ = __repr__
 
 
+class Lying:
+    """Claim a length of 10**9, and hold nothing."""
+
+    def __len__(self) -> int:
+        return 10**9
+
+    def __iter__(self) -> Iterator[object]:
+        return iter(())
+
+
+class Telling:
+    """Have a `__geo_interface__` without one ring that can be read."""
+
+    __geo_interface__: ClassVar = {"type": "Polygon", "coordinates": [None, [5]]}
+
+
+NESTED: list[Any] = []
+for _ in range(10**4):
+    NESTED = [NESTED]
+CYCLE: list[Any] = []
+CYCLE += [CYCLE, CYCLE, CYCLE]
+
+# Of shapes, which every function that takes one reads alike.
+NO_SHAPES: list[Any] = [
+    *(NESTED, CYCLE, Lying(), Telling(), b"ab", (1, 2, 3), int, [UNIT, UNIT], {(0, 0): 1}),
+    *([(0, 0), (1, 1), (2, 2)], [(0, 0), (2, 2), (2, 0), (0, 2)], [(0, 0), (1, 0), (0, "1/0")]),
+]
 HOSTILE: list[Any] = [
     *(None, "a", "", b"a", 1.5, float("nan"), float("inf"), True, -1, 10**30, 1j, Fraction(1, 3)),
     *([], (), {}, set(), [None], [[]], {"a": 1}, [1, 2], object(), Hostile(), Unspeakable()),
@@ -146,9 +177,9 @@ VALID: dict[str, dict[str, Any]] = {
     "lessons.run_notebook": {"notebook": {"cells": []}},
     "view.make_page": {"s": EXAMPLE, "names": ("a", "b"), "tell": str},
 }
-# An address is waited for; what is told of progress, and restarting, is not looked at.
+# An address is waited for; progress and restarts are not checked.
 UNTRIED = {"scheduler", "progress", "restart"}
-# What takes long, whatever the argument is: of these, only some.
+# Slow functions, whatever the argument is; only some of them.
 LONG = {
     "batch.run": ("job", "output", "workers"),
     "view.make_page": ("s", "names"),
@@ -195,9 +226,27 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
             "view": {"height": 600},
         },
     ),
-    (no_fit_polygon(UNIT, UNIT), {"locate": {"position": (0, 0)}, "plot": PLOTTED}),
-    (inner_fit_polygon(HOLED, UNIT), {"locate": {"position": (0, 0)}, "plot": PLOTTED}),
+    (no_fit_polygon(UNIT, UNIT), {"locate": {"position": (0, 0)}, "plot": {"y_down": False}}),
+    (inner_fit_polygon(HOLED, UNIT), {"locate": {"position": (0, 0)}, "plot": {"y_down": False}}),
 ]
+
+
+LAYOUT = next(iter(layout_cases())).layout
+READERS: dict[type, tuple[Callable[..., Any], dict[str, Any]]] = {
+    Case: (
+        Case.of,
+        {"id": "a", "title": "", "directrix": UNIT, "generatrix": UNIT, "reference": (0, 0)},
+    ),
+    Layout: (Layout.from_json, {"data": LAYOUT.to_json()}),
+    LayoutPart: (
+        partial(LayoutPart.from_json, path="$"),
+        {"data": LAYOUT.to_json()["parts"][0]},
+    ),
+    Placement: (
+        partial(Placement.from_json, path="$"),
+        {"data": LAYOUT.to_json()["placements"][0]},
+    ),
+}
 
 
 def arguments_of(name: str) -> dict[str, Any]:
@@ -251,18 +300,39 @@ def test_every_public_method_is_tried() -> None:
         assert with_arguments == methods.keys(), kind
 
 
+def test_every_class_that_reads_data_is_tried() -> None:
+    rooms = [importlib.import_module(f"exactsweep.{room}") for room in ROOMS]
+    kinds = {
+        kind
+        for room in rooms
+        for name in room.__all__
+        if isinstance(kind := getattr(room, name), type)
+    }
+    assert {kind for kind in kinds if {"from_json", "of"} & vars(kind).keys()} - {
+        Scale
+    } == READERS.keys()
+
+
+def enter_limits(**values: Any) -> None:
+    with limits(**values):
+        pass
+
+
 @pytest.mark.filterwarnings("ignore")
 def test_what_is_no_argument_of_a_method_or_a_shape_is_refused_in_a_sentence() -> None:
     mpl.use("Agg")
     calls: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         (Polygon, {"vertices": UNIT}),
         (Region, {"exterior": UNIT, "holes": ()}),
+        (enter_limits, {**list_limits()}),
+        *READERS.values(),
         *((getattr(one, name), given) for one, of in METHODS for name, given in of.items()),
     ]
     tried = refused = 0
     for function, arguments in calls:
         assert call(function, arguments) is None, function
-        for argument, hostile in product(arguments, HOSTILE):
+        more = NO_SHAPES if function in (Polygon, Region) else []
+        for argument, hostile in product(arguments, HOSTILE + more):
             tried += 1
             said = call(function, {**arguments, argument: hostile})
             refused += said is not None
@@ -302,7 +372,7 @@ def test_an_argument_is_named_with_what_it_should_be() -> None:
 
 
 def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
-    """Whatever it raises on arguments that are of the kind that it asks for stays as it is."""
+    """Errors on arguments of the right type are unchanged."""
 
     @tells_arguments
     def fail(number: int, names: list[str], *, other: "Unspeakable | None" = None) -> None:
@@ -316,6 +386,15 @@ def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
         fail(1, [1])  # type: ignore[list-item]
     with pytest.raises(ArgumentError, match=r"^other is 5, not Unspeakable or None$"):
         fail(1, [], other=5)  # type: ignore[arg-type]
+
+
+def test_a_path_may_be_an_object(tmp_path: Path) -> None:
+    """Once one that could not be read ended in Python's own words."""
+    path = tmp_path / "unit.json"
+    with pytest.raises(ExactSweepError, match=r"unit\.json: No such file"):
+        PUBLIC["formats.read_polygon"](path)
+    path.write_text(TEXT)
+    assert PUBLIC["formats.read_polygon"](path).area == Fraction(1, 2)
 
 
 def test_a_number_is_no_path_but_an_open_file() -> None:

@@ -1,6 +1,6 @@
 """Good files with something wrong in them, and options with values that are none.
 
-What is read of them is written, and read again as the same; all else is refused in a sentence.
+Spoiled input: readable parts survive a round trip, all else is refused in a sentence.
 """
 
 import json

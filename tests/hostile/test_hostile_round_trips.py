@@ -1,4 +1,4 @@
-"""What is written for accepted input is read again, by every reader of it, within one limit.
+"""Round trips: every reader reads the output for accepted input, within one limit.
 
 The limit is low here, and the pairs are of numbers at it, so that answers are far beyond: sums of
 three numbers, crossings of lines through twelve, and crossings of lines through those.
@@ -132,7 +132,7 @@ def test_answers_are_read_by_all_commands(
         found = {part.name: part.region.exterior for part in parse_regions(sweep_to_json(s))}
         assert {name: found[name] for name in loops} == loops
         assert parse_regions(no_fit_to_json(n))
-        # What the program would write in a pipe.
+        # Return the output of the program in a pipe.
         answers = subprocess.run(
             CORRECT, input=case_to_line(case), capture_output=True, text=True, check=True
         ).stdout

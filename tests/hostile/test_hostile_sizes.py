@@ -1,4 +1,4 @@
-"""What is written is read, however large: who writes it says under which limit, if any is needed.
+"""Large output is readable: its writer names the limit, if one is needed.
 
 The limit is low here, so that the answers to two small polygons are far beyond it.
 """
@@ -29,7 +29,7 @@ WRITERS = {
 
 
 def readers(name: str) -> list[tuple[str, ...]]:
-    """What reads a file: verify certificates, every other command what has polygons."""
+    """The readers of files: verify reads certificates, every other command polygons."""
     if name.endswith(".cert"):
         return [("verify", name)]
     read: list[tuple[str, ...]] = [("convert", name, "--to", "json")]

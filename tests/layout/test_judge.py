@@ -46,66 +46,9 @@ def test_an_overlap_is_proved_and_measured() -> None:
     assert first.rotated(180).translated((5, 3)).contains(inside, strictly=True)
 
 
-def test_the_shortest_move_may_be_onto_an_exact_fit() -> None:
-    # The block, 2 by 2, is a little off a hole of just its size.
-    hole = {"exterior": box(0, 0, 20, 20), "holes": [box(9, 9, 11, 11)]}
-    layout = lay(
-        box(0, 0, 20, 20), {"r": hole, "b": box(0, 0, 2, 2)}, put("r"), put("b", ("9.01", 9))
-    )
-    (fault,) = judge_layout(layout).faults
-    assert fault.move == point("-1/100", 0)
-
-
-def test_a_part_outside_is_moved_back_in() -> None:
-    layout = lay(SHEET, {"t": TILE}, put("t", (12, 4)), put("t", (12, 13)))
-    first, second = judge_layout(layout).faults
-    assert (first.move, second.move) == (point(-3, 0), point(-3, -4))
-    assert first.points[0].x > 10
-
-
-def test_a_part_that_does_not_fit_has_no_move() -> None:
-    (fault,) = judge_layout(lay(SHEET, {"t": box(0, 0, 11, 1)}, put("t"))).faults
-    assert fault.move is None
-    assert fault.depth_squared is None
-
-
 def test_a_part_as_wide_as_the_container_is_moved_onto_an_exact_fit() -> None:
     (fault,) = judge_layout(lay(SHEET, {"t": box(0, 0, 10, 1)}, put("t", ("0.1", 4)))).faults
     assert fault.move == point("-1/10", 0)
-
-
-def test_too_close_has_its_nearest_points() -> None:
-    layout = lay(SHEET, {"t": TILE}, put("t"), put("t", (4, 5)), spacing=6)
-    (fault,) = judge_layout(layout).faults
-    assert fault.distance_squared == 25
-    assert fault.points == (point(1, 1), point(4, 5))
-    assert fault.move is None
-    (fault,) = judge_layout(lay(SHEET, {"t": TILE}, put("t", (2, 8)), margin="1.5")).faults
-    assert fault.distance_squared == 1
-    assert [p.y for p in fault.points] == [9, 10]
-
-
-def test_contacts_distance_and_density() -> None:
-    layout = lay(box(0, 0, 4, 4), {"t": TILE}, put("t"), put("t", (1, 0)), put("t", (3, 3)))
-    judgement = judge_layout(layout)
-    assert judgement.contacts == ((0, 1),)
-    assert judgement.distance is not None
-    assert judgement.distance.square == 0
-    assert judgement.distance.placements == (0, 1)
-    assert judgement.density == Fraction(3, 16)
-    apart = judge_layout(lay(SHEET, {"t": TILE}, put("t"), put("t", (4, 5)), put("t", (9, 9))))
-    assert apart.distance is not None
-    assert apart.distance.square == 25
-    assert apart.distance.placements == (0, 1)
-    assert apart.distance.points == (point(1, 1), point(4, 5))
-    assert judge_layout(lay(SHEET, {"t": TILE}, put("t"))).distance is None
-
-
-def test_overlaps_are_no_contacts_and_have_distance_zero() -> None:
-    judgement = judge_layout(lay(SHEET, {"t": TILE}, put("t"), put("t", ("1/2", 0))))
-    assert judgement.contacts == ()
-    assert judgement.distance is not None
-    assert judgement.distance.square == 0
 
 
 def test_faults_as_json() -> None:

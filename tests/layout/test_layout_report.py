@@ -21,8 +21,6 @@ from exactsweep.layout.report import (
 )
 from exactsweep.layout.report.picture import SIDE, enlarge_faults, place_part
 
-SVG = "{http://www.w3.org/2000/svg}"
-
 
 def judged(slug: str) -> Judgement:
     return judge_layout(find_layout_case(f"layouts-{slug}").layout)
@@ -103,12 +101,6 @@ def test_long_lists_are_cut_and_sorted() -> None:
     assert report_layout(judgement, ranked, everything=True).count("deep") == 40
 
 
-def test_progress_of_measuring_is_told() -> None:
-    told: list[tuple[int, int]] = []
-    rank_faults(many(3), lambda done, total: told.append((done, total)))
-    assert told == [(0, 3), (1, 3), (2, 3)]
-
-
 def test_json_is_exact() -> None:
     data = json.loads(write_layout_json(judged("overlap-1e-30"), ["a note"]))
     assert data["valid"] is False
@@ -164,13 +156,6 @@ def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
     low, high = sorted(edges)
     assert abs((high - low) * 6 - SIDE) < 1
     assert abs((low + high) - SIDE) < 1
-
-
-def test_y_downward_turns_the_picture_over() -> None:
-    layout = find_layout_case("layouts-mirrored").layout
-    up = place_part(layout, 0)
-    down = place_part(layout, 0, y_down=True)
-    assert [[(p.x, -p.y) for p in ring] for ring in up] == [[tuple(p) for p in r] for r in down]
 
 
 def test_mirrored_turned_parts_are_drawn_where_they_are() -> None:

@@ -31,7 +31,7 @@ def without_windows() -> Iterator[None]:
 
 
 def told(notebook: dict[str, Any]) -> list[Any]:
-    """What the cells print and show, of pictures only that there is one."""
+    """Return the output of the cells, with a mark for each picture."""
     found: list[Any] = []
     for cell in notebook["cells"]:
         for output in cell.get("outputs", ()):

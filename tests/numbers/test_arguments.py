@@ -1,4 +1,4 @@
-"""Which values a function's annotation admits, and what is said of all others."""
+"""Values that a function's annotation admits, and messages for all others."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Bare:
 
 
 class Array(Bare):
-    """Of a type that only type checkers are told, in annotations here."""
+    """A type that only type checkers import, for annotations here."""
 
 
 class Long(Array):
@@ -50,7 +50,7 @@ NAN = float("nan")
 
 
 def tell(value: object, hint: object) -> str | None:
-    """What a function says that fails on a value; None where it lets its failure through."""
+    """Return the message of a function that fails on a value; None if its failure passes."""
 
     def fail(argument: Any) -> None:
         raise OwnError

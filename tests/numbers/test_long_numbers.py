@@ -1,4 +1,4 @@
-"""Numbers of hundreds and thousands of digits: right, and in time, which is told by counting."""
+"""Numbers of hundreds and thousands of digits: correct, and with few operations."""
 
 import math
 from collections.abc import Callable
@@ -52,7 +52,7 @@ def test_what_first_digits_do_not_tell_is_computed(
         assert one[1:] == other[1:]
 
 
-LONG = Fraction(10**90 + 7, 10**90 - 3)  # not to be told from 1 by its first 256 bits
+LONG = Fraction(10**90 + 7, 10**90 - 3)  # equal to 1 in its first 256 bits
 VALUES = [
     *(Fraction(k, 3) for k in (-7, -3, 0, 1, 3, 8)),
     *(LONG, -LONG, 1 / LONG, 1 + (LONG - 1) / 2, Fraction(-1, 7**400), Fraction(1, 7**400)),

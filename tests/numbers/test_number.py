@@ -56,11 +56,6 @@ def test_floats_are_the_binary_value_that_they_are(value: float) -> None:
     assert to_fraction(sympy.Float(value)) == to_fraction(gmpy2.mpfr(value)) == expected
 
 
-@given(st.floats(width=32, allow_nan=False, allow_infinity=False))
-def test_short_floats_are_exact(value: float) -> None:
-    assert to_fraction(np.float32(value)) == Fraction(value)
-
-
 @given(st.fractions())
 def test_rationals_of_other_libraries_are_exact(value: Fraction) -> None:
     n, d = value.numerator, value.denominator
@@ -235,11 +230,6 @@ def test_so_are_those_on_texts(bad: object) -> None:
         limits(max_mib=bad).__enter__()  # type: ignore[arg-type]
 
 
-def test_the_largest_limit_on_texts_is_a_tebibyte() -> None:
-    with limits(max_mib=2**20):
-        assert get_max_bytes() == 2**40
-
-
 def test_each_limit_is_moved_by_itself() -> None:
     with limits(max_mib=0.5), limits(max_digits=9):
         assert list_limits() == {"max_digits": 9, "max_mib": 0.5}
@@ -272,7 +262,7 @@ def test_any_digit_count_is_written() -> None:
 
 def test_a_rational_with_the_denominator_zero_is_refused() -> None:
     class Broken(Fraction):
-        """What a library with a fault of its own could hand over."""
+        """A value that a faulty library could pass."""
 
         @property
         def denominator(self) -> int:
@@ -288,13 +278,6 @@ def test_what_is_quoted_stands_on_one_line() -> None:
             return "two\nlines, \u00e9 and \x07"
 
     assert quote(Foreign()) == "two\\nlines, \u00e9 and \\x07"
-
-
-def test_one_digit_is_the_least_limit() -> None:
-    with limits(max_digits=1):
-        assert to_fraction("9") == 9
-        with pytest.raises(NumberError):
-            to_fraction("1e9")
 
 
 def test_five_times_as_many_digits_are_read_as_may_be_left() -> None:
@@ -326,7 +309,7 @@ NUMBERS = [-6, 0, 1, 3, 12, *(Fraction(n, d) for n in (-6, 0, 1, 3, 12) for d in
 
 
 def is_reduced(value: int | Fraction) -> bool:
-    """Whether it is an int, or a Fraction of ints in lowest terms."""
+    """Decide whether it is an int, or a Fraction of ints in lowest terms."""
     if type(value) is int:
         return True
     n, d = value.numerator, value.denominator

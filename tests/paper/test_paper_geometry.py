@@ -1,4 +1,4 @@
-"""The ledger's own computations: free parts of the plane, envelopes of segments, families."""
+"""The ledger's own computations: contacts, envelopes of segments, families."""
 
 from fractions import Fraction
 
@@ -18,17 +18,10 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Point
-from exactsweep.paper.checks.planar import (
-    Groups,
-    count_free_parts,
-    cut_to_cells,
-    find_contact_pieces,
-    list_swept_polygons,
+from exactsweep.paper.checks.section4 import (
+    bottom_chains_have_two_forms,
+    labels_name_the_extremes,
 )
-from exactsweep.paper.checks.section2 import CAVE, sweep_pieces
-from exactsweep.paper.checks.section4 import labels_name_the_extremes
 from exactsweep.paper.checks.section5 import kernel_is_literal
 from exactsweep.paper.checks.segments import (
     BEST,
@@ -52,70 +45,6 @@ SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 U_SHAPE = [(0, 0), (5, 0), (5, 4), (4, 4), (4, 1), (1, 1), (1, 4), (0, 4)]
 # Davenport-Schinzel sequences of order 3 of s symbols have at most so many members.
 LONGEST = {1: 1, 2: 4, 3: 8, 4: 12, 5: 17, 6: 22}
-
-
-def box(left: int, low: int, right: int, high: int) -> list[Point]:
-    return list(Polygon([(left, low), (right, low), (right, high), (left, high)]).vertices)
-
-
-@pytest.mark.parametrize(
-    ("boxes", "parts"),
-    [
-        ([(0, 0, 1, 1)], 1),
-        ([(0, 0, 1, 1), (3, 0, 4, 1)], 1),
-        ([(0, 0, 3, 1), (0, 2, 3, 3), (0, 0, 1, 3), (2, 0, 3, 3)], 2),
-        # Corners that touch close a ring.
-        ([(0, 1, 1, 2), (1, 0, 2, 1), (2, 1, 3, 2), (1, 2, 2, 3)], 2),
-        ([(0, 0, 5, 1), (0, 2, 5, 3), (0, 0, 1, 3), (2, 0, 3, 3), (4, 0, 5, 3)], 3),
-        ([(0, 0, 3, 1), (0, 2, 3, 3), (0, 0, 1, 3)], 1),
-    ],
-)
-def test_free_parts_are_counted(boxes: list[tuple[int, int, int, int]], parts: int) -> None:
-    assert count_free_parts([box(*corners) for corners in boxes]) == parts
-
-
-def test_contact_pieces_are_the_trajectory_of_a_monotone_pair() -> None:
-    for number in range(12):
-        pair = draw_pair(Prng(str(number)), "CM")
-        s = sweep(*pair)
-        if s.exact_fits:
-            continue
-        found = find_contact_pieces(*pair)
-        length = sum(_squared(p, q) ** 0.5 for p, q in found)
-        assert length == pytest.approx(sum(_squared(p, q) ** 0.5 for p, q in sweep_pieces(s)))
-
-
-def _squared(p: Point, q: Point) -> Fraction:
-    return (p.x - q.x) ** 2 + (p.y - q.y) ** 2
-
-
-def test_a_closed_cave_is_not_entered_and_an_open_one_is_no_hole() -> None:
-    for generatrix in (SQUARE, [(0, 0), (4, 0), (4, 1), (0, 1)]):
-        assert (
-            count_free_parts(
-                list_swept_polygons(generatrix, find_contact_pieces(generatrix, U_SHAPE))
-            )
-            == 2
-        )
-
-
-def test_the_cave_of_theorem_2_2_has_a_middle_that_is_passed_by() -> None:
-    assert count_free_parts(list_swept_polygons(CAVE.generatrix, find_contact_pieces(*CAVE))) == 3
-
-
-def test_convex_cells_cover_a_polygon() -> None:
-    for number in range(20):
-        ring = draw_pair(Prng(str(number)), "MM", strict=False).generatrix
-        cells = [Polygon(cell) for cell in cut_to_cells(ring)]
-        assert sum(cell.area for cell in cells) == Polygon(ring).area
-        assert all(cell.is_convex for cell in cells)
-
-
-def test_joined_groups_count_as_one() -> None:
-    groups: Groups[int] = Groups()
-    for k in range(10):
-        groups.join(k, k // 2)
-    assert groups.count == 1
 
 
 @pytest.mark.parametrize("segments", BEST)
@@ -185,6 +114,11 @@ def test_the_procedures_to_the_letter_give_what_the_kernel_gives(seed: int, kind
 def test_an_undercut_may_end_where_an_edge_is_touched_in_passing() -> None:
     directrix = [(3, 12), (10, 52), (9, 49), (8, 48), (5, 43), (3, 48)]
     assert labels_name_the_extremes(SweepPair([(0, 0), (6, 0), (7, 1)], directrix)) == ""
+
+
+def test_a_slide_along_an_undercut_may_be_stopped_by_another_contact() -> None:
+    directrix = [(-1, 5), (2, 0), (10, 2), (11, 6), (7, 3), (5, 5), (0, 4)]
+    assert bottom_chains_have_two_forms(SweepPair([(5, 0), (17, 2), (9, 4)], directrix)) == ""
 
 
 def test_chains_are_evaluated_and_cut() -> None:

@@ -18,9 +18,7 @@ from exactsweep.procedures.chain import (
     find_convex_parts,
     inverse,
     list_graph_edges,
-    measure_width,
     require_convex,
-    reverse,
     split,
     split_by_slope,
     take_corners,
@@ -68,17 +66,6 @@ def test_slopes_are_in_order_in_the_unit_of_a_chain(width: int, data: st.DataObj
         assert (found[a] < found[b]) == (exact[a] < exact[b])
 
 
-def test_a_unit_too_coarse_would_take_slopes_for_one() -> None:
-    """1/4 and 1/5 differ by 1/20, and are one in units of 1/3."""
-    assert [split_by_slope([(0, 0), (k, 1)], 20)[0][1] for k in (4, 5)] == [[5], [4]]
-    assert [split_by_slope([(0, 0), (k, 1)], 3)[0][1] for k in (4, 5)] == [[0], [0]]
-
-
-def test_a_chain_has_a_width_if_it_is_of_ints() -> None:
-    assert measure_width([(0, 0), (2, 5), (7, 1)]) == 7
-    assert measure_width([(0, 0), (Fraction(2), 5), (7, 1)]) is None
-
-
 @given(chains(), st.sampled_from([1, 3, Fraction(7, 3)]))
 @usually
 def test_parts_do_not_depend_on_the_kind_of_numbers(chain: list[Vertex], scale: int) -> None:
@@ -86,19 +73,6 @@ def test_parts_do_not_depend_on_the_kind_of_numbers(chain: list[Vertex], scale: 
     scaled: list[Vertex] = [(x * scale, y * scale) for x, y in chain]
     parts = [[(x * scale, y * scale) for x, y in part] for part in find_convex_parts(chain)]
     assert find_convex_parts(scaled) == parts
-
-
-@given(chains())
-@usually
-def test_reversed_edges_laid_end_to_end_are_the_inverse(chain: list[Vertex]) -> None:
-    edges = list(pairwise(chain))
-    assert reverse(reverse(edges)) == edges
-    x, y = inverse(chain)[0]
-    laid: list[Vertex] = [(x, y)]
-    for (px, py), (qx, qy) in reverse(edges):
-        x, y = x + qx - px, y + qy - py
-        laid.append((x, y))
-    assert laid == inverse(chain)
 
 
 @given(chains())
@@ -147,30 +121,6 @@ def test_split_gives_the_boundary_but_for_the_vertical_ends(polygon: Polygon) ->
     whole = set(zip(v, (*v[1:], v[0]), strict=True))
     assert found <= whole
     assert all(p[0] == q[0] in (left, right) for p, q in whole - found)
-
-
-@given(own.monotone_polygons(), st.integers(0, 20))
-@usually
-def test_split_may_start_anywhere(polygon: Polygon, first: int) -> None:
-    v = polygon.vertices
-    first %= len(v)
-    assert split(v[first:] + v[:first]) == split(v)
-
-
-def test_vertical_edges_bound_the_parts() -> None:
-    r"""A wall between two parts, a spike up, and one repeated point that is no wall::
-
-        |
-    __  |
-       \|___
-    """
-    chain: list[Vertex] = [(0, 0), (1, 0), (2, -1), (2, -1), (2, 3), (2, -1), (4, -1)]
-    assert find_convex_parts(chain) == [[(0, 0), (1, 0)], [(1, 0), (2, -1)], [(2, -1), (4, -1)]]
-
-
-def test_repeated_and_collinear_points_split_nothing() -> None:
-    chain: list[Vertex] = [(0, 0), (0, 0), (1, -1), (1, -1), (2, -2), (3, 0), (3, 0)]
-    assert find_convex_parts(chain) == [[(0, 0), (2, -2), (3, 0)]]
 
 
 @pytest.mark.parametrize("first", [0, Fraction(1, 3)])
@@ -228,19 +178,6 @@ def test_chains_of_no_width_are_refused(chain: list[Vertex]) -> None:
     for procedure in trajectory_cm, trajectory_mm, sweep_inner_cm:
         with pytest.raises(ChainError):
             procedure([(1, 0), (0, 0)], chain)
-
-
-def test_a_wall_is_no_step_back() -> None:
-    with pytest.raises(ChainError, match="point 3 lies left of point 2"):
-        find_convex_parts([(0, 0), (1, 0), (1, 2), (0, 3)])
-
-
-class Whole(int):
-    """An int of a class of its own."""
-
-
-def test_ints_of_any_class_have_a_width() -> None:
-    assert measure_width([(Whole(2), 5), (7, Whole(1))]) == 5
 
 
 def test_the_first_point_to_the_left_is_named() -> None:

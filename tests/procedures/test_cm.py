@@ -2,10 +2,8 @@
 
 from fractions import Fraction
 from itertools import pairwise
-from random import Random
 from typing import Any
 
-import families
 import pytest
 import strategies as own
 from hypothesis import given
@@ -14,25 +12,12 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.numbers.point import Vertex
-from exactsweep.procedures.chain import inverse, split, take_corners
+from exactsweep.procedures.chain import split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
 Chain = list[Vertex]
 usually = examples(100)
-
-
-@given(own.pairs("CM"))
-@usually
-def test_trajectory_at_hand_may_be_given(pair: Pair) -> None:
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    envelope = trajectory_cm(g_top, bottom)
-    before = list(envelope)
-    assert sweep_inner_cm(g_top, bottom, envelope) == sweep_inner_cm(g_top, bottom)
-    outer = sweep_outer_cm(g_top, g_bottom, bottom)
-    assert list(trajectory_cm(inverse(g_bottom), envelope)) == list(outer)
-    assert list(envelope) == before
 
 
 @given(own.pairs("CM"), st.data())
@@ -56,19 +41,6 @@ def test_sources_number_the_convex_parts_from_left_to_right(pair: Pair) -> None:
     (_, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
     sources = trajectory_cm(g_top, bottom).sources
     assert sources == sorted(sources)
-
-
-@pytest.mark.parametrize("family", ["walled", "rectilinear", "teeth", "jagged"])
-def test_a_convex_generatrix_is_a_monotone_one(family: str) -> None:
-    rng = Random(family)
-    for _ in range(80):
-        g_bottom, g_top = split(rng.choice([families.box, families.convex, families.fan])(rng))
-        directrix = take_corners(split(getattr(families, family)(rng))[0])
-        trajectory = trajectory_cm(g_top, directrix)
-        assert [*trajectory] == [*trajectory_mm(g_top, directrix)]
-        inner, outer = sweep_mm(g_top, g_bottom, directrix)
-        assert sweep_inner_cm(g_top, directrix, trajectory) == inner
-        assert [*sweep_outer_cm(g_top, g_bottom, directrix)] == outer
 
 
 @pytest.mark.parametrize("unit", [1, Fraction(1, 9)])

@@ -1,6 +1,5 @@
 """Convex parts worked by hand: what of a pair matters, where it is cut, and how high it is."""
 
-from collections.abc import Sequence
 from fractions import Fraction
 from math import inf
 
@@ -11,12 +10,7 @@ from exactsweep.procedures.convex_part import (
     ConvexPart,
     CrossingPart,
     Slope,
-    _find_what_matters,
-    measure_unit,
     round_outwards,
-    split_chain,
-    split_envelope,
-    split_parts,
     take_whole,
 )
 from exactsweep.procedures.envelope import Break, Envelope
@@ -101,33 +95,6 @@ def test_a_cut_counts_on_an_edge_that_matters_alone() -> None:
     assert [*half] == [(2, -2), (3, -2), (Fraction(9, 2), Fraction(-1, 2))]
 
 
-def test_nothing_may_matter() -> None:
-    steep, flat = make([(0, 0), (1, 5)], 5 * UNIT, 5 * UNIT), make([(0, 0), (1, 1)], UNIT, UNIT)
-    assert steep.sweep(flat, 0) is cross(steep).sweep(flat, 0) is None
-    assert flat.sweep(steep, 0) is cross(flat).sweep(steep, 0) is None
-
-
-@pytest.mark.parametrize(
-    ("part", "chain", "expected"),
-    [
-        (([3, 5], 3, inf), ([1, 3, 4], -inf, inf), (0, 2, 1, 3)),
-        (([1, 3, 4], -inf, inf), ([3, 5], 3, inf), (1, 3, 0, 2)),
-        (([1, 3], -inf, 3), ([2, 3, 4], -inf, inf), (0, 2, 0, 2)),
-        (([2, 3, 4], -inf, inf), ([1, 3], -inf, 3), (0, 2, 0, 2)),
-        (([3, 4], 3, 4), ([3, 5], 3, 5), (0, 2, 0, 1)),
-        (([3, 4], 3, 4), ([3, 4], 3, 4), (0, 2, 0, 2)),
-        (([1, 2], 1, 2), ([3, 4], 3, 4), (2, 2, 0, 0)),
-        (([3, 4], 3, 4), ([1, 2], 1, 2), (0, 0, 2, 2)),
-    ],
-)
-def test_slopes_between_the_ends_of_both_matter(
-    part: tuple[Sequence[int], Slope, Slope],
-    chain: tuple[Sequence[int], Slope, Slope],
-    expected: tuple[int, int, int, int],
-) -> None:
-    assert _find_what_matters(*part, *chain) == expected
-
-
 def test_boxes_are_rounded_outwards() -> None:
     assert round_outwards((1, 2), (7, 2)) == (0, 4)
     assert round_outwards((-1, 2), (-7, 2)) == (-1, -3)
@@ -137,50 +104,3 @@ def test_boxes_are_rounded_outwards() -> None:
     assert part.box == cross(part).box == (0, 5, -4)
     rising = make([(1, 7), (3, 8), (6, 19)], left=(3, 2), right=(11, 2))
     assert cross(rising).box == rising.box == (1, 6, 7)
-
-
-def test_parts_are_turned_about_at_the_lower_end_of_a_wall() -> None:
-    chain: list[Vertex] = [(0, 0), (1, -2), (2, -3), (3, -3), (4, -5), (5, -5)]
-    chain += [(5, -1), (6, -2), (6, -7), (7, -7)]
-    unit = measure_unit(chain)
-    parts = split_chain(chain, unit)
-    assert [part.points for part in parts] == [
-        [(0, 0), (1, -2), (2, -3), (3, -3)],
-        [(3, -3), (4, -5), (5, -5)],
-        [(5, -1), (6, -2)],
-        [(6, -7), (7, -7)],
-    ]
-    ends = [
-        (part.flattest in (-inf, part.slopes[0]), part.flattest == -inf, part.steepest == inf)
-        for part in parts
-    ]
-    # At (3, -3) neither has to be; the second one below the wall up, the fourth below the one down.
-    assert ends == [
-        (True, True, False),
-        (True, False, True),
-        (True, False, False),
-        (True, True, True),
-    ]
-    assert [part.steepest for part in (parts[0], parts[2])] == [0, parts[2].slopes[-1]]
-
-
-def test_parts_of_an_envelope_are_turned_about_at_the_lower_end_of_a_step() -> None:
-    whole = Envelope.of([(0, 0), (2, -2), (4, -2)])
-    for chain in ([(4, -2), (6, -6), (8, -6)], [(8, 1), (9, 0)], [(9, -5), (10, -5)]):
-        whole.take_all(Envelope.of(chain))
-    unit = measure_unit(whole)
-    parts = [*split_envelope(whole, unit)]
-    assert [len(part.edges) for part in parts] == [2, 2, 1, 1]
-    assert [(part.flattest == -inf, part.steepest == inf) for part in parts] == [
-        (True, False),
-        (False, True),
-        (False, False),
-        (True, True),
-    ]
-    lattice = split_parts(whole, unit)
-    assert [part.points for part in lattice][1:] == [
-        [(4, -2), (6, -6), (8, -6)],
-        [(8, 1), (9, 0)],
-        [(9, -5), (10, -5)],
-    ]
-    assert [(part.left, part.right) for part in lattice][:2] == [((0, 1), (4, 1)), ((4, 1), (8, 1))]

@@ -29,7 +29,7 @@ def through(x: int, y: int, way: tuple[int, int], before: int, after: int) -> St
 
 
 def meet(one: Stretch, other: Stretch, x: int, y: int) -> tuple[bool, bool, bool]:
-    """Whether there is overlap just before the point and after, by the other; and on both sides."""
+    """Decide whether the other proves overlap just before and after, and on both sides."""
     place = Fraction(x if other.dx else y)
     sides: tuple[bool, bool] | None = other.left, other.right
     if place == Fraction(*other.low):

@@ -86,16 +86,6 @@ def test_order_does_not_matter(chains: list[Chain], rng: Random) -> None:
     assert list(lower_envelope_mm(twice)) == found
 
 
-@given(st.lists(graphs(), min_size=2, max_size=6))
-@usually
-def test_envelopes_of_envelopes_are_envelopes(chains: list[Chain]) -> None:
-    parts = [Envelope.of(chain, k) for k, chain in enumerate(chains)]
-    whole = list(lower_envelope_mm(parts))
-    first, rest = lower_envelope_mm(parts[:1]), lower_envelope_mm(parts[1:])
-    assert list(lower_envelope_mm([first, rest])) == whole
-    assert list(lower_envelope_mm([rest, first])) == whole
-
-
 @given(st.lists(graphs(), min_size=1, max_size=6))
 @usually
 def test_sources_say_which_chain_an_edge_is_of(chains: list[Chain]) -> None:
@@ -243,54 +233,6 @@ def test_partial_trajectory_and_piece(
     first, second = spell(partial, unit, times), spell(piece, unit, times)
     assert measure(lower_envelope_mm([first, second]), unit) == expected
     assert measure(lower_envelope_cm(first, second), unit) == expected
-
-
-@pytest.mark.parametrize(("unit", "times"), SPELLINGS)
-@pytest.mark.parametrize(
-    ("piece", "expected"),
-    [
-        ([(1, 4), (3, 1), (5, 0)], [(0, 0), (Fraction(11, 4), Fraction(11, 8)), (3, 1), (5, 0)]),
-        ([(0, 4), (2, 1), (4, 0), (5, 0)], [(0, 0), (2, 1), (4, 0), (5, 0)]),
-        ([(1, 8), (2, 5), (5, -1)], [(0, 0), (Fraction(18, 5), Fraction(9, 5)), (5, -1)]),
-        ([(1, 5), (6, 3), (8, 4)], [(0, 0), (10, 5)]),  # ends above
-        ([(6, 5), (10, 0)], [(0, 0), (Fraction(50, 7), Fraction(25, 7)), (10, 0)]),
-    ],
-)
-def test_of_the_partial_trajectory_nothing_is_left_beyond_a_piece_that_ends_first(
-    piece: Chain, expected: Chain, unit: Rational, times: int
-) -> None:
-    partial = spell([(0, 0), (10, 5)], unit, times)
-    assert measure(lower_envelope_cm(partial, spell(piece, unit, times)), unit) == expected
-
-
-@pytest.mark.parametrize(
-    ("chains", "expected"),
-    [
-        # A tooth dips below a bar twice: MM envelopes may change over more than once.
-        #   \    /
-        #  __\__/__
-        #     \/
-        (
-            [[(0, 1), (6, 1)], [(1, 2), (3, 0), (5, 2)]],
-            [(0, 1), (2, 1), (3, 0), (4, 1), (6, 1)],
-        ),
-        # Touching from above in one point leaves no vertex.
-        ([[(0, 0), (6, 0)], [(1, 2), (3, 0), (5, 2)]], [(0, 0), (6, 0)]),
-        # Equal on a middle stretch.
-        (
-            [[(0, 2), (1, 0), (3, 0), (4, 2)], [(0, 1), (2, 0), (4, -1)]],
-            [(0, 1), (2 * third, 2 * third), (1, 0), (2, 0), (4, -1)],
-        ),
-        # A piece inside the range of the other: down a step and up again.
-        ([[(0, 3), (6, 3)], [(2, 1), (4, 2)]], [(0, 3), (2, 3), (2, 1), (4, 2), (4, 3), (6, 3)]),
-    ],
-)
-@pytest.mark.parametrize(("unit", "times"), SPELLINGS)
-def test_envelopes_of_any_chains(
-    chains: list[Chain], expected: Chain, unit: Rational, times: int
-) -> None:
-    spelled = [spell(chain, unit, times) for chain in chains]
-    assert measure(lower_envelope_mm(spelled), unit) == expected
 
 
 def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:

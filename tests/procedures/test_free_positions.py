@@ -36,16 +36,6 @@ def test_without_placed_shapes_it_is_the_inner_fit() -> None:
     assert free_positions(BIN, [], UNIT).regions == (Region(box(0, 0, 3, 2)),)
 
 
-def test_a_shape_against_a_wall_is_cut_off() -> None:
-    f = free_positions(BIN, [box(0, 0, 1, 3)], UNIT)
-    assert (f.regions, f.exact_fits) == ((Region(box(1, 0, 3, 2)),), ())
-
-
-def test_a_shape_in_the_middle_is_a_hole() -> None:
-    f = free_positions(box(0, 0, 7, 7), [box(3, 3, 4, 4)], UNIT)
-    assert f.regions == (Region(box(0, 0, 6, 6), [box(2, 2, 4, 4)]),)
-
-
 def test_a_door_between_two_placed_shapes() -> None:
     # Two rooms, the door between them as wide as the part.
     walls = [box(3, 0, 4, 2), box(3, 3, 4, 5)]
@@ -78,21 +68,6 @@ def test_placed_shapes_may_overlap_and_stick_out() -> None:
     assert once.regions == twice.regions == (Region(box(0, 0, 1, 2)),)
     assert not free_positions(BIN, [BIN, BIN], UNIT)
     assert free_positions(BIN, [box(4, 0, 5, 9)], UNIT).regions == (Region(box(0, 0, 3, 2)),)
-
-
-def test_regions_that_touch_in_a_point() -> None:
-    # Two placed squares meet in a corner of what they forbid.
-    f = free_positions(box(0, 0, 5, 5), [box(0, 3, 2, 5), box(3, 0, 5, 2)], UNIT)
-    corner = Region([(0, 0), (2, 0), (2, 2), (0, 2)])
-    assert f.regions == (corner, corner.translated((2, 2)))
-    assert f.locate((2, 2)) == "boundary"
-
-
-def test_a_ring_inside_a_ring() -> None:
-    frame = Region(box(2, 2, 9, 9), [box(4, 4, 7, 7)])
-    f = free_positions(box(0, 0, 11, 11), [frame], UNIT)
-    around = Region(box(0, 0, 10, 10), [box(1, 1, 9, 9)])
-    assert f.regions == (around, Region(box(4, 4, 6, 6)))
 
 
 def test_a_part_that_lies_around_a_placed_shape() -> None:

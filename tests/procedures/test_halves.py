@@ -1,4 +1,4 @@
-"""What the procedures of all classes promise alike, of the lower half that each of them sweeps."""
+"""Laws of the lower half that hold for the procedures of all classes."""
 
 from collections.abc import Callable
 from fractions import Fraction

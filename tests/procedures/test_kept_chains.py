@@ -1,4 +1,4 @@
-"""What polygons keep of their chains changes no answer, and is found once."""
+"""Cached chains of polygons: they change no answer, and are computed once."""
 
 from __future__ import annotations
 
@@ -15,9 +15,7 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon, sweep
 from exactsweep.geometry.frame import Frame
-from exactsweep.procedures import chain, convex_part, lower_sweep
-from exactsweep.procedures.chain import KeptChain, find_convex_parts, inverse, measure_width
-from exactsweep.procedures.convex_part import measure_unit, split_chain
+from exactsweep.procedures import convex_part, lower_sweep
 from exactsweep.procedures.lower_sweep import KEPT_POLYGONS, KEPT_VERTICES, split_polygon
 
 SCALES = [Fraction(1), Fraction(1, 3), Fraction(1, 7), Fraction(1000), Fraction(10**9 + 7, 2)]
@@ -81,7 +79,7 @@ def _nothing_kept() -> None:
 
 @pytest.fixture
 def counted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
-    """How often chains are split into convex parts, and polygons into chains."""
+    """Count the splits of chains into convex parts, and of polygons into chains."""
     calls: Counter[str] = Counter()
 
     def watch(module: Any, name: str) -> None:
@@ -112,45 +110,6 @@ def test_a_polygon_is_split_once_for_many_others(counted: Counter[str]) -> None:
         # The inverse of the top chain serves either way; of who moves, that of the inverse of the
         # bottom chain is a chain of its own.
         assert counted == {"split": 4, "split_by_slope": 12}
-
-
-def test_partners_of_like_width_share_the_unit_and_others_do_not() -> None:
-    narrow, wide = [(0, 0), (4, 1), (5, 0)], [(0, 0), (7, 1)]
-    assert measure_unit(narrow) == measure_unit(narrow, wide) == 1 << 6
-    assert measure_unit(wide, [(0, 0), (8, 0)]) == 1 << 8
-    kept = KeptChain(narrow)
-    parts = split_chain(kept, 1 << 6)
-    assert split_chain(kept, 1 << 6) is parts == split_chain(narrow, 1 << 6)
-    assert split_chain(kept, 1 << 8) == split_chain(narrow, 1 << 8) != parts
-    assert split_chain(kept, None) == split_chain(narrow, None)
-    assert find_convex_parts(kept) is not find_convex_parts(kept)
-
-
-def test_what_another_thread_keeps_meanwhile_is_not_taken() -> None:
-    kept = KeptChain([(0, 0), (4, 1), (5, 0)])
-
-    class Interrupting(int):
-        """A unit; while it is compared, the chain is split with another one."""
-
-        def __eq__(self, other: object) -> bool:
-            kept.parts = 1 << 8, split_chain(list(kept), 1 << 8)
-            return int(self) == other
-
-        __hash__ = int.__hash__
-
-    kept.parts = Interrupting(1 << 6), split_chain(list(kept), 1 << 6)
-    assert split_chain(kept, 1 << 6) == split_chain(list(kept), 1 << 6)
-
-
-@given(own.monotone_polygons())
-def test_a_kept_chain_is_the_chain(polygon: Polygon) -> None:
-    for plain in chain.split(polygon.vertices):
-        kept = KeptChain(plain)
-        for _ in range(2):
-            assert (kept, inverse(kept)) == (plain, inverse(plain))
-            assert measure_width(kept) == measure_width(plain)
-            assert inverse(inverse(kept)) == plain
-        assert inverse(kept) is inverse(kept)
 
 
 def keeps(polygon: Polygon) -> bool:

@@ -68,39 +68,6 @@ def is_within(point: tuple[Fraction, Fraction], leeway: Leeway) -> bool:
     return leeway.left <= x <= leeway.right and leeway.low <= y <= leeway.high
 
 
-@pytest.mark.parametrize(
-    ("line", "low", "high", "kept"),
-    [
-        ((0, 1, -2), -9, 9, (-1, 4)),  # upright
-        ((0, 1, -4), -9, 9, None),
-        ((0, 1, 0), -9, 0, (-1, 0)),  # along the left side, to the lower corner
-        ((1, 0, 3), -9, 9, (-1, 4)),  # along the upper side
-        ((1, 0, 5), -9, 9, None),
-        ((1, 2, 0), -9, 9, (Fraction(-1, 2), 2)),
-        ((1, -2, 0), -9, 9, (-1, Fraction(1, 2))),
-        ((1, 1, 0), 1, 2, (1, 2)),  # all of it
-        ((1, 1, 0), 5, 9, None),
-    ],
-)
-def test_stretches_are_cut_one_beyond(
-    line: tuple[int, int, int], low: int, high: int, kept: tuple[Rational, Rational] | None
-) -> None:
-    found = Stretch(line, low, high, True, False).within(Leeway(0, 3, 0, 3))
-    assert (found and (Fraction(*found.low), Fraction(*found.high))) == kept
-
-
-def test_a_stretch_that_is_not_cut_stays_the_same() -> None:
-    stretch = Stretch((1, 1, 0), 1, 2, True, False)
-    assert stretch.within(Leeway(0, 3, 0, 3)) is stretch
-
-
-def test_what_was_covered_stays_covered() -> None:
-    stretch = Stretch((1, 0, 0), 0, 9, True, False).between(1, 8)
-    again = stretch.between(1, 7).between(2, 7)
-    assert (again.low_covered, again.high_covered) == (True, True)
-    assert (stretch.between(1, 3).low_covered, stretch.between(3, 8).high_covered) == (True, True)
-
-
 def test_a_leeway_by_hand() -> None:
     container: Rings = [[(0, 0), (7, 0), (7, 5), (0, 5)], [(3, 2), (3, 3), (4, 3), (4, 2)]]
     assert find_leeway(container, [[(-1, 0), (2, 0), (0, 4)]]) == (1, 5, 0, 1)

@@ -1,4 +1,4 @@
-"""The lower half of a sweep of two chains, held against its definition at a few x."""
+"""The lower half of a sweep of two chains, compared with its definition at a few x."""
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction

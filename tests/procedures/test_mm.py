@@ -1,7 +1,6 @@
 """The MM procedures on chains: Lemmas 5.1 and 5.3."""
 
 import random
-from fractions import Fraction
 
 import families
 import pytest
@@ -17,22 +16,10 @@ from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm import outer_mm, sweep_mm, trajectory_mm
-from exactsweep.procedures.mm_inner import inner_mm
+from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
 usually = examples(100)
-
-
-@given(own.pairs("MM"))
-@usually
-def test_pairs_under_a_ceiling_are_all_that_matters(pair: Pair) -> None:
-    """Sweep in batches of as few pairs as there are, or all at once."""
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    whole = list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(part_pairs, "FEW_PAIRS", 0)
-        assert (list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)) == whole
 
 
 def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Vertex]:
@@ -70,53 +57,6 @@ def test_no_pair_of_convex_parts_is_missed(
 
 @given(own.pairs("MM"))
 @usually
-def test_other_numbers_than_ints_are_swept_alike(pair: Pair) -> None:
-    """Where there is no lattice, slopes are Fractions."""
-    (g_bottom, g_top), (bottom, _) = (split(polygon.lattice()[1]) for polygon in pair)
-    whole = [list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)]
-    top, below, under = (
-        [(Fraction(x, 3), Fraction(y, 3)) for x, y in chain] for chain in (g_top, g_bottom, bottom)
-    )
-    found = [list(trajectory_mm(top, under)), *sweep_mm(top, below, under)]
-    assert found == [[(Fraction(x) / 3, Fraction(y) / 3) for x, y in chain] for chain in whole]
-
-
-@given(own.pairs("MM"))
-@usually
-def test_chains_can_change_their_roles(pair: Pair) -> None:
-    """D_b minus G_t is the inverse of G_t less the inverse of D_b."""
-    (_, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    exchanged = trajectory_mm(inverse(bottom), inverse(g_top))
-    assert list(trajectory_mm(g_top, bottom)) == list(exchanged)
-
-
-@given(own.pairs("MM"))
-@usually
-def test_outer_boundary_is_a_trajectory_of_the_inverse(pair: Pair) -> None:
-    """Lemma 5.3, and an envelope does as well as the chain that it stands for."""
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    envelope = trajectory_mm(g_top, bottom)
-    _, outer = sweep_mm(g_top, g_bottom, bottom, envelope)
-    assert list(outer_mm(g_bottom, envelope)) == outer
-    assert list(trajectory_mm(inverse(g_bottom), list(envelope))) == outer
-
-
-@given(own.pairs("MM"))
-@usually
-def test_inner_boundary_is_a_trajectory_on_the_inside(pair: Pair) -> None:
-    """Lemma 5.3 as corrected: slid along all of the complement, cut to D's range."""
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    envelope = trajectory_mm(g_top, bottom)
-    inner, _ = sweep_mm(g_top, g_bottom, bottom)
-    assert inner_mm(g_top, envelope, bottom) == inner
-    inside = trajectory_mm(g_top, inverse(complement(list(envelope))))
-    whole = inverse(complement(list(inside)))
-    left, right = bottom[0][0], bottom[-1][0]
-    assert [v for v in whole if left < v[0] < right] == [v for v in inner if left < v[0] < right]
-
-
-@given(own.pairs("MM"))
-@usually
 def test_slopes_that_are_all_but_equal_are_told_apart(pair: Pair) -> None:
     """Squeezed in y, all slopes have the same bounds, and what they decided is decided exactly."""
     squeezed = [Polygon([(x, y / 2**99) for x, y in polygon.vertices]) for polygon in pair]
@@ -130,7 +70,7 @@ def test_slopes_that_are_all_but_equal_are_told_apart(pair: Pair) -> None:
 def test_a_run_may_be_above_a_piece_that_is_in_it() -> None:
     """A piece starts below the run and crosses a step of it: it is not on the envelope there.
 
-    What the run is on right of the step is cut off to the left, where it would be lower still.
+    The chain right of the step is cut off to the left, where it would be even lower.
     """
     pair = (
         Polygon([(5, 16), (3, 25), (1, 4), (0, 0)]),

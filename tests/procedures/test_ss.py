@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import product
 
 import pytest
 from hypothesis import given
@@ -15,10 +14,9 @@ from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.corpus import cases
 from exactsweep.corpus.generator.cells import connect
 from exactsweep.evidence.no_fit import NoFitPolygon
-from exactsweep.geometry.overlap import Overlap
 from exactsweep.numbers.point import ORIGIN, Point, Vertex
-from exactsweep.procedures.contact_lines import Stretch, _join_segments
-from exactsweep.procedures.free_positions import _find_left_over, _lies_on, _part_where_it_touches
+from exactsweep.procedures.contact_lines import Stretch
+from exactsweep.procedures.free_positions import _find_left_over, _part_where_it_touches
 from exactsweep.procedures.ss import no_fit_ss
 
 Ring = list[tuple[int, int]]
@@ -48,22 +46,6 @@ def test_a_hole_of_the_same_size_is_a_single_position() -> None:
     assert n.exterior == Polygon(box(-3, -3, 3, 3))
 
 
-def test_fits_in_several_holes_come_in_order() -> None:
-    holes = [box(10, 0, 11, 1), box(0, 5, 4, 6), box(0, 0, 1, 1)]
-    n = no_fit_polygon(Region(box(-9, -9, 20, 20), holes), UNIT)
-    assert n.exact_fits == fits((0, 0), (0, 0), (0, 5), (3, 5), (10, 0), (10, 0))
-
-
-def test_a_hole_with_room_in_one_direction_is_a_segment() -> None:
-    n = no_fit_polygon(Region(box(-2, -2, 7, 3), [box(0, 0, 4, 1)]), UNIT)
-    assert (n.holes, n.exact_fits) == ((), fits((0, 0), (3, 0)))
-
-
-def test_a_hole_with_room_is_a_hole() -> None:
-    n = no_fit_polygon(Region(box(-2, -2, 7, 7), [box(0, 0, 4, 3)]), UNIT)
-    assert (n.holes, n.exact_fits) == ((Polygon(box(0, 0, 3, 2)),), ())
-
-
 def test_holes_come_in_order() -> None:
     rooms = [box(11, 1, 14, 4), box(1, 6, 4, 9), box(6, 1, 9, 4), box(1, 1, 4, 4)]
     plate: list[Sequence[Vertex]] = [box(0, 0, 15, 10)]
@@ -85,7 +67,6 @@ def test_a_region_may_lie_in_the_hole_of_another() -> None:
 
 # A cave of 2 x 2 with a door in its right wall, from y = 1 to 2 or to less.
 DOOR = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4), (0, 4)]
-NARROW = [(x, Fraction(3, 2) if (x, y) in {(3, 2), (4, 2)} else y) for x, y in DOOR]
 
 
 def test_a_cave_that_can_be_entered_exactly() -> None:
@@ -95,36 +76,6 @@ def test_a_cave_that_can_be_entered_exactly() -> None:
     assert n.exact_fits == fits((2, 1), (4, 1))
 
 
-def test_a_cave_whose_door_is_too_narrow() -> None:
-    n = no_fit_polygon(NARROW, UNIT)
-    assert (n.holes, n.exact_fits) == ((Polygon(box(1, 1, 2, 2)),), ())
-
-
-def test_a_slot_in_a_straight_wall_hangs_on_the_middle_of_an_edge() -> None:
-    block = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-    n = computed(Region(block), Region(UNIT))
-    assert n.exact_fits == sweep(UNIT, block).exact_fits == fits((1, 3), (1, 1))
-    assert n.exterior == Polygon(box(-1, -1, 3, 3))
-
-
-def test_a_container_as_wide_as_the_part() -> None:
-    f = inner_fit_polygon(box(0, 0, 100, 100), box(0, 0, 100, 100))
-    assert (f.regions, f.exact_fits) == ((), fits((0, 0), (0, 0)))
-    f = inner_fit_polygon(box(0, 0, 100, 50), box(0, 0, 60, 50))
-    assert (f.regions, f.exact_fits) == ((), fits((0, 0), (40, 0)))
-
-
-def test_a_part_larger_than_its_container_fits_nowhere() -> None:
-    f = inner_fit_polygon(UNIT, box(0, 0, 2, 2))
-    assert (f.regions, f.exact_fits, f.area) == ((), (), Fraction(0))
-
-
-def test_defects_of_a_container_are_holes_of_its_region() -> None:
-    plate = Region(box(0, 0, 10, 10), [box(4, 4, 5, 5)])
-    (found,) = inner_fit_polygon(plate, UNIT).regions
-    assert found == Region(box(0, 0, 9, 9), [box(3, 3, 5, 5)])
-
-
 def test_defects_whose_loops_touch_in_a_point_stay_two_rings() -> None:
     plate = Region(box(0, 0, 10, 10), [box(3, 3, 4, 4), box(5, 5, 6, 6)])
     (found,) = inner_fit_polygon(plate, UNIT).regions
@@ -132,7 +83,7 @@ def test_defects_whose_loops_touch_in_a_point_stay_two_rings() -> None:
 
 
 def test_three_loops_that_touch_in_two_points_stay_three_rings() -> None:
-    """One walk around them comes to each of the points twice."""
+    """One walk around them passes each of the points twice."""
     defects = [box(5, 7, 6, 8), box(7, 5, 8, 6), box(9, 7, 10, 8)]
     (found,) = inner_fit_polygon(Region(box(0, 0, 13, 13), defects), UNIT).regions
     assert found.holes == tuple(map(Polygon, [box(4, 6, 6, 8), box(6, 4, 8, 6), box(8, 6, 10, 8)]))
@@ -168,12 +119,6 @@ def test_links_hold_each_other_in_a_single_position() -> None:
     gap = [(0, 0), (-1, 5), (-8, 5), (-8, -5), (-1, -5)]
     container = Region(wall, [[(0, 0), (-4, -1), (-4, 1)]])
     assert fits((0, 0), (0, 0))[0] in inner_fit_polygon(container, Region(arms, [gap])).exact_fits
-
-
-def test_a_ring_goes_around_a_pin() -> None:
-    n = no_fit_polygon(UNIT, Region(box(0, 0, 5, 5), [box(1, 1, 4, 4)]))
-    assert n.exterior == Polygon(box(-5, -5, 1, 1))
-    assert n.holes == (Polygon(box(-3, -3, -1, -1)),)
 
 
 def test_the_reference_point_moves_all() -> None:
@@ -253,46 +198,11 @@ def test_size_does_not_matter(d: Cells, g: Cells, factor: float) -> None:
     ]
 
 
-@given(st.integers(-3, 6), st.integers(-3, 6), polyominoes(9, 4), polyominoes(6, 3))
-def test_overlap_on_the_grid_is_a_shared_square(x: int, y: int, d: Cells, g: Cells) -> None:
-    overlap = Overlap(region(d).lattice()[1], region(g).lattice()[1])
-    shared = any((u + x, v + y) in d for u, v in g)
-    assert overlap.at(Point(Fraction(x), Fraction(y))) == shared
-
-
 def test_slopes_that_differ_by_less_than_a_unit_are_told_apart() -> None:
     """3 / 2**40 and 1 / 2**41 are the same in units of 2**-32."""
     d = [(0, 0), (2**41, 1), (2**41 + 2**40, 4), (0, 10)]
     g = [(0, -10), (2**41, 3), (0, 0)]
     assert computed(Region(d), Region(g)).exterior == sweep(g, d).trajectory
-
-
-def test_a_position_lies_on_a_segment_or_does_not() -> None:
-    """All positions of a small grid, and halves, on all segments of it."""
-    grid = list(product(range(3), repeat=2))
-    for (ax, ay), (bx, by) in product(grid, repeat=2):
-        if (ax, ay) < (bx, by):
-            on = {
-                (ax + Fraction(k, 4) * (bx - ax), ay + Fraction(k, 4) * (by - ay)) for k in range(5)
-            }
-            for px, py in product((Fraction(k, 2) for k in range(5)), repeat=2):
-                p = (px.numerator, px.denominator, py.numerator, py.denominator)
-                there = any((px, py) == q for q in on)
-                assert _lies_on(p, ((ax, 1, ay, 1), (bx, 1, by, 1))) == there
-
-
-def test_contact_segments_of_one_line_are_cut_where_others_end() -> None:
-    """One goes from 0 to 4, one from 6 back to 2; what runs through an end is noted on both."""
-    found = [
-        (s.low[0], s.high[0], (s.left, s.right), s.low_through, s.high_through)
-        for s in _join_segments((1, 0, 0), [(0, 4, True), (2, 6, False)])
-    ]
-    ahead, back = (True, False), (False, True)
-    assert found == [
-        (0, 2, ahead, None, ahead),
-        (2, 4, (True, True), ahead, back),
-        (4, 6, back, back, None),
-    ]
 
 
 @pytest.mark.parametrize("turns", [False, True])

@@ -48,7 +48,7 @@ def doubled(cells: Iterable[Cell]) -> set[Cell]:
 
 
 def verdict_by_counting(d: Iterable[Cell], g: Iterable[Cell]) -> str:
-    """How two sets of cells lie: with a common cell, with a common corner, or apart."""
+    """The relation of two sets of cells: with a common cell, with a common corner, or apart."""
     filled, other = set(d), set(g)
     if filled & other:
         return "OVERLAP"

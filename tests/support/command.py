@@ -1,4 +1,4 @@
-"""How the tests run the command line."""
+"""Helpers that run the command line."""
 
 import os
 import re

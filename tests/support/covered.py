@@ -1,4 +1,4 @@
-"""What tests of covered squares share: lattice shapes, corners of squares, and what is free."""
+"""Helpers for tests of covered squares: lattice shapes, corners of squares, free positions."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -31,7 +31,7 @@ def list_corners(cover: Cover) -> Iterator[Point]:
 
 
 def find_free(stretches: list[Stretch], overlap: Overlap) -> Free:
-    """What stretches bound, the loops in order."""
+    """Return the loops that stretches bound, in order."""
     cut_at_crossings(stretches)
     around, within, fits = find_free_positions(stretches, overlap.at, 1)
     return Free(sorted(around), sorted(within), fits)

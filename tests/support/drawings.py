@@ -27,7 +27,7 @@ class Drawing(NamedTuple):
         text: what is in it.
         areas: of its regions, in order; () if it is refused.
         options: at most two, with their values.
-        reason: why it is refused, or what is said of what is left out.
+        reason: the reason of the refusal, or the report of omissions.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Whether time grows in proportion to the input, however fast or busy the machine is."""
+"""A test of linear time that is independent of the speed and load of the machine."""
 
 import time
 from collections.abc import Callable

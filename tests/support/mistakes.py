@@ -53,7 +53,7 @@ class Mistake(NamedTuple):
     Attributes:
         change: makes it; answers that it leaves as they are are right.
         verdicts: that wrong answers may get.
-        says: a regular expression of which something is said of each wrong answer.
+        says: a regular expression that matches a message on each wrong answer.
         numbers: what the program says that it reads.
     """
 
@@ -63,7 +63,7 @@ class Mistake(NamedTuple):
     numbers: Numbers = "rational"
 
 
-# What is said where a wrong loop happens to be exact for something else.
+# The message on a wrong loop that happens to be exact for something else.
 OR_ELSE = "|exact for|itself|hull|bounding box"
 MORE, LESS = "more than the exact", "part of the exact"
 NEITHER = "neither holds"
@@ -187,6 +187,17 @@ MISTAKES: dict[str, Mistake] = {
             )
         ),
         (*DIFFERS, *BROKEN),
+        "has more vertices|spike|touch|cross|edges",
+    ),
+    "a needle on an edge": Mistake(
+        on_trajectory(
+            lambda loop: [
+                *loop,
+                Point(loop[0].x - 1, loop[0].y + Fraction(1, 10**6)),
+                Point(loop[0].x, loop[0].y + Fraction(2, 10**6)),
+            ]
+        ),
+        (*LARGER, *BROKEN),
         "has more vertices|spike|touch|cross|edges",
     ),
     # Only some input brings it out.

@@ -1,4 +1,4 @@
-"""Containers with placed shapes, and the positions of a part held against `classify`.
+"""Containers with placed shapes, and the positions of a part compared with `classify`.
 
 One `random.Random` decides everything, so that a scene is known by its seed.
 """
@@ -46,7 +46,7 @@ def draw_cells(rng: Random) -> list[Region]:
 
 
 def draw_jigsaw(rng: Random) -> list[Region]:
-    """A rectangle cut into polyominoes without gaps, some of which are taken out."""
+    """A rectangle cut into polyominoes without gaps, some of which are removed."""
     free = build_block(SIDE, SIDE)
     pieces: list[set[Cell]] = []
     while free:
@@ -106,7 +106,7 @@ def draw_scene(rng: Random) -> Scene:
 def expected(scene: Scene, t: Point) -> str:
     """Locate a position by the definition: all outside the container is solid, too."""
     low, high = scene.container.bounding_box
-    # Whatever the part reaches lies in the frame.
+    # The frame contains everything that the part reaches.
     a, b = scene.part.translated(t).bounding_box
     left, right = min(low.x, a.x) - 1, max(high.x, b.x) + 1
     floor, ceiling = min(low.y, a.y) - 1, max(high.y, b.y) + 1

@@ -70,7 +70,7 @@ def free_cells(stationary: Cells, orbiting: Cells) -> tuple[set[Cell], set[Cell]
     overlapped = {(dx - gx, dy - gy) for dx, dy in stationary for gx, gy in orbiting}
 
     def free(x: int, y: int) -> bool:
-        """Whether a position is free, in units of one half: odd between grid lines."""
+        """Decide whether a position is free, in units of one half: odd between grid lines."""
         return not any(
             (i, j) in overlapped for i in {x // 2, -(-x // 2)} for j in {y // 2, -(-y // 2)}
         )

@@ -98,7 +98,7 @@ def _ends(loop: Vertices, kind: str, k: int) -> Vertices:
 
 
 def _share(edge: Vertices, sums: Vertices) -> bool:
-    """Whether all points are on the line of an edge, and more than a point of it between them."""
+    """Decide whether all points are on the line of an edge, with a piece of it between them."""
     (px, py), (qx, qy) = edge
     if any((qx - px) * (y - py) != (qy - py) * (x - px) for x, y in sums):
         return False

@@ -198,11 +198,12 @@ def as_exact(kind: Any) -> Callable[[Fraction], object]:
     return write
 
 
+EXACT = ("exact",)
 ROUNDED = ("exact", "equivalent", "within")
 
 WRITINGS: dict[str, Writing] = {
-    "as it is": Writing(),
-    "closed": Writing(each(lambda ring: [*ring, ring[0]])),
+    "as it is": Writing(verdicts=EXACT),
+    "closed": Writing(each(lambda ring: [*ring, ring[0]]), verdicts=EXACT),
     "closed twice": Writing(each(lambda ring: [*ring, ring[0], ring[0]])),
     "clockwise": Writing(each(lambda ring: ring[::-1])),
     "closed and clockwise": Writing(each(lambda ring: [ring[0], *ring[::-1]])),
@@ -211,8 +212,8 @@ WRITINGS: dict[str, Writing] = {
     ),
     "the last ring first": Writing(lambda rings, fits: rings[::-1]),
     "the second ring first": Writing(lambda rings, fits: [*rings[1:], *rings[:1]]),
-    "from the second vertex": Writing(each(lambda ring: turn(ring, 1))),
-    "from the last vertex": Writing(each(lambda ring: turn(ring, len(ring) - 1))),
+    "from the second vertex": Writing(each(lambda ring: turn(ring, 1)), verdicts=EXACT),
+    "from the last vertex": Writing(each(lambda ring: turn(ring, len(ring) - 1)), verdicts=EXACT),
     "from the middle of an edge": Writing(each(from_middle)),
     "the middle of every edge": Writing(each(with_points(Fraction(1, 2)))),
     "both thirds of every edge": Writing(each(with_points(Fraction(1, 3), Fraction(2, 3)))),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -10,8 +10,6 @@ from mistakes import BROKEN, DIFFERS, FALSE
 from spoiling import REFERENCE, move
 
 from exactsweep import Point, Polygon, inner_fit_polygon, no_fit_polygon
-from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.verdict import Comparison
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
@@ -28,7 +26,7 @@ class RingMistake(NamedTuple):
         part: "no_fit" or "inner_fit".
         change: makes it, of the case and the exact rings; None where it cannot be made.
         verdicts: that wrong answers may get.
-        says: a regular expression of which something is said of each wrong answer.
+        says: a regular expression that matches a message on each wrong answer.
         fits: makes one in the exact fits instead.
     """
 
@@ -211,25 +209,17 @@ RING_MISTAKES["no fit: the sum of boundaries"] = RingMistake(
 RING_MISTAKES["no fit: D + G"] = RingMistake("no_fit", add_generatrix, says="not reflected" + ELSE)
 
 
-class JudgedRings(NamedTuple):
-    """A wrong answer, judged."""
-
-    case: Case
-    found: Comparison
-
-
-def judge_wrong_rings(mistake: RingMistake, cases: Iterable[Case]) -> Iterator[JudgedRings]:
-    """Judge what a mistake makes of exact answers, where that is something else."""
+def spoil_rings(mistake: RingMistake, case: Case) -> dict[str, Rings] | None:
+    """Return what a mistake makes of the exact answer, or None where that is no mistake."""
     part, listed = mistake.part, FITS_OF[mistake.part]
-    for case in cases:
-        if part == "inner_fit" and case.inner_regions is None:
-            continue
-        exact = [list(ring) for ring in list_exact_rings(case, part)]
-        known = list(getattr(case, listed))
-        rings, fits = mistake.change(case, exact), mistake.fits(case, known)
-        if rings is None or fits is None or (_is_same(rings, exact) and fits == known):
-            continue
-        yield JudgedRings(case, compare(case, {part: rings, listed: fits}))
+    if part == "inner_fit" and case.inner_regions is None:
+        return None
+    exact = [list(ring) for ring in list_exact_rings(case, part)]
+    known = list(getattr(case, listed))
+    rings, fits = mistake.change(case, exact), mistake.fits(case, known)
+    if rings is None or fits is None or (_is_same(rings, exact) and fits == known):
+        return None
+    return {part: rings, listed: fits}
 
 
 def _is_same(rings: Rings, exact: Rings) -> bool:

@@ -30,8 +30,8 @@ Rings = Sequence[Ring]
 
 
 def differs(case: Case) -> list[str]:
-    """What the program answers otherwise."""
-    # Both come to the origin and to a size of one: the program checks its input with doubles.
+    """The answers of the program that differ."""
+    # Move both to the origin and scale them to size one: the program checks its input with doubles.
     (at_dx, at_dy), (at_gx, at_gy) = case.directrix.vertices[0], case.generatrix.vertices[0]
     d = [[(x - at_dx, y - at_dy) for x, y in ring] for ring in case.directrix.rings]
     g = [[(x - at_gx, y - at_gy) for x, y in ring] for ring in case.generatrix.rings]
@@ -84,7 +84,7 @@ def _inside(ring: Ring, moving: Ring) -> list[Ring]:
 
 
 def _is_hole(d: Rings, g: Rings, ring: Ring) -> bool:
-    """Whether there is room inside, and no overlap at a vertex."""
+    """Decide whether there is room inside, and no overlap at a vertex."""
     stays, moves = Region(d[0], d[1:]), Region(g[0], g[1:])
     is_free = classify(stays, moves, _point_inside(ring)).verdict == "FREE"
     return is_free and all(classify(stays, moves, t).verdict != "OVERLAP" for t in ring)

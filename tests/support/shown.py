@@ -43,7 +43,7 @@ class Shown:
 
     def settle(self) -> None:
         """Wait until all is drawn and written."""
-        # What one frame finds out, such as the size, the next one draws.
+        # The next frame draws the findings of one frame, such as the size.
         self.tab.evaluate(
             "() => new Promise(f => requestAnimationFrame(() => requestAnimationFrame("
             "() => setTimeout(f))))"

@@ -114,6 +114,18 @@ def draw_touching(rng: Random) -> SmallPair:
     return _placed(rng, SmallPair(generatrix, directrix))
 
 
+def draw_around(rng: Random) -> SmallPair:
+    """A container with defects, and a part with holes that may go around some of them."""
+    side = rng.randint(3, 5)
+    while len(part := _cut_out(rng, side, rng.randint(side - 2, side), rng.randint(1, 3))) == 1:
+        pass
+    # Farther from the walls than the part is wide, defects make islands of overlap.
+    margin = rng.choice([0, side, side + 1])
+    width, holes = 2 * margin + rng.randint(side + 1, 2 * side), rng.randint(1, 5)
+    container = _cut_out(rng, width, rng.randint(1, 2), holes, margin)
+    return _placed(rng, SmallPair(part, container))
+
+
 def _pinched(rng: Random) -> Shape:
     """Squares around holes that meet in corners."""
     width, height = rng.randint(4, 6), rng.randint(3, 5)
@@ -124,18 +136,32 @@ def _pinched(rng: Random) -> Shape:
 
 
 def _dented(rng: Random) -> Shape:
-    """A square with triangles and squares cut out, as many as leave it in one piece."""
     side = rng.randint(4, 8)
-    rings: Shape = [[(0, 0), (side, 0), (side, side), (0, side)]]
-    for _ in range(rng.randint(4, 12)):
-        points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.choice([3, 4]))]
-        hole = [*find_hull(points)]
+    return _cut_out(rng, side, side, rng.randint(4, 12))
+
+
+def _cut_out(rng: Random, side: int, width: int, tries: int, margin: int = 0) -> Shape:
+    """Cut boxes, triangles and quadrangles out of a square, as many as leave it in one piece."""
+    rings: Shape = [_box(0, 0, side)]
+    for _ in range(tries):
+        left, low = (rng.randint(margin, side - width - margin) for _ in "xy")
+        box = _box(left, low, width)
+        points = [
+            (left + rng.randint(0, width), low + rng.randint(0, width))
+            for _ in range(rng.choice([3, 4]))
+        ]
+        hole = [*find_hull(rng.choice([box, points]))]
         try:
             Region(rings[0], [*rings[1:], hole])
         except PolygonError:
             continue
         rings.append(hole)
     return rings
+
+
+def _box(left: int, low: int, side: int) -> Ring:
+    right, high = left + side, low + side
+    return [(left, low), (right, low), (right, high), (left, high)]
 
 
 def _has_touching_rings(shape: Shape) -> bool:
@@ -157,7 +183,7 @@ def _draw_pair(rng: Random, classes: list[tuple[list[Draw], list[Draw]]]) -> Sma
 
 
 def shares_direction(pair: SmallPair) -> bool:
-    """Whether both are monotone to one direction; with holes they are not."""
+    """Decide whether both are monotone to one direction; with holes they are not."""
     rings = [*pair.generatrix, *pair.directrix]
     if len(rings) > 2:
         return False

@@ -13,8 +13,8 @@ from typing import Any
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import point_in_polygon
-from exactsweep.conform.judge.answer import read_loop
 from exactsweep.conform.judge.rounding import grant_rounding
+from exactsweep.conform.judge.verdict import read_loop
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.point import ORIGIN
@@ -170,7 +170,7 @@ def each(change: Callable[[Any], Any]) -> Change:
 
 
 def wrap(bits: int) -> Callable[[Any], Any]:
-    """What is left of a number in an integer type."""
+    """Return the value of a number in an integer type."""
     half = 2 ** (bits - 1)
     return lambda c: (int(c) + half) % (2 * half) - half if c.denominator == 1 else c
 
@@ -301,4 +301,4 @@ REFERENCE: dict[str, tuple[str, Callable[[Case], Sequence[Any]]]] = {
         lambda c: (c.reference.x + 1001, c.reference.y - 777),
     ),
 }
-"""Points that are taken for the reference point, with what is said then."""
+"""Points mistaken for the reference point, with the messages on them."""

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import settings
 
 few_or_all = pytest.mark.parametrize(
-    "step", [12, pytest.param(1, marks=pytest.mark.long)], ids=["few", "all"]
+    "step", [24, pytest.param(1, marks=pytest.mark.long)], ids=["few", "all"]
 )
 """Every so many of a list, given as `step`."""
 

@@ -1,5 +1,6 @@
 """Sabotages that give right answers, and take too many operations, seconds or bytes."""
 
+from collections.abc import Callable
 from functools import reduce
 from typing import Any
 
@@ -303,3 +304,65 @@ def begin_literally_anew(right: Procedure) -> Procedure:
         return right(top, directrix)
 
     return trajectory_cm
+
+
+def compare_in_parts(which: int) -> Callable[[Procedure], Procedure]:
+    """All vertices of each convex part of G_t (0) or of D_b (1) are compared with one another."""
+
+    def wrong(right: Procedure) -> Procedure:
+        def procedure(generatrix: Any, directrix: Any) -> Any:
+            for part in chain.find_convex_parts(
+                [chain.inverse(generatrix), list(directrix)][which]
+            ):
+                compare_all(part, part)
+            return right(generatrix, directrix)
+
+        return procedure
+
+    return wrong
+
+
+sabotage(
+    "Trajectory_CM: right, but quadratic in the edges of a convex part of D_b",
+    cm.trajectory_cm,
+    "Corollary 4.5",
+)(compare_in_parts(1))
+sabotage(
+    "Trajectory_MM: right, but quadratic in the edges of a convex part of G_t",
+    mm.trajectory_mm,
+    "Corollary 5.7",
+)(compare_in_parts(0))
+
+
+@sabotage("Sweep_MM: right, but found anew √n times", mm.sweep_mm, "Corollary 5.8")
+def find_anew(right: Procedure) -> Procedure:
+    def sweep_mm(*arguments: Any) -> Any:
+        return [right(*arguments) for _ in range(int(len(arguments[0]) ** 0.5))][-1]
+
+    return sweep_mm
+
+
+@sabotage("SweepO_CC: right, but sorted by comparisons", cc.sweep_outer_cc, "Corollary 3.4")
+def sort_again(right: Procedure) -> Procedure:
+    def sweep_outer_cc(*arguments: Any) -> Any:
+        found = right(*arguments)
+        sorted(x * 7919 % 104729 for x, _ in found)
+        return found
+
+    return sweep_outer_cc
+
+
+@sabotage(
+    "LowerEnvelope_MM: right, but each break of a merge is compared log(m + n) times",
+    lower_envelope.merge,
+    "Two chains in linear time",
+)
+def compare_breaks(right: Procedure) -> Procedure:
+    def merge(first: Any, second: Any) -> Any:
+        found = right(first, second)
+        for n, _ in found.breaks:
+            for _ in range(len(found.breaks).bit_length()):
+                n < n  # noqa: B015
+        return found
+
+    return merge

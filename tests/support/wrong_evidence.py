@@ -1,5 +1,6 @@
 """Sabotages of the evidence: contacts, undercuts, exact fits and steps."""
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -106,3 +107,86 @@ def close_at_first(right: Procedure) -> Procedure:
         return intersection, positions if intersection == "segment" else positions[:1]
 
     return closing_positions
+
+
+def change_fits(change: Callable[[Any, Any], Any]) -> Callable[[Procedure], Procedure]:
+    """Change the far end of each exact fit, or leave it out where that is None."""
+
+    def wrong(right: Procedure) -> Procedure:
+        def exact_fits(*arguments: Any) -> Any:
+            changed = [(start, change(start, end)) for start, end in right(*arguments)]
+            return [fit for fit in changed if fit[1] is not None]
+
+        return exact_fits
+
+    return wrong
+
+
+for fault, change in (
+    ("cut off where they are deeper than six", lambda p, q: (q[0], min(q[1], p[1] + 6))),
+    ("lost where they are no deeper than one", lambda p, q: q if q[1] - p[1] > 1 else None),
+):
+    sabotage(f"exact fits: {fault}", exact_fit.find_exact_fits, "Definition 1.1")(
+        change_fits(change)
+    )
+
+
+@sabotage(
+    "contacts: of several EE contacts of one edge of G only the first",
+    contact.find_edge_contacts,
+    "Table 1",
+    "Lemma A.1",
+)
+def keep_one_parallel(right: Procedure) -> Procedure:
+    def edge_contacts(*arguments: Any) -> Any:
+        firsts = [
+            {c.generatrix: c for c in at[::-1] if c.event == "EE"} for at in right(*arguments)
+        ]
+        return [
+            [c for c in at if c.event != "EE" or first[c.generatrix] is c]
+            for at, first in zip(right(*arguments), firsts, strict=True)
+        ]
+
+    return edge_contacts
+
+
+@sabotage(
+    "contacts: where two vertices touch, EV contacts are lost",
+    contact.find_contacts,
+    "Table 1",
+    "Theorem 2.1",
+)
+def hide_beside_vertices(right: Procedure) -> Procedure:
+    def find_contacts(*arguments: Any) -> Any:
+        found = right(*arguments)
+        events = {c.event for c in found}
+        return [c for c in found if c.event != "EV" or "VV" not in events]
+
+    return find_contacts
+
+
+@sabotage(
+    "undercuts: the narrowest of more than three is lost",
+    pockets.find_pockets,
+    "Number of undercuts, MM",
+)
+def lose_narrowest(right: Procedure) -> Procedure:
+    def find_pockets(*arguments: Any) -> Any:
+        found = list(right(*arguments))
+        widths = [pocket.bottom[-1][0] - pocket.bottom[0][0] for pocket in found]
+        return [p for p, w in zip(found, widths, strict=True) if len(found) < 4 or w > min(widths)]
+
+    return find_pockets
+
+
+@sabotage("steps: all end at a corner", steps.explain, "Lemma A.1")
+def end_at_corners(right: Procedure) -> Procedure:
+    return lambda s: [step._replace(ending="corner") for step in right(s)]
+
+
+@sabotage("steps: contacts last to the end of their step", steps.explain, "Table 1", "Lemma A.1")
+def last_too_long(right: Procedure) -> Procedure:
+    return lambda s: [
+        step._replace(touches=tuple(t._replace(end=step.end) for t in step.touches))
+        for step in right(s)
+    ]

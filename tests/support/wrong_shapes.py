@@ -1,14 +1,16 @@
 """Sabotages of the procedures for polygons of any shape."""
 
+from collections.abc import Callable
 from typing import Any
 
 from sabotage import Procedure, sabotage
 
-from exactsweep.procedures import contact_lines, cover, crossings, free_positions, ss
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.procedures import any_shape, contact_lines, cover, crossings, free_positions, ss
 
 
 def is_point(fit: Any) -> bool:
-    """Whether an exact fit is a single position."""
+    """Decide whether an exact fit is a single position."""
     return bool(fit[0] == fit[1])
 
 
@@ -103,3 +105,41 @@ def leave_out_more(right: Procedure) -> Procedure:
 )
 def find_no_crossing(right: Procedure) -> Procedure:
     return lambda stretches: None
+
+
+@sabotage(
+    "swept area: of several places that are not swept only the first",
+    any_shape.ShapeSolution,
+    "Swept area of any shape",
+)
+def keep_first_unswept(right: Procedure) -> Procedure:
+    class Forgetful(right):  # type: ignore[misc, valid-type]
+        @property
+        def unswept(self) -> Any:
+            return super().unswept[:1]
+
+    return Forgetful
+
+
+@sabotage("no-fit polygon: holes of an area below two are lost", ss.no_fit_ss, "Loops of any shape")
+def forget_small_holes(right: Procedure) -> Procedure:
+    def no_fit_ss(*arguments: Any) -> Any:
+        found = right(*arguments)
+        return found._replace(within=[r for r in found.within if find_doubled_area(r) >= 4])
+
+    return no_fit_ss
+
+
+for fault, keep in (
+    ("loops inside a region after the first are lost", lambda r: [(e, h[:1]) for e, h in r]),
+    ("regions after the second are lost", lambda regions: regions[:2]),
+):
+
+    def keep_few(right: Procedure, keep: Callable[[Any], Any] = keep) -> Procedure:
+        def inner_fit_ss(*arguments: Any) -> Any:
+            found = right(*arguments)
+            return found._replace(regions=keep(found.regions))
+
+        return inner_fit_ss
+
+    sabotage(f"inner fit: {fault}", ss.inner_fit_ss, "Inner fit")(keep_few)

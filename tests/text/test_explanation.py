@@ -1,4 +1,4 @@
-"""Sweeps that were worked by hand, and how they are told."""
+"""Sweeps worked out by hand, and their explanations."""
 
 from fractions import Fraction
 
@@ -126,13 +126,13 @@ TWO_NOTCHES = [(0, 0), (10, 0), (10, 4), (8, 4), (7, 1), (6, 3), (5, 1), (3, 4),
         (
             SQUARE,
             SLOT,
-            "  Slot: nothing stops G, but straight on it would be in an exact fit; "
+            "  Slot: nothing stops G, but straight on it would enter an exact fit; "
             "G turns right, along edge 0 of G and edge 6 of D",
         ),
         (
             SQUARE,
             SLOT,
-            "  Here exact fit 0 hangs: G could go down to (1,1), touching D on both sides",
+            "  Here exact fit 0 begins: G could go down to (1,1), touching D on both sides",
         ),
         # Figure 7b: one edge of G over two tips of one height.
         (

@@ -56,11 +56,11 @@ def test_unswept_holes_are_reported() -> None:
     assert "unswept 0   (3,3) (7,3) (7,7) (3,7)" in lines
 
 
-def test_a_sweep_around_a_hollow_block_is_told() -> None:
+def test_a_sweep_around_a_hollow_block_is_explained() -> None:
     lines = list(tell(sweep(SQUARE, HOLLOW)))
     assert lines[0] == "Class SS, polygons of any shape, of 4 and 8 vertices."
-    rest = "there is room for it in 1 hole of the no-fit polygon."
-    assert f"Inside of its way, where it cannot slide to, {rest}" in lines
+    rest = "the no-fit polygon has 1 hole with room for G."
+    assert f"Inside its path, which G cannot enter by sliding, {rest}" in lines
     start = lines.index("Step 0: right, along (1,0), from (-2,-2) to (8,-2)")
     assert lines[start + 1] == (
         "  EE: edge 2 of G, (2,2)-(0,2), slides along edge 0 of D, (0,0)-(8,0)"
@@ -80,12 +80,12 @@ def test_a_sweep_around_a_hollow_block_is_told() -> None:
     ]
 
 
-def test_a_door_exactly_as_wide_hangs_where_g_passes() -> None:
+def test_an_exact_fit_in_a_door_begins_where_g_passes() -> None:
     s = sweep(SQUARE, CHAMBER)
     # Its inner end hangs on the hole, its outer end on the trajectory.
-    told = [line for line in tell(s) if "exact fit 0 hangs" in line]
+    told = [line for line in tell(s) if "exact fit 0 begins" in line]
     (line,) = told
-    assert line.endswith("exact fit 0 hangs: G could go down to (3,4), touching D on both sides")
+    assert line.endswith("exact fit 0 begins: G could go down to (3,4), touching D on both sides")
     assert "at (3,8)" in line
     document = json.loads(explanation_to_json(s))
     assert document["direction"] is None

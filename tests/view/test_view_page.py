@@ -1,4 +1,4 @@
-"""What the page tells in a browser: contacts at its stops, names, numbers, and many fits."""
+"""The page in a browser: contacts at its stops, names, numbers, and many fits."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 
@@ -9,8 +10,19 @@ import pytest
 from command import refusal, run
 from shown import Open
 
-from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import (
+    InnerFit,
+    NoFitPolygon,
+    Point,
+    Polygon,
+    Region,
+    inner_fit_polygon,
+    no_fit_polygon,
+    sweep,
+)
 from exactsweep.draw import make_figure, plot_positions, save_svg
+from exactsweep.draw.no_fits import Positions
+from exactsweep.geometry.vectors import is_between
 from exactsweep.view import make_page
 from exactsweep.view.data import gather_positions
 
@@ -36,6 +48,31 @@ def test_tracks_are_all_loops_and_fits() -> None:
     assert inside["outside"] == 0
     assert "9" not in inside["tracks"][0]["exact"]
     assert make_page(inner_fit_polygon(PLATE, PART)).startswith("<!doctype html>")
+
+
+def is_inside_an_edge(t: Point, loop: Polygon) -> bool:
+    corners = loop.vertices
+    return any(is_between(t, corners[k - 1], corners[k]) for k in range(len(corners)))
+
+
+@pytest.mark.parametrize("answer", [no_fit_polygon, inner_fit_polygon])
+@pytest.mark.parametrize("part", [PART, TIGHT, Polygon([(0, 0), (1, 0), ("1/2", 2)])])
+def test_there_is_a_stop_where_two_vertices_meet_inside_an_edge(
+    answer: Callable[..., NoFitPolygon | InnerFit], part: Polygon
+) -> None:
+    found = answer(PLATE, part)
+    tracks = gather_positions(found)["tracks"]
+    stops = {
+        Point(*map(Fraction, track["exact"][2 * k : 2 * k + 2]))
+        for track in tracks
+        for k, vertex in enumerate(track["vertex"])
+        if vertex is None and not track["name"].startswith("exact fit")
+    }
+    corners = [corner for ring in PLATE.rings for corner in ring]
+    met = {Point(p.x - q.x, p.y - q.y) for p in corners for q in part.vertices}
+    loops = Positions.of(found).loops
+    assert stops == {t for t in met if any(is_inside_an_edge(t, loop) for loop in loops)}
+    assert stops
 
 
 @pytest.fixture

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
-import pytest
 from contacts import between, without_parts
 from hypothesis import given
 from shown import Open, Shown
@@ -12,7 +9,7 @@ from strategies import points, simple_polygons
 from tiers import examples
 
 from exactsweep import Polygon, Region, sweep
-from exactsweep.view.data import find_stops, gather_page_data, list_tracks, track_stops
+from exactsweep.view.data import gather_page_data, list_tracks, track_stops
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 # Holes in which the square has room, just slides, and just fits.
@@ -176,17 +173,3 @@ def test_a_pair_of_one_track_has_no_choice_of_it(show: Open) -> None:
     assert not shown.tab.is_visible("#hole")
     shown.press("t")
     assert shown.position == points((-2, -2))[0]
-
-
-@pytest.mark.long
-def test_size_does_not_matter() -> None:
-    big = 10**30
-    exterior, *holes = ([(x * big, y * big) for x, y in ring] for ring in PLATE.rings)
-    s = sweep([(x * big, y * big) for x, y in SQUARE], Region(exterior, holes))
-    for small, large in zip(
-        track_stops(EXAMPLE, list_tracks(EXAMPLE))[0],
-        track_stops(s, list_tracks(s))[0],
-        strict=True,
-    ):
-        assert [stop.contacts for stop in small] == [stop.contacts for stop in large]
-    assert find_stops(s)[0].position == (Fraction(-2 * big), Fraction(-2 * big))

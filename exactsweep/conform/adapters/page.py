@@ -1,17 +1,21 @@
-"""A page on exactness with a row for each program and a column for each kind of case."""
+"""A page on other programs: the kinds of cases on which each is exact, and how it fails."""
 
 from __future__ import annotations
 
 import json
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 
 _RIGHT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS)
+_OTHERS = tuple(v for v in Verdict if v not in (*_RIGHT, Verdict.UNSUPPORTED))
+_SHOWN = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG, Verdict.MALFORMED)
+_ASKED = {"sweep": "outer path", "no_fit": "no-fit polygon", "inner_fit": "inside a container"}
 
 
 def _flagged(flag: str) -> Callable[[Outcome], bool]:
@@ -31,11 +35,17 @@ COLUMNS: dict[str, Callable[[Outcome], bool]] = {
 INSIDE = "inside a container"
 HEAD = """# Who is exact on what
 
-A cell has how many of the cases that a program was asked it answers exactly; `+` how many more
-except for rounding that its numbers explain; `of` how many it was asked. Lost exact fits do not
-count here, since programs for Minkowski sums cannot know them. What is left is wrong, broken, or no
-answer: the page on [other programs](README.md) says what. A blank: none of these cases is for that
-program.
+A cell counts the cases that a program answers exactly; `+` counts those that are right except for
+rounding that its numbers explain; `of` counts those that it was asked. Lost exact fits do not
+count, since programs for Minkowski sums cannot know them. A blank: no such case is for that
+program. [Other programs](README.md) says what each was asked.
+
+"""
+FAILURES = """
+## All verdicts
+
+With each program and question, the smallest case that is not right: `exactsweep corpus show ID`
+shows it.
 
 """
 
@@ -52,38 +62,74 @@ def write_page(journals: Iterable[Path], asked: str) -> str:
 
     Cost: linear.
     """
-    cells: dict[str, dict[str, Counter[str]]] = defaultdict(lambda: defaultdict(Counter))
+    cells: dict[str, dict[str, Counter[Verdict]]] = defaultdict(lambda: defaultdict(Counter))
+    verdicts: dict[tuple[str, str], Counter[Verdict]] = defaultdict(Counter)
+    smallest: dict[tuple[str, str], tuple[int, str]] = {}
     for path in journals:
         with path.open(encoding="utf-8") as lines:
             hello = json.loads(next(lines))["hello"]
-            is_inside = hello.get("questions") == ["inner_fit"]
+            (question,) = hello.get("questions", ["sweep"])
+            key = hello["hello"], _ASKED[question]
             for outcome in map(outcome_from_json, map(json.loads, lines)):
-                for column in _list_columns(outcome, is_inside):
-                    cells[hello["hello"]][column][_name(outcome.verdict)] += 1
+                if outcome.verdict is Verdict.UNSUPPORTED:
+                    continue
+                verdicts[key][outcome.verdict] += 1
+                for column in _list_columns(outcome, question):
+                    cells[key[0]][column][outcome.verdict] += 1
+                if outcome.verdict in _SHOWN:
+                    found = _measure(outcome.case or {}), outcome.id
+                    smallest[key] = min(smallest.get(key, found), found)
     names = [*COLUMNS, INSIDE]
-    rows = [["program", *names], ["---", *("---:" for _ in names)]]
-    rows += ([name, *(_write(found[c]) for c in names)] for name, found in cells.items())
-    table = "".join(f"| {' | '.join(row)} |\n" for row in rows)
-    return f"{HEAD}Measured on {date.today():%d %B %Y}: {asked}.\n\n{table}"
+    rows = ([name, *(_write(found[c]) for c in names)] for name, found in cells.items())
+    used = [verdict for verdict in _OTHERS if any(found[verdict] for found in verdicts.values())]
+    failures = (
+        [
+            *key,
+            str(found.total()),
+            str(_count_right(found)),
+            *(str(found[verdict] or "") for verdict in used),
+            smallest[key][1] if key in smallest else "",
+        ]
+        for key, found in verdicts.items()
+    )
+    head = ["program", "asked", "cases", "exact", *used, "smallest not right"]
+    return (
+        f"{HEAD}Measured on {date.today():%d %B %Y}: {asked}.\n\n"
+        + _tabulate(["program", *names], rows)
+        + FAILURES
+        + _tabulate(head, failures)
+    )
 
 
-def _list_columns(outcome: Outcome, is_inside: bool) -> list[str]:
-    if outcome.verdict in (Verdict.UNSUPPORTED, Verdict.UNDECIDED):
+def _tabulate(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    rule = ["---", *["---:"] * (len(head) - 1)]
+    lines: Iterator[Sequence[str]] = iter([head, rule, *rows])
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def _list_columns(outcome: Outcome, question: str) -> list[str]:
+    if not outcome.verdict.is_judgement:
         return []
-    return [INSIDE] if is_inside else [name for name, fits in COLUMNS.items() if fits(outcome)]
+    if question == "inner_fit":
+        return [INSIDE]
+    return [name for name, fits in COLUMNS.items() if fits(outcome)]
 
 
-def _name(verdict: Verdict) -> str:
-    return "right" if verdict in _RIGHT else verdict.value
+def _measure(case: Mapping[str, Any]) -> int:
+    return sum(len(case.get(name, ())) for name in ("directrix", "generatrix"))
 
 
-def _write(found: Counter[str]) -> str:
+def _count_right(found: Counter[Verdict]) -> int:
+    return sum(found[verdict] for verdict in _RIGHT)
+
+
+def _write(found: Counter[Verdict]) -> str:
     """Write a cell.
 
-    >>> _write(Counter(right=3, within=1, wrong=1)), _write(Counter())
+    >>> _write(Counter({Verdict.EXACT: 3, Verdict.WITHIN: 1, Verdict.WRONG: 1})), _write(Counter())
     ('3 + 1 of 5', '')
     """
     if not found:
         return ""
-    rounded = f" + {found['within']}" if found["within"] else ""
-    return f"{found['right']}{rounded} of {found.total()}"
+    rounded = f" + {found[Verdict.WITHIN]}" if found[Verdict.WITHIN] else ""
+    return f"{_count_right(found)}{rounded} of {found.total()}"

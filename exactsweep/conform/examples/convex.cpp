@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 using namespace std;
-using Points = vector<pair<long long, long long>>;
+using Point = pair<long long, long long>;
+using Points = vector<Point>;
 
 // The value of a member of a case, up to a text at its end.
 string value(const string& line, const string& name, const string& end) {
@@ -33,22 +34,30 @@ void right_side(const Points& points, Points& loop) {
   }
   loop.pop_back();
 }
+// The trajectory: put your own code in its place.
+Points answer(const Points& d, const Points& g, const Point& reference) {
+  Points sums, loop;
+  for (auto [dx, dy] : d)
+    for (auto [gx, gy] : g) sums.push_back({dx - gx + reference.first, dy - gy + reference.second});
+  sort(sums.begin(), sums.end());
+  right_side(sums, loop);
+  reverse(sums.begin(), sums.end());
+  right_side(sums, loop);
+  return loop;
+}
 int main() {
   cout << R"({"hello": "convex.cpp", "loops": ["trajectory"], "numbers": "int32", )"
        << R"("reference": "given"})" << endl;
   for (string line; getline(cin, line) && line.find("\"bye\"") == string::npos;) {
     cout << "{\"id\":" << value(line, "id", ",");
     if (value(line, "class", ",").find("CC") != string::npos) {
-      auto [x, y] = points(value(line, "reference", "]"))[0];
-      Points sums, loop, g = points(value(line, "generatrix", "]]"));
-      for (auto [dx, dy] : points(value(line, "directrix", "]]")))
-        for (auto [gx, gy] : g) sums.push_back({dx - gx + x, dy - gy + y});
-      sort(sums.begin(), sums.end());
-      right_side(sums, loop);
-      reverse(sums.begin(), sums.end());
-      right_side(sums, loop);
-      for (size_t k = 0; k < loop.size(); k++)
-        cout << (k ? ", [" : ", \"trajectory\": [[") << loop[k].first << ", " << loop[k].second << "]";
+      const Point reference = points(value(line, "reference", "]"))[0];
+      const char* before = ", \"trajectory\": [[";
+      for (auto [x, y] : answer(points(value(line, "directrix", "]]")),
+                                points(value(line, "generatrix", "]]")), reference)) {
+        cout << before << x << ", " << y << "]";
+        before = ", [";
+      }
       cout << "]}" << endl;
     } else {
       cout << ", \"unsupported\": \"not convex\"}" << endl;

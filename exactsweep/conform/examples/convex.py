@@ -20,6 +20,13 @@ def right_side(points: Points) -> Points:
     return found[:-1]
 
 
+def answer(d: Points, g: Points, reference: tuple[Fraction, Fraction]) -> Points:
+    """Return the trajectory; put your own code in its place."""
+    x, y = reference
+    sums = sorted({(dx - gx + x, dy - gy + y) for dx, dy in d for gx, gy in g})
+    return right_side(sums) + right_side(sums[::-1])
+
+
 if __name__ == "__main__":
     hello = {"hello": "convex.py", "loops": ["trajectory"]}
     print(json.dumps({**hello, "numbers": "rational", "reference": "given"}), flush=True)
@@ -27,11 +34,9 @@ if __name__ == "__main__":
         case = json.loads(line)
         if "bye" in case:
             break
-        answer = {"id": case["id"], "unsupported": "not convex"}
+        said = {"id": case["id"], "unsupported": "not convex"}
         if case["class"] == "CC":
             rings = case["directrix"], case["generatrix"], [case["reference"]]
-            d, g, [(x, y)] = ([(Fraction(a), Fraction(b)) for a, b in ring] for ring in rings)
-            sums = sorted({(dx - gx + x, dy - gy + y) for dx, dy in d for gx, gy in g})
-            loop = right_side(sums) + right_side(sums[::-1])
-            answer = {"id": case["id"], "trajectory": loop}
-        print(json.dumps(answer, default=str), flush=True)
+            d, g, [reference] = ([(Fraction(a), Fraction(b)) for a, b in ring] for ring in rings)
+            said = {"id": case["id"], "trajectory": answer(d, g, reference)}
+        print(json.dumps(said, default=str), flush=True)

@@ -21,6 +21,7 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.vectors import is_on_segment, turn
 from exactsweep.numbers.point import Fit, Loop, Point, PointRings
 
 _LineKey = tuple[Fraction | None, Fraction]
@@ -131,14 +132,8 @@ def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fi
 
 def are_collinear(points: Sequence[Point]) -> bool:
     """Decide whether points lie on one line."""
-    (ax, ay), (bx, by) = min(points), max(points)
-    return all((bx - ax) * (y - ay) == (by - ay) * (x - ax) for x, y in points)
-
-
-def is_on(point: Point, segment: Fit) -> bool:
-    """Decide whether a point is on a segment, ends included."""
-    low, high = sorted(segment)
-    return low <= point <= high and are_collinear((low, point, high))
+    low, high = min(points), max(points)
+    return not any(turn(low, high, p) for p in points)
 
 
 def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
@@ -156,15 +151,15 @@ def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
     for segment in segments:
         for end in segment:
             ends.setdefault(end, []).append(segment)
-    held = {p for p in ends if p in corners or any(is_on(p, edge) for edge in solid)}
+    held = {p for p in ends if p in corners or any(is_on_segment(p, *edge) for edge in solid)}
     for p in ends.keys() - held:
-        ends[p] = [segment for segment in segments if is_on(p, segment)]
+        ends[p] = [segment for segment in segments if is_on_segment(p, *segment)]
         if len(ends[p]) < 2:
             return False
     grown = list(held)
     while grown:
         for segment in ends[grown.pop()]:
-            fresh = {p for p in ends.keys() - held if is_on(p, segment)}
+            fresh = {p for p in ends.keys() - held if is_on_segment(p, *segment)}
             held |= fresh
             grown += fresh
     return held.issuperset(ends)
@@ -220,7 +215,6 @@ def _sort_around(p: Point, others: Sequence[Point]) -> list[Point]:
         upper = [(q.y, q.x) > (p.y, p.x) for q in (a, b)]
         if upper[0] != upper[1]:
             return -1 if upper[0] else 1
-        turn = (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x)
-        return -1 if turn > 0 else 1
+        return -1 if turn(p, a, b) > 0 else 1
 
     return sorted(others, key=cmp_to_key(compare))

@@ -14,7 +14,7 @@ from itertools import chain
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.conform.judge.frechet import match_rings
+from exactsweep.conform.judge.distance import match_rings
 from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
@@ -58,15 +58,15 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     Cost: that of a sweep and of a few times `walk_together`; linear where no box fits.
     """
     if not any(map(find_doubled_area, rings)):
-        return ()
+        return () if rings else ("says that G does not fit",)
     low, high = _box(rings)
     theirs = _Answered(rings, low, high)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
         # Nearly everything is something else except for so much.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
-    counted = tuple(_count_rings(case, name, exact, rings, rounding))
-    if counted:
+    missing, left = _pair_rings(exact, rings, rounding)
+    if counted := tuple(_count_rings(case, name, exact, missing, left, rounding)):
         return counted
     spoilt = name_arithmetic(exact, rings)
     if rounding and _is_same(exact, theirs, _NEARLY * rounding):
@@ -81,13 +81,15 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         found.append("D + G, without the way there")
     if not found:
         found += spoilt or _name_vertices(exact, rings)
+    if not found and len(missing) < len(exact):
+        found.append(f"{len(exact) - len(missing)} of {len(exact)} rings are exact")
     return tuple(dict.fromkeys(found))
 
 
-def _count_rings(
-    case: Case, name: str, exact: PointRings, theirs: PointRings, rounding: Fraction
-) -> Iterator[str]:
-    """Say whether all exact rings are there, and how many more, or how many are missing."""
+def _pair_rings(
+    exact: PointRings, theirs: PointRings, rounding: Fraction
+) -> tuple[PointRings, PointRings]:
+    """Return the exact rings that were not answered, and those answered that are none of them."""
     left = list(theirs)
     missing = []
     for ring in exact:
@@ -99,6 +101,18 @@ def _count_rings(
                 break
         else:
             missing.append(ring)
+    return missing, left
+
+
+def _count_rings(
+    case: Case,
+    name: str,
+    exact: PointRings,
+    missing: PointRings,
+    left: PointRings,
+    rounding: Fraction,
+) -> Iterator[str]:
+    """Say whether all exact rings are there, and how many more, or how many are missing."""
     if len(missing) == len(exact):
         return
     if not missing:

@@ -18,11 +18,12 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.conform.judge.boundary import are_collinear, is_on, subtract_fits
-from exactsweep.conform.judge.frechet import find_close_part
+from exactsweep.conform.judge.boundary import are_collinear, subtract_fits
+from exactsweep.conform.judge.distance import find_close_part
 from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
 from exactsweep.conform.judge.witness import at_position, crossing_of, list_exact_rings, subtract
 from exactsweep.corpus import Case
+from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.point import Fit, Loop, Point
 from exactsweep.words import count
 
@@ -80,7 +81,7 @@ def judge_fits(
         at_position(case, position, inside=name == INSIDE)
         for fit in subtract_fits(far, fits)[1]
         for position in _places(case, fit, name)
-        if not any(is_on(position, known) for known in fits)
+        if not any(is_on_segment(position, *known) for known in fits)
     ]
     overlap = next((found for found in shown if found.classified == "OVERLAP"), None)
     false = overlap or next(iter(shown), None)
@@ -126,7 +127,9 @@ def trace_whiskers(rings: Sequence[Loop], fits: Iterable[Fit]) -> tuple[Loop, ..
     grown = [list(ring) for ring in rings]
     for hanging, inside in fits:
         for ring in grown:
-            k = next((k for k, b in enumerate(ring) if is_on(hanging, (ring[k - 1], b))), None)
+            k = next(
+                (k for k, b in enumerate(ring) if is_on_segment(hanging, ring[k - 1], b)), None
+            )
             if k is not None:
                 ring[k:k] = [hanging, inside, hanging]
                 break
@@ -167,7 +170,7 @@ def _name_ways(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[str, int]:
     for other in others:
         near = [fit for fit in missing if _unite_to_one(fit, other)]
         touched.update(near)
-        inside = [fit for fit in near if all(is_on(p, fit) for p in other)]
+        inside = [fit for fit in near if all(is_on_segment(p, *fit) for p in other)]
         if not near:
             ways["invented"] += 1
         elif inside:

@@ -9,8 +9,8 @@ from functools import partial
 from itertools import chain
 from math import floor
 
-from exactsweep.conform.judge.answer import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.fits import INSIDE, NAME, list_exact_fits
+from exactsweep.conform.judge.verdict import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.region import AnyPolygon

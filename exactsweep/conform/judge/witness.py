@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.check.location import locate
@@ -25,6 +26,7 @@ from exactsweep.conform.judge.verdict import Witness
 from exactsweep.corpus import Case
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
+from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Point, PointRings
 from exactsweep.words import write_pair
@@ -230,14 +232,11 @@ def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
 
 def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
     """The common point of two segments that are not parallel, ends included."""
-    u, v, w = subtract(b, a), subtract(d, c), subtract(c, a)
-    turn = u.x * v.y - u.y * v.x
-    if turn == 0:
+    of_a, of_b, of_c, of_d = turn(c, d, a), turn(c, d, b), turn(a, b, c), turn(a, b, d)
+    if of_a == of_b or of_a * of_b > 0 or of_c * of_d > 0:
         return None
-    s, t = (w.x * v.y - w.y * v.x) / turn, (w.x * u.y - w.y * u.x) / turn
-    if not (0 <= s <= 1 and 0 <= t <= 1):
-        return None
-    return Point(a.x + s * u.x, a.y + s * u.y)
+    s = Fraction(of_a) / (of_a - of_b)
+    return Point(a.x + s * (b.x - a.x), a.y + s * (b.y - a.y))
 
 
 def add(p: Point, q: Point) -> Point:

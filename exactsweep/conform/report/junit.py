@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from xml.etree import ElementTree
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.report.text import tell_witness
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
+from exactsweep.conform.run.peer import replace_controls
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import fails
 
 _ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
-_SKIPPED = (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
-# What XML 1.0 cannot hold, not even as a reference.
-_NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def write_junit(run: Run) -> str:
@@ -42,7 +39,7 @@ def write_junit(run: Run) -> str:
         "tests": str(summary.total() + len(objections)),
         "failures": str(summary.failures(run.accepted) - errors + len(objections)),
         "errors": str(errors),
-        "skipped": str(sum(map(summary.total, _SKIPPED))),
+        "skipped": str(summary.total() - summary.judged),
         "time": f"{summary.seconds:.3f}",
     }
     suites = ElementTree.Element("testsuites")
@@ -77,14 +74,16 @@ def _add_case(suite: ElementTree.Element, outcome: Outcome, accepted: Verdict) -
     memory = "" if outcome.memory is None else str(outcome.memory)
     fault = outcome.fault if is_failure else ""
     _add_properties(case, {"fault": fault, "memory": memory, "rounding granted": granted})
-    if outcome.verdict in _SKIPPED:
+    if not outcome.verdict.is_judgement:
         ElementTree.SubElement(case, "skipped", _clean({"message": outcome.reason}))
     elif is_failure:
         tag = "error" if outcome.verdict in _ERRORS else "failure"
         said = {"type": outcome.verdict.value, "message": outcome.reason}
-        ElementTree.SubElement(case, tag, _clean(said)).text = _text("\n".join(_lines(outcome)))
+        ElementTree.SubElement(case, tag, _clean(said)).text = replace_controls(
+            "\n".join(_lines(outcome))
+        )
         if outcome.stderr:
-            ElementTree.SubElement(case, "system-err").text = _text(outcome.stderr)
+            ElementTree.SubElement(case, "system-err").text = replace_controls(outcome.stderr)
 
 
 def _lines(outcome: Outcome) -> list[str]:
@@ -97,8 +96,4 @@ def _lines(outcome: Outcome) -> list[str]:
 
 
 def _clean(attributes: dict[str, str]) -> dict[str, str]:
-    return {name: _text(value) for name, value in attributes.items()}
-
-
-def _text(text: str) -> str:
-    return _NOT_XML.sub("\N{REPLACEMENT CHARACTER}", text)
+    return {name: replace_controls(value) for name, value in attributes.items()}

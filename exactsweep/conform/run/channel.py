@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import IO
 
-from exactsweep.conform.run.peer import MAX_STDERR
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.peer import MAX_STDERR, tell_bytes
 from exactsweep.numbers.limits import get_max_bytes, get_max_mib
 from exactsweep.processes import Started
 
@@ -22,20 +23,36 @@ _TO_EXIT = 1.0
 """Seconds for a process that has closed its output to end, so that its exit code is known."""
 
 
-class SilentError(Exception):
+class ChannelError(Exception):
+    """No line came; the message says why.
+
+    Attributes:
+        verdict: on the answer that the line was to be.
+    """
+
+    verdict = Verdict.MALFORMED
+
+
+class SilentError(ChannelError):
     """No line came in time."""
 
-
-class ClosedError(Exception):
-    """The process ended, or closed its output; the message says how."""
+    verdict = Verdict.TIMEOUT
 
 
-class LongLineError(Exception):
-    """A line has more bytes than `limits` allow; the message says so."""
+class ClosedError(ChannelError):
+    """The process ended, or closed its output."""
+
+    verdict = Verdict.CRASH
 
 
-class LargeError(Exception):
+class LongLineError(ChannelError):
+    """A line has more bytes than `limits` allow."""
+
+
+class LargeError(ChannelError):
     """The process held more memory than it may."""
+
+    verdict = Verdict.MEMORY
 
 
 class Channel:
@@ -103,7 +120,7 @@ class Channel:
                 self._weigh()
                 look = now + _LOOKING
             if now >= deadline:
-                raise SilentError
+                raise SilentError(f"within {seconds:g} s")
             self._transfer(deadline - now)
 
     def finish(self, seconds: float) -> str | None:
@@ -147,7 +164,7 @@ class Channel:
         if peak is not None and not self._closing:
             self.peak = max(peak, self.peak or 0)
             if self._most is not None and self.peak > self._most:
-                raise LargeError
+                raise LargeError(f"holds more than {tell_bytes(self._most)}")
 
     def _take(self) -> bytes | None:
         """The next whole line, if there is one."""

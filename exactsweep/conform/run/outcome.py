@@ -156,15 +156,15 @@ def judge_answer(
         rounding: by how much less a coordinate may be off, as for `compare`.
 
     Returns:
-        The Outcome; in the main thread its verdict is undecided if comparing takes more than
-        TO_COMPARE seconds: it is not the implementation that was slow.
+        The Outcome.
     """
-    try:
-        with stop_after(TO_COMPARE):
-            comparison = _compare(put, answer, promised, numbers, rounding)
-    except OvertimeError:
-        reason = f"there is an answer, but comparing it takes more than {TO_COMPARE:g} s"
-        comparison = Comparison(case.id, Verdict.UNDECIDED, reason)
+    if answer.result is None:
+        assert answer.verdict is not None
+        comparison = Comparison(case.id, answer.verdict, answer.reason)
+    else:
+        comparison = compare_in_time(
+            put, answer.result, rounding=rounding, promised=promised, numbers=numbers
+        )
     verdict = comparison.verdict
     kept = verdict not in (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.UNSUPPORTED)
     parts = tuple(part.to_json() for part in comparison.parts) if kept else ()
@@ -186,17 +186,18 @@ def judge_answer(
     )
 
 
-def _compare(
-    case: Case,
-    answer: Answer,
-    promised: Collection[str],
-    numbers: str | None,
-    rounding: Fraction | None,
-) -> Comparison:
-    if answer.result is None:
-        assert answer.verdict is not None
-        return Comparison(case.id, answer.verdict, answer.reason)
-    return compare(case, answer.result, rounding=rounding, promised=promised, numbers=numbers)
+def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
+    """Compare an answer with the exact one, as `compare` does.
+
+    The verdict is undecided if that takes more than TO_COMPARE seconds, in the main thread: it is
+    not the implementation that was slow.
+    """
+    try:
+        with stop_after(TO_COMPARE):
+            return compare(case, result, **options)
+    except OvertimeError:
+        reason = f"there is an answer, but comparing it takes more than {TO_COMPARE:g} s"
+        return Comparison(case.id, Verdict.UNDECIDED, reason)
 
 
 class OvertimeError(Exception):

@@ -8,12 +8,11 @@ from collections.abc import Sequence
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.channel import (
     Channel,
+    ChannelError,
     ClosedError,
-    LargeError,
-    LongLineError,
     SilentError,
 )
-from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer, tell_bytes
+from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer
 from exactsweep.conform.run.protocol import (
     BYE,
     Hello,
@@ -93,15 +92,12 @@ class ProcessPeer:
                     f"answers {describe_kind(result.get('id'))}, which was not asked"
                 )
             return read_answer(result)
-        except SilentError:
-            verdict, reason = Verdict.TIMEOUT, f"no answer within {self._seconds:g} s"
-        except LargeError:
-            assert self._most is not None
-            verdict, reason = Verdict.MEMORY, f"holds more than {tell_bytes(self._most)}"
-        except ClosedError as error:
-            verdict, reason = Verdict.CRASH, _with_last_words(str(error), channel)
-        except LongLineError as error:
-            verdict, reason = Verdict.MALFORMED, str(error)
+        except ChannelError as error:
+            verdict, reason = error.verdict, str(error)
+            if isinstance(error, SilentError):
+                reason = f"no answer {reason}"
+            elif isinstance(error, ClosedError):
+                reason = _with_last_words(reason, channel)
         except ProtocolError as error:
             verdict, reason = Verdict.MALFORMED, str(error)
         self.kill()
@@ -125,15 +121,10 @@ class ProcessPeer:
         except (KeyboardInterrupt, SystemExit):
             self.kill()
             raise
-        except SilentError:
-            reason = f"no hello within {self._to_start:g} s; if it writes one, does it flush it?"
-        except LargeError:
-            assert self._most is not None
-            reason = f"no hello, but more than {tell_bytes(self._most)}"
-        except ClosedError as error:
+        except SilentError as error:
+            reason = f"no hello {error}; if it writes one, does it flush it?"
+        except ChannelError as error:
             reason = f"no hello: {error}"
-        except LongLineError as error:
-            reason = f"no hello, but {error}"
         except ProtocolError as error:
             reason = str(error)
         self.kill()

@@ -110,7 +110,7 @@ class Tally:
     @property
     def judged(self) -> int:
         """Count the cases that the implementation could do and that could be judged."""
-        return self.total() - self.total(Verdict.UNSUPPORTED) - self.total(Verdict.UNDECIDED)
+        return sum(self.total(verdict) for verdict in Verdict if verdict.is_judgement)
 
     def failures(self, accepted: Verdict) -> int:
         """Return how many verdicts are worse than an accepted one, as `fails` has it."""
@@ -133,5 +133,4 @@ def fails(verdict: Verdict, accepted: Verdict) -> bool:
     >>> fails(Verdict.WITHIN, Verdict.EQUIVALENT), fails(Verdict.UNSUPPORTED, Verdict.EXACT)
     (True, False)
     """
-    judged = verdict not in (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
-    return judged and verdict.severity > accepted.severity
+    return verdict.is_judgement and verdict.severity > accepted.severity

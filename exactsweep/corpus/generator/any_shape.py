@@ -6,7 +6,6 @@ grids. `SHAPES` has the pairs as they are drawn; `place` shears, scales and move
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cmp_to_key
 
 from exactsweep.corpus.generator.cells import (
     Cell,
@@ -25,6 +24,7 @@ from exactsweep.corpus.generator.shapes import untangle, walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.geometry.vectors import compare_angles, way_key
 
 Regions = tuple[Region, Region]
 Draw = Callable[[Prng], Regions]
@@ -217,16 +217,9 @@ def _draw_star(random: Prng) -> Region:
 
 def sort_by_angle(points: set[Cell]) -> list[Cell]:
     """Sort points around the origin; of those in one direction only the first is kept."""
-
-    def half(p: Cell) -> int:
-        return 0 if p[1] > 0 or (p[1] == 0 and p[0] > 0) else 1
-
-    def compare(p: Cell, q: Cell) -> int:
-        return half(p) - half(q) or q[0] * p[1] - q[1] * p[0]
-
     found: list[Cell] = []
-    for p in sorted(sorted(points), key=cmp_to_key(compare)):
-        if not found or compare(found[-1], p):
+    for p in sorted(sorted(points), key=way_key):
+        if not found or compare_angles(found[-1], p):
             found.append(p)
     return found
 

@@ -4,7 +4,6 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -67,8 +66,8 @@ def move(cells: Iterable[Cell], by: Sequence[int]) -> set[Cell]:
 def trace_outline(cells: Iterable[Cell]) -> Region:
     """Return the shape of a connected set of squares.
 
-    Where two squares meet in a corner only, the walk goes on along the other one, so that a shape
-    that touches itself there is written as rings that touch.
+    Where two squares meet in a corner only, the walk continues along the other square. So a shape
+    that touches itself becomes rings that touch.
 
     Cost: linear, and that of `Region`.
 
@@ -102,21 +101,6 @@ def trace_outline(cells: Iterable[Cell]) -> Region:
     # No hole is as wide as the exterior.
     exterior = min(rings, key=lambda ring: ring.vertices)
     return Region(exterior, [ring for ring in rings if ring is not exterior])
-
-
-def draw(*rows: str) -> Region:
-    """Return a shape drawn with one character a square, the lowest row last.
-
-    Raises:
-        PolygonError: the squares are not connected.
-
-    >>> draw("# #", "###").area
-    Fraction(5, 1)
-    """
-    cells = {(x, -y) for y, row in enumerate(rows, 1) for x, c in enumerate(row) if c == "#"}
-    if connect(cells) != cells:
-        raise PolygonError(f"not connected: {rows}")
-    return trace_outline(move(cells, (0, len(rows))))
 
 
 def map_region(

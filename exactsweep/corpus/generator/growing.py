@@ -8,7 +8,7 @@ used, whose integers are the same everywhere.
 from __future__ import annotations
 
 from functools import cmp_to_key
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from math import gcd
 from random import Random
 
@@ -154,6 +154,15 @@ def wide(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     random = Random(f"wide {m} {n} {seed}")
     generatrix = convex(n, random, 100)
     return [(m * x, m * y) for x, y in generatrix], zigzag(m, random, 10, 10)
+
+
+def bowls(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
+    """A convex generatrix below four bowls: D_b has four convex parts of about m / 4 edges each."""
+    random = Random(f"bowls {m} {n} {seed}")
+    ends = [i * (m - 2) // 4 for i in range(5)]
+    arcs = [(j - i, k) for i, j in pairwise(ends) for k in range(j - i)]
+    bottom = [(60 * x, k * (k - size)) for x, (size, k) in enumerate([*arcs, (1, 0)])]
+    return convex(n, random, 100), [*bottom, (60 * ends[-1] // 2, m)]
 
 
 def rim(m: int, n: int) -> tuple[Ring, Ring]:

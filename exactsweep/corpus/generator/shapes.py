@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.geometry.hull import find_hull
+from exactsweep.geometry.vectors import turn
 
 IntegerPoint = tuple[int, int]
 Ring = list[IntegerPoint]
@@ -128,12 +129,8 @@ def untangle(points: Iterable[IntegerPoint]) -> Ring:
 
 def _find_crossing(ring: Ring) -> IntegerPoint | None:
     """Two edges that cross, by their first vertices, if there are any."""
-
-    def side(p: IntegerPoint, q: IntegerPoint, r: IntegerPoint) -> int:
-        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-
     for i, j in combinations(range(len(ring)), 2):
         a, b, p, q = ring[i], ring[i + 1], ring[j], ring[(j + 1) % len(ring)]
-        if side(a, b, p) * side(a, b, q) < 0 and side(p, q, a) * side(p, q, b) < 0:
+        if turn(a, b, p) * turn(a, b, q) < 0 and turn(p, q, a) * turn(p, q, b) < 0:
             return i, j
     return None

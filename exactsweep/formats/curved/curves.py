@@ -1,8 +1,8 @@
 """Bezier curves and arcs of circles as lines, within a tolerance that is proved.
 
-Every vertex but those at the ends is a point of the curve, found in rational arithmetic, rounded to
-a decimal grid. What is proved is a bound on the distance of line and curve, either way. A share
-of the tolerance goes to the chords and another to the rounding.
+Every vertex except those at the ends is a point of the curve, computed in rational arithmetic and
+rounded to a decimal grid. The proof bounds the distance of line and curve in both directions. One
+share of the tolerance is for the chords, and another for the rounding.
 
 Chords. Between two parameters h apart, a curve C and its chord, at the same parameter, are at
 most h**2 / 8 * max |C''| apart (the error of linear interpolation).

@@ -29,7 +29,7 @@ from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.point import Point
 
-# What has no outline: fillings, which repeat one, and lines without an end.
+# Entities without an outline: fillings, which repeat one, and lines without an end.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
 _FULL = Fraction(360)
@@ -54,7 +54,7 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
 
     Returns:
         list of Candidate, in order: closed polylines, circles, ellipses, splines, and open lines of
-        one layer whose ends meet. What draws something else is a Candidate that refuses.
+        one layer whose ends meet. Entities that draw anything else are Candidates that refuse.
 
     Raises:
         FormatError: not DXF; no unit where one is wanted; blocks that draw too much.
@@ -75,10 +75,8 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
             try:
                 drawn = _read(placed, reading)
             except ValueError as error:
-                is_ornament = isinstance(error, OrnamentError)
-                reason = f"{place}: {error}"
-                refused = Candidate.refused(reason, layer=layer, ornament=is_ornament)
-                found.append((order, refused))
+                kind = OrnamentError if isinstance(error, OrnamentError) else FormatError
+                found.append((order, Candidate.refused(kind(f"{place}: {error}"), layer=layer)))
                 continue
             points = partial(_name_place, place, drawn.points)
             if drawn.ends:

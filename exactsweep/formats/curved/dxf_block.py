@@ -13,11 +13,11 @@ from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import quote
 
 MAX_DEPTH = 32
-"""How deeply blocks may be nested."""
+"""The greatest depth of nested blocks."""
 
 MAX_PLACED = 20_000
-"""How many entities blocks may draw, lest a small file keep its reader busy; and the values in them
-count each time."""
+"""The largest number of entities that blocks may draw, so that a small file cannot keep its reader
+busy. The values in them count each time."""
 
 # Notes, dimensions and systems, which draw no outline.
 _NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}
@@ -53,7 +53,7 @@ class Blocks:
     def __init__(self, drawing: Drawing, reading: Reading) -> None:
         self.drawing, self.blocks, self.reading = drawing, drawing.blocks, reading
         self.placed = 0
-        # What each INSERT does to its block, found once, by its line.
+        # The maps of each INSERT, by its line, computed once.
         self._maps: dict[int, list[Affine]] = {}
 
     def place(self, entity: Entity, image: Affine) -> Iterator[PlacedEntity]:
@@ -66,7 +66,7 @@ class Blocks:
     def _is_hidden(self, placed: PlacedEntity) -> bool:
         layer = placed.layer.upper()
         reason = self.drawing.hidden.get(layer, "")
-        # What a block draws on other layers shows where that of its INSERT is off.
+        # Entities of a block on other layers are visible even if the layer of its INSERT is off.
         if placed.entity.kind == "INSERT" and reason != FROZEN:
             reason = ""
         if layer in self.drawing.unplotted and placed.entity.kind != "INSERT":

@@ -27,7 +27,7 @@ _FROZEN = 1
 _NORMAL = {210: 0, 220: 0, 230: 1}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
 _FRAME = 16
-# Letters of a kind that is none.
+# The shown letters of an unknown kind.
 _LONG = 40
 # A group code and two ends of lines, at least.
 _GROUP = 4
@@ -77,7 +77,7 @@ class Entity:
         return own + sum(vertex.size for vertex in self.vertices)
 
     def number(self, code: int, default: int | None = None) -> Fraction:
-        """Return the number with a group code; refuse where there is none, and no default."""
+        """Return the number with a group code; refuse if it is missing without a default."""
         return _read_group(code, self._text(code, None if default is None else str(default)))
 
     def point(self, code: int) -> Point:
@@ -272,7 +272,7 @@ def _tags(text: str) -> Iterator[DXFTag]:
         count += tag.code == 0
         # Vertices of old polylines among them, each of some 3 kB.
         require_count(count, ENTITY, "entities")
-        # Of kinds and names it is told where they are.
+        # Kinds and names keep their lines for messages.
         value = _Text(tag.value)
         value.line = 2 * k + 2
         if opens_section and value == "ENTITIES":

@@ -23,6 +23,7 @@ from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.words import count
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -33,11 +34,11 @@ _INVISIBLE = ("hidden", "collapse")
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 MAX_DEPTH = 32
-"""How deeply uses may be nested."""
+"""The greatest depth of nested uses."""
 
 MAX_USED = 20_000
-"""How many elements uses may draw, lest a small file keep its reader busy; and what is in them
-counts each time."""
+"""The largest number of elements that uses may draw, so that a small file cannot keep its reader
+busy. The elements in them count each time."""
 
 
 def parse_svg(text: str, reading: Reading) -> list[Candidate]:
@@ -72,7 +73,12 @@ def read_svg(root: Element, reading: Reading) -> list[Candidate]:
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = _Document(root, reading)
-    placed = PlacedElement(root, None, reading, style=Style(root))
+    style = Style(root)
+    if style.ignored:
+        number, first = count(len(style.ignored), "selector"), quote(style.ignored[0])
+        only = "only names, classes and ids are read"
+        reading.notes[f"{number} of style sheets ignored, first {first}: {only}"] = None
+    placed = PlacedElement(root, None, reading, style=style)
     # That there is no unit concerns all of the file.
     _ = placed.unit if reading.unit is None else placed.matrix
     found: list[tuple[int, Candidate]] = []
@@ -150,7 +156,7 @@ class _Document:
         link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
-            # It draws nothing that could be found; this is told where shapes are read.
+            # The target is missing. The reader of shapes reports it.
             yield placed
             return
         drawn = PlacedElement(target, placed, self.reading, used=placed)
@@ -169,29 +175,21 @@ def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate 
             found = _SHAPES[name_kind(shape.element)](shape, matrix, reading)
             closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
             opened = [points for points in found if points[0] != points[-1]]
-            # What a single ring is, is told when it is made a polygon.
+            # The Polygon itself checks a single ring later.
             regions = [[0]] if len(closed) == 1 else []
             if len(closed) > 1:
                 regions = find_regions(closed, even_odd=shape.is_even_odd)
-        except OrnamentError as error:
-            raise OrnamentError(f"{shape.place}: {error}") from None
         except ValueError as error:
-            raise FormatError(f"{shape.place}: {error}") from None
+            kind = OrnamentError if isinstance(error, OrnamentError) else FormatError
+            raise kind(f"{shape.place}: {error}") from None
         if not regions and not opened:
             raise OrnamentError(f"{shape.place}: fewer than three vertices")
     except FormatError as error:
-        is_ornament = isinstance(error, OrnamentError)
-        return [Candidate.refused(str(error), name, layer, ornament=is_ornament)]
+        return [Candidate.refused(error, name, layer)]
     drawn: list[Candidate | OpenLine] = []
     for region in regions:
-        exterior, *holes = (
-            Candidate(f"{shape.place}: subpath {k}", partial(list, closed[k])) for k in region
-        )
-        drawn.append(
-            exterior._replace(
-                place=shape.place, name=name, layer=layer, holes=partial(tuple, holes)
-            )
-        )
+        readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
+        drawn.append(Candidate.of_rings(readers, shape.place, name, layer))
     for points in opened:
         shaped = tuple(points) if len(points) > 2 else ()
         ends = points[0], points[-1]

@@ -205,7 +205,7 @@ class PlacedElement:
         return used.size(name, "100%")
 
 
-# How much of the room that is left over goes before a view.
+# The share of the unused room before a view.
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
 
 

@@ -16,6 +16,9 @@ SPACE = "{http://www.w3.org/2000/svg}"
 _PASSED = re.compile(
     r"/\*.*?(?:\*/|\Z)|<!--|-->|@[^{};]*+(?:;|\{(?:[^{}]*+\{[^{}]*+\})*+[^{}]*+\}|\{?)", re.DOTALL
 )
+_SIMPLE = re.compile(r"[.#]?[^\s.#:>+~\[\]*()]+|\*")
+# The properties that are read.
+_DRAWING = {"display", "visibility", "fill-rule", "transform"}
 
 
 class Style:
@@ -23,17 +26,24 @@ class Style:
 
     Args:
         root: the document.
+
+    Attributes:
+        ignored: the other selectors, where their rules could change what is drawn.
     """
 
     def __init__(self, root: Element) -> None:
+        self.ignored: list[str] = []
         self.rules: dict[str, dict[str, str]] = {}
         for sheet in root.iter():
             if name_kind(sheet) == "style":
                 for rule in _PASSED.sub("", "".join(sheet.itertext())).split("}"):
                     selectors, _, body = rule.partition("{")
                     declared = dict(_declarations(body))
-                    for selector in selectors.split(","):
-                        self.rules.setdefault(selector.strip(), {}).update(declared)
+                    for selector in map(str.strip, selectors.split(",")):
+                        if _SIMPLE.fullmatch(selector):
+                            self.rules.setdefault(selector, {}).update(declared)
+                        elif not _DRAWING.isdisjoint(declared):
+                            self.ignored.append(selector)
 
     def find(self, element: Element, name: str) -> str | None:
         """Find a property of an element; None if it is not given."""

@@ -12,9 +12,9 @@ if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
 MAX_DEPTH = 100
-"""How deeply elements may be nested."""
+"""The greatest depth of nested elements."""
 
-# What is left after a parse of references to entities, outside of comments and the like.
+# The references to entities that a parser leaves, outside comments and similar sections.
 _REFERENCE = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:]]>|\Z)|<\?.*?(?:\?>|\Z)"
     r"|&(?!(?:lt|gt|amp|quot|apos);|#)(?P<entity>[^\s;&<]++);",

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import STANDING, FilledSheet, NestingInstance, find_named
-from exactsweep.formats.layouts.node import Data, JsonNode
+from exactsweep.formats.node import Data, JsonNode
 
 
 def read_instance(document: JsonNode) -> NestingInstance:

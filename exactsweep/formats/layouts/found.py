@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.node import Data, JsonNode
+from exactsweep.formats.node import Data, JsonNode
 from exactsweep.numbers.number import quote
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
@@ -101,7 +101,7 @@ def make_layouts(
 
 
 def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
-    """Return the one of some things that has a name; raises FormatError if there is none."""
+    """Return the item of a name; raises FormatError if it is missing."""
     if name.name not in things:
         raise FormatError(f"{name.path}: there is no {what} {quote(name.name)}")
     return things[name.name]

@@ -14,7 +14,7 @@ from fractions import Fraction
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, find_named
-from exactsweep.formats.layouts.node import Data, JsonNode, write_box
+from exactsweep.formats.node import Data, JsonNode, write_box, write_shape
 from exactsweep.numbers.number import quote
 
 
@@ -105,5 +105,5 @@ def _shape(value: JsonNode) -> Data:
         return {"exterior": data.ring}
     if kind == "polygon":
         holes = [hole.ring for hole in data.get("inner", []).each()]
-        return {"exterior": (data / "outer").ring} | ({"holes": holes} if holes else {})
+        return write_shape((data / "outer").ring, holes)
     raise FormatError(f"{value.path}: a shape of type {quote(kind)} is not one part")

@@ -24,8 +24,8 @@ from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import FilledSheet, NestingInstance
-from exactsweep.formats.layouts.node import Data, write_ring
 from exactsweep.formats.nesting import nest_candidates
+from exactsweep.formats.node import Data, write_ring, write_shape
 from exactsweep.numbers.number import format_fraction, quote
 
 if TYPE_CHECKING:
@@ -145,6 +145,5 @@ def _one_shape(elements: Element | list[Element], reading: Reading) -> Data:
 
 def write_rings(outline: Candidate) -> Data:
     """Write an outline and its holes as Layout JSON has them; crossings are for the judge."""
-    found: Data = {"exterior": write_ring(outline.vertices())}
     holes = [write_ring(hole.vertices()) for hole in outline.holes()]
-    return found | ({"holes": holes} if holes else {})
+    return write_shape(write_ring(outline.vertices()), holes)

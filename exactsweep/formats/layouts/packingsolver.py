@@ -12,7 +12,7 @@ from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.curves import flatten_arc
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import STANDING, FilledSheet, NestingInstance, find_named
-from exactsweep.formats.layouts.node import Data, JsonNode, write_box, write_ring
+from exactsweep.formats.node import Data, JsonNode, write_box, write_ring, write_shape
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import format_fraction, quote
 from exactsweep.numbers.point import Point
@@ -97,9 +97,8 @@ def _allowed(item: JsonNode, notes: list[str]) -> Data:
 
 
 def _shape(value: JsonNode, reading: Reading) -> Data:
-    found = {"exterior": _outline(value, reading)}
     holes = [_outline(hole, reading) for hole in value.get("holes", []).each()]
-    return found | ({"holes": holes} if holes else {})
+    return write_shape(_outline(value, reading), holes)
 
 
 def _outline(value: JsonNode, reading: Reading) -> list[list[str]]:

@@ -18,8 +18,8 @@ from exactsweep.formats.layouts.found import (
     make_layouts,
 )
 from exactsweep.formats.layouts.nest_svg import read_nest, write_rings
-from exactsweep.formats.layouts.node import Data, JsonNode
 from exactsweep.formats.nesting import nest_candidates
+from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.parsing import parse_candidates
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
@@ -31,15 +31,22 @@ from exactsweep.numbers.number import quote
 Instance = tuple[NestingInstance, Fraction | None]
 
 
+class LayoutOptions(Options, total=False):
+    """The options of a reader of layouts, as `read_layouts` has them.
+
+    Attributes:
+        instance: the instance that a solution answers.
+        container: which outline of a drawing is the container.
+        tolerance: how far lines may be from curves.
+    """
+
+    instance: str | None
+    container: str | None
+    tolerance: object
+
+
 @tells_arguments
-def read_layout(
-    path: str,
-    *,
-    instance: str | None = None,
-    container: str | None = None,
-    tolerance: object = None,
-    **options: Unpack[Options],
-) -> dict[str, Any]:
+def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
     """Read the only layout of a file, as `read_layouts` does.
 
     Returns:
@@ -48,23 +55,14 @@ def read_layout(
     Raises:
         FormatError: as by `read_layouts`, or there are several.
     """
-    found = read_layouts(
-        path, instance=instance, container=container, tolerance=tolerance, **options
-    )
+    found = read_layouts(path, **options)
     if len(found) > 1:
         raise FormatError(f"{show_path(path)}: {len(found)} layouts, not one")
     return found[0].data
 
 
 @tells_arguments
-def parse_layouts(
-    text: str,
-    *,
-    instance: str | None = None,
-    container: str | None = None,
-    tolerance: object = None,
-    **options: Unpack[Options],
-) -> list[FoundLayout]:
+def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
     """Read the layouts of a text, as `read_layouts` does; the instance is a text, too.
 
     Example:
@@ -74,19 +72,12 @@ def parse_layouts(
         >>> found[0].data["parts"]
         [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
     """
-    reading = Reading(tolerance, **options)
+    instance, container, reading = _take_options(**options)
     return _parse(text, _parse_instance(instance, reading), container, reading)
 
 
 @tells_arguments
-def read_layouts(
-    path: str,
-    *,
-    instance: str | None = None,
-    container: str | None = None,
-    tolerance: object = None,
-    **options: Unpack[Options],
-) -> list[FoundLayout]:
+def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
     """Read the layouts of a file, or of standard input.
 
     Args:
@@ -109,7 +100,7 @@ def read_layouts(
 
     Cost: linear in the length of the text.
     """
-    reading = Reading(tolerance, **options)
+    instance, container, reading = _take_options(**options)
     file, choice = split_choice(path)
     with name_file(instance or file):
         known = _parse_instance(None if instance is None else read_text(instance), reading)
@@ -120,6 +111,18 @@ def read_layouts(
         if choice.isascii() and choice.isdigit() and int(choice) < len(found):
             return [found[int(choice)]]
         raise FormatError(f"no sheet has the number {quote(choice)}; there are {len(found)}")
+
+
+def _take_options(
+    instance: str | None = None,
+    container: str | None = None,
+    tolerance: object = None,
+    **options: Unpack[Options],
+) -> tuple[str | None, str | None, Reading]:
+    for name, value in (("instance", instance), ("container", container)):
+        if not isinstance(value, str | None):
+            raise FormatError(f"{name} is {quote(value)}, not a string")
+    return instance, container, Reading(tolerance, **options)
 
 
 def _parse_instance(text: str | None, reading: Reading) -> Instance | None:
@@ -154,7 +157,7 @@ def _parse(
 
 
 def _read_json(document: JsonNode, known: Instance | None, reading: Reading) -> list[FoundLayout]:
-    """Read a document; nothing if it is none of a nesting program."""
+    """Read a document; the result is empty if no nesting program writes such documents."""
     if all(map(document.has, ("container", "parts", "placements"))):
         return [FoundLayout("", _with_counts(document))]
     instance, height = known or _read_instance(document, reading) or (None, None)

@@ -1,4 +1,4 @@
-"""Judged layouts for people: a table, a picture, a page."""
+"""Reports of judged layouts: a table, a picture, a page."""
 
 from exactsweep.layout.report.page import write_layout_page
 from exactsweep.layout.report.picture import LayoutPicture, draw_layout

@@ -1,4 +1,4 @@
-"""A judged layout as one HTML page that needs nothing else, and runs no script."""
+"""A judged layout as one self-contained HTML page without scripts."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ from collections.abc import Iterable, Sequence
 from importlib.resources import files
 
 from exactsweep import __version__
-from exactsweep.canvas import style
 from exactsweep.layout.judge import Judgement
-from exactsweep.layout.report.picture import SIDE, STYLE, draw_parts, enlarge_faults
+from exactsweep.layout.report.picture import SIDE, draw_parts, enlarge_faults, write_style
 from exactsweep.layout.report.table import tell_fault, write_verdict
 from exactsweep.layout.report.worst import WorstFirst
 from exactsweep.numbers.number import abridge
@@ -30,12 +29,12 @@ def write_layout_page(
     Args:
         judgement: a Judgement.
         ranked: its faults, as `rank_faults` sorts them.
-        title: what was judged.
-        notes: what else there is to say of it.
+        title: the name of the layout.
+        notes: further remarks.
         y_down: whether Y points down in the pictures.
 
     Returns:
-        The page. Names are in it as text, never as markup.
+        The page. It escapes all names.
 
     Cost: that of `draw_layout`.
     """
@@ -52,7 +51,7 @@ def write_layout_page(
         side=SIDE,
         title=title,
         version=__version__,
-        style=Markup(style.write_style_sheet() + STYLE),
+        style=Markup(write_style()),
         verdict=write_verdict(judgement),
         valid=judgement.valid,
         layout=judgement.layout,

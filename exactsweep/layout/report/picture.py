@@ -1,14 +1,15 @@
 """Pictures of judged layouts: all parts, faults in red, and the place of each fault enlarged.
 
-Places are clipped and scaled exactly and become floats last, so that an overlap of a part in 10^15
-is in sight where it is enlarged.
+Places are clipped and scaled exactly, and converted to floats last. So the enlarged place shows
+even an overlap of 10^-15 of the picture.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from html import escape
+from importlib.resources import files
 from typing import NamedTuple
 
 from exactsweep.canvas import style
@@ -16,8 +17,9 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
+from exactsweep.layout.pieces import clip
 from exactsweep.layout.report.worst import WorstFirst, rank_faults
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.point import Point, Vertex
 from exactsweep.text.report import approximate, take_root
 from exactsweep.words import count
 
@@ -31,32 +33,19 @@ SIDE = 218
 _ROUND = 3
 _BITS = 64
 
-STYLE = f"""
-.layout {{ --fault: {style.RED}; --ink: #1b1b1b; --paper: #ffffff; --defect: #8f8f8f; }}
-@media (prefers-color-scheme: dark) {{
-.layout {{ --fault: #ff7a4d; --ink: #eeeeea; --paper: #16181b; --defect: #7b7e82; }} }}
-.layout path {{ stroke-linejoin: round; fill-rule: evenodd; }}
-.layout .paper {{ fill: var(--paper); }}
-.layout .container {{ fill: none; stroke: var(--directrix); stroke-width: 1.6; }}
-.layout .defect {{ fill: var(--defect); stroke: var(--directrix); }}
-.layout .part {{ fill: var(--generatrix-fill); stroke: var(--generatrix); stroke-width: .8; }}
-.layout .bad {{ fill: var(--fault); fill-opacity: .35; stroke: var(--fault); stroke-width: 1.8; }}
-.layout .frame {{ fill: none; stroke: var(--directrix); }}
-.layout .mark {{ fill: none; stroke: var(--ink); stroke-width: 1.6; }}
-.layout circle.number {{ fill: var(--paper); fill-opacity: .75; }}
-.layout text.number {{ text-anchor: middle; }}
-.layout .way {{ fill: none; stroke: var(--ink); stroke-width: 2; stroke-dasharray: 5 3; }}
-.layout text {{ font: 13px system-ui, "DejaVu Sans", sans-serif; fill: var(--ink); }}
-"""
-"""The style of these pictures, beside `exactsweep.canvas.style.write_style_sheet`."""
+
+def write_style() -> str:
+    """Write the style sheet of these pictures."""
+    own = files("exactsweep.layout.report").joinpath("picture.css").read_text("utf-8")
+    return style.write_style_sheet() + "\n" + own.replace("$fault", style.RED)
 
 
 class Enlarged(NamedTuple):
     """The place of a fault, enlarged.
 
     Attributes:
-        number: of the fault, from 1.
-        caption: what it shows, and how wide it is.
+        number: the number of the fault, from 1.
+        caption: its description and its width.
         svg: the elements of a square of SIDE pixels.
     """
 
@@ -73,16 +62,16 @@ def draw_layout(
     Args:
         judgement: a Judgement.
         ranked: its faults, as `rank_faults` sorts them.
-        title: what the picture shows.
-        y_down: whether Y points down, as viewers of SVG have it.
+        title: the title of the picture.
+        y_down: whether Y points down, as in viewers of SVG.
 
     Returns:
-        An SVG document, for light and dark grounds.
+        An SVG document, for light and dark backgrounds.
 
     Raises:
         DrawError: a point is too far outside the picture.
 
-    Cost: linear in the vertices of the placed parts, and of those of the faults enlarged.
+    Cost: linear in the vertices of the placed parts and of the enlarged faults.
     """
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
     panels = enlarge_faults(judgement, ranked, y_down=y_down)
@@ -102,7 +91,7 @@ def draw_layout(
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="layout" viewBox="0 0 {width} {total}" '
         f'width="{width}" height="{total}" role="img"><title>{escape(title)}</title>'
-        f"<style>{style.write_style_sheet()}{STYLE}</style>"
+        f"<style>{write_style()}</style>"
         f'<rect class="paper" width="100%" height="100%"/>{main}{"".join(drawn)}</svg>\n'
     )
 
@@ -113,7 +102,7 @@ class LayoutPicture:
     Args:
         judgement: a Judgement.
 
-    Cost: that of `draw_layout` and `rank_faults`, when it is shown.
+    Cost: that of `draw_layout` and `rank_faults`, when the notebook shows it.
 
     Example:
         >>> from exactsweep.corpus import find_layout_case
@@ -135,7 +124,7 @@ class LayoutPicture:
 def draw_parts(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> tuple[int, int, str]:
-    """Draw the container and all parts; faults are red, and numbered at their witnesses.
+    """Draw the container and all parts; faults are red, with numbers at their witnesses.
 
     Returns:
         The width and the height, in pixels, and elements of SVG.
@@ -172,7 +161,7 @@ def draw_parts(
 def enlarge_faults(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> list[Enlarged]:
-    """Draw the places of the worst faults, each so large that the fault is in sight."""
+    """Draw the places of the worst faults, each large enough to show the fault."""
     layout = judgement.layout
     found = []
     shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
@@ -207,20 +196,15 @@ def enlarge_faults(
 
 
 def place_part(layout: Layout, k: int, *, y_down: bool = False) -> list[list[Point]]:
-    """Return the rings of a placement where they are: mirrored, turned, moved.
+    """Return the rings of a placement after mirroring, turning and moving.
 
-    An angle without a rational turn is replaced by one that is off by at most 2**-64.
+    For an angle without a rational turn, the function uses a turn off by at most 2**-64.
     """
     placement = layout.placements[k]
     part = layout.part_by_id[placement.part]
-    cosine, sine, _ = placement.turn.near(_BITS)
-    across = -1 if placement.mirrored else 1
-    x0, y0 = placement.move
+    (a, b, c, d), (dx, dy) = placement.rows(_BITS), placement.move
     rings = [
-        [
-            Point(cosine * across * x - sine * y + x0, sine * across * x + cosine * y + y0)
-            for x, y in ring
-        ]
+        [Point(a * x + b * y + dx, c * x + d * y + dy) for x, y in ring]
         for ring in (part.exterior, *part.holes)
     ]
     return _up(rings, y_down)
@@ -245,28 +229,16 @@ def _measure(rings: Sequence[Sequence[Point]]) -> Fraction:
 
 
 def _path(
-    name: str, rings: Iterable[Sequence[Point]], window: Window, *, closed: bool = True
+    name: str, rings: Iterable[Sequence[Vertex]], window: Window, *, closed: bool = True
 ) -> str:
     data = write_path((map(window.place, ring) for ring in rings), closed=closed)
     return f'<path class="{name}" d="{data}"/>' if data else ""
 
 
-def _clip(ring: Sequence[Point], window: Window) -> Sequence[Point]:
-    """Cut off what is far outside of a window, exactly; along the cuts, lines run out of sight."""
+def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:
+    """Clip rings exactly, far outside a window, so that the cuts are out of sight."""
     room = window.longest
     for axis, low, high in ((0, window.left, window.right), (1, window.bottom, window.top)):
-        for side, limit in ((1, high + room), (-1, low - room)):
-            ring = list(_cut(ring, axis, side, limit))
+        ring = [*clip(ring, [high + room - point[axis] for point in ring])]
+        ring = [*clip(ring, [point[axis] - low + room for point in ring])]
     return ring
-
-
-def _cut(ring: Sequence[Point], axis: int, side: int, limit: Fraction) -> Iterator[Point]:
-    """The part of a ring on one side of a line (Sutherland and Hodgman)."""
-    for k, point in enumerate(ring):
-        before = ring[k - 1]
-        over, under = side * (point[axis] - limit), side * (before[axis] - limit)
-        if over * under < 0:
-            share = under / (under - over)
-            yield Point(*(p + share * (q - p) for p, q in zip(before, point, strict=True)))
-        if over <= 0:
-            yield point

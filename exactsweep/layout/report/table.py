@@ -1,4 +1,4 @@
-"""A judged layout as text: facts, and a table of its faults; or as JSON."""
+"""A judged layout as text, with facts and a table of its faults, or as JSON."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from exactsweep.layout.judge import Judgement
 from exactsweep.layout.report.worst import WorstFirst, rank_faults
 from exactsweep.numbers.number import abridge, format_fraction
 from exactsweep.numbers.point import Point
-from exactsweep.text.report import approximate, lay_out, list_facts, take_root
+from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
 from exactsweep.words import count
 
 _MOST_LISTED = 30
@@ -26,14 +26,14 @@ def report_layout(
     notes: Iterable[str] = (),
     everything: bool = False,
 ) -> str:
-    """Describe a judged layout: what is wrong, the worst first, or how near it is to being so.
+    """Describe a judged layout: its faults, the worst first, or the least distance of parts.
 
     Args:
         judgement: a Judgement.
-        ranked: its faults as `rank_faults` sorts them, if that is done.
-        terminal_width: columns of the terminal to be filled; None for plain text.
-        notes: what else there is to say of it.
-        everything: whether all faults are listed.
+        ranked: its faults as `rank_faults` sorts them, if the caller has them.
+        terminal_width: the width of the terminal in columns; None for plain text.
+        notes: further remarks.
+        everything: whether to list all faults.
 
     Returns:
         Lines of text.
@@ -72,7 +72,10 @@ def report_layout(
         facts["nearest"] = f"placements {first} and {second}, {root} apart"
     tables = [list_facts(facts, max(map(len, facts)))]
     if ranked:
-        tables.append(_list_faults(ranked if everything else ranked[:_MOST_LISTED]))
+        listed = make_table(("fault", "where", "how bad", "witness", "repaired by"))
+        for one in ranked if everything else ranked[:_MOST_LISTED]:
+            listed.add_row(one.fault.kind, *tell_fault(one))
+        tables.append(listed)
     text = lay_out(tables, terminal_width)
     if len(ranked) > _MOST_LISTED and not everything:
         text += f"... {len(ranked) - _MOST_LISTED} more (--all)\n"
@@ -80,7 +83,7 @@ def report_layout(
 
 
 def write_verdict(judgement: Judgement) -> str:
-    """Say whether a layout is valid, or how many faults of each kind it has."""
+    """Write that a layout is valid, or count its faults of each kind."""
     kinds = Counter(fault.kind for fault in judgement.faults)
     if not kinds:
         return "valid"
@@ -94,20 +97,8 @@ def write_verdict(judgement: Judgement) -> str:
     return f"not valid: {', '.join(said)}"
 
 
-def _list_faults(ranked: Sequence[WorstFirst]) -> Any:
-    from rich.table import Table
-
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("fault", style="bold")
-    for name in ("where", "how bad", "witness", "repaired by"):
-        table.add_column(name, overflow="fold")
-    for one in ranked:
-        table.add_row(one.fault.kind, *tell_fault(one))
-    return table
-
-
 def tell_fault(one: WorstFirst) -> tuple[str, str, str, str]:
-    """Say where a fault is, how bad, what proves it, and what repairs it; numbers are about."""
+    """Describe a fault: the place, the measure, the witness and the repair, in rounded numbers."""
     fault = one.fault
     places = _name_places(fault)
     witness = " ".join(map(_write_about, fault.points))
@@ -138,10 +129,11 @@ def write_layout_json(judgement: Judgement, notes: Iterable[str] = ()) -> str:
 
     Args:
         judgement: a Judgement.
-        notes: what else there is to say of it.
+        notes: further remarks.
 
     Returns:
-        One object; numbers are strings that `to_fraction` reads, those of placements ints.
+        One object. Placements have ints as numbers; all other numbers are strings that
+        `to_fraction` reads.
 
     Cost: that of `rank_faults` and of `Judgement.distance`.
     """

@@ -1,4 +1,4 @@
-"""The faults of a judgement in the order in which people want them: the worst first."""
+"""The faults of a judgement, the worst first."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.judge import Judgement
 
 MOST_MEASURED = 200
-"""Of so many faults it is found how bad they are; of a layout with more, nobody reads on."""
+"""The number of faults that are measured; nobody reads a longer list."""
 
 
 class WorstFirst(NamedTuple):
-    """A fault, and how bad it is.
+    """A fault and its measure.
 
     Attributes:
         fault: the Fault.
-        square: the squared length of the shortest move that repairs it, or by which it is too
-            close; None where there is none, or it was not measured.
+        square: the squared length of the shortest move that repairs the fault, or the squared
+            distance of parts too close; None if there is no measure, or it was not computed.
     """
 
     fault: Fault
@@ -33,13 +33,13 @@ def rank_faults(
 
     Args:
         judgement: a Judgement.
-        tell: is called with the number of faults measured, and of all that will be.
+        tell: a function that is called with the number of measured faults and their final number.
 
     Returns:
-        list of WorstFirst. Overlaps, and parts outside, are measured by the shortest move that
-        repairs them, parts too close by their distance; only the first MOST_MEASURED are.
+        list of WorstFirst. The shortest move that repairs it measures an overlap or a part outside,
+        the distance measures parts too close. Only the first MOST_MEASURED faults are measured.
 
-    Cost: that of `Fault.move` for each fault that is measured.
+    Cost: that of `Fault.move` for each measured fault.
     """
     found = []
     total = min(len(judgement.faults), MOST_MEASURED)
@@ -57,6 +57,6 @@ def _rank(one: WorstFirst) -> tuple[bool, Fraction]:
     """Rank a fault among those of its kind."""
     if one.fault.distance_squared is not None:
         return False, one.fault.distance_squared
-    # A part that fits nowhere is worse than any that does.
+    # A part that fits nowhere is worse than a part that fits.
     fits_nowhere = one.square is None and one.fault.kind == "outside"
     return not fits_nowhere, -(one.square or Fraction(0))

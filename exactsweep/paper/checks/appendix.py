@@ -10,10 +10,15 @@ from itertools import pairwise
 from exactsweep import Point, Sweep, sweep
 from exactsweep.corpus.generator.growing import cm_hard, cm_undercut
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.steps import Step, explain
+from exactsweep.evidence.steps import explain
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
-from exactsweep.paper.checks.touching import contacts_are_right
+from exactsweep.paper.checks.touching import (
+    contacts_are_right,
+    lasts,
+    list_moments,
+    touches_are_right,
+)
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import CountedList, PairFamily, make_counted, watch_operations
 from exactsweep.paper.functions import (
@@ -33,24 +38,14 @@ from exactsweep.procedures.chain import find_convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
 
-SHARE = Fraction(5, 17)
-
-
 # A random pair, made smaller.
 AT_A_WALL = SweepPair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
 
 
-def list_lasting_positions(s: Sweep, half: str = "lower") -> list[tuple[Step, Point]]:
-    """Positions inside the edges of a half of the trajectory, between all changes of contact."""
-    found = []
-    for step in explain(s):
-        if step.half != half:
-            continue
-        changes = {step.start, step.end}
-        changes |= {end for touch in step.touches for end in (touch.start, touch.end)}
-        for p, q in pairwise(sorted(changes)):
-            found.append((step, Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))))
-    return found
+def list_lasting_positions(s: Sweep) -> list[Point]:
+    """Positions inside the edges of the lower trajectory, between all changes of contact."""
+    lower = [step for step in explain(s) if step.half == "lower"]
+    return [t for step in lower for t in list_moments(s, step.start, step.end)]
 
 
 def one_edge_at_a_time(pair: SweepPair) -> str:
@@ -58,18 +53,17 @@ def one_edge_at_a_time(pair: SweepPair) -> str:
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
-    for step, t in list_lasting_positions(s):
-        now = [touch.contact for touch in step.touches if _within(t, touch.start, touch.end)]
-        edges = {c.generatrix for c in now if c.event != "VE"}
-        if not now:
-            return f"at ({t.x}, {t.y}) no contact lasts"
-        if len(now) > 1 and (len(edges) > 1 or any(c.event == "VE" for c in now)):
-            return f"from ({step.start.x}, {step.start.y}) on at the same time: {_name(now)}"
+    for step in explain(s):
+        if step.half != "lower":
+            continue
+        if failure := touches_are_right(s, step):
+            return failure
+        for t in list_moments(s, step.start, step.end):
+            now = [touch.contact for touch in step.touches if lasts(t, touch.start, touch.end)]
+            edges = {c.generatrix for c in now if c.event != "VE"}
+            if len(now) > 1 and (len(edges) > 1 or any(c.event == "VE" for c in now)):
+                return f"from ({step.start.x}, {step.start.y}) on at the same time: {_name(now)}"
     return ""
-
-
-def _within(t: Point, start: Point, end: Point) -> bool:
-    return min(start, end) < t < max(start, end)
 
 
 def _name(contacts: Sequence[Contact]) -> str:
@@ -123,7 +117,7 @@ def contact_moves_right(pair: SweepPair) -> str:
     if failure := contacts_are_right(s):
         return failure
     positions = {t for step in explain(s) if step.half == "lower" for t in (step.start, step.end)}
-    positions |= {t for _, t in list_lasting_positions(s)}
+    positions.update(list_lasting_positions(s))
     before: list[Fraction] = []
     for t in sorted(positions):
         now = places_of_contact(s, t, directrix)

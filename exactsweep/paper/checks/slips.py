@@ -164,5 +164,6 @@ def count_calls(effort: Effort) -> Evidence:
         f"trajectory has {last.bound:.0f} edges: its size does not bound the time",
         "a G wider than D, at the largest size that was counted",
     )
-    failure = "" if growth.last_rise > 1.4 else "the operations keep up with the edges"
+    is_beyond = growth.exponent() > growth.claimed() + 0.2
+    failure = "" if is_beyond else "the edges keep up with the operations"
     return Evidence("Counts to the letter.", failure, against, growth=(growth,))

@@ -1,15 +1,14 @@
-"""The contacts of a sweep, held against the checking side, whatever becomes of the other loops."""
+"""The contacts of a sweep, held against every feature of one polygon tried with every other one."""
 
 from __future__ import annotations
 
-from itertools import product
+from collections.abc import Sequence
+from itertools import pairwise, product
 
 from exactsweep import Point, Polygon, Sweep
-from exactsweep.check.certificate import CertificateError
-from exactsweep.check.contacts import check_contacts
-from exactsweep.check.loop import MonotoneLoop, NodeFrame
+from exactsweep.evidence.steps import Step
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.numbers.point import ORIGIN
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.functions import look_up
 from exactsweep.paper.pairs import SweepPair
 
@@ -18,25 +17,65 @@ def contacts_are_right(s: Sweep) -> str:
     """Say which contact is listed wrongly, or missing; empty if none is."""
     g, d = s.generatrix.exterior, s.directrix.exterior
     pair = SweepPair(*([(int(x), int(y)) for x, y in polygon.vertices] for polygon in (g, d)))
-    if s.trajectory.vertices != look_up(pair).trajectory:
+    corners = s.trajectory.vertices
+    if corners != look_up(pair).trajectory:
         return "the trajectory is not that of the definition"
-    frame = NodeFrame((1, 0), 1)
-    generatrix = MonotoneLoop(frame.enter(g.vertices, ORIGIN), "generatrix", frame)
-    trajectory = MonotoneLoop(frame.enter(s.trajectory.vertices, s.reference), "trajectory", frame)
-    directrix = MonotoneLoop(frame.enter(d.vertices, ORIGIN), "directrix", frame)
-    of_g, of_d = _numbers(g), _numbers(d)
-    listed = [
-        [(event, of_g[event[0], i], of_d[event[1], j]) for event, i, j in found if event != "VV"]
-        for found in s.contacts
-    ]
-    try:
-        check_contacts(trajectory, directrix, generatrix.turn_half(), listed, frame)
-    except CertificateError as flaw:
-        return str(flaw)
-    for t, at in zip(s.trajectory.vertices, s.vertex_contacts, strict=True):
-        if sorted(at) != (expected := list_touching(g, d, t)):
-            return f"at ({t.x}, {t.y}) contacts are {sorted(at)}, not {expected}"
+    for k, (start, end) in enumerate(pairwise([*corners, corners[0]])):
+        now = {c for t in list_moments(s, start, end) for c in list_lasting(g, d, t)}
+        for t, listed, expected in (
+            (start, s.vertex_contacts[k], list_touching(g, d, start)),
+            (end, s.contacts[k], sorted(now)),
+        ):
+            if sorted(listed) != expected:
+                where = "at" if t is start else f"from ({start.x}, {start.y}) to"
+                return f"{where} ({t.x}, {t.y}) contacts are {sorted(listed)}, not {expected}"
     return ""
+
+
+def touches_are_right(s: Sweep, step: Step) -> str:
+    """Say where the contacts of a step do not last from where they begin to where they end."""
+    for t in list_moments(s, step.start, step.end):
+        now = sorted(touch.contact for touch in step.touches if lasts(t, touch.start, touch.end))
+        if now != (expected := list_lasting(s.generatrix.exterior, s.directrix.exterior, t)):
+            return f"at ({t.x}, {t.y}) these contacts last: {now}, and not {expected}"
+        if not now or any(event == "VV" for event, _, _ in now):
+            return f"at ({t.x}, {t.y}), on an edge of the trajectory, these contacts last: {now}"
+    return ""
+
+
+def lasts(t: Point, start: Point, end: Point) -> bool:
+    """Decide whether a position on an edge lies strictly between two others."""
+    return min(start, end) < t < max(start, end)
+
+
+def list_moments(s: Sweep, start: Point, end: Point) -> list[Point]:
+    """Positions along an edge of the trajectory, one between each two that may differ in contact.
+
+    A contact begins or ends only where a vertex of G is on one of D.
+    """
+    cuts = {start, end}
+    low, high = min(start, end), max(start, end)
+    for w, v in product(s.directrix.vertices, s.generatrix.vertices):
+        t = Point(w.x - v.x, w.y - v.y)
+        if low < t < high and is_on_segment(t, start, end):
+            cuts.add(t)
+    return [Point((p.x + q.x) / 2, (p.y + q.y) / 2) for p, q in pairwise(sorted(cuts))]
+
+
+def list_lasting(g: Polygon, d: Polygon, t: Point) -> list[tuple[str, int, int]]:
+    """The contacts of G + t and D that last: two edges that touch stand for their ends, too."""
+    found = list_touching(g, d, t)
+    ends = [
+        {
+            p.edge_index(k): {p.vertex_index(k), p.vertex_index((k + 1) % len(p))}
+            for k in range(len(p))
+        }
+        for p in (g, d)
+    ]
+    edges = [(i, j) for event, i, j in found if event == "EE"]
+    hidden = {("VE", v, j) for i, j in edges for v in ends[0][i]}
+    hidden |= {("EV", i, v) for i, j in edges for v in ends[1][j]}
+    return [contact for contact in found if contact not in hidden]
 
 
 def list_touching(g: Polygon, d: Polygon, t: Point) -> list[tuple[str, int, int]]:
@@ -46,6 +85,8 @@ def list_touching(g: Polygon, d: Polygon, t: Point) -> list[tuple[str, int, int]
     found = []
     for i, j in product(range(len(g)), range(len(d))):
         (p, q), (v, w) = gs[i : i + 2], ds[j : j + 2]
+        if _are_apart((p, q), (v, w)):
+            continue
         corner, at = (g.vertex_index(i), d.vertex_index(j)), (g.edge_index(i), d.edge_index(j))
         if p == v:
             found.append(("VV", *corner))
@@ -59,8 +100,10 @@ def list_touching(g: Polygon, d: Polygon, t: Point) -> list[tuple[str, int, int]
     return sorted(found)
 
 
-def _numbers(polygon: Polygon) -> dict[tuple[str, int], int]:
-    """Vertices and edges by their numbers as given: their numbers in canonical order."""
-    ks = range(len(polygon))
-    vertices = {("V", polygon.vertex_index(k)): k for k in ks}
-    return vertices | {("E", polygon.edge_index(k)): k for k in ks}
+def _are_apart(one: Sequence[Vertex], other: Sequence[Vertex]) -> bool:
+    """Decide whether the boxes of two edges have no point in common."""
+    return any(
+        max(p[k] for p in one) < min(p[k] for p in other)
+        or max(p[k] for p in other) < min(p[k] for p in one)
+        for k in (0, 1)
+    )

@@ -5,22 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
-from exactsweep.check import classify, reference_loops
+from exactsweep.check import classify, reference_inner_fit, reference_no_fit
 from exactsweep.draw import Picture, draw_undercuts, place_generatrix
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Point, Vertex
-from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
+from exactsweep.numbers.point import Loop, Point
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Extent, Margins, Sheet
-from exactsweep.procedures.chain import complement, inverse, split
-from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm import trajectory_mm
-from exactsweep.procedures.pockets import find_pockets
-from exactsweep.sweep import Sweep, no_fit_polygon, sweep
+from exactsweep.sweep import Sweep, inner_fit_polygon, no_fit_polygon, sweep
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -41,29 +35,17 @@ def invert_generatrix(s: Sweep) -> Polygon:
     return s.generatrix.exterior.translated((-s.reference.x, -s.reference.y)).reflected()
 
 
-def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
+def sum_boundary() -> tuple[Loop, tuple[Loop, ...]]:
     """The outer boundary, and the holes, of the Minkowski sum of D's boundary and G.
 
     The sum of D and G is the no-fit polygon of D and I(G). What is missing of it are the points p
-    for which p + I(G) lies inside D, off its boundary: between the greatest and the least height
-    at which I(G) touches D_b and D_t from inside.
+    for which p + I(G) lies inside D, off its boundary.
     """
     s = sweep_example()
     inverted = invert_generatrix(s)
     outer = no_fit_polygon(s.directrix, inverted).exterior.vertices
-    i_bottom, i_top = split(inverted.vertices)
-    d_bottom, d_top = split(s.directrix.vertices)
-    lowest = trajectory_mm(inverse(i_bottom), complement(inverse(d_bottom)))
-    highest = trajectory_mm(i_top, complement(d_top))
-    left, right = d_bottom[0][0] - i_bottom[0][0], d_bottom[-1][0] - i_bottom[-1][0]
-    floor = complement(inverse(list(lowest.restrict(-right, -left))))
-    ceiling = highest.restrict(left, right)
-    ceilings = list(ceiling)
-    lower = lower_envelope_mm([ceiling.of(floor), ceiling])
-    holes = [
-        (*pocket.bottom, *pocket.top[-2:0:-1]) for pocket in find_pockets(list(lower), ceilings)
-    ]
-    return outer, tuple(holes)
+    inside = inner_fit_polygon(s.directrix, inverted).regions
+    return outer, tuple(region.exterior.vertices for region in inside)
 
 
 def draw_sweep(picture: Picture, s: Sweep) -> None:
@@ -98,13 +80,10 @@ def find_failures() -> Iterator[str]:
     yield from loops_differ(s)
     yield from overlaps(s, _positions(s))
     outer, holes = sum_boundary()
-    yield differ(
-        "boundary of the sum", outer, reference_loops(invert_generatrix(s), s.directrix).trajectory
-    )
-    corners = s.directrix.vertices
-    edges = list(pairwise([*corners, corners[0]]))
-    around = count_free_parts(list_swept_polygons(GENERATRIX, edges))
-    yield differ("holes of the sum", len(holes), around - 1)
+    inverted = invert_generatrix(s)
+    yield differ("boundary of the sum", outer, reference_no_fit(s.directrix, inverted).exterior)
+    inside = reference_inner_fit(s.directrix, inverted).regions
+    yield differ("holes of the sum", holes, tuple(exterior for exterior, _ in inside))
 
 
 def _positions(s: Sweep) -> list[Point]:

@@ -28,7 +28,7 @@ class JsonNode(NamedTuple):
         """Return a member that has to be there."""
         if not isinstance(self.value, Mapping):
             self.refuse(f"{describe_kind(self.value)}, not an object")
-        if not self.has(name):
+        if name not in self.value:
             raise FormatError(f"{self.path} has no {quote(name)}")
         return JsonNode(self.value[name], f"{self.path}.{name}")
 
@@ -36,11 +36,15 @@ class JsonNode(NamedTuple):
         """Return a member, or what stands for it."""
         return self / name if self.has(name) else JsonNode(default, f"{self.path}.{name}")
 
-    def each(self) -> Iterator[JsonNode]:
-        """Yield the entries of a list."""
+    def entries(self, what: str = "a list") -> list[Any]:
+        """Return the entries of a list, which messages call `what`."""
         if not isinstance(self.value, list):
-            self.refuse(f"{describe_kind(self.value)}, not a list")
-        for k, entry in enumerate(self.value):
+            self.refuse(f"{describe_kind(self.value)}, not {what}")
+        return self.value
+
+    def each(self, what: str = "a list") -> Iterator[JsonNode]:
+        """Yield the entries of a list, each with its path."""
+        for k, entry in enumerate(self.entries(what)):
             yield JsonNode(entry, f"{self.path}[{k}]")
 
     @property
@@ -62,11 +66,23 @@ class JsonNode(NamedTuple):
         return int(self.fraction)
 
     @property
+    def text(self) -> str:
+        """The string that this is."""
+        if not isinstance(self.value, str):
+            self.refuse(f"{describe_kind(self.value)}, not a string")
+        return self.value
+
+    @property
     def name(self) -> str:
-        """The name that this is; numbers are names, too."""
+        """The name that this is; numbers are names, too, which `parse_json` leaves as text."""
         if not isinstance(self.value, str):
             self.refuse(f"{describe_kind(self.value)}, not a string or a number")
         return self.value
+
+    @property
+    def id(self) -> str | None:
+        """The name that this is; None if it is null."""
+        return None if self.value is None else self.name
 
     @property
     def pair(self) -> list[str]:
@@ -97,6 +113,11 @@ def write_ring(points: Sequence[Point]) -> list[list[str]]:
     """Write points as Layout JSON has them, without a last one that repeats the first."""
     closed = len(points) > 1 and points[0] == points[-1]
     return [[*map(format_fraction, point)] for point in points[: -1 if closed else None]]
+
+
+def write_shape(exterior: list[list[str]], holes: Sequence[list[list[str]]]) -> Data:
+    """Write rings as Layout JSON has them, holes only where there are any."""
+    return {"exterior": exterior} | ({"holes": [*holes]} if holes else {})
 
 
 def write_box(left: Fraction, low: Fraction, width: Fraction, height: Fraction) -> Data:

@@ -1,0 +1,399 @@
+"""Two distances of loops: Hausdorff's, bounded, and Fréchet's, compared with a bound.
+
+**Hausdorff**: how far a point of one loop can be from all of the other. Loops are curves here, so
+that a notch filled counts with its depth. Let e be a piece of an edge of one loop, with ends a and
+b, and f_j(p) the squared distance of a point p from edge j of the other; f = min_j f_j. A segment
+is convex, so that f_j has its greatest value on e at an end of e, and
+
+    (1)  max(f(a), f(b))  <=  max f on e  <=  min_j max(f_j(a), f_j(b)).
+
+Where one edge is nearest to both ends, both sides of (1) are equal. Otherwise e is cut in two where
+two edges are equally near: f_j is quadratic along e as long as the nearest feature of edge j stays
+the same. Roots are rounded, which (1) allows. The piece with the greatest upper bound comes first;
+the search ends when that bound is no greater than the greatest value found, or close to it.
+
+**Fréchet**: whether two points can travel once around two loops, neither turning back, and stay
+closer than a bound in x and in y (Alt and Godau, "Computing the Fréchet distance between two
+polygonal curves", 1995, in the maximum norm, where all is rational). The close pairs of places on
+two edges are a convex set. So a walk leads from any place on the left or lower side of such a cell
+to any place on its right or upper side that does not lie before it, and only the earliest place
+that can be reached on each side matters. A walk that is found is a proof. Walks start at the first
+vertex of one loop and a vertex or a middle of a close part of the other; one that can only start
+elsewhere, or takes more than MAX_CELLS cells, is not found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from heapq import heappop, heappush
+from itertools import chain, count, pairwise
+from math import isqrt, lcm
+from typing import NamedTuple
+
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.numbers.point import Point, PointRings
+
+MAX_CELLS = 300_000
+
+IntPair = tuple[int, int]
+Squares = tuple[Fraction, Fraction]
+
+_BITS = 128
+_LONG = 8192
+"""Bits of a root that is not rounded."""
+_CUTS = 1000
+_MOST_LOOKED_AT = 1_500_000
+"""Edges looked at for cuts, in either direction: some seconds."""
+_CLOSE = 1 + Fraction(1, 2**32)
+
+
+class Place(NamedTuple):
+    """A point (x / w, y / w) in integers."""
+
+    x: int
+    y: int
+    w: int = 1
+
+
+class LoopEdge:
+    """An edge of a loop between two points of the lattice, which may be equal."""
+
+    __slots__ = ("a", "b", "bottom", "dx", "dy", "left", "length", "right", "top")
+
+    def __init__(self, a: IntPair, b: IntPair) -> None:
+        self.a, self.b = a, b
+        self.dx, self.dy = b[0] - a[0], b[1] - a[1]
+        self.length = self.dx * self.dx + self.dy * self.dy
+        self.left, self.right = sorted((a[0], b[0]))
+        self.bottom, self.top = sorted((a[1], b[1]))
+
+    def at(self, t: Fraction) -> Place:
+        """Return the place a + t (b - a).
+
+        >>> LoopEdge((0, 0), (2, 1)).at(Fraction(1, 3))
+        Place(x=2, y=1, w=3)
+        """
+        p, q = t.as_integer_ratio()
+        return Place(self.a[0] * q + p * self.dx, self.a[1] * q + p * self.dy, q)
+
+    def distance(self, place: Place) -> Fraction:
+        """Return the squared distance of a place."""
+        (_, _, square), divisor = self.along(place, 0, 0, Fraction(0))
+        return Fraction(square, divisor * place.w * place.w)
+
+    def is_beyond(self, place: Place, bound: int) -> bool:
+        """Decide whether the edge's box is farther than a bound, squared, times w^2."""
+        x, y, w = place
+        dx = max(self.left * w - x, x - self.right * w, 0)
+        dy = max(self.bottom * w - y, y - self.top * w, 0)
+        return dx * dx + dy * dy > bound
+
+    def along(self, place: Place, u: int, v: int, t: Fraction) -> tuple[tuple[int, int, int], int]:
+        """Express the squared distance from place + s (u, v) to the feature nearest where s is t.
+
+        Returns the coefficients of s^2, s and 1, times place.w squared, and their divisor.
+        """
+        p, q = t.as_integer_ratio()
+        w = place.w
+        x, y = place.x - self.a[0] * w, place.y - self.a[1] * w
+        along = (x * q + p * u) * self.dx + (y * q + p * v) * self.dy
+        if 0 < along < self.length * q * w:
+            off, step = x * self.dy - y * self.dx, u * self.dy - v * self.dx
+            return (step * step, 2 * off * step, off * off), self.length
+        if along > 0:
+            x, y = place.x - self.b[0] * w, place.y - self.b[1] * w
+        return (u * u + v * v, 2 * (u * x + v * y), x * x + y * y), 1
+
+
+class LoopEdges:
+    """All edges of some rings, asked for the nearest one."""
+
+    def __init__(self, rings: Iterable[Sequence[IntPair]]) -> None:
+        self.edges = [LoopEdge(ring[k - 1], p) for ring in rings for k, p in enumerate(ring)]
+
+    def find_nearest(self, place: Place) -> tuple[Fraction, LoopEdge]:
+        """Find the squared distance of a place from the rings, and an edge that has it."""
+        nearest = self.edges[0]
+        best = nearest.distance(place)
+        bound = _bound(best, place)
+        for edge in self.edges:
+            if not edge.is_beyond(place, bound) and (distance := edge.distance(place)) < best:
+                best, nearest, bound = distance, edge, _bound(distance, place)
+        # The next place is close as a rule: it begins with this edge.
+        self.edges.remove(nearest)
+        self.edges.insert(0, nearest)
+        return best, nearest
+
+    def bound_piece(self, a: Place, b: Place, hints: Iterable[LoopEdge]) -> Fraction:
+        """Find the right side of (1) for a piece from a to b."""
+        best = min(max(edge.distance(a), edge.distance(b)) for edge in hints)
+        bounds = _bound(best, a), _bound(best, b)
+        for edge in self.edges:
+            if not edge.is_beyond(a, bounds[0]) and not edge.is_beyond(b, bounds[1]):
+                best = min(best, max(edge.distance(a), edge.distance(b)))
+                bounds = _bound(best, a), _bound(best, b)
+        return best
+
+
+def _bound(square: Fraction, place: Place) -> int:
+    """The least integer above which the distance of a box is greater than a squared distance."""
+    return square.numerator * place.w * place.w // square.denominator
+
+
+class _PieceEnd(NamedTuple):
+    share: Fraction
+    near: LoopEdge
+
+
+def _find_cut(edge: LoopEdge, start: _PieceEnd, end: _PieceEnd) -> Fraction:
+    """Find where on a piece of an edge another edge becomes the nearest one, if only about there.
+
+    >>> low, high = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 8), (9, 8))
+    >>> ends = _PieceEnd(Fraction(0), low), _PieceEnd(Fraction(1), high)
+    >>> _find_cut(LoopEdge((1, 1), (1, 7)), *ends)
+    Fraction(1, 2)
+    """
+    (first, m), (second, n) = (
+        near.along(Place(*edge.a), edge.dx, edge.dy, share) for share, near in (start, end)
+    )
+    square, mixed, constant = (p * n - q * m for p, q in zip(first, second, strict=True))
+    roots: list[Fraction] = []
+    if square and (discriminant := mixed * mixed - 4 * square * constant) >= 0:
+        root, one = isqrt(discriminant), 1
+        if root * root != discriminant:
+            root, one = isqrt(discriminant << 2 * _BITS), 1 << _BITS
+        roots = [Fraction(sign * root - mixed * one, 2 * square * one) for sign in (-1, 1)]
+    elif mixed and not square:
+        roots = [Fraction(-constant, mixed)]
+    # Where both run along the edge, as if they were one, they are equally near everywhere.
+    (x, y), near = edge.a, (start.near, end.near)
+    feet = (
+        Fraction((px - x) * edge.dx + (py - y) * edge.dy, edge.length)
+        for px, py in chain.from_iterable((other.a, other.b) for other in near)
+    )
+    shares = (t if t.denominator.bit_length() <= _LONG else _round(t) for t in (*roots, *feet))
+    inside = (t for t in shares if start.share < t < end.share)
+    return next(inside, (start.share + end.share) / 2)
+
+
+def _round(value: Fraction) -> Fraction:
+    """Round a number to some 128 digits in base 2."""
+    p, q = value.as_integer_ratio()
+    shift = max(0, _BITS + q.bit_length() - p.bit_length())
+    return Fraction((p << shift) // q, 1 << shift)
+
+
+def bound_distance(first: PointRings, second: PointRings) -> Squares:
+    """Bound the square of the Hausdorff distance of two sets of rings.
+
+    Args:
+        first: rings, each a sequence of Point, not closed; at least one vertex in all.
+        second: likewise.
+
+    Returns:
+        (low, high), Fractions with low <= distance squared <= high: equal where the maximum is
+        found exactly, as it is wherever it is at a vertex; otherwise less than one part in 2^32
+        apart, unless 1000 cuts, of loops of more than 500 vertices fewer, do not lead there.
+
+    Cost: O((m + n + c) (m + n)) operations on rationals for c cuts.
+
+    Example:
+        >>> from exactsweep import Point
+        >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (4, 0), (4, 4), (0, 4)]]
+        >>> dented = [*square[:3], Point(Fraction(2), Fraction(1)), square[3]]
+        >>> bound_distance([square], [dented])
+        (Fraction(36, 13), Fraction(36, 13))
+    """
+    rings = [*first, *second]
+    scale = lcm(*(c.denominator for c in chain.from_iterable(chain.from_iterable(rings))))
+    one, other = (
+        [[(int(x * scale), int(y * scale)) for x, y in ring] for ring in given]
+        for given in (first, second)
+    )
+    there, back = _bound_one_way(one, other), _bound_one_way(other, one)
+    low, high = (max(bounds) / scale**2 for bounds in zip(there, back, strict=True))
+    return low, high
+
+
+def _bound_one_way(
+    rings: Sequence[Sequence[IntPair]], target: Sequence[Sequence[IntPair]]
+) -> Squares:
+    """Bound the greatest squared distance of a point of some rings from others."""
+    edges = LoopEdges(target)
+    known = {frozenset((edge.a, edge.b)) for edge in edges.edges}
+    # The greatest bound first, and then by number.
+    pieces: list[tuple[Fraction, int, LoopEdge, _PieceEnd, _PieceEnd]] = []
+    number = count()
+
+    def add(edge: LoopEdge, start: _PieceEnd, end: _PieceEnd) -> None:
+        ends = edge.at(start.share), edge.at(end.share)
+        bound = edges.bound_piece(*ends, (start.near, end.near))
+        heappush(pieces, (-bound, next(number), edge, start, end))
+
+    low = Fraction(0)
+    for ring in rings:
+        found = [edges.find_nearest(Place(*p)) for p in ring]
+        low = max(low, *(distance for distance, _ in found))
+        for k, b in enumerate(ring):
+            if ring[k - 1] != b and frozenset((ring[k - 1], b)) not in known:
+                ends = _PieceEnd(Fraction(0), found[k - 1][1]), _PieceEnd(Fraction(1), found[k][1])
+                add(LoopEdge(ring[k - 1], b), *ends)
+    # A cut looks for one nearest edge and for two bounds, among all.
+    for _ in range(min(_CUTS, _MOST_LOOKED_AT // (3 * len(edges.edges)))):
+        if not pieces or -pieces[0][0] <= low * _CLOSE:
+            break
+        _, _, edge, start, end = heappop(pieces)
+        t = _find_cut(edge, start, end)
+        distance, near = edges.find_nearest(edge.at(t))
+        low = max(low, distance)
+        add(edge, start, _PieceEnd(t, near))
+        add(edge, _PieceEnd(t, near), end)
+    return low, max(low, -pieces[0][0]) if pieces else low
+
+
+class _EdgePart(NamedTuple):
+    """The places on an edge strictly between two shares: an end is in if low < 0, or high > 1."""
+
+    low: Fraction
+    high: Fraction
+
+    def after(self, low: Fraction) -> _EdgePart | None:
+        """Return the places that are not before another one."""
+        part = _EdgePart(max(self.low, low), self.high)
+        return part if part.start < part.end else None
+
+    @property
+    def start(self) -> Fraction:
+        """The low end, on the edge."""
+        return max(self.low, Fraction(0))
+
+    @property
+    def end(self) -> Fraction:
+        """The high end, on the edge."""
+        return min(self.high, Fraction(1))
+
+
+def walk_together(first: Sequence[Point], second: Sequence[Point], bound: Fraction) -> bool:
+    """Decide whether two loops can be walked together, always closer than a bound.
+
+    Args:
+        first: vertices of a loop of m edges, not closed.
+        second: those of another one of n edges, of the same orientation.
+        bound: what the differences in x and in y must be below at every moment.
+
+    Returns:
+        True if a walk is found.
+
+    Cost: O(m + n) operations on rationals where the bound is below all distances of edges that are
+    no neighbours; otherwise up to O(m n) for each start, and MAX_CELLS for all of them.
+
+    Example:
+        >>> loop = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (9, 0), (9, 9), (0, 9)]]
+        >>> rounded = [*loop[1:], Point(Fraction(-1, 3), Fraction(0))]
+        >>> [walk_together(loop, rounded, Fraction(1, k)) for k in (2, 3)]
+        [True, False]
+    """
+    closed = [*first, first[0]]
+    cells = iter(range(MAX_CELLS))
+    return any(_walk(closed, start, bound, cells) for start in _starts(first[0], second, bound))
+
+
+def match_rings(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:
+    """Decide whether each ring is one of some others except for rounding, by `walk_together`.
+
+    The exact ones are counter-clockwise; rounding may have made the others cross themselves.
+    """
+    if not rounding or len(exact) != len(theirs):
+        return False
+    left = list(theirs)
+    for ring in exact:
+        found = next((other for other in left if _is_rounded(ring, other, rounding)), None)
+        if found is None:
+            return False
+        left.remove(found)
+    return True
+
+
+def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fraction) -> bool:
+    for axis in (0, 1):
+        one, other = ([point[axis] for point in ring] for ring in (exact, theirs))
+        if abs(min(one) - min(other)) >= rounding or abs(max(one) - max(other)) >= rounding:
+            return False
+    turn = find_doubled_area(theirs)
+    return (turn >= 0 and walk_together(exact, theirs, rounding)) or (
+        turn <= 0 and walk_together(exact, theirs[::-1], rounding)
+    )
+
+
+def _starts(p: Point, loop: Sequence[Point], bound: Fraction) -> Iterator[list[Point]]:
+    """Yield the loop as a path from a place close to a point all the way around to it."""
+    for k, b in enumerate(loop):
+        a = loop[k - 1]
+        if close := find_close_part(p, a, b, bound):
+            rest = [*loop[k:], *loop[:k]]
+            if close.high > 1:
+                yield [*rest, b]
+            t = (close.start + close.end) / 2
+            middle = Point(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))
+            yield [middle, *rest, middle]
+
+
+def _walk(
+    first: Sequence[Point], second: Sequence[Point], bound: Fraction, cells: Iterator[int]
+) -> bool:
+    """Decide whether two paths whose starts are close can be walked together.
+
+    Cell (i, j) has edge i of the first and edge j of the second path. Its lower side belongs to
+    vertex i, its left side to vertex j.
+    """
+    m, n = len(first) - 1, len(second) - 1
+    lower = _along(first[0], second, bound)
+    leftmost = _along(second[0], first, bound)
+    for i in range(m):
+        upper: dict[int, _EdgePart] = {}
+        left = leftmost.get(i)
+        columns = sorted({*lower, 0})
+        for k, start in enumerate(columns):
+            stop = columns[k + 1] if k + 1 < len(columns) else n
+            for j in range(start, stop):
+                below = lower.get(j)
+                if (below is None and left is None) or next(cells, None) is None:
+                    break
+                right = find_close_part(second[j + 1], first[i], first[i + 1], bound)
+                above = find_close_part(first[i + 1], second[j], second[j + 1], bound)
+                if right and left and below is None:
+                    right = right.after(left.low)
+                if above and below and left is None:
+                    above = above.after(below.low)
+                if above:
+                    upper[j] = above
+                left = right
+        lower = upper
+    return n - 1 in lower and lower[n - 1].high > 1
+
+
+def _along(p: Point, path: Sequence[Point], bound: Fraction) -> dict[int, _EdgePart]:
+    """Find the parts of edges, by number, before the first place of a path not close to a point."""
+    found: dict[int, _EdgePart] = {}
+    for k, (a, b) in enumerate(pairwise(path)):
+        close = find_close_part(p, a, b, bound)
+        if close is None or close.low >= 0:
+            break
+        found[k] = close
+        if close.high <= 1:
+            break
+    return found
+
+
+def find_close_part(p: Point, a: Point, b: Point, bound: Fraction) -> _EdgePart | None:
+    """Find the places on an edge that are closer to a point than the bound, in x and in y."""
+    low, high = Fraction(-1), Fraction(2)
+    for place, start, end in zip(p, a, b, strict=True):
+        if start == end:
+            if abs(place - start) >= bound:
+                return None
+            continue
+        near, far = sorted(((place + sign * bound - start) / (end - start)) for sign in (-1, 1))
+        low, high = max(low, near), min(high, far)
+    return _EdgePart(low, high).after(low)

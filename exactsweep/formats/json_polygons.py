@@ -1,0 +1,112 @@
+"""Polygons of exact JSON documents: vertices, parts with holes, lists of these, and results."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+
+from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.exact_json import describe_kind, read_vertices
+from exactsweep.formats.node import JsonNode
+
+_LOOPS = ("trajectory", "inner", "outer", "unswept", "regions")
+_LISTS = ("unswept", "regions")
+
+
+def read_exact(document: object, path: str = "$") -> list[Candidate]:
+    """Find the polygons of an exact JSON document.
+
+    Args:
+        document: a list of vertices, or of such lists; an object with a list of vertices as
+            "vertices", or as "exterior" and with a list of these as "holes"; an object whose
+            "polygons" is a list of all these; or a result, with "trajectory", "inner", "outer" and
+            "unswept", or with "regions". "id" in an object is the name.
+        path: where the document is, for messages.
+
+    Returns:
+        list of Candidate.
+
+    Raises:
+        FormatError: anything else; the message starts with the JSON path. The vertices are looked
+            at by the Candidates.
+
+    Example:
+        >>> [found.name for found in read_exact({"polygons": [{"id": "a", "vertices": []}]})]
+        ['a']
+    """
+    node = JsonNode(document, path)
+    if isinstance(document, dict) and "polygons" in document:
+        return _read_each(node / "polygons")
+    if _is_list_of_rings(document):
+        return _read_each(node)
+    if isinstance(document, dict) and not {"vertices", "exterior"} & document.keys():
+        found = _read_result(node, document)
+        if found:
+            return found
+    return [_read_one(node)._replace(place="" if path == "$" else path)]
+
+
+def _read_each(node: JsonNode) -> list[Candidate]:
+    return allow_faults(map(_read_one, node.each("a list of polygons")))
+
+
+def _is_list_of_rings(value: object) -> bool:
+    first = value[0] if isinstance(value, list) and value else None
+    return isinstance(first, list) and bool(first) and isinstance(first[0], (list, dict))
+
+
+def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candidate]:
+    """Find the loops of a result, which are named by what they are, after the pair's names."""
+    found: list[Candidate] = []
+    for member in _LOOPS:
+        if member not in document:
+            continue
+        loop = node / member
+        if _is_list_of_rings(loop.value) or (member in _LISTS and isinstance(loop.value, list)):
+            each = enumerate(_read_each(loop))
+            found += [one._replace(name=f"{member} {k}") for k, one in each]
+        else:
+            found.append(_read_one(loop)._replace(name=member))
+    named = read_record_name(document)
+    if named is not None:
+        found = [one._replace(name=f"{named} {one.name}") for one in found]
+    if not found and isinstance(document.get("error"), str):
+        found = [Candidate.refused(f"{node.path}: an error: {document['error']}", named)]
+    return found
+
+
+def read_record_name(document: Mapping[str, object]) -> str | None:
+    """Return what a record is called: its id, or the names of its pair, or its index; or None."""
+    for members in (("id",), ("generatrix", "directrix"), ("index",)):
+        values = [document.get(member) for member in members]
+        if all(isinstance(value, str) for value in values):
+            return " ".join(map(str, values))
+    return None
+
+
+def _read_one(node: JsonNode) -> Candidate:
+    value, path = node
+    if isinstance(value, list):
+        return Candidate(path, partial(read_vertices, value, path))
+    if not isinstance(value, dict):
+        return Candidate.refused(f"{path} is {describe_kind(value)}, not a list of vertices")
+    member = "vertices" if "vertices" in value else "exterior"
+    if member not in value:
+        raise FormatError(
+            f'{path} has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'
+            if path.endswith("$")
+            else f'{path} has no "vertices"'
+        )
+    name, exterior = node.get("id", None).id, node / member
+    try:
+        exterior.entries("a list of vertices")
+    except FormatError as error:
+        return Candidate.refused(error, name)
+    holes = []
+    if member == "exterior" and "holes" in value:
+        holes = [*(node / "holes").each("a list of holes")]
+    for hole in holes:
+        hole.entries("a list of vertices")
+    readers = ((ring.path, partial(read_vertices, *ring)) for ring in (exterior, *holes))
+    return Candidate.of_rings(readers, path, name)

@@ -1,0 +1,156 @@
+"""Convex pieces of a shape, cut along diagonals from vertex to vertex.
+
+(1) Near a vertex the interior consists of open *cones*. Each runs counter-clockwise from an edge
+    that starts there to an edge that ends there. A diagonal runs from a vertex to a vertex through
+    the interior, and halves a cone at both.
+(2) Every cone wider than half a turn has a diagonal into it. If no cone is that wide, every face is
+    convex: a hole in a face would have such a cone at one of its corners.
+(3) So the edges of the pieces are those of the shape, and the diagonals once in each direction. If
+    two of them continue each other on one line, a piece has one edge for both.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+from exactsweep.geometry.vectors import cross, minus, turn, way_key
+
+IntVertex = tuple[int, int]
+IntRing = Sequence[IntVertex]
+ConvexRing = list[IntVertex]
+"""A convex ring, counter-clockwise, without straight angles."""
+
+_Corner = tuple[IntVertex, IntVertex]
+_BoxedWall = tuple[int, int, int, int, IntVertex, IntVertex]
+
+
+def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
+    """Cut a shape into convex pieces.
+
+    Args:
+        rings: the boundary, the interior on the left. Rings may touch in points.
+
+    Returns:
+        Pieces with the vertices of the rings.
+
+    Cost: O(c n) for n vertices, c of which are concave, times the number of tried diagonals each.
+
+    >>> len(cut_to_convex([[(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]]))
+    2
+    """
+    edges = _split_where_touching(rings)
+    cones = _find_cones(edges)
+    walls = [_box(a, b) for a, b in edges]
+    for p in list(cones):
+        while (wide := next((cone for cone in cones[p] if _is_wide(cone)), None)) is not None:
+            q = next(_list_diagonals(p, wide, cones, walls))
+            walls.append(_box(p, q))
+            _halve(cones[p], minus(q, p))
+            _halve(cones[q], minus(p, q))
+    return _walk_faces(cones)
+
+
+def _split_where_touching(rings: Sequence[IntRing]) -> list[tuple[IntVertex, IntVertex]]:
+    edges: list[tuple[IntVertex, IntVertex]] = []
+    for k, ring in enumerate(rings):
+        others = [v for j, other in enumerate(rings) if j != k for v in other]
+        for a, b in pairwise((*ring, ring[0])):
+            low, high = min(a, b), max(a, b)
+            inner = [v for v in others if low < v < high and not turn(a, b, v)]
+            edges += pairwise(sorted({a, b, *inner}, reverse=a > b))
+    return edges
+
+
+def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex, list[_Corner]]:
+    """Find the cones at each vertex, by (1): from an edge that starts to the next that ends."""
+    ways: defaultdict[IntVertex, list[tuple[IntVertex, bool]]] = defaultdict(list)
+    for a, b in edges:
+        ways[a].append((minus(b, a), True))
+        ways[b].append((minus(a, b), False))
+    cones: dict[IntVertex, list[_Corner]] = {}
+    for p, found in ways.items():
+        if len(found) > 2:
+            found.sort(key=lambda way: way_key(way[0]))
+        starts = next(k for k, (_, is_start) in enumerate(found) if is_start)
+        found = found[starts:] + found[:starts]
+        cones[p] = [(found[k][0], found[k + 1][0]) for k in range(0, len(found), 2)]
+    return cones
+
+
+def _list_diagonals(
+    p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], walls: Sequence[_BoxedWall]
+) -> Iterator[IntVertex]:
+    """List the ends of diagonals into a wide cone: those that leave few wide cones first."""
+    ranked = []
+    for q, there in cones.items():
+        way = minus(q, p)
+        if way == (0, 0) or not _surrounds(wide, way):
+            continue
+        back = (-way[0], -way[1])
+        opposite = next((cone for cone in there if _surrounds(cone, back)), None)
+        if opposite is not None:
+            remaining = sum(map(_is_wide, (*_halves(wide, way), *_halves(opposite, back))))
+            saved = _is_wide(opposite)
+            ranked.append((remaining - saved, way[0] * way[0] + way[1] * way[1], q))
+    for _, _, q in sorted(ranked):
+        if not _is_blocked(p, q, walls):
+            yield q
+
+
+def _is_blocked(p: IntVertex, q: IntVertex, walls: Sequence[_BoxedWall]) -> bool:
+    """Decide whether a wall that does not end in p or q meets the segment between them."""
+    first, last, bottom, top, _, _ = _box(p, q)
+    for left, right, low, high, a, b in walls:
+        if left > last or right < first or low > top or high < bottom:
+            continue
+        if a in (p, q) or b in (p, q):
+            continue
+        from_a, from_b = turn(p, q, a), turn(p, q, b)
+        if (from_a > 0 < from_b) or (from_a < 0 > from_b):
+            continue
+        if from_a == from_b == 0 or turn(a, b, p) * turn(a, b, q) <= 0:
+            return True
+    return False
+
+
+def _walk_faces(cones: dict[IntVertex, list[_Corner]]) -> list[ConvexRing]:
+    """Walk around the faces: an edge leads to the cone that ends in the way back."""
+    ending = {(p, end): start for p, found in cones.items() for start, end in found}
+    pieces = []
+    while ending:
+        first, way = next(((p, end), start) for (p, end), start in ending.items())
+        key, piece = first, []
+        while key in ending:
+            way = ending.pop(key)
+            p, back = key
+            if back[0] * way[1] != back[1] * way[0]:
+                piece.append(p)
+            key = (p[0] + way[0], p[1] + way[1]), (-way[0], -way[1])
+        pieces.append(piece)
+    return pieces
+
+
+def _is_wide(cone: _Corner) -> bool:
+    return cross(*cone) < 0
+
+
+def _surrounds(cone: _Corner, way: IntVertex) -> bool:
+    """Decide whether a direction is strictly inside a cone."""
+    after, before, turned = cross(cone[0], way) > 0, cross(way, cone[1]) > 0, cross(*cone)
+    return after or before if turned < 0 else after and (before or not turned)
+
+
+def _halves(cone: _Corner, way: IntVertex) -> list[_Corner]:
+    return [(cone[0], way), (way, cone[1])]
+
+
+def _halve(cones: list[_Corner], way: IntVertex) -> None:
+    k = next(k for k, cone in enumerate(cones) if _surrounds(cone, way))
+    cones[k : k + 1] = _halves(cones[k], way)
+
+
+def _box(a: IntVertex, b: IntVertex) -> _BoxedWall:
+    (left, right), (low, high) = (sorted(pair) for pair in zip(a, b, strict=True))
+    return left, right, low, high, a, b

@@ -1,0 +1,36 @@
+"""Witnesses that show points of loops, worked out by hand."""
+
+import pytest
+
+from exactsweep.conform.judge.compare import compare
+from exactsweep.corpus import Case
+
+Ring = list[tuple[int, int]]
+
+
+def box(side: int, low: int = 0) -> Ring:
+    high = low + side
+    return [(low, low), (high, low), (high, high), (low, high)]
+
+
+@pytest.mark.parametrize(
+    ("directrix", "hole", "side", "place"),
+    [
+        (10, [], 1, "D"),
+        # G does not fit into the hole, in whose middle the witness is.
+        (10, [box(8, 1)], 9, "the inner loop"),
+    ],
+)
+def test_a_point_that_g_cannot_reach_is_in_what_the_sweep_encloses(
+    directrix: int, hole: list[Ring], side: int, place: str
+) -> None:
+    case = Case.of("enclosed", "", box(directrix), box(side), directrix_holes=hole)
+    low, high = -side, 10 + side
+    angle = [(low, low), (high, low), (high, 0), (0, 0), (0, high), (low, high)]
+    (found,) = compare(case, {"outer": angle}).parts
+    assert found.unsound is not None
+    assert found.unsound.translation is None
+    x, y = found.unsound.point or (0, 0)
+    assert 1 < x < 9
+    assert 1 < y < 9
+    assert found.unsound.says == f"({x},{y}) is in {place}; that is outside their outer loop"
