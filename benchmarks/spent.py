@@ -91,7 +91,7 @@ def count(run: Callable[[], object]) -> Counter[str]:
 
 @cache
 def _kinds(code: CodeType) -> dict[int, str]:
-    """Which instructions of a function are counted for what they do."""
+    """Classify the instructions of a function by their work."""
     kinds = {}
     for instruction in get_instructions(code):
         if instruction.opname == "COMPARE_OP":

@@ -1,4 +1,4 @@
-"""Hold judgements of layouts against the definition: `python -m tests.layout_campaign`.
+"""Compare judgements of layouts with the definition: `python -m tests.layout_campaign`.
 
 Layout NUMBER is drawn by a `random.Random` of its own, seeded with "SEED:NUMBER", so that a failing
 one comes again with `--seed SEED --first NUMBER --layouts 1`.

@@ -6,6 +6,7 @@ Imports are read from the source, those inside functions and under TYPE_CHECKING
 import ast
 import re
 from collections.abc import Iterable, Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -68,6 +69,21 @@ RULES: dict[str, tuple[set[str], str]] = {
 }
 
 
+@cache
+def parse(source: str) -> ast.Module:
+    """Parse a source, once."""
+    return ast.parse(source)
+
+
+def statements(tree: ast.AST) -> Iterator[ast.stmt]:
+    """Yield all statements of a tree, at any depth, without their expressions."""
+    for field in ("body", "orelse", "handlers", "finalbody", "cases"):
+        for inner in getattr(tree, field, ()):
+            if isinstance(inner, ast.stmt):
+                yield inner
+            yield from statements(inner)
+
+
 def modules() -> dict[str, Path]:
     """All modules of the package: dotted names below it, and their files."""
     named = {
@@ -79,7 +95,7 @@ def modules() -> dict[str, Path]:
 
 def imported(source: str, known: set[str]) -> Iterator[str]:
     """The modules of the package that a source imports."""
-    for node in ast.walk(ast.parse(source)):
+    for node in ast.walk(parse(source)):
         if isinstance(node, ast.ImportFrom):
             assert node.level == 0, "imports are absolute"
             module = node.module or ""
@@ -113,7 +129,7 @@ def broken(module: str, targets: Iterator[str]) -> Iterator[str]:
 
 
 def arrows() -> dict[str, set[str]]:
-    """Which modules each module imports."""
+    """Return the modules that each module imports."""
     found = modules()
     return {
         name: set(imported(path.read_text(encoding="utf-8"), set(found)))
@@ -197,7 +213,7 @@ def test_few_files_lie_at_the_top_and_none_is_long() -> None:
 
 def named_types(source: str) -> Iterator[str]:
     """The classes and type aliases of a source, without leading underscores."""
-    tree = ast.parse(source)
+    tree = parse(source)
     for node in ast.walk(tree):
         if isinstance(node, ast.ClassDef):
             yield node.name.lstrip("_")
@@ -259,7 +275,7 @@ def misplaced(docstring: str) -> str:
 
 def docstrings(source: str) -> Iterator[tuple[str, str]]:
     """The classes and functions of a source, each with its docstring."""
-    for node in ast.walk(ast.parse(source)):
+    for node in statements(parse(source)):
         if isinstance(node, ast.ClassDef | ast.FunctionDef) and (text := ast.get_docstring(node)):
             yield node.name, text
 
@@ -292,11 +308,15 @@ def test_a_docstring_out_of_order_is_found(docstring: str, line: str) -> None:
 CLAUSE = re.compile(
     r"(What|Whatever|Who|Whose|Where|How|Which|That|If|When|Why|Whether|Those)\b", re.ASCII
 )
+TREE = PACKAGE.parent
+FOLDERS = ("exactsweep", "tests", "benchmarks")
+SOURCES = [path for name in FOLDERS for path in TREE.glob(f"{name}/**/*.py")]
+PAGES = [TREE / "README.md", *(page for name in FOLDERS for page in TREE.glob(f"{name}/**/*.md"))]
 
 
 def opening_clauses(source: str) -> Iterator[str]:
     """The first lines of docstrings that begin with a clause, not with a verb or a noun."""
-    module = ast.get_docstring(ast.parse(source)) or ""
+    module = ast.get_docstring(parse(source)) or ""
     for name, text in [("module", module), *docstrings(source)]:
         if CLAUSE.match(text):
             yield f"{name}: {text.splitlines()[0]}"
@@ -304,8 +324,8 @@ def opening_clauses(source: str) -> Iterator[str]:
 
 def test_docstrings_begin_with_a_verb_or_a_noun() -> None:
     found = [
-        f"{module}.{line}"
-        for module, path in modules().items()
+        f"{path.relative_to(TREE)}: {line}"
+        for path in SOURCES
         for line in opening_clauses(path.read_text(encoding="utf-8"))
     ]
     assert not found, "\n".join(found)
@@ -314,3 +334,71 @@ def test_docstrings_begin_with_a_verb_or_a_noun() -> None:
 def test_a_docstring_that_begins_with_a_clause_is_found() -> None:
     source = '"""What is."""\ndef f():\n    """Whether so."""\nclass C:\n    """Whereabouts."""\n'
     assert [*opening_clauses(source)] == ["module: What is.", "f: Whether so."]
+
+
+# A clause as the subject of a sentence, and verbs that hide who acts.
+SUBJECT = re.compile(r"(What|Whatever|Who|Whoever|Whose|Whether|How)\b(?!.*\?)", re.S)
+HIDDEN = re.compile(
+    r"\b((is|are|was|were|be) (told|said|had|taken)|comes? to (?!rest)|strangers?"
+    r"|(held|holds?|holding) (\w+ ){0,3}against|whoever|as somebody|lest|which see)\b",
+    re.I,
+)
+# A published release has the digest of this page.
+UNCHANGED = {"exactsweep/corpus/release/HOW-TO-READ.md"}
+# Packages with clumsy sentences, and their number, which may only fall.
+MOST_CLUMSY = {"conform": 61, "check": 35, "paper": 30, "evidence": 7}
+
+
+def paragraphs(text: str, suffix: str) -> Iterator[str]:
+    """The paragraphs of a page of Markdown, or of the docstrings and comments of a source."""
+    if suffix == ".md":
+        prose = re.sub(r"^```.*?^```|^\|.*?$", "\n", text, flags=re.M | re.S)
+    else:
+        strings = (
+            node.value.value
+            for node in statements(parse(text))
+            if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+            if isinstance(node.value.value, str)
+        )
+        prose = re.sub(r"^ *(>>>|\.\.\.).*(\n.*\S.*)*", "", "\n\n".join(strings), flags=re.M)
+        comments = (re.match(r" *# (.*)", line) for line in text.splitlines())
+        prose += "\n\n" + "\n".join(comment[1] if comment else "" for comment in comments)
+    yield from re.split(r"\n\s*\n|\n\s*(?=- |\(?\d+[.)] |[\w, *]+: )", prose)
+
+
+def clumsy(text: str, suffix: str = ".py") -> Iterator[str]:
+    """The sentences with a clause as subject, or with a verb that hides who acts."""
+    for paragraph in paragraphs(text, suffix):
+        flat = " ".join(re.sub(r"`[^`]*`", "X", paragraph).split())
+        for sentence in re.split(r"(?<=[.:;!?]) +", flat):
+            words = sentence.lstrip("#->*()0123456789. ")
+            if SUBJECT.match(words) or HIDDEN.search(words):
+                yield words
+
+
+def test_sentences_say_who_acts() -> None:
+    found: dict[str, list[str]] = {}
+    for path in [*SOURCES, *PAGES]:
+        name = path.relative_to(TREE).as_posix()
+        if name not in UNCHANGED:
+            package = name.split("/")[1] if name.startswith("exactsweep/") else ""
+            found.setdefault(package, []).extend(
+                f"{name}: {line}" for line in clumsy(path.read_text(encoding="utf-8"), path.suffix)
+            )
+    worse = [
+        line
+        for package, lines in found.items()
+        if len(lines) > MOST_CLUMSY.get(package, 0)
+        for line in lines
+    ]
+    assert not worse, "\n".join(worse)
+
+
+def test_a_clumsy_sentence_is_found() -> None:
+    source = (
+        '"""Loops.\n\nWhat bounds it is told. Whether so?\n\n>>> "Who"\n"""\n'
+        "# Numbers of strangers\n# are read. What for? Nothing.\n"
+    )
+    assert [*clumsy(source)] == ["What bounds it is told.", "Numbers of strangers are read."]
+    page = "# What is refused\n\n```\nWhat is.\n```\n\n| Who |\n\n- Whoever reads: it is said.\n"
+    assert [*clumsy(page, ".md")] == ["What is refused", "Whoever reads:", "it is said."]

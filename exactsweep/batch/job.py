@@ -113,6 +113,9 @@ def take_listed_pairs(
         BatchError: the file cannot be read, two parts have one name, or no such quantities.
 
     Cost: one pass over the file.
+
+    Example:
+        >>> job = take_listed_pairs("pairs.jsonl", read_parts("parts.svg"))  # doctest: +SKIP
     """
     listed = _parts(parts)
     for name, count in Counter(part.name for part in listed).items():

@@ -58,22 +58,22 @@ def _to_degrees(text: str) -> list[str]:
     "what",
     type=click.Choice(["trajectory", "loops", "areas", "nfp"]),
     default="loops",
-    help="The trajectory alone, all loops (if left out), just areas, or no-fit polygons.",
+    help="The trajectory alone, all loops (the default), just areas, or no-fit polygons.",
 )
-@takes_workers("How many processes compute; one for each processor if left out.")
+@takes_workers("The number of processes; by default one per processor.")
 @click.option(
     "--scheduler",
     metavar="ADDRESS",
-    help="Compute on the workers of a Dask scheduler; 'local' starts a cluster of this machine.",
+    help="Compute on the workers of a Dask scheduler; 'local' starts a cluster on this machine.",
 )
 @click.option(
     "--rotations",
     callback=checked(_to_degrees),
     metavar="DEGREES",
-    help="With --all, each generatrix turned by these degrees, such as 0,90,180,270; "
-    "by a rational turn near others than multiples of 90, which is told.",
+    help="With --all: turn each generatrix by these degrees, such as 0,90,180,270. For angles "
+    "other than multiples of 90, standard error states the rational turn nearby.",
 )
-@click.option("--restart", is_flag=True, help="Throw away what an interrupted batch left.")
+@click.option("--restart", is_flag=True, help="Discard the records of an interrupted batch.")
 @takes_rounding
 @takes_reading
 @click.option(
@@ -82,7 +82,7 @@ def _to_degrees(text: str) -> list[str]:
     type=PATH,
     required=True,
     metavar="FILE",
-    help="The records, a line of JSON each; a table if it ends in .parquet or .csv.",
+    help="The file of the records, one line of JSON each; with .parquet or .csv a table.",
 )
 def batch_command(
     pairs: str | None,

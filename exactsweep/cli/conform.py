@@ -35,14 +35,14 @@ def _refuse_nan(seconds: float) -> float:
     multiple=True,
     metavar="NAME=VALUE",
     shell_complete=offer(list_filters),
-    help="Only cases whose id starts with id=..., with flag=..., class=CC to SS, or at most "
-    "size=... vertices. May be repeated.",
+    help="Select cases: id=... by the beginning of the id, flag=..., class=CC to SS, size=... by "
+    "the largest number of vertices. May be repeated.",
 )
-@takes_file("--cases path", "Cases as JSON lines; else the corpus.")
+@takes_file("--cases path", "Cases as JSON lines; by default the corpus.")
 @takes_file(
     "--pairs",
-    "Polygons of your own instead, each around each, in any format; or lines of JSON with a "
-    "directrix and a generatrix. The exact answers are made here.",
+    "Your own polygons, in any format, each swept around each; or lines of JSON with a directrix "
+    "and a generatrix. The command computes the exact answers.",
 )
 @takes_reading
 @click.option(
@@ -51,30 +51,30 @@ def _refuse_nan(seconds: float) -> float:
     callback=checked(_refuse_nan),
     default=10.0,
     metavar="SECONDS",
-    help="For one answer; 10 if left out.",
+    help="The limit of time for one answer; by default 10.",
 )
 @click.option(
     "--workers",
     type=click.IntRange(min=1, max=256),
     default=1,
     metavar="N",
-    help="Processes of the command side by side.",
+    help="The number of processes of the command.",
 )
 @click.option(
     "--memory",
     "most_memory",
     type=click.IntRange(min=1),
     metavar="MIB",
-    help="MiB that a process of the command may hold, with what it starts; any if left out.",
+    help="The limit of memory for a process of the command and its descendants; by default none.",
 )
-@takes_file("--journal", "Keep the outcomes as they come.")
-@click.option("--resume", is_flag=True, help="Go on with the journal where it ends.")
+@takes_file("--journal", "Record each outcome at once.")
+@click.option("--resume", is_flag=True, help="Continue the run of the journal.")
 @click.option(
     "--shrink",
     type=click.IntRange(min=0),
     default=1,
     metavar="N",
-    help="Make N failures of each fault smaller, for --html and --json; 1 if left out.",
+    help="Make N failures of each fault smaller, for --html and --json; by default 1.",
 )
 @takes_rounding
 @takes_reports

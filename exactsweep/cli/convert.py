@@ -24,7 +24,7 @@ from exactsweep.words import count
     "--to",
     "form",
     type=click.Choice(FORMATS),
-    help="The format; that of the ending of the output's name if left out.",
+    help="The format; by default that of the suffix of the output.",
 )
 @click.option(
     "--free",

@@ -164,14 +164,14 @@ def layouts_command(name: str | None, as_json: bool) -> None:
     "form",
     type=click.Choice(["json", "wkt", "geojson", "svg"]),
     default="json",
-    help="json if left out.",
+    help="The format; by default json.",
 )
 @click.option(
     "--all",
     "whole",
     is_flag=True,
-    help="Write one folder with all of it: JSON lines by theme, schema, checksums, licence, a page "
-    "on how to read a case, and a small reader in each of six languages.",
+    help="Write the whole corpus as a folder: JSON lines by theme, schema, checksums, licence, a "
+    "page on how to read a case, and a small reader in each of six languages.",
 )
 @takes_output
 def export_command(
@@ -222,10 +222,10 @@ def export_command(
     "families",
     multiple=True,
     shell_complete=offer(list_families),
-    help="Repeatable; all families if left out.",
+    help="A family; may be repeated. By default all families.",
 )
-@click.option("--seed", type=click.IntRange(min=0), default=0, help="0 if left out.")
-@click.option("--count", type=click.IntRange(min=0), required=True, help="How many cases.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, help="The seed; by default 0.")
+@click.option("--count", type=click.IntRange(min=0), required=True, help="The number of cases.")
 def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
     """Make cases, and write each as a line of JSON.
 
@@ -257,14 +257,9 @@ def schema_command() -> None:
 
 def _publish(output: str) -> None:
     from exactsweep.corpus.publish import VERSION, write_corpus
-    from exactsweep.formats import FormatError
 
     folder = Path(f"exactsweep-corpus-{VERSION}" if output == "-" else output)
-    try:
-        number = write_corpus(folder)
-    except OSError as error:
-        raise FormatError(f"{folder}: {error.strerror or error}") from None
-    click.echo(f"{folder}: {count(number, 'file')}", err=True)
+    click.echo(f"{folder}: {count(write_corpus(folder), 'file')}", err=True)
 
 
 def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:

@@ -30,15 +30,15 @@ def _require_suffix(path: str) -> str:
     multiple=True,
     callback=checked(lambda pairs: [*map(to_point, pairs)]),
     metavar="X Y",
-    help="Draw the generatrix with its reference point here; may be given several times.",
+    help="Draw the generatrix with its reference point here; may be repeated.",
 )
-@click.option("--title", help="What is written above the picture.")
+@click.option("--title", help="The title above the picture.")
 @click.option(
     "--size",
     nargs=2,
     type=click.FloatRange(min=1, max=100),
     metavar="WIDTH HEIGHT",
-    help="The room for the picture and its legend, in inches; 7.2 4.8 if left out.",
+    help="The size of picture and legend, in inches; by default 7.2 4.8.",
 )
 @click.option(
     "-o",
@@ -47,7 +47,7 @@ def _require_suffix(path: str) -> str:
     required=True,
     callback=checked(_require_suffix),
     metavar="FILE",
-    help="The picture: a file that ends in .svg, .pdf or .png.",
+    help="The file of the picture, with the suffix .svg, .pdf or .png.",
 )
 def draw_command(
     result: Sweep | NoFitPolygon | InnerFit,

@@ -24,7 +24,7 @@ def explain_command(result: Sweep, as_json: bool, output: str) -> None:
     fits, with their contacts. Vertices and edges have their index in the files; edge i runs from
     vertex i to the next.
 
-    Files are read as by 'exactsweep sweep'; without files, its example is explained.
+    The command reads files as 'exactsweep sweep' does; without files, it explains the example.
 
     Example:
       exactsweep explain house.json block.wkt

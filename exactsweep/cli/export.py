@@ -32,14 +32,14 @@ takes_rounding = gather(
         "places",
         type=click.IntRange(0, MAX_PLACES),
         metavar="PLACES",
-        help="Round to so many decimal places, and say on standard error what that changed.",
+        help="Round to this number of decimal places, and report the changes on standard error.",
     ),
     click.option(
         "--round-outward",
         "outward",
         is_flag=True,
-        help="With --round: never to where it would permit an overlap, which is proved. What is "
-        "forbidden grows, what is free shrinks.",
+        help="With --round: provably permit no overlap. Forbidden regions only grow, and free "
+        "regions only shrink.",
     ),
 )
 """Gives a command --round and --round-outward, as `rounding`; None without them."""

@@ -27,11 +27,11 @@ def ifp_command(shapes: tuple[Region, Region, list[Region]], reference: Point, f
 
     Holes of CONTAINER are defects, which PART has to avoid. The answer has regions of positions,
     perhaps with holes, and exact fits, at which CONTAINER is exactly as wide as PART. It is empty
-    where PART does not fit.
+    if PART does not fit.
 
-    Files are read as by 'exactsweep sweep'. --wkt writes a POLYGON for each region and a LINESTRING
-    or a POINT for each exact fit, or POLYGON EMPTY, if all coordinates are finite decimals, and is
-    refused otherwise.
+    The command reads files as 'exactsweep sweep' does. --wkt writes a POLYGON for each region and a
+    LINESTRING or a POINT for each exact fit, or POLYGON EMPTY. It refuses coordinates that are not
+    finite decimals.
 
     Example:
       exactsweep ifp sheet.json part.wkt

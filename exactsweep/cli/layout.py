@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_output, takes_workers
-from exactsweep.cli.output import measure_terminal, write, write_readable
+from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.reports import to_gap
 from exactsweep.formats import show_path
@@ -62,14 +62,13 @@ class _Wanted(NamedTuple):
 @click.argument("files", nargs=-1, required=True, type=PATH)
 @takes_file(
     "--instance",
-    "The instance that a solution answers: its parts, how many of each, and which turns are "
-    "allowed.",
+    "The instance of a solution, with its parts, their number and their allowed turns.",
 )
 @click.option(
     "--container",
     metavar="ID",
-    help="Which outline of a drawing is the container, by name, index or layer; the one around all "
-    "others if left out.",
+    help="The outline of a drawing that is the container, by name, index or layer; by default the "
+    "outline around all others.",
 )
 @gather(
     "gaps",
@@ -78,28 +77,28 @@ class _Wanted(NamedTuple):
         "--spacing",
         callback=checked(to_gap),
         metavar="DISTANCE",
-        help="How far apart any two parts have to be; what the file says if left out, or 0.",
+        help="The least distance of any two parts; by default that of the file, or 0.",
     ),
     click.option(
         "--margin",
         callback=checked(to_gap),
         metavar="DISTANCE",
-        help="How far parts have to be from the edge of the container and from its defects.",
+        help="The least distance of parts from the edge of the container and from its defects.",
     ),
 )
 @takes_reading
 @gather(
     "wanted",
     _Wanted,
-    click.option("--json", "as_json", is_flag=True, help="Write the judgement, exactly, as JSON."),
+    click.option("--json", "as_json", is_flag=True, help="Write the exact judgement as JSON."),
     click.option("--all", "everything", is_flag=True, help="List all faults."),
     takes_file(
         "--certificate",
-        "Write what 'exactsweep verify' proves the verdict by, from its definition.",
+        "Write a certificate, with which 'exactsweep verify' proves the verdict.",
     ),
     takes_file("--html", "Write a page with pictures of faults."),
-    takes_file("--svg", "Write a picture, faults enlarged below."),
-    takes_workers("How many processes judge several files; one for each processor if left out."),
+    takes_file("--svg", "Write a picture with enlarged faults below."),
+    takes_workers("The number of processes for several files; by default one per processor."),
     takes_output,
 )
 def layout_command(
@@ -149,8 +148,7 @@ def layout_command(
     if wanted.as_json:
         text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
     else:
-        terminal = measure_terminal(wanted.output)
-        text = _write_rows(rows, terminal and terminal.columns)
+        text = _write_rows(rows, measure_columns(wanted.output))
     write(text, wanted.output)
     sys.exit(0 if all(row.valid for row in rows) else 1)
 
@@ -180,13 +178,9 @@ def _judge_one(
         if wanted.as_json:
             text = report.write_layout_json(judgement, notes)
         else:
-            terminal = measure_terminal(wanted.output)
+            columns, everything = measure_columns(wanted.output), wanted.everything
             text = report.report_layout(
-                judgement,
-                ranked,
-                terminal and terminal.columns,
-                notes=notes,
-                everything=wanted.everything,
+                judgement, ranked, columns, notes=notes, everything=everything
             )
     write(text, wanted.output)
     return judgement.valid

@@ -2,7 +2,7 @@
 
 import click
 
-from exactsweep.cli.options import checked
+from exactsweep.cli.options import name_mistakes
 from exactsweep.numbers.limits import DEFAULT_DIGITS, DEFAULT_MIB, limits
 
 _READING_NOTHING = {"corpus", "example", "reproduce"}
@@ -10,10 +10,9 @@ _READING_NOTHING = {"corpus", "example", "reproduce"}
 
 def _raise_limit(ctx: click.Context, option: click.Parameter, value: float | None) -> None:
     """Change a limit for as long as the command runs."""
-    if not ctx.resilient_parsing:
-        checked(lambda most: ctx.with_resource(limits(**{str(option.name): most})))(
-            ctx, option, value
-        )
+    if value is not None and not ctx.resilient_parsing:
+        with name_mistakes():
+            ctx.with_resource(limits(**{str(option.name): value}))  # type: ignore[arg-type]
 
 
 _LIMITS = (
@@ -24,8 +23,8 @@ _LIMITS = (
         is_eager=True,  # before options that are numbers
         callback=_raise_limit,
         metavar="MIB",
-        help="Read files that count for no more than this, by their bytes, and 16 for each vertex; "
-        f"{DEFAULT_MIB} if left out.",
+        help="Read files up to this size, where each vertex counts for at least 16 bytes; by "
+        f"default {DEFAULT_MIB}.",
     ),
     click.option(
         "--max-digits",
@@ -34,8 +33,8 @@ _LIMITS = (
         is_eager=True,
         callback=_raise_limit,
         metavar="N",
-        help="Read numbers of up to so many digits above and below the fraction bar, and 32 times "
-        f"as many where they are written out; {DEFAULT_DIGITS} if left out.",
+        help="Read numbers with up to N digits above and below the fraction bar, or 32 times as "
+        f"many if they are written out; by default {DEFAULT_DIGITS}.",
     ),
 )
 

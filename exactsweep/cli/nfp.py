@@ -4,7 +4,7 @@ import click
 
 from exactsweep import NoFitPolygon, Point, no_fit_polygon
 from exactsweep.cli.export import export
-from exactsweep.cli.output import measure_terminal, write, write_readable
+from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import read_each, takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.cli.working import working
@@ -25,10 +25,10 @@ def nfp_command(
     which is the trajectory of a sweep; holes, where ORBITING fits into a cave or a hole; and exact
     fits, positions and segments of positions at which it fits without any room.
 
-    Files are read as by 'exactsweep sweep'; each may be a folder or a pattern, too. Of several
-    pairs the report has a line for each, --json a line of JSON, and --to writes all of them.
-    --wkt writes a POLYGON with its holes, and a LINESTRING or a POINT for each exact fit, if all
-    coordinates are finite decimals, and is refused otherwise.
+    The command reads files as 'exactsweep sweep' does. Each argument may also be a folder or a
+    pattern. For several pairs the report has one line per pair, --json writes one line of JSON per
+    pair, and --to writes all polygons. --wkt writes a POLYGON with its holes, and a LINESTRING or a
+    POINT for each exact fit. It refuses coordinates that are not finite decimals.
 
     Example:
       exactsweep nfp plate.json fork.wkt
@@ -76,5 +76,4 @@ def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) 
     for (d, g), n in zip(names, found, strict=True):
         sizes = (len(n.exterior), len(n.holes), len(n.exact_fits))
         table.add_row(d, g, n.kind, *map(str, sizes), approximate(n.area))
-    terminal = measure_terminal(output)
-    return lay_out([table], terminal and terminal.columns)
+    return lay_out([table], measure_columns(output))

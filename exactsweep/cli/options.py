@@ -1,6 +1,7 @@
 """Options and arguments of commands: values that are checked, and several that make one."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import wraps
 from inspect import signature
 from typing import Any
@@ -14,6 +15,15 @@ Decorator = Callable[[Callable[..., None]], Callable[..., None]]
 PATH = click.Path(allow_dash=True, readable=False)
 
 
+@contextmanager
+def name_mistakes() -> Iterator[None]:
+    """Turn a ValueError into a refusal by click, which names the option."""
+    try:
+        yield
+    except ValueError as error:
+        raise click.BadParameter(str(error)) from None
+
+
 def checked(read: Callable[[Any], object]) -> Callable[..., object]:
     """Make the callback of an option, which reads its value; None stays None.
 
@@ -22,10 +32,8 @@ def checked(read: Callable[[Any], object]) -> Callable[..., object]:
     """
 
     def callback(ctx: click.Context, option: click.Parameter, given: Any) -> object:
-        try:
+        with name_mistakes():
             return None if given is None else read(given)
-        except ValueError as error:
-            raise click.BadParameter(str(error)) from None
 
     return callback
 

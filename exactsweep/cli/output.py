@@ -21,6 +21,12 @@ def measure_terminal(output: str) -> os.terminal_size | None:
     return None
 
 
+def measure_columns(output: str) -> int | None:
+    """Return the columns of the terminal that the output goes to, or None if that is none."""
+    terminal = measure_terminal(output)
+    return terminal and terminal.columns
+
+
 def write_readable(text: str, output: str) -> None:
     """Write an output for other commands, and report the limit if they need a higher one."""
     write(text, output)

@@ -75,36 +75,36 @@ takes_reading = gather(
         "tolerance",
         callback=checked(lambda text: how.Reading(text).tolerance),
         metavar="TOLERANCE",
-        help="Read curves of SVG and DXF as lines no farther from them than this; refused if "
-        "left out.",
+        help="Replace curves of SVG and DXF by lines within this distance. By default curves are "
+        "refused.",
     ),
     click.option(
         "--join",
         callback=checked(lambda text: how.Reading(join=text).join),
         metavar="DISTANCE",
-        help="Join ends of lines of SVG and DXF that are no farther apart; only equal ends if left "
-        "out.",
+        help="Join ends of lines of SVG and DXF within this distance. By default only equal ends "
+        "are joined.",
     ),
     click.option(
         "--nested",
         metavar="[all|OUTER,INNER]",
-        help="Closed outlines inside others of their layer are holes, which DXF has no other way "
-        "to draw; with 'all', of any layer; with names of layers, of any of these.",
+        help="Treat closed outlines inside others of their layer as holes, as in DXF. 'all' treats "
+        "all layers as one, and names of layers these layers.",
     ),
     click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too."),
     click.option(
         "--y-down/--y-up",
         default=None,
-        help="Whether Y points down in the files; if left out, it does in SVG only.",
+        help="The direction of Y in the files; by default down in SVG and up in all others.",
     ),
     click.option(
         "--unit",
         type=click.Choice(list(how.UNITS)),
-        help="Scale SVG and DXF that say their unit to this one; numbers as they stand if left "
-        "out.",
+        help="Scale SVG and DXF that state their unit to this one. By default numbers are "
+        "unchanged.",
     ),
 )
-"""Gives a command the options of how files are read, as `reading`, a dict of arguments."""
+"""Gives a command the options of reading files, as `reading`, a dict of arguments."""
 
 
 def _make_reference(help: str) -> Decorator:
@@ -114,7 +114,7 @@ def _make_reference(help: str) -> Decorator:
         default=("0", "0"),
         callback=checked(to_point),
         metavar="X Y",
-        help=f"{help}; 0 0 if left out.",
+        help=f"{help}; by default 0 0.",
     )
 
 
@@ -162,9 +162,9 @@ takes_pair = gather(
         nargs=2,
         callback=checked(read_direction),
         metavar="P Q",
-        help="The shared direction of monotonicity; chosen if left out.",
+        help="The shared direction of monotonicity; by default the command chooses one.",
     ),
-    _make_reference("The point of the generatrix whose path the trajectory is"),
+    _make_reference("The point of the generatrix whose path is the trajectory"),
     takes_reading,
 )
 """Gives a command the arguments and options of a pair, as `result`, the pair's Sweep."""
@@ -175,8 +175,8 @@ takes_question = click.option(
     "asked",
     type=click.Choice(["sweep", *_ASKED]),
     default="sweep",
-    help="Show a sweep, or the no-fit polygon of STATIONARY and ORBITING, or the inner fit of "
-    "CONTAINER and PART, the files in this order.",
+    help="Show a sweep, the no-fit polygon of STATIONARY and ORBITING, or the inner fit of "
+    "CONTAINER and PART; the files have this order.",
 )
 """Gives a command of `takes_pair` the option --of, by which its result is no sweep."""
 

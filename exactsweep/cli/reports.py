@@ -15,7 +15,7 @@ import click
 
 from exactsweep.cli.complete import list_verdicts, offer
 from exactsweep.cli.options import checked, gather, takes_file
-from exactsweep.cli.output import measure_terminal, write
+from exactsweep.cli.output import measure_columns, write
 from exactsweep.formats import FormatError
 from exactsweep.numbers.number import to_fraction
 
@@ -69,11 +69,9 @@ class Reports:
         from exactsweep.conform.report.text import close, write_table
 
         if "-" not in (self.junit, self.json, self.html):
-            terminal = measure_terminal("-")
-            columns = terminal and terminal.columns
-            write(
-                f"{write_table(run.summary, columns)}\n{close(run, is_timed=bool(terminal))}", "-"
-            )
+            columns = measure_columns("-")
+            closing = close(run, is_timed=columns is not None)
+            write(f"{write_table(run.summary, columns)}\n{closing}", "-")
         if self.junit is not None:
             from exactsweep.conform.report.junit import write_junit
 
@@ -117,8 +115,8 @@ takes_accept = click.option(
     shell_complete=offer(list_verdicts),
     default="equivalent except for exact fits",
     callback=checked(_require_verdict),
-    help="The worst verdict that passes. If left out: exact, equivalent, and 'equivalent but "
-    "for exact fits', as exact fits are reported apart; with --accept equivalent they count.",
+    help="The worst verdict that passes; by default 'equivalent except for exact fits', because "
+    "exact fits are reported apart. With --accept equivalent they count.",
 )
 """Gives a command the option --accept VERDICT, as `accept`."""
 
@@ -126,7 +124,7 @@ takes_rounding = click.option(
     "--rounding",
     callback=checked(to_gap),
     metavar="NUMBER",
-    help="By how much less a coordinate may be off and the answer still be 'within'.",
+    help="The error of coordinates below which an answer is still 'within'.",
 )
 """Gives a command the option --rounding NUMBER, as `rounding`."""
 
@@ -139,7 +137,7 @@ takes_reports = gather(
         metavar="SHARE",
         default="0",
         callback=checked(_to_share),
-        help="Fail if less of the cases can be judged: 0.9 or 90%, for example. One at least must.",
+        help="Fail if a smaller share of the cases is judged, for example 0.9 or 90%.",
     ),
     takes_file("--junit", "Write JUnit XML, for CI."),
     takes_file("--json", "Write all outcomes as JSON."),

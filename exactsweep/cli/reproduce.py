@@ -1,13 +1,11 @@
 """`exactsweep reproduce`."""
 
 import sys
-from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import click
 
 from exactsweep.cli.complete import list_claims, offer
-from exactsweep.formats import FormatError
 
 
 @click.command("reproduce")
@@ -16,7 +14,7 @@ from exactsweep.formats import FormatError
 @click.option(
     "--quick",
     is_flag=True,
-    help="A thirtieth of the pairs, smaller counts, no seconds.",
+    help="A thirtieth of the pairs, smaller grids and sizes; leaves out all seconds.",
 )
 @click.option(
     "--out",
@@ -60,7 +58,7 @@ def reproduce_command(
 
     target = folder or Path("reproduced")
     if cite:
-        click.echo(" ".join(map(str, _write(target, write_citation))))
+        click.echo(" ".join(map(str, write_citation(target))))
         return
     claims = [find(name) for name in names] or list(CLAIMS)
     if only_list:
@@ -81,14 +79,5 @@ def reproduce_command(
     if not names:
         click.echo(count_verdicts(rows))
     if folder or not names:
-        paths = _write(target, lambda folder: write(folder, rows, effort))
-        click.echo(" ".join(map(str, paths)))
+        click.echo(" ".join(map(str, write(target, rows, effort))))
     sys.exit(any(row.disagreement for row in rows))
-
-
-def _write(folder: Path, write: Callable[[Path], Iterable[Path]]) -> Iterable[Path]:
-    """Write files into a folder, and refuse one that cannot be written to."""
-    try:
-        return write(folder)
-    except OSError as error:
-        raise FormatError(f"{folder}: {error.strerror or error}") from None

@@ -8,7 +8,7 @@ import click
 from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import Decorator, gather, takes_output
-from exactsweep.cli.output import measure_terminal, write, write_readable
+from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion
 from exactsweep.formats.rounding import Rounding, Side
@@ -115,7 +115,7 @@ _WRITERS = {
 
 def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
     """Write a result in a form of `takes_form`."""
-    terminal, writers = measure_terminal(form.output), _WRITERS[type(result)]
+    columns, writers = measure_columns(form.output), _WRITERS[type(result)]
     with working("computing"):
         match form.kind:
             case "to":
@@ -131,7 +131,6 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
                 except FormatError as error:
                     raise FormatError(f"{error}; use --json, or --round") from None
             case _:
-                columns = terminal and terminal.columns
                 text = writers.report(result, columns, everything=form.everything)
     if form.kind == "to":
         export(regions, fits, form.target, form.rounding, form.output, writers.side_of)

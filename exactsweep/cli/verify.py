@@ -28,7 +28,7 @@ from exactsweep.words import write_pair
     "--max-steps",
     type=click.IntRange(min=1),
     metavar="N",
-    help="The most work to take on, in steps of about a microsecond; 10**8 if left out.",
+    help="The limit of work, in steps of about a microsecond; by default 10**8.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Write the verdict as JSON.")
 def verify_command(

@@ -3,12 +3,29 @@
 `plot_sweep` draws a sweep, `plot_positions` a no-fit polygon or an inner fit. For other pictures
 make a `Picture` on an Axes, with a `Scale` that covers all points, and draw on it:
 
-    figure = make_figure()
-    picture = Picture(figure.axes[0], Scale.of(d.vertices, *chains))
-    picture.area(d.vertices, style.DIRECTRIX, "directrix D")
-    draw_sub_trajectories(picture, chains, envelope)
-    picture.legend()
-    save(figure, "out.svg")
+    >>> from exactsweep import sweep
+    >>> s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (9, 0), (9, 4), (5, 1), (4, 1), (0, 4)])
+    >>> figure = make_figure()
+    >>> picture = Picture(figure.axes[0], Scale.of(s.outer.vertices))
+    >>> draw_loops(picture, s)
+    >>> draw_undercuts(picture, s.undercuts)
+    >>> draw_trajectory(picture, s)
+    >>> positions = choose_telling_positions(s)
+    >>> draw_generatrix(picture, s, positions)
+    >>> draw_contacts(picture, s, positions)
+    >>> picture.legend()
+    >>> save_svg(figure).startswith("<?xml")
+    True
+
+Chains, shapes and exact fits have functions of their own:
+
+    >>> figure = make_figure()
+    >>> picture = Picture(figure.axes[0], Scale.of([(-1, -1), (9, 4)]))
+    >>> draw_shape(picture, place_generatrix(s, s.trajectory.vertices[0]), style.GENERATRIX, "G")
+    >>> draw_chains(picture, {"valley": [(0, 4), (4, 1), (5, 1), (9, 4)]})
+    >>> draw_sub_trajectories(picture, [[(0, 3), (4, 0)], [(4, 0), (9, 3)]])
+    >>> draw_exact_fits(picture, s, s.exact_fits, [s.trajectory])
+    >>> save(figure, "out.svg")  # doctest: +SKIP
 
 `Picture` accepts points with int or Fraction coordinates. The functions `draw_...` draw parts of a
 sweep, and `style` defines the look of each. The package imports matplotlib only when it draws.

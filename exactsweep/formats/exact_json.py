@@ -189,6 +189,9 @@ def read_certificate(path: str) -> object:
 
     Raises:
         FormatError: the file cannot be read, or is not JSON; the message names the file.
+
+    Example:
+        >>> certificate = read_certificate("proof.json")  # doctest: +SKIP
     """
     try:
         return parse_certificate(read_text(path))

@@ -61,7 +61,11 @@ def decode_text(data: bytes) -> str:
 
 @tells_arguments
 def show_path(path: str) -> str:
-    """Write a path for a message, always on one line."""
+    """Write a path for a message, always on one line.
+
+    >>> show_path("-"), show_path(f"two{chr(10)}lines") == ascii(f"two{chr(10)}lines")
+    ('standard input', True)
+    """
     if path == "-":
         return "standard input"
     return path if path and path.isprintable() else ascii(path)

@@ -101,6 +101,12 @@ def round_regions(
 
     Returns:
         The regions that are left, and the changes.
+
+    Example:
+        >>> third = NamedRegion(Region([(0, 0), (1, 0), (0, "1/3")]), "third", None)
+        >>> rounded, changes = round_regions([third], 1, lambda region: "outward")
+        >>> print(rounded[0].region, changes.changed)
+        (0, 0) (1, 0) (0, 2/5) 1
     """
     found: list[NamedRegion] = []
     changed = left_out = 0

@@ -46,6 +46,10 @@ def read_notebook(name: str) -> Notebook:
 
     Returns:
         The document in the format of notebooks.
+
+    Example:
+        >>> read_notebook("tour")["cells"][0]["cell_type"]
+        'markdown'
     """
     if name not in _NAMES:
         raise ExactSweepError(f"{quote(name)} is no lesson")
@@ -72,6 +76,11 @@ def run_notebook(notebook: Notebook) -> Notebook:
 
     Raises:
         Exception: any exception of a cell.
+
+    Example:
+        >>> cell = {"cell_type": "code", "source": ["6 * 7"]}
+        >>> run_notebook({"cells": [cell]})["cells"][0]["outputs"][0]["data"]
+        {'text/plain': ['42']}
     """
     if "cells" not in notebook:
         raise ExactSweepError("the notebook has no cells")

@@ -223,7 +223,9 @@ def tabulate(growth: Iterable[Growth]) -> Table:
     for (procedure, family, varied), found in lines.items():
         one = next(iter(found.values()))
         exponents = [
-            f"{found[unit].exponent(3 if unit == 'seconds' else 0):.2f}" if unit in found else "-"
+            f"{round(found[unit].exponent(3 if unit == 'seconds' else 0), 2) + 0.0:.2f}"
+            if unit in found
+            else "-"
             for unit in UNITS
         ]
         verdict = "within" if all(series.is_flat for series in found.values()) else "beyond"
@@ -244,7 +246,7 @@ def compare_outputs(procedure: str) -> Evidence:
 def measure_costs(row: str, effort: Effort) -> Evidence:
     """Count and measure all that bears on the bounds of a row of the ledger."""
     growth = tuple(series for cost in COSTS if cost.row == row for series in cost.measure(effort))
-    without = " Seconds are left out of a quick run." if effort.quick else ""
+    without = " A quick run leaves out seconds and large sizes." if effort.quick else ""
     tried = f"Operations, bytes and seconds over doubling sizes, outputs compared.{without}"
     failure = find_first_failure(cost.compare() for cost in COSTS if cost.row == row)
     failure = failure or find_first_failure(series.failure for series in growth)

@@ -1,6 +1,7 @@
 """Plots of counts divided by claimed bounds; for these matplotlib is needed.
 
-Colours are those of all pictures (`exactsweep.canvas.style`); markers differ too.
+Colours are those of all pictures (`exactsweep.canvas.style`). Seven series differ in colour and in
+marker, and the next seven in dashes, too.
 """
 
 from __future__ import annotations
@@ -14,7 +15,11 @@ from typing import Any
 from exactsweep.canvas.style import PALETTE
 from exactsweep.paper.growth import Growth
 
-STYLES = tuple(zip(PALETTE, "os^Dv<>", strict=True))
+STYLES = tuple(
+    (colour, marker, dash)
+    for dash in ("-", "--")
+    for colour, marker in zip(PALETTE, "os^Dv<>", strict=True)
+)
 SETTINGS: dict[str, Any] = {
     "font.size": 8,
     "legend.fontsize": 7,
@@ -43,12 +48,13 @@ def ratios(growth: Sequence[Growth]) -> bytes:
     with context(SETTINGS):
         figure = Figure(figsize=(4.6, 2.2 + 0.16 * len(growth)), layout="constrained")
         axes = figure.subplots()
-        for series, (colour, marker) in zip(growth, cycle(STYLES), strict=False):
+        for series, (colour, marker, dash) in zip(growth, cycle(STYLES), strict=False):
             axes.plot(
                 [max(point.m, point.n) for point in series.points],
                 [point.ratio for point in series.points],
                 color=colour,
                 marker=marker,
+                linestyle=dash,
                 label=f"{series.what}, {series.family}, {series.varied}, / ({series.bound})",
             )
         sizes = sorted({max(point.m, point.n) for series in growth for point in series.points})

@@ -176,15 +176,16 @@ def _environment(*, html: bool) -> Environment:
 def set_formula(text: str) -> Markup:
     """Text as HTML, its indices, signs and Greek letter set as in mathematics.
 
-    >>> print(set_formula("m_b < n_t, T(u) <= x - 1"))
-    m<sub>b</sub> &lt; n<sub>t</sub>, T(u) ≤ x − 1
+    >>> print(set_formula("m_b < n_t, T(u) <= -G_P - 1"))
+    m<sub>b</sub> &lt; n<sub>t</sub>, T(u) ≤ −G<sub>P</sub> − 1
     >>> print(set_formula("T_(i-1) >= -1, D_1, Trajectory_CC, non-convex"))
     T<sub>i−1</sub> ≥ −1, D<sub>1</sub>, Trajectory_CC, non-convex
     """  # noqa: RUF002
     # A sign stands beside a number, a letter of its own or a parenthesis; a hyphen inside a word.
-    signed = re.sub(r"(?<![\w)])-(?=[\d(]|[A-Za-z]\b)|(?<=[\w)]) - (?=[\w(])", _set_minus, text)
+    sign = r"(?<![\w)])-(?=[\d(]|[A-Za-z](?:_|\b))|(?<=[\w)]) - (?=[\w(])"
+    signed = re.sub(sign, _set_minus, text)
     signed = signed.replace("<=", "≤").replace(">=", "≥")
-    index = r"\b([A-Za-z])_(?:([a-z0-9])\b|\(([a-z0-9+-]+)\))"
+    index = r"\b([A-Za-z])_(?:([A-Za-z0-9])\b|\(([a-z0-9+-]+)\))"
     html = re.sub(
         index,
         lambda m: f"{m[1]}<sub>{(m[2] or m[3]).replace('-', MINUS)}</sub>",
@@ -240,7 +241,8 @@ def growth_row(series: Growth) -> list[str]:
         *(_span(*map(str, sizes)) for sizes in ((first.m, end.m), (first.n, end.n))),
         series.bound,
         _span(*ratios),
-        *(f"{power(last):.2f}" for power in (series.exponent, series.claimed)),
+        # Without a sign where it rounds to 0.
+        *(f"{round(power(last), 2) + 0.0:.2f}" for power in (series.exponent, series.claimed)),
         series.verdict,
     ]
 
@@ -304,8 +306,8 @@ doi:10.1007/s00454-005-1206-y'
     names = [author.partition(",")[0] for author in fields["author"].split(" and ")]
     who = " and ".join(names) if len(names) < 3 else f"{names[0]} et al."
     title = re.sub(r"[{}\\]", "", fields["title"]).replace("--", "-")
-    doi = f", doi:{fields['doi']}" if "doi" in fields else ""
-    return f"{who} {fields['year']}, {title}{doi}"
+    where = f"doi:{fields['doi']}" if "doi" in fields else fields["note"]
+    return f"{who} {fields['year']}, {title}, {where}"
 
 
 def read_bibtex() -> str:
@@ -314,11 +316,11 @@ def read_bibtex() -> str:
 
 
 def pair_svg(pair: SweepPair) -> str:
-    """An SVG with D, G at one end of its path, and the path of its origin.
+    """An SVG with D, G at one end of its path, and the path of its origin; names stand below.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
     >>> pair_svg(SweepPair(triangle, triangle)).count("<path")
-    3
+    6
     """
     g, d = map(Polygon, pair)
     path = sweep(g, d).trajectory
@@ -327,7 +329,18 @@ def pair_svg(pair: SweepPair) -> str:
         Shape([g.translated(path.vertices[0]).vertices], style.GENERATRIX),
         Shape([path.vertices], style.TRAJECTORY),
     )
-    return write_svg(shapes, "D grey, G blue, and the path of G's origin")
+    picture = write_svg(shapes, "D in grey, G in blue, and the path T of G's origin in black")
+    names = "".join(
+        f'<path d="M{x} 332h24" stroke="{shape.look.color}" stroke-width="4"/>'
+        f'<text x="{x + 32}" y="339" font-family="sans-serif" font-size="22">{name}</text>'
+        for x, name, shape in zip(
+            (12, 102, 192), ("D", "G", "T, the path of G"), shapes, strict=True
+        )
+    )
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="420" height="345" viewBox="0 0 420 345">'
+        f'<rect width="100%" height="100%" fill="#ffffff"/>{picture}{names}</svg>'
+    )
 
 
 def _save_outlined(picture: Figure, path: Path) -> None:

@@ -79,6 +79,9 @@ def sweep_parts(edges: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope)
     """Step 2: solve the CC sweep of each convex part and take the lower envelope.
 
     One convex chain has the edges of reversed G_t (or of reversed G_t and G_b).
+
+    >>> print(sweep_parts([(-1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
+    (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
     """
     unit = measure_unit(edges, directrix)
     chain = take_whole(edges, unit)

@@ -91,5 +91,8 @@ def outer_mm(generatrix_bottom: Sequence[Vertex], trajectory: Envelope) -> Envel
     """Outer boundary: I(G) slides along the outside of T (Lemma 5.3).
 
     Cost: O(t n log n) for t edges of T.
+
+    >>> print(outer_mm([(0, 0), (1, 0)], trajectory_mm([(1, 1), (0, 1)], [(0, 0), (2, 0)])))
+    (-1, -1) (3, -1)
     """
     return trajectory_mm(inverse(generatrix_bottom), trajectory)

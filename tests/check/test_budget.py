@@ -133,7 +133,7 @@ class Ledger:
 
 
 def claim(d: Points, g: Points) -> dict[str, Any]:
-    """That a triangle is the no-fit polygon: it is refused once the true one is known."""
+    """The false claim that a triangle is the no-fit polygon: the true one refutes it."""
     triangle = [["0", "0"], ["1", "0"], ["0", "1"]]
     shapes = zip(("directrix", "generatrix"), (d, g), strict=True)
     written = {name: outline(Holed(Polygon(points))) for name, points in shapes}

@@ -212,7 +212,7 @@ def test_reading_very_long_numbers_takes_a_square_of_steps() -> None:
 
 
 def test_a_common_denominator_of_256_bits_is_of_use() -> None:
-    """Those of the points have 115, 96 and 47 bits, fewer than half as many."""
+    """The denominators of the points have 115, 96 and 47 bits, fewer than half as many."""
     for power, scale in ((114, 2**114 * 3**60 * 5**20), (115, 1)):
         assert (2**power * 3**60 * 5**20).bit_length() == 142 + power
         points = [Point(Fraction(1, n), Fraction(1)) for n in (2**power, 3**60, 5**20)]

@@ -152,7 +152,7 @@ _steps = st.lists(st.tuples(st.integers(0, 2), st.integers(-2, 2)), min_size=1, 
 @example([(1, 0), (1, 1)], [(1, 0), (0, 1), (1, 0)], (2, 0, 1), 0)
 @example([(1, 0), (1, 1), (1, 0)], [(1, 0), (0, -1), (1, 0)], (2, 0, 1), 0)
 def test_heights_are_the_limits_of_a_sum(one: Steps, other: Steps, o: Node, side: int) -> None:
-    """Where both jump at once, the pair from two different intervals is of one side only."""
+    """Pairs of limits: if both chains jump, two different intervals give one side only."""
     a, b = _take_steps(one), _take_steps(other)
     chains = _chain(a), _chain(b)
     found = [Fraction(*height) for height in walk_heights(*chains, o, side)]

@@ -1,4 +1,4 @@
-"""Where there may be exact fits, without a lattice too, and lattices that are very fine."""
+"""Places of possible exact fits, with very fine lattices, and without any."""
 
 from fractions import Fraction
 from importlib import import_module

@@ -1,4 +1,4 @@
-"""Where boundaries meet, and witnesses: rings that touch, edges along a ray, small fractions."""
+"""Meetings of boundaries, and witnesses: rings that touch, edges along a ray, small fractions."""
 
 from collections import Counter
 from fractions import Fraction
@@ -39,7 +39,7 @@ def test_a_witness_is_half_way_to_the_boundary(notch: list[tuple[int, int]]) -> 
 
 @pytest.mark.parametrize("turns", range(4))
 def test_holes_that_touch_the_exterior_inside_an_edge(turns: int) -> None:
-    """Where they touch, the shape fills two angles of an eighth of a turn each."""
+    """The shape at the point of contact: it fills two angles of an eighth of a turn each."""
 
     def turn(points: Any) -> list[Any]:
         for _ in range(turns):

@@ -18,7 +18,7 @@ from exactsweep.lessons import list_titles as read_lessons
 
 
 def public_names(module: ModuleType) -> list[str]:
-    """Those that a module exports, or that it defines itself and does not hide."""
+    """Return the names that a module exports, or that it defines itself and does not hide."""
     exported = getattr(module, "__all__", None)
     if exported is not None:
         return list(exported)
@@ -48,6 +48,24 @@ def test_every_public_name_has_a_summary(name: str) -> None:
                 shown = inspect.isroutine(inner) or isinstance(inner, property)
                 if shown and not member.startswith("_"):
                     assert summary(inner), f"{name}.{public}.{member}"
+
+
+def test_every_public_function_is_in_an_example() -> None:
+    root = Path(exactsweep.__file__).parent
+    texts = [
+        path.read_text(encoding="utf-8")
+        for path in [root.parent / "README.md", *root.rglob("*.md"), *root.rglob("*.py")]
+    ]
+    examples = re.findall(r"^ *(?:>>>|\.\.\.) (.*)$", "\n".join(texts), re.M)
+    used = set(re.findall(r"\w+", "\n".join(examples)))
+    missing = [
+        f"{name}.{public}"
+        for name in MODULES
+        for module in [importlib.import_module(name)]
+        for public in public_names(module)
+        if inspect.isroutine(getattr(module, public)) and public not in used
+    ]
+    assert not missing
 
 
 def test_every_module_with_exports_is_in_the_reference() -> None:

@@ -48,7 +48,7 @@ def part(case: Case, loop: object, name: str = "trajectory", **options: Any) -> 
 
 
 def check_witnesses(case: Case, name: str, loop: Loop, found: PartComparison) -> None:
-    """What the docstrings promise of witnesses, by other means than theirs."""
+    """Check the promises of the docstrings about witnesses, by independent means."""
     assert found.permitted is not None
     assert found.forbidden is not None
     assert (found.permitted > 0) == (found.unsound is not None)

@@ -63,7 +63,7 @@ def test_conform_and_compare_pass_the_same(
 def test_a_mistake_made_throughout_is_said_first() -> None:
     done = run("conform", "--filter", "id=figures", "--", *FAULTY, "sign-of-g")
     first = done.stdout.partition("\n\n")[2].splitlines()[0]
-    assert first.endswith(" trajectories that differ: exact for D + G, G not reflected")
+    assert first.endswith(" answers that differ: exact for D + G, G not reflected")
 
 
 @pytest.mark.long

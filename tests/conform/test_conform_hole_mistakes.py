@@ -20,7 +20,7 @@ def shift(ring: Any, by: Fraction) -> list[Point]:
     return [Point(p.x + by, p.y) for p in ring]
 
 
-# What is said of rings that are lost or added.
+# The messages on lost or added rings.
 
 
 def say(case: Case, name: str, rings: Rings) -> tuple[str, ...]:

@@ -190,7 +190,7 @@ def test_memory_is_limited_and_told(tmp_path: Path) -> None:
     assert said == "no hello: holds more than 1.0 MiB"
 
 
-# What a user is told who has forgotten something.
+# Messages to a user who has forgotten something.
 
 
 def test_a_hello_that_is_not_flushed_is_hinted_at() -> None:

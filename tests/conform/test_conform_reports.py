@@ -156,7 +156,7 @@ def test_the_mistake_is_said_in_all_reports(tmp_path: Path) -> None:
     page, xml = tmp_path / "run.html", tmp_path / "run.xml"
     reports = ("--html", str(page), "--junit", str(xml), "--shrink", "0")
     run("conform", "--filter", "id=figures-c", *reports, "--", *FAULTY, "sign-of-g")
-    words = "trajectories that differ: exact for D + G, G not reflected"
+    words = "answers that differ: exact for D + G, G not reflected"
     assert words in page.read_text()
     suite = ElementTree.fromstring(xml.read_text())[0]
     named = {p.get("name"): p.get("value") for p in suite[0]}

@@ -294,7 +294,7 @@ def test_a_journal_has_one_run_at_a_time(tmp_path: Path) -> None:
 
 
 def test_a_full_disk_is_refused_once(tmp_path: Path) -> None:
-    """What could not be written is still in the buffer, and would fail again when it is closed."""
+    """The rest is still in the buffer, and would fail again when the file is closed."""
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (1024, hard))
     try:
@@ -337,7 +337,7 @@ def test_a_case_that_changed_is_asked_again(tmp_path: Path) -> None:
     assert len(journal.read_text().splitlines()) == 4
 
 
-# What is kept of a run.
+# The records of a run.
 
 
 def test_an_outcome_is_read_as_it_was_written() -> None:

@@ -186,7 +186,7 @@ def test_ids_and_arguments_with_newlines_stay_on_their_line(tmp_path: Path) -> N
     line = json.dumps({"id": "a\nb\x1b[0m", "directrix": SQUARE, "generatrix": SQUARE})
     pairs, page = tmp_path / "pairs", tmp_path / "page\n.html"
     pairs.write_text(line)
-    fails = "import json, sys; exec(open(sys.argv[1]).read().replace('loop =', 'loop = 1 //'))"
+    fails = "import json, sys; exec(open(sys.argv[1]).read().replace('sums =', 'sums = 1 //'))"
     command = [sys.executable, "-c", fails, CONVEX[1], "two\nlines"]
     done = run("conform", "--pairs", str(pairs), "--html", str(page), "--", *command)
     assert "\x1b" not in done.stdout

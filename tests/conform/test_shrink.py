@@ -94,7 +94,7 @@ def test_no_flag_comes_in_that_was_not_there() -> None:
 
 
 def test_a_fault_stays_the_same() -> None:
-    """What crashes in one way for triangles must not become what crashes in another way."""
+    """A case that crashes in one way for triangles must not become one that crashes in another."""
     case = find_case("gen-monotone-1-0")
 
     def crash(directrix: Any, generatrix: Any, reference: Any) -> Any:

@@ -58,7 +58,7 @@ COMB = [(0, 0), (40, 0), *((40 - k, 6 + k % 2 * 3) for k in range(41))]
 
 
 def lab(color: str, eye: str) -> tuple[float, float, float]:
-    """Where an eye sees a colour in the CIE Lab space, for white of daylight."""
+    """Return the place of a colour in the CIE Lab space, for white of daylight."""
     parts = [int(color[k : k + 2], 16) / 255 for k in (1, 3, 5)]
     light = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
     seen = [sum(m * c for m, c in zip(row, light, strict=True)) for row in EYES[eye]]

@@ -88,7 +88,7 @@ def vector(p: Point, q: Point) -> tuple[Fraction, Fraction]:
 
 
 def share(step: Step, point: Point) -> Fraction:
-    """Where a point of the step's line is: 0 at the start, 1 at the end."""
+    """Return the place of a point on the step's line: 0 at the start, 1 at the end."""
     (dx, dy), (px, py) = vector(step.start, step.end), vector(step.start, point)
     assert dx * py == dy * px
     return px / dx if dx else py / dy

@@ -180,7 +180,7 @@ def test_two_pockets_that_touch_are_two() -> None:
 
 
 def test_wall_of_the_generatrix_belongs_to_the_bottom_chain() -> None:
-    """Once the upper end of G's wall was taken for the contact, a point that is not on D.
+    """An earlier version mistook the upper end of G's wall, which is not on D, for the contact.
 
     D around itself: the overhang at G's right end keeps it out of the corner before D's tower.
 

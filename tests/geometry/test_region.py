@@ -208,7 +208,7 @@ def test_two_holes_that_share_a_square_are_refused(x: int, y: int, cells: Cells)
 def test_few_edges_of_a_region_are_tried_against_each_other(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Those of the teeth below and of the holes above lie at other heights."""
+    """Edges of the teeth below and of the holes above lie at other heights."""
     tried = 0
 
     def count(*ends: Vertex) -> list[Vertex] | None:

@@ -32,9 +32,10 @@ from exactsweep.paper.report import write_figures
 from exactsweep.procedures import cc, cm, mm
 
 IDS = [f"Figure {number}" for number in range(1, 14)]
-FIGURES = [load(find(name).figure) for name in IDS]
+OURS = "Undercuts under ceilings"
+FIGURES = [load(find(name).figure) for name in [*IDS, OURS]]
 POINTS_IN_174_MM = 174 / 25.4 * 72
-each_figure = pytest.mark.parametrize("figure", FIGURES, ids=IDS)
+each_figure = pytest.mark.parametrize("figure", FIGURES, ids=[*IDS, OURS])
 
 
 def facts(number: int) -> dict[str, str]:
@@ -57,7 +58,7 @@ def drawn(figure: Figure) -> FigureCanvasAgg:
 
 
 def test_all_thirteen_are_rows_of_the_ledger() -> None:
-    assert [claim.name for claim in CLAIMS if claim.figure] == IDS
+    assert [claim.name for claim in CLAIMS if claim.figure and claim.name != OURS] == IDS
 
 
 @each_figure

@@ -57,7 +57,7 @@ def test_inverse_and_complement_are_involutions(chain: list[Vertex]) -> None:
 @given(st.integers(1, 40), st.data())
 @usually
 def test_slopes_are_in_order_in_the_unit_of_a_chain(width: int, data: st.DataObject) -> None:
-    """Those of two edges as wide as the chain can differ by 1 / width squared."""
+    """Slopes of two edges as wide as the chain can differ by 1 / width squared."""
     vectors = st.tuples(st.integers(1, width), st.integers(-3 * width, 3 * width))
     edges = data.draw(st.lists(vectors, min_size=2, max_size=9))
     exact = [Fraction(dy, dx) for dx, dy in edges]
@@ -125,7 +125,7 @@ def test_split_gives_the_boundary_but_for_the_vertical_ends(polygon: Polygon) ->
 
 @pytest.mark.parametrize("first", [0, Fraction(1, 3)])
 def test_repeated_points_change_no_result(first: Any) -> None:
-    """Once a hole in the trajectory: a doubled convex vertex was taken for a reflex one."""
+    """Once a hole in the trajectory: a doubled convex vertex counted as a reflex one."""
     vertex = (1, -1)
     top: list[Vertex] = [(1, 0), (0, 0)]
     doubled: list[Vertex] = [(0, first), vertex, vertex, (2, first), (2, first)]

@@ -73,7 +73,7 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
 def test_points_are_all_of_the_interior(
     cells: Cells, matrix: tuple[int, int, int, int], side: int
 ) -> None:
-    """Those on the boundary are left out, on vertical edges, too."""
+    """Points on the boundary are left out, on vertical edges, too."""
     shape = rings(cells, matrix)
     exterior, *holes = map(Polygon, shape)
     left, low, columns = find_points_in(shape, side)

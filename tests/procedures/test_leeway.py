@@ -1,4 +1,4 @@
-"""Where a part can be in the bounds of its container: what lies beyond is not looked at."""
+"""The leeway of a part in the bounds of its container; nothing beyond it is examined."""
 
 from fractions import Fraction
 from itertools import pairwise

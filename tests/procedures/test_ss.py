@@ -150,7 +150,7 @@ SHEARS = [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 1), (0, -1, 1, 0), (3, -2, 1, 5)
 
 
 def check(directrix: Cells, generatrix: Cells, matrix: Matrix) -> None:
-    """Hold a pair against the count, square by square, of the pair before it was mapped."""
+    """Compare a pair with the count, square by square, of the pair before its map."""
     n = computed(region(directrix, matrix), region(generatrix, matrix))
     holes, edges, points = free_cells(directrix, generatrix)
     a, b, c, d = matrix

@@ -14,6 +14,7 @@ from exactsweep.procedures import exact_fit, pockets
     "undercuts: all forgotten but the first of each half",
     pockets.find_pockets,
     "Number of undercuts, MM",
+    "Undercuts under ceilings",
     "Lemma 5.5",
 )
 def keep_first(right: Procedure) -> Procedure:

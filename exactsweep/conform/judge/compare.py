@@ -52,6 +52,14 @@ from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import Fit, Loop
 
+MOST_MEASURED = 3000
+"""Of loops with more edges, exact and theirs together, neither area nor distance is measured."""
+_MOST_SHOWN = 100
+"""Of these, so many places are enough to choose a witness from."""
+
+JudgedLoop = tuple[PartComparison, Sequence[Fit]]
+"""A comparison, and the segments on exact fits that the rings go along and back."""
+
 
 @tells_arguments
 def compare(
@@ -154,24 +162,6 @@ def compare(
     return Comparison(case.id, worst.verdict, worst.reason, tuple(parts))
 
 
-MOST_MEASURED = 3000
-"""Of loops with more edges, exact and theirs together, neither area nor distance is measured."""
-_MOST_SHOWN = 100
-"""Of these, so many places are enough to choose a witness from."""
-
-
-class JudgedLoop(NamedTuple):
-    """The judgement of one loop.
-
-    Attributes:
-        part: the comparison.
-        traced: segments of positions that its rings go along and back, on exact fits.
-    """
-
-    part: PartComparison
-    traced: Sequence[Fit] = ()
-
-
 class _Writing(NamedTuple):
     """The region of some rings, and how it is written.
 
@@ -207,7 +197,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     """
     exact = list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
-        return JudgedLoop(_same(name, Verdict.EXACT))
+        return _same(name, Verdict.EXACT), ()
     fits = list_exact_fits(case, FITS_OF[name]) if name in FITS_OF else ()
     boundary = find_boundary(loop.rings)
     on_fits, others = subtract_fits(boundary.doubled, fits)
@@ -215,17 +205,15 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     if is_bridged and boundary.solid == find_boundary(exact).solid:
         kind = "whisker" if on_fits else ""
         reason = "exact fits are traced by the loop" if kind else ""
-        return JudgedLoop(_same(name, Verdict.EQUIVALENT, reason, kind), on_fits)
+        return _same(name, Verdict.EQUIVALENT, reason, kind), on_fits
     writing = _Writing(loop.rings, on_fits, find_fault(loop.rings, f"$.{name}"))
     if writing.fault is not None and is_bridged:
         rings = trace_rings(boundary)
         if find_fault(rings, "") is None:
             writing = _Writing(rings, on_fits, None)
     traced = _match_rounded(loop.rings, writing, exact, fits, rounding)
-    return JudgedLoop(
-        _measure(case, name, loop.rings, writing, exact, traced, rounding),
-        writing.traced if traced is None else traced,
-    )
+    part = _measure(case, name, loop.rings, writing, exact, traced, rounding)
+    return part, writing.traced if traced is None else traced
 
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:

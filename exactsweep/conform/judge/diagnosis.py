@@ -127,7 +127,7 @@ def _count_rings(
 
 
 def _find_inside(case: Case) -> PointRings:
-    """The positions in which G is inside D, or D inside G: where their boundaries do not meet."""
+    """Find where G is inside D, or D inside G: where their boundaries do not meet."""
     shapes = case.directrix, case.generatrix
     inside = inner_fit_polygon(*shapes, reference=case.reference)
     around = inner_fit_polygon(*shapes[::-1])
@@ -150,7 +150,7 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
 
 
 def _other_loops(case: Case, name: str, theirs: _Answered, rounding: Fraction) -> Iterator[str]:
-    """Loops of the case that are not the one asked for."""
+    """Name loops of the case that are not the one asked for."""
     exact = list_exact_rings(case, name)
     for other, words in LOOP_NAMES.items():
         loop = list_exact_rings(case, other)
@@ -171,7 +171,7 @@ def _other_loops(case: Case, name: str, theirs: _Answered, rounding: Fraction) -
 
 
 def _other_positions(case: Case, name: str, theirs: _Answered, rounding: Fraction) -> list[str]:
-    """Mistakes in what is computed, each about any reference point, the likeliest first.
+    """Name mistakes in what is computed, about any reference point, the likeliest first.
 
     On symmetric shapes one of them looks like another one. Usual reference points come before what
     is turned or added, and that before others.
@@ -228,7 +228,7 @@ def _add(case: Case, name: str) -> PointRings:
 
 
 def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str]:
-    """Names of the point of G whose path a trajectory is, if G's origin moved by it draws it."""
+    """Name the point of G whose path a trajectory is, if G's origin moved by it draws it."""
     ring, (low, high) = case.generatrix_ring, case.generatrix.bounding_box
     first, base = ring[0], case.directrix_ring[0]
     d_low, _ = case.directrix.bounding_box
@@ -262,7 +262,7 @@ def _mean(ring: Sequence[Point]) -> Point:
 
 
 def _find_offset(shape: PointRings, theirs: _Answered, rounding: Fraction) -> Point | None:
-    """The translation that makes some rings others, except for rounding."""
+    """Find the translation that makes some rings others, except for rounding."""
     low, high = _box(shape)
     if not _is_near(subtract(high, low), subtract(theirs.high, theirs.low), 2 * rounding):
         return None
@@ -271,7 +271,7 @@ def _find_offset(shape: PointRings, theirs: _Answered, rounding: Fraction) -> Po
 
 
 def _find_scale(shape: PointRings, theirs: _Answered, rounding: Fraction) -> Fraction | None:
-    """The factor that makes some rings others, except for rounding."""
+    """Find the factor that makes some rings others, except for rounding."""
     low, high = _box(shape)
     factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
     scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in shape]

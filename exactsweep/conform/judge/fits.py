@@ -202,7 +202,7 @@ def _find_missed(case: Case, fit: Fit, name: str) -> Witness:
 
 
 def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
-    """Positions on a segment, one of each piece that is all overlap or all free of it.
+    """Yield positions on a segment, one of each piece that is all overlap or all free of it.
 
     Such pieces end on a loop of positions or on an exact fit.
     """

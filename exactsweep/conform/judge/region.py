@@ -247,5 +247,5 @@ def _crossings(ordered: Ordered) -> Iterator[Fraction]:
 
 
 def _order(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
-    """The edges with their heights at two cuts, from below to above."""
+    """Sort edges, with their heights at two cuts, from below to above."""
     return sorted(((edge.at(left), edge.at(right)), edge) for edge in edges)

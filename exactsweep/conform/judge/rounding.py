@@ -70,7 +70,7 @@ def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
 
 
 def measure_smaller(case: Case) -> Fraction:
-    """The greater one of width and height, of the polygon for which that is less."""
+    """Return the greater one of width and height, of the polygon for which that is less."""
     return min(_size(case.directrix), _size(case.generatrix))
 
 
@@ -80,7 +80,7 @@ def _size(shape: AnyPolygon) -> Fraction:
 
 
 def _find_points(case: Case, name: str) -> Iterator[Point]:
-    """The points of the exact answer."""
+    """Return the points of the exact answer."""
     if name in (NAME, INSIDE):
         return chain.from_iterable(list_exact_fits(case, name))
     return chain.from_iterable(list_exact_rings(case, name))
@@ -97,7 +97,7 @@ def _is_integer(case: Case, name: str) -> bool:
 
 
 def _unit_in_last_place(value: Fraction) -> Fraction:
-    """The distance of two binary64 next to each other, at a positive number of any size.
+    """Return the distance of two binary64 next to each other, at a positive number of any size.
 
     >>> _unit_in_last_place(Fraction(1)) == Fraction(2) ** -52
     True

@@ -111,10 +111,6 @@ class Witness:
     classified: Meeting | None = None
     point: Point | None = None
 
-    def to_json(self) -> dict[str, Any]:
-        """Return plain data, numbers as strings."""
-        return {name: write_plain(value) for name, value in vars(self).items()}
-
 
 @dataclass(frozen=True)
 class PartComparison:
@@ -162,8 +158,9 @@ class PartComparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings, the area included."""
-        values = {**vars(self), "area": self.area}
-        return {name: write_plain(value) for name, value in values.items()}
+        return {
+            name: write_plain(value) for name, value in {**vars(self), "area": self.area}.items()
+        }
 
 
 @dataclass(frozen=True)
@@ -205,8 +202,10 @@ def write_plain(value: Any) -> Any:
     >>> write_plain((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
     ['exact', ['1/2', '3'], None]
     """
-    if isinstance(value, (Witness, PartComparison)):
+    if isinstance(value, PartComparison):
         return value.to_json()
+    if isinstance(value, Witness):
+        return {name: write_plain(item) for name, item in vars(value).items()}
     if isinstance(value, tuple):
         return [write_plain(item) for item in value]
     if isinstance(value, Fraction):

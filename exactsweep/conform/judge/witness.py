@@ -140,13 +140,13 @@ def _of_no_fit(case: Case, position: Point, permitted: bool) -> Witness | None:
 
 
 def _of_inner_fit(case: Case, position: Point, permitted: bool) -> Witness | None:
-    """Of a position inside D, or one that reaches out of it."""
+    """Show a position inside D, or one that reaches out of it."""
     found = at_position(case, position, inside=True)
     return found if found.classified == ("FREE" if permitted else "OVERLAP") else None
 
 
 def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
-    """Of a point that G cannot reach, or else can."""
+    """Show a point that G cannot reach, or else can."""
     onto, positions = _onto(case, point), _positions(case)
     escapes = [c for c in find_differences(onto.rings, [positions.vertices]) if c.first]
     if permitted and case.kind == "SS":
@@ -167,7 +167,7 @@ def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
 
 
 def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
-    """Of a point that G covers on its way, or that is closed in by it, or else is neither."""
+    """Show a point that G covers on its way or closes in, or else one that it does not."""
     onto, positions = _onto(case, point), _positions(case)
     if not permitted:
         if classify(positions, onto, (0, 0)).verdict == "OVERLAP":
@@ -210,17 +210,17 @@ def _is_in(point: Point, shape: AnyPolygon) -> bool:
 
 
 def _onto(case: Case, point: Point) -> AnyPolygon:
-    """The translations that put G onto a point."""
+    """Return the translations that put G onto a point."""
     return case.generatrix.reflected((point.x / 2, point.y / 2))
 
 
 def _positions(case: Case) -> Polygon:
-    """The region inside the exact trajectory of G's origin."""
+    """Return the region inside the exact trajectory of G's origin."""
     return case.trajectory.translated((-case.reference.x, -case.reference.y))
 
 
 def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
-    """Points of one polygon's boundary in the other shape: vertices first, then crossings."""
+    """Yield points of a polygon's boundary in another shape: vertices, then crossings."""
     vertices = positions.vertices
     yield from (vertex for vertex in vertices if _is_in(vertex, onto))
     for k, b in enumerate(vertices):
@@ -231,7 +231,7 @@ def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
 
 
 def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
-    """The common point of two segments that are not parallel, ends included."""
+    """Find the common point of two segments that are not parallel, ends included."""
     of_a, of_b, of_c, of_d = turn(c, d, a), turn(c, d, b), turn(a, b, c), turn(a, b, d)
     if of_a == of_b or of_a * of_b > 0 or of_c * of_d > 0:
         return None
@@ -240,10 +240,10 @@ def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
 
 
 def add(p: Point, q: Point) -> Point:
-    """Sum of two points."""
+    """Add two points."""
     return Point(p.x + q.x, p.y + q.y)
 
 
 def subtract(p: Point, q: Point) -> Point:
-    """Difference of two points."""
+    """Subtract a point from another one."""
     return Point(p.x - q.x, p.y - q.y)

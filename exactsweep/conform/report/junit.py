@@ -21,7 +21,7 @@ def write_junit(run: Run) -> str:
     Crashes, timeouts and too much memory are errors, other verdicts that are not accepted are
     failures, and what was not judged is skipped. Whatever else makes a run fail is a test case of
     its own that fails, so that no run with exit code 1 is green. Properties say how many cases were
-    judged, what the trajectories that differ are exact for, and, of a case, its fault, memory and
+    judged, what the answers that differ are exact for, and, of a case, its fault, memory and
     rounding.
 
     Args:

@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
-from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
+from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict, write_plain
 from exactsweep.conform.judge.witness import LOOP_NAMES
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.peer import cut, tell_bytes
@@ -63,7 +63,7 @@ def _part(part: PartComparison) -> list[str]:
         granted = f", granted {_about(part.granted)}" if part.granted else ""
         lines.append(f"  off by at most {distance}, area {_about(part.area)}{granted}")
     for witness in part.witnesses:
-        lines += (f"  {line}" for line in tell_witness(witness.to_json()))
+        lines += (f"  {line}" for line in tell_witness(write_plain(witness)))
     return lines
 
 
@@ -71,7 +71,7 @@ def tell_witness(witness: Mapping[str, Any]) -> list[str]:
     """Say what a witness shows, and what `classify` says of it, in full, to be tried elsewhere.
 
     Args:
-        witness: what `Witness.to_json` gives.
+        witness: what `write_plain` gives of it.
 
     Returns:
         One line or two.
@@ -134,7 +134,7 @@ def close(run: Run, *, is_timed: bool = False) -> str:
         is_timed: whether to name the answers that took the most time and memory, too.
 
     Returns:
-        Lines of text: what all trajectories that differ are exact for; each fault with its smallest
+        Lines of text: what all answers that differ are exact for; each fault with its smallest
         case; what else was wrong; and how many cases were judged and failed.
     """
     diagnosis = run.summary.diagnosis()

@@ -5,10 +5,9 @@ from __future__ import annotations
 import json
 import sqlite3
 from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from tempfile import SpooledTemporaryFile
-from typing import overload
 from weakref import finalize
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
@@ -22,7 +21,7 @@ class SpoolError(ExactSweepError):
     """The temporary file cannot be written; the message says why."""
 
 
-class Spool(Sequence[Outcome]):
+class Spool:
     """A sequence of outcomes that grows; memory is eight bytes an outcome.
 
     Example:
@@ -59,15 +58,7 @@ class Spool(Sequence[Outcome]):
     def __len__(self) -> int:
         return len(self._starts)
 
-    @overload
-    def __getitem__(self, index: int) -> Outcome: ...
-
-    @overload
-    def __getitem__(self, index: slice) -> list[Outcome]: ...
-
-    def __getitem__(self, index: int | slice) -> Outcome | list[Outcome]:
-        if isinstance(index, slice):
-            return [self._read(start) for start in self._starts[index]]
+    def __getitem__(self, index: int) -> Outcome:
         return self._read(self._starts[index])
 
     def __iter__(self) -> Iterator[Outcome]:

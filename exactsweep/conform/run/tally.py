@@ -91,16 +91,16 @@ class Tally:
                 self.worst[part["name"]] = Worst(max(old[0], distance), max(old[1], area))
 
     def find_cause(self) -> str | None:
-        """Return what all trajectories that differ are exact for, or None."""
+        """Return what all answers that differ are exact for, or None."""
         for words, number in self.diagnoses.most_common(1):
             if number == self.different > 1:
                 return words
         return None
 
     def diagnosis(self) -> str | None:
-        """Say what all trajectories that differ are exact for, or None."""
+        """Say what all answers that differ are exact for, or None."""
         cause = self.find_cause()
-        return cause and f"all {self.different} trajectories that differ: {cause}"
+        return cause and f"all {self.different} answers that differ: {cause}"
 
     def total(self, verdict: Verdict | None = None, group: str = ALL) -> int:
         """Return how many cases there are, in a group, with a verdict or with any."""

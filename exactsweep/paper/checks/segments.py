@@ -9,8 +9,10 @@ envelopes of segments are not of linear size, trajectories are not of size O(mn)
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from fractions import Fraction
+from importlib.resources import files
 from itertools import pairwise
 
 from exactsweep.numbers.point import Vertex
@@ -18,70 +20,20 @@ from exactsweep.paper.pairs import SweepPair
 
 Stroke = tuple[int, int, int, int]
 
-# The most pieces that a search by simulated annealing found for each number of segments; for up to
-# five that is as many as there can be at all, the longest Davenport-Schinzel sequence of order 3.
-BEST: tuple[tuple[Stroke, ...], ...] = (
-    ((0, 0, 7, 3),),
-    (
-        (287, -1966, 1762, 2429),
-        (134, -1432, 1719, 1748),
-    ),
-    (
-        (572, -897, 3895, 1064),
-        (231, 2256, 740, -1911),
-        (389, -543, 1523, -466),
-    ),
-    (
-        (-2701, 1471, 2611, -1006),
-        (-3938, 7438, 152, -10849),
-        (2085, -3079, 4500, 12976),
-        (-1033, -6037, 3311, 2514),
-    ),
-    (
-        (-4363, -2644, 3807, -1090),
-        (-1318, -7048, 4417, 570),
-        (3487, -2084, 4728, 4886),
-        (2327, -2857, 4539, 3618),
-        (-8528, -2068, 2577, -2281),
-    ),
-    (
-        (-53046, 257971, 89747, 513072),
-        (-478869, 2224487, -163205, -1617243),
-        (-466009, 573050, 80638, 371697),
-        (-334592, -986820, 113124, 1254252),
-        (-219938, -1075014, 148644, 2583064),
-        (37685, -942211, 231947, 5494695),
-    ),
+_DATA = json.loads(
+    files("exactsweep.paper.checks").joinpath("segments.json").read_text(encoding="utf-8")
 )
 
-
+# The most pieces that a search by simulated annealing found for each number of segments; for up to
+# five that is as many as there can be at all, the longest Davenport-Schinzel sequence of order 3.
+BEST: tuple[tuple[Stroke, ...], ...] = tuple(
+    tuple((x0, y0, x1, y1) for x0, y0, x1, y1 in segments) for segments in _DATA["best"]
+)
 FINE = 64
 
 # (m_b, n_t, n_b) = (2, 2, 2): 10, (2, 4, 4): 36, (2, 4, 6): 49
-RECORDS = (
-    SweepPair(
-        [(25, 9), (37, -126), (76, 32), (60, 18)],
-        [(-23, 45), (-14, 77), (20, 64), (-14, 85)],
-    ),
-    SweepPair(
-        [(-15, -30), (-6, -31), (26, -22), (45, -41), (75, -36), (60, 37), (33, -26), (6, 47)],
-        [(10, -28), (115, 74), (121, -48), (115, 104)],
-    ),
-    SweepPair(
-        [
-            (0, 16),
-            (8, -56),
-            (15, -21),
-            (25, -58),
-            (32, -38),
-            (46, -54),
-            (69, 27),
-            (57, -14),
-            (55, 21),
-            (8, -2),
-        ],
-        [(-60, -157), (17, 223), (95, -115), (17, 318)],
-    ),
+RECORDS = tuple(
+    SweepPair(*([(x, y) for x, y in ring] for ring in pair)) for pair in _DATA["records"]
 )
 
 

@@ -15,7 +15,7 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.geometry.vectors import is_on_segment, turn
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, Table, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
 from exactsweep.paper.functions import look_up
 from exactsweep.paper.growth import MN2, Growth, double, grow
@@ -153,6 +153,21 @@ def count_undercuts(effort: Effort) -> Evidence:
         "the least of the family of ceilings",
         *pair,
     )
+    table = Table(
+        "Undercuts of the lower sweep under ceilings: counted, and (N - 1)(P(P - 1) + 1), where "
+        "m = 3N + 1 and n = 2P + 2",
+        ("m", "n", "mn", "counted", "by the proof", "counted / mn²"),
+        [
+            [
+                *(f"{x:,}" for x in (p.m, p.n, p.m * p.n, int(p.count))),
+                f"{undercuts_under_ceilings(p.m, p.n):,}",
+                f"{p.ratio:.4f}",
+            ]
+            for g in growth
+            for p in g.points
+        ],
+    )
     proved = (proved_case(ceilings, m, n) for m, n in ((7, 8), (10, 12), (13, 16)))
     failure = find_first_failure(chain(proved, amiss))
-    return Evidence("A family of ceilings.", failure, against, growth=growth)
+    tried = "A family of ceilings. Certificates prove the pairs of (7, 8), (10, 12) and (13, 16)."
+    return Evidence(tried, failure, against, tables=(table,), growth=growth)

@@ -112,7 +112,7 @@ def draw() -> Figure:
 
 def _box(s: Sweep, letter: str) -> Extent:
     lower, title = take_bottom(s.outer.vertices), f"({letter}) {len(list_outer_edges(s))} edges"
-    return Extent.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 12, 4, 2))
+    return Extent.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 18, 4, 2))
 
 
 def _draw_pair(panel: BarePicture, s: Sweep) -> None:
@@ -135,7 +135,9 @@ def _number(panel: BarePicture, edges: Sequence[Edge]) -> None:
             panel.label(find_middle(*edge), str(k + 1), -5 if dy > 0 else 5, 8, size=SMALL)
         else:
             shift = 7 * float(dy) / (float(dx) + abs(float(dy)))
-            panel.label(find_middle(*edge), str(k + 1), shift, -7, size=SMALL)
+            # Numbers of two digits on neighbouring short edges stand on two levels.
+            low = -14 if k >= 9 and k % 2 and dx < 3 else -7
+            panel.label(find_middle(*edge), str(k + 1), shift, low, size=SMALL)
 
 
 def _draw_table(panel: BarePicture) -> None:

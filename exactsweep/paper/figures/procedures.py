@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from importlib.resources import files
 from itertools import combinations
+from pkgutil import resolve_name
 from types import CodeType, FrameType
 from typing import TYPE_CHECKING, Any
 
@@ -18,75 +21,23 @@ from exactsweep.paper.figures.figure import Facts, differ
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.figures.sheet import PAGE, Extent, Sheet
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures import cc, cm, lower_envelope, mm, mm_inner, part_pairs
-from exactsweep.procedures.convex_part import ConvexPart
+from exactsweep.procedures import cc, cm, mm
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-PRINTED = (
-    ("Trajectory_CM", "Trajectory_CC"),
-    ("Trajectory_CM", "LowerEnvelope_CM"),
-    ("SweepI_CM", "Trajectory_CM"),
-    ("SweepO_CM", "SweepO_CC"),
-    ("SweepO_CM", "LowerEnvelope_CM"),
-    ("Trajectory_MM", "Trajectory_CM"),
-    ("Trajectory_MM", "LowerEnvelope_MM"),
-    ("Sweep_MM", "Trajectory_MM"),
+_DATA = json.loads(
+    files("exactsweep.paper.figures").joinpath("procedures.json").read_text(encoding="utf-8")
 )
+PRINTED: list[tuple[str, str]] = [(one, other) for one, other in _DATA["printed"]]
 """The calls in the paper's text."""
-PLACES: dict[str, Vertex] = {
-    "Sweep_MM": (70, 110),
-    "Trajectory_MM": (70, 74),
-    "LowerEnvelope_MM": (70, 0),
-    "SweepI_CM": (190, 110),
-    "Trajectory_CM": (190, 74),
-    "LowerEnvelope_CM": (270, 38),
-    "SweepO_CM": (350, 74),
-    "Trajectory_CC": (190, 0),
-    "SweepI_CC": (270, 0),
-    "SweepO_CC": (350, 0),
-}
+PLACES: dict[str, Vertex] = {name: (x, y) for name, (x, y) in _DATA["places"].items()}
 """Middles of the boxes of the procedures, in points."""
 KERNEL: dict[str, tuple[Callable[..., Any], Vertex]] = {
-    "sweep_mm": (mm.sweep_mm, (75, 150)),
-    "inner_mm": (mm_inner.inner_mm, (18, 113)),
-    "outer_mm": (mm.outer_mm, (150, 113)),
-    "trajectory_mm": (mm.trajectory_mm, (92, 76)),
-    "sweep_pairs": (part_pairs.sweep_pairs, (55, 38)),
-    "lower_envelope_mm": (lower_envelope.lower_envelope_mm, (40, 0)),
-    "lower_envelope_cm": (lower_envelope.lower_envelope_cm, (146, 44)),
-    "join": (lower_envelope.join, (150, 0)),
-    "ConvexPart.sweep": (ConvexPart.sweep, (252, 0)),
-    "merge_by_slope": (cc.merge_by_slope, (350, 0)),
-    "sweep_inner_cm": (cm.sweep_inner_cm, (225, 150)),
-    "trajectory_cm": (cm.trajectory_cm, (225, 104)),
-    "sweep_parts": (cm.sweep_parts, (252, 56)),
-    "sweep_outer_cm": (cm.sweep_outer_cm, (314, 104)),
-    "sweep_inner_cc": (cc.sweep_inner_cc, (395, 150)),
-    "sweep_outer_cc": (cc.sweep_outer_cc, (403, 104)),
-    "trajectory_cc": (cc.trajectory_cc, (420, 45)),
+    name: (resolve_name(code), (x, y)) for name, (code, x, y) in _DATA["kernel"].items()
 }
 """Functions of the kernel by their names, and the middles of their boxes."""
-MADE = (
-    *(("sweep_mm", called) for called in ("trajectory_mm", "inner_mm", "outer_mm")),
-    ("outer_mm", "trajectory_mm"),
-    ("inner_mm", "sweep_pairs"),
-    ("trajectory_mm", "sweep_pairs"),
-    ("sweep_pairs", "lower_envelope_mm"),
-    ("sweep_pairs", "join"),
-    ("sweep_pairs", "ConvexPart.sweep"),
-    ("sweep_inner_cm", "trajectory_cm"),
-    ("trajectory_cm", "sweep_parts"),
-    ("sweep_outer_cm", "sweep_parts"),
-    ("sweep_outer_cm", "merge_by_slope"),
-    ("sweep_parts", "lower_envelope_cm"),
-    ("lower_envelope_cm", "join"),
-    ("sweep_parts", "ConvexPart.sweep"),
-    ("sweep_outer_cc", "trajectory_cc"),
-    ("sweep_outer_cc", "merge_by_slope"),
-    ("trajectory_cc", "merge_by_slope"),
-)
+MADE: list[tuple[str, str]] = [(one, other) for one, other in _DATA["made"]]
 """The calls among these."""
 PROCEDURE = Look(style.BLUE, 1.0, fill="#56b4e940", order=4)
 HIGH = 16

@@ -52,12 +52,6 @@ def leaves_children(line: str) -> None:
     sys.exit(0)
 
 
-def hides_a_child(line: str) -> None:
-    """In a session of its own, and without the environment."""
-    subprocess.Popen([*SLEEPER, sys.argv[2]], start_new_session=True, env={})
-    time.sleep(600)
-
-
 def closes_output(line: str) -> None:
     os.close(1)
     time.sleep(600)
@@ -92,7 +86,7 @@ AFTER_A_CASE: dict[str, Callable[[str], object]] = {
     "stderr-flood": stderr_flood,
     "ignores-termination": ignores_termination,
     "leaves-children": leaves_children,
-    "hides-a-child": hides_a_child,
+    "hides-a-child": lambda line: time.sleep(600),
     "closes-output": closes_output,
     "dies": lambda line: os.kill(os.getpid(), signal.SIGKILL),
     "never-ends": never_ends,
@@ -112,6 +106,8 @@ def main(kind: str) -> None:
     if kind in AT_ONCE:
         AT_ONCE[kind]("")
         return
+    if kind == "hides-a-child":
+        subprocess.Popen([*SLEEPER, sys.argv[2]], start_new_session=True, env={})
     print(HELLO, flush=True)
     if kind == "never-reads":
         time.sleep(600)
