@@ -56,7 +56,7 @@ class Measured(NamedTuple):
 
     @property
     def ratio(self) -> float:
-        """How many times as fast the kernel is."""
+        """Return how many times as fast the kernel is."""
         return self.cgal.time / self.ours.time
 
     def cells(self) -> list[str]:
