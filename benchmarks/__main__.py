@@ -16,12 +16,13 @@ from benchmarks import layouts as layout_runs
 from benchmarks import scaling as scaling_runs
 from benchmarks import spent as spent_counts
 from benchmarks.clock import machine
-from benchmarks.peers.cgal import compile_program
+from benchmarks.peers.cgal import Cgal, compile_program
 from benchmarks.peers.measured import Comparison
 from benchmarks.peers.run import compare
 from benchmarks.peers.tables import tables
 
 WIDTH = 140
+WIDE = 190
 
 quick_option = click.option("--quick", is_flag=True, help="Small pairs only, no seconds.")
 limit_option = click.option(
@@ -119,12 +120,14 @@ def layouts(quick: bool, cgal: Path | None) -> None:
 
 
 @main.command()
+@limit_option
 @cgal_option
-def fair(cgal: Path | None) -> None:
-    """The trajectory by CGAL and by the kernel: made anew, kept, from text; crashes."""
+def fair(limit: float, cgal: Path | None) -> None:
+    """Loops by CGAL and by the kernel: kept, made anew, from text; memory, crashes."""
     with TemporaryDirectory() as folder:
-        table = fair_runs.tabulate(cgal or compile_program(Path(folder)))
-    Console(width=max(WIDTH, Console().width)).print(table)
+        program = Cgal(cgal or compile_program(Path(folder)), limit, fair_runs.SECONDS)
+        for table in fair_runs.tabulate(program):
+            Console(width=max(WIDE, Console().width)).print(table)
 
 
 @main.command()

@@ -1,144 +1,182 @@
-"""CGAL and the kernel on the same pairs in the same states: made anew, kept, and from text.
+"""CGAL and the kernel on the same pairs in the same states: kept, made anew, and from text.
 
-CGAL's time is that of its fastest strategy for the pair; a strategy that crashes or gives another
-answer is counted. Both sides are measured in turn, on processor time, each as its least of some
-runs.
+CGAL's time is that of its fastest strategy for each step, with all coordinates of the result forced
+to be exact; its three loops are three sums. A strategy that crashes, gives no polygon or gives
+another answer is counted. Both sides are measured in turn, on processor time, each as its least of
+some runs; memory is the most that a process held, in MB, the interpreter included.
 """
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
-from fractions import Fraction
-from pathlib import Path
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from math import lcm
+from statistics import median
 from typing import NamedTuple
 
 from rich.table import Table
 
 from benchmarks.clock import machine
 from benchmarks.families import ANY_SHAPE, FAMILIES
-from benchmarks.peers.cgal import write_input
-from exactsweep import Polygon
-from exactsweep.conform.adapters.names import CGAL_STRATEGIES
-from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.geometry.canonical import PolygonError
-
-MODES = {"anew": "", "kept": "kept", "text": "text"}
-PAIRS = [(name, 16, 16) for name in FAMILIES] + [(name, 64, 64) for name in FAMILIES]
-PAIRS += [("radial", 16, 16), ("radial", 64, 64), ("tangled", 26, 18)]
-SECONDS = 0.3
-LIMIT = 30.0
-TURNS = 2
-
-# The kernel's own process: reads the pair and a mode, writes milliseconds and the loop.
-OURS = """
-import json, sys
-from benchmarks.clock import milliseconds
+from benchmarks.peers.cases import LOOPS, TRAJECTORY
+from benchmarks.peers.cgal import Best, Cgal
+from benchmarks.peers.run import FUNCTIONS, UNLIMITED, Ran, run_on, same
 from exactsweep import Polygon, sweep
-rings, mode, seconds = json.load(sys.stdin)
-def make():
-    return [Polygon([(x, y) for x, y in ring]) for ring in rings]
-kept = make()
-texts = [[(str(x), str(y)) for x, y in ring] for ring in rings]
-fresh = iter([make() for _ in range(103)])
-def run():
-    if mode == "text":
-        g, d = (Polygon(ring) for ring in texts)
-    else:
-        g, d = kept if mode == "kept" else next(fresh)
-    return sweep(g, d).trajectory.vertices
-run()
-times = milliseconds(run, seconds)
-json.dump([min(times), [[str(x), str(y)] for x, y in run()]], sys.stdout)
-"""
+from exactsweep.corpus import cases
+from exactsweep.corpus.generator.shapes import Ring
+
+MODES = {"kept": FUNCTIONS[TRAJECTORY], "": "first", "text": "text"}
+"""CGAL's modes, and the operation of `benchmarks.peers.ours` in the same state."""
+SIZES = (16, 64, 256)
+SHAPES = (("radial", 16, 16), ("radial", 64, 64), ("radial", 256, 64), ("tangled", 26, 18))
+CORPUS = ("caves", "interlocking", "jigsaw", "parts", "rectilinear", "spirals")
+"""The families of the corpus with outlines of parts, of any shape and monotone ones."""
+ONE_OF = 8
+"""One of so many pairs of a family of the corpus is measured."""
+TURNS = 2
+SECONDS = 0.1
+"""Each operation is repeated for so long in each turn."""
+BYTES = 1_000_000
+
+Pair = tuple[Ring, Ring]
 
 
-class Answer(NamedTuple):
-    """The least time in milliseconds, and the loop."""
+class Side(NamedTuple):
+    """The least time in milliseconds, the most memory in bytes."""
 
     time: float
-    loop: Polygon
+    memory: int
 
 
-def run_apart(command: list[str], given: str) -> str:
-    """Run a program and return its output; nothing if it fails or takes too long."""
-    try:
-        done = subprocess.run(
-            command,
-            input=given,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            text=True,
-            cwd=Path(__file__).parent.parent,
-            timeout=LIMIT,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        return ""
-    return "" if done.returncode else done.stdout
+class Measured(NamedTuple):
+    """The kernel and CGAL on one pair in one state."""
+
+    ours: Side
+    cgal: Side
+
+    @property
+    def ratio(self) -> float:
+        """Return how many times as fast the kernel is."""
+        return self.cgal.time / self.ours.time
+
+    def cells(self) -> list[str]:
+        return [f"{self.ours.time:.3f}", f"{self.cgal.time:.3f}", f"{self.ratio:.2f}"]
 
 
-def ask_ours(pair: tuple[Ring, Ring], mode: str) -> Answer | None:
-    said = run_apart([sys.executable, "-c", OURS], json.dumps([pair, mode, SECONDS]))
-    if not said:
-        return None
-    time, loop = json.loads(said)
-    return Answer(time, Polygon(loop))
+def measure(
+    cgal: Cgal, name: str, pair: Pair, operation: str, mode: str = "kept"
+) -> Measured | None:
+    """Measure one state in turn; None if CGAL has no answer within its limit, or a wrong one.
 
-
-def ask_cgal(
-    program: Path, pair: tuple[Ring, Ring], mode: str, ways: list[str]
-) -> dict[str, Answer | None]:
-    """Ask each strategy of CGAL; None if it crashes, takes too long or gives no polygon."""
+    Args:
+        cgal: runs CGAL.
+        name: of the family of the pair, for what is learnt about strategies.
+        pair: generatrix and directrix.
+        operation: of `benchmarks.peers.ours`; its first loop is the trajectory.
+        mode: of CGAL's program.
+    """
     generatrix, directrix = pair
-    rings = directrix, [(-x, -y) for x, y in generatrix]
-    given = write_input(*rings)
-    found: dict[str, Answer | None] = {}
-    for way in ways:
-        said = run_apart([str(program), way, "sum", str(SECONDS), *([mode] if mode else [])], given)
-        try:
-            times, *lines = said.splitlines() or [""]
-            loop = Polygon([(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)])
-            found[way] = Answer(min(map(float, times.split())), loop)
-        except (PolygonError, ValueError):
-            found[way] = None
-    return found
+    inverse = [(-x, -y) for x, y in generatrix]
+    ours: list[Ran] = []
+    theirs: list[list[Best]] = []
+    for _ in range(TURNS):
+        ours.append(run_on(pair, "ours", operation, UNLIMITED, SECONDS))
+        path, *others = ours[0].loops
+        steps = [cgal.best(name, TRAJECTORY, directrix, inverse, mode)]
+        failed, differing = cgal.failed, cgal.differing
+        if operation == FUNCTIONS[LOOPS]:
+            steps += [
+                cgal.best(name, stage, path, generatrix, mode) for stage in ("inner", "outer")
+            ]
+        cgal.failed, cgal.differing = failed, differing
+        found = [step for step in steps if step]
+        right = [path, *others] if len(steps) == 3 else [path]
+        if len(found) < len(steps) or not all(map(same, right, (step.loop for step in found))):
+            return None
+        theirs.append(found)
+    return Measured(
+        Side(min(min(ran.times) for ran in ours), max(ran.memory for ran in ours)),
+        Side(
+            min(sum(step.times.least for step in steps) for steps in theirs),
+            max(step.memory for steps in theirs for step in steps),
+        ),
+    )
 
 
-def measure(program: Path, name: str, m: int, n: int) -> list[str]:
-    """The row of one pair: times in each mode, the ratios, and strategies that failed."""
+def measure_row(cgal: Cgal, name: str, m: int, n: int) -> list[str]:
+    """The row of one pair: each state, three loops, memory, and strategies that failed."""
     pair = (FAMILIES | ANY_SHAPE)[name](m, n, 0)
     row = [f"{name} {m}, {n}"]
-    ours = [ask_ours(pair, "kept")]
-    assert ours[0]
-    right = ours[0].loop
-    tried = ask_cgal(program, pair, "", [*CGAL_STRATEGIES])
-    good = [way for way, found in tried.items() if found and found.loop == right]
-    good.sort(key=lambda way: tried[way].time)  # type: ignore[union-attr]
-    for name_of, mode in MODES.items():
-        mine, theirs = [], []
-        for _ in range(TURNS):
-            own = ask_ours(pair, name_of)
-            others = ask_cgal(program, pair, mode, good[:2])
-            mine += [own] if own else []
-            theirs += [found for found in others.values() if found]
-        one, other = min(a.time for a in mine), min((a.time for a in theirs), default=0.0)
-        row += [f"{one:.3f}", f"{other:.3f}", f"{other / one:.1f}"]
-    crashed = sum(found is None for found in tried.values())
-    wrong = len(tried) - len(good) - crashed
-    return [*row, str(crashed), str(wrong)]
+    failures = None
+    for mode, operation in MODES.items():
+        found = measure(
+            cgal, name, pair, "no_fit" if name in ANY_SHAPE and mode == "kept" else operation, mode
+        )
+        failures = failures or (cgal.failed, cgal.differing)
+        row += found.cells() if found else ["-"] * 3
+    loops = None if name in ANY_SHAPE else measure(cgal, name, pair, FUNCTIONS[LOOPS])
+    row += loops.cells() if loops else ["-"] * 3
+    held = loops or found
+    row += [f"{side.memory / BYTES:.0f}" for side in held] if held else ["-"] * 2
+    return [*row, *map(str, failures or ())]
 
 
-def tabulate(program: Path) -> Table:
-    """The table of all pairs."""
-    table = Table(title=machine())
+def list_outlines() -> Iterator[tuple[str, Pair]]:
+    """Pairs of the corpus without holes, by family and class."""
+    found: defaultdict[str, list[Pair]] = defaultdict(list)
+    for case in cases():
+        family = case.id.partition("-")[0]
+        if family in CORPUS and not (case.directrix_holes or case.generatrix_holes):
+            g, d = Polygon(case.generatrix_ring), Polygon(case.directrix_ring)
+            kind = "any shape" if sweep(g, d).kind == "SS" else "monotone"
+            scale = lcm(g.lattice()[0], d.lattice()[0])
+            rings = [[(int(scale * x), int(scale * y)) for x, y in p.vertices] for p in (g, d)]
+            found[f"{family}, {kind}"].append((rings[0], rings[1]))
+    for name, pairs in found.items():
+        for pair in pairs[::ONE_OF]:
+            yield name, pair
+
+
+def measure_outlines(cgal: Cgal) -> Iterator[list[str]]:
+    """Rows of the families of the corpus: pairs, ratios, unanswered, memory."""
+    ratios: defaultdict[str, list[Measured | None]] = defaultdict(list)
+    for name, pair in list_outlines():
+        ratios[name].append(measure(cgal, name, pair, "no_fit"))
+    for name, all_of in ratios.items():
+        found = [measured for measured in all_of if measured]
+        if found:
+            yield [name, *_summarize(found), str(len(all_of) - len(found))]
+
+
+def _summarize(found: Sequence[Measured]) -> list[str]:
+    ratios = sorted(measured.ratio for measured in found)
+    memory = [max(side.memory for side in sides) for sides in zip(*found, strict=True)]
+    return [
+        str(len(found)),
+        *(f"{ratio:.2f}" for ratio in (median(ratios), ratios[0], ratios[-1])),
+        *(f"{held / BYTES:.0f}" for held in memory),
+    ]
+
+
+def tabulate(cgal: Cgal) -> Iterator[Table]:
+    """The table of the families, and that of outlines of the corpus."""
+    failed = ("crashes", "other answers")
+    table = Table(title=f"{machine()}, CGAL {cgal.version}")
     table.add_column("pair")
-    for mode in MODES:
-        for column in (mode, "CGAL", "times"):
+    for state in ("kept", "first", "from text", "three loops"):
+        for column in (state, "CGAL", "times"):
             table.add_column(column, justify="right")
-    for column in ("crashes", "other answers"):
+    for column in ("MB", "CGAL", *failed):
         table.add_column(column, justify="right")
-    for name, m, n in PAIRS:
-        table.add_row(*measure(program, name, m, n))
-    return table
+    for name, m, n in [(name, k, k) for k in SIZES for name in FAMILIES] + list(SHAPES):
+        table.add_row(*measure_row(cgal, name, m, n))
+    yield table
+    outlines = Table(
+        title="Outlines of the corpus: the no-fit polygon, kept, times as fast as CGAL"
+    )
+    outlines.add_column("family")
+    for column in ("pairs", "median", "least", "most", "MB", "CGAL", "without an answer of CGAL"):
+        outlines.add_column(column, justify="right")
+    for row in measure_outlines(cgal):
+        outlines.add_row(*row)
+    yield outlines

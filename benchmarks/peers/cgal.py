@@ -15,7 +15,7 @@ from shutil import which
 from typing import NamedTuple
 
 from benchmarks.clock import Times
-from benchmarks.peers.process import StoppedError, run
+from benchmarks.peers.process import StoppedError, TooSlowError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
 from exactsweep.conform.adapters import MissingError
@@ -38,11 +38,12 @@ HOPELESS = 4.0
 
 
 class Best(NamedTuple):
-    """The fastest strategy for a sum or an erosion, and what it gave."""
+    """The fastest strategy for a sum or an erosion, and what it gave; most memory in bytes."""
 
     strategy: str
     times: Times
     loop: Loop
+    memory: int
 
 
 def compile_program(folder: Path, source: Path = SOURCE) -> Path:
@@ -68,15 +69,22 @@ class Cgal:
     Args:
         program: the compiled program.
         limit: seconds that one run may take.
+        seconds: for how long runs are repeated.
+
+    Attributes:
+        failed: how many strategies crashed or gave no polygon when `best` was last called.
+        differing: how many gave another answer than most of them.
     """
 
-    def __init__(self, program: Path, limit: float) -> None:
+    def __init__(self, program: Path, limit: float, seconds: float = SECONDS) -> None:
         self._program = program
         self._limit = limit
+        self._seconds = seconds
+        self.failed = self.differing = 0
         self._worth: dict[tuple[str, str], list[tuple[str, str]]] = {}
         self.version = run([program, "version"], "", limit).strip()
 
-    def best(self, family: str, stage: str, p: Loop, q: Loop) -> Best | None:
+    def best(self, family: str, stage: str, p: Loop, q: Loop, mode: str = "") -> Best | None:
         """The fastest way to P + Q, or to P eroded by -Q.
 
         Args:
@@ -84,6 +92,7 @@ class Cgal:
             stage: "trajectory", "outer" or "inner"; what is learnt holds for family and stage.
             p: vertices of P, counter-clockwise.
             q: vertices of Q, counter-clockwise.
+            mode: "kept" for all runs on the same polygons, "text" for reading them in each.
 
         Returns:
             None if no strategy ends within the limit.
@@ -92,13 +101,15 @@ class Cgal:
         found: list[tuple[Best, tuple[str, str]]] = []
         polygons: list[Polygon] = []
         allowed = self._limit
+        self.failed = self.differing = 0
         for way in ways:
-            ran = self._run(way, p, q, allowed)
-            if ran is None:
-                continue
             try:
+                ran = self._run(way, p, q, allowed, mode)
+                if ran is None:
+                    continue
                 polygons.append(Polygon(ran.loop))
-            except PolygonError:
+            except (PolygonError, StoppedError):
+                self.failed += 1
                 continue
             found.append((ran, way))
             allowed = min(allowed, max(1.0, HOPELESS * ran.times.median / 1000))
@@ -107,6 +118,7 @@ class Cgal:
         # Some strategies go wrong on collinear vertices: what most of them say is CGAL's answer.
         answer = Counter(polygons).most_common(1)[0][0]
         found = [pair for pair, polygon in zip(found, polygons, strict=True) if polygon == answer]
+        self.differing = len(polygons) - len(found)
         found.sort(key=lambda pair: pair[0].times.median)
         best = found[0][0]
         self._worth[family, stage] = [
@@ -114,21 +126,21 @@ class Cgal:
         ]
         return best
 
-    def _run(self, way: tuple[str, str], p: Loop, q: Loop, allowed: float) -> Best | None:
-        given = write_input(p, q)
+    def _run(
+        self, way: tuple[str, str], p: Loop, q: Loop, allowed: float, mode: str
+    ) -> Best | None:
+        """Run one strategy; None if it is too slow. On collinear vertices some of them crash."""
+        command: list[str | Path] = [self._program, *way, str(self._seconds)]
+        given = " ".join(write_shape([[*ring]]) for ring in (p, q))
         try:
-            written = run([self._program, *way, str(SECONDS)], given, allowed, overhead=SECONDS)
-        except StoppedError:
-            # Too slow; or, on collinear vertices, some strategies fail.
+            written = run(
+                [*command, *([mode] if mode else [])], given, allowed, overhead=self._seconds
+            )
+        except TooSlowError:
             return None
-        times, *lines = written.splitlines()
+        times, memory, *lines = written.splitlines()
         if min(map(float, times.split())) > 1000 * allowed:
             return None
         loop = [(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)]
         name = way[0] if way[1] == "sum" else ", ".join(way)
-        return Best(name, Times.of([float(time) for time in times.split()]), loop)
-
-
-def write_input(p: Loop, q: Loop) -> str:
-    """Write two polygons as the program reads them."""
-    return " ".join(write_shape([[*ring]]) for ring in (p, q))
+        return Best(name, Times.of([*map(float, times.split())]), loop, 1024 * int(memory))

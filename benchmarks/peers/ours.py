@@ -10,8 +10,10 @@ from collections.abc import Callable
 from fractions import Fraction
 
 import exactsweep
+from benchmarks.clock import REPEATS
 from benchmarks.peers.worker import Loop
 from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.procedures import lower_sweep
 
 Outline = Ring | exactsweep.Polygon
 
@@ -36,6 +38,42 @@ def checked_loops(generatrix: Outline, directrix: Outline) -> Callable[[], list[
     def run() -> list[Loop]:
         swept = exactsweep.sweep(generatrix, directrix)
         return [swept.trajectory.vertices, swept.inner.vertices, swept.outer.vertices]
+
+    return run
+
+
+def first(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
+    """The trajectory of Polygons that were never swept before."""
+    pairs = [
+        (exactsweep.Polygon(generatrix), exactsweep.Polygon(directrix)) for _ in range(REPEATS)
+    ]
+
+    def run() -> list[Loop]:
+        lower_sweep._keep.cache_clear()
+        return [exactsweep.sweep(*pairs.pop()).trajectory.vertices]
+
+    return run
+
+
+def text(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
+    """From numbers written as text to the trajectory."""
+    given = [[(str(x), str(y)) for x, y in ring] for ring in (generatrix, directrix)]
+
+    def run() -> list[Loop]:
+        lower_sweep._keep.cache_clear()
+        return [exactsweep.sweep(*map(exactsweep.Polygon, given)).trajectory.vertices]
+
+    return run
+
+
+def no_fit(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
+    """The no-fit polygon with its holes and exact fits, of Polygons; its exterior is compared."""
+    orbiting, stationary = exactsweep.Polygon(generatrix), exactsweep.Polygon(directrix)
+
+    def run() -> list[Loop]:
+        found = exactsweep.no_fit_polygon(stationary, orbiting)
+        assert isinstance(found.exact_fits, tuple)
+        return [loop.vertices for loop in (found.exterior, *found.holes)]
 
     return run
 

@@ -17,6 +17,10 @@ class StoppedError(Exception):
     """A program gave no answer; the message says why."""
 
 
+class TooSlowError(StoppedError):
+    """A program took longer than it may."""
+
+
 def run(command: Sequence[str | Path], given: str, seconds: float, *, overhead: float = 0.0) -> str:
     """Run a program and return what it writes.
 
@@ -40,7 +44,7 @@ def run(command: Sequence[str | Path], given: str, seconds: float, *, overhead: 
             timeout=2 * (seconds + overhead),
         )
     except subprocess.TimeoutExpired:
-        raise StoppedError(f"> {seconds:g} s") from None
+        raise TooSlowError(f"> {seconds:g} s") from None
     if done.returncode < 0:
         raise StoppedError(f"crashes, signal {-done.returncode}")
     if done.returncode:

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from benchmarks.clock import Times, machine, milliseconds
 from benchmarks.outlines import part_pairs
@@ -24,6 +24,7 @@ from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
 from exactsweep.conform.adapters import MissingError
+from exactsweep.corpus.generator.shapes import Ring
 
 OURS, CHECKED, CGAL, FLOOR = "exactsweep", "with checks", "CGAL", "floor"
 READING = "ints to polygons"
@@ -86,20 +87,20 @@ def compare(
 def measure(case: Case, peers: Iterable[str], cgal: Cgal | None, limit: float) -> list[Result]:
     """All programs on one pair."""
     before = {operation: run_ours(case, operation) for operation in case.operations}
-    exact = {operation: loops for operation, (_, loops) in before.items()}
+    exact = {operation: ran.loops for operation, ran in before.items()}
     results = []
     if cgal is not None:
         results += measure_cgal(case, cgal, limit, exact)
     for name in peers:
         try:
-            times, loops = run_worker("adapted", name, case, limit)
+            times, loops, _ = run_worker("adapted", name, case, limit)
             results.append(_result(name, TRAJECTORY, case, times, exact[TRAJECTORY], loops))
         except StoppedError as problem:
             results.append(Result(name, TRAJECTORY, case, note=str(problem)))
     for operation in case.operations:
-        times = before[operation][0] + run_ours(case, operation)[0]
+        times = before[operation].times + run_ours(case, operation).times
         results.append(_result(OURS, operation, case, times, exact[operation], exact[operation]))
-        times, loops = run_worker("ours", f"checked_{FUNCTIONS[operation]}", case, UNLIMITED)
+        times, loops, _ = run_worker("ours", f"checked_{FUNCTIONS[operation]}", case, UNLIMITED)
         results.append(_result(CHECKED, operation, case, times, exact[operation], loops))
     return results
 
@@ -133,31 +134,44 @@ def measure_cgal(
 
 def measure_floor(case: Case) -> list[Result]:
     """A trajectory, the making of its Fractions alone, and the reading of its polygons."""
-    times, loops = run_ours(case, TRAJECTORY)
-    floor, _ = run_worker("ours", "floor", case, UNLIMITED)
-    reading, _ = run_worker("ours", "reading", case, UNLIMITED)
+    times, loops, _ = run_ours(case, TRAJECTORY)
+    floor = run_worker("ours", "floor", case, UNLIMITED).times
+    reading = run_worker("ours", "reading", case, UNLIMITED).times
     return [
-        _result(OURS, TRAJECTORY, case, times + run_ours(case, TRAJECTORY)[0], loops, loops),
+        _result(OURS, TRAJECTORY, case, times + run_ours(case, TRAJECTORY).times, loops, loops),
         _result(FLOOR, TRAJECTORY, case, floor, loops, loops),
         _result(READING, TRAJECTORY, case, reading, loops, loops),
     ]
 
 
-def run_ours(case: Case, operation: str) -> tuple[list[float], list[Loop]]:
+class Ran(NamedTuple):
+    """One operation in a process of its own: milliseconds of each run, loops, bytes at most."""
+
+    times: list[float]
+    loops: list[Loop]
+    memory: int
+
+
+def run_ours(case: Case, operation: str) -> Ran:
     """The kernel; what it gives is the measure of all others."""
     return run_worker("ours", FUNCTIONS[operation], case, UNLIMITED)
 
 
-def run_worker(
-    module: str, operation: str, case: Case, limit: float
-) -> tuple[list[float], list[Loop]]:
-    """Times in milliseconds and loops of one operation in a process of its own.
+def run_worker(module: str, operation: str, case: Case, limit: float) -> Ran:
+    """Run an operation on the pair of a case, as `run_on`."""
+    return run_on(case.pair(), module, operation, limit)
+
+
+def run_on(
+    pair: tuple[Ring, Ring], module: str, operation: str, limit: float, seconds: float = SECONDS
+) -> Ran:
+    """Run one operation on a pair in a process of its own.
 
     Raises StoppedError when it takes too long or fails.
     """
-    generatrix, directrix = case.pair()
+    generatrix, directrix = pair
     written = run(
-        [sys.executable, "-m", "benchmarks.peers.worker", module, operation, str(SECONDS)],
+        [sys.executable, "-m", "benchmarks.peers.worker", module, operation, str(seconds)],
         json.dumps({"generatrix": generatrix, "directrix": directrix}),
         limit,
         overhead=STARTING,
@@ -166,7 +180,7 @@ def run_worker(
     if min(result["milliseconds"]) > 1000 * limit:
         raise StoppedError(f"> {limit:g} s")
     loops = [[(Fraction(x), Fraction(y)) for x, y in loop] for loop in result["loops"]]
-    return result["milliseconds"], cast(list[Loop], loops)
+    return Ran(result["milliseconds"], cast(list[Loop], loops), result["memory"])
 
 
 def _result(

@@ -15,6 +15,7 @@ from fractions import Fraction
 from importlib import import_module
 
 from benchmarks.clock import milliseconds, require_fine_clock
+from benchmarks.peers.memory import peak
 
 Coordinate = int | float | Fraction
 Loop = Sequence[tuple[Coordinate, Coordinate]]
@@ -34,11 +35,12 @@ def main() -> None:
         result[:] = task()
 
     times = milliseconds(run, float(seconds))
+    memory = peak()
     loops = [[(str(Fraction(x)), str(Fraction(y))) for x, y in loop] for loop in result]
     if is_adapted:
         # All rings were answered; the exterior is the one that reaches farthest to the left.
         loops = [min(loops, key=lambda loop: min(Fraction(x) for x, _ in loop))]
-    json.dump({"milliseconds": times, "loops": loops}, sys.stdout)
+    json.dump({"milliseconds": times, "loops": loops, "memory": memory}, sys.stdout)
 
 
 if __name__ == "__main__":

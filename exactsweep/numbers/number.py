@@ -83,7 +83,8 @@ def to_fraction(value: object) -> Fraction:
         return _from_string(str(value))
     if isinstance(value, bool):
         raise NumberError(f"{value} is a truth value, not a number")
-    if hasattr(value, "__index__"):
+    # Before version 2, numpy lets its truth values be indices.
+    if hasattr(value, "__index__") and type(value).__name__ != "bool_":
         try:
             return Fraction(operator.index(value))
         except TypeError:

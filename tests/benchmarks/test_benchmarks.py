@@ -13,6 +13,7 @@ from benchmarks.families import FAMILIES
 from benchmarks.floors import comb
 from benchmarks.layouts import judge_ours, make_shapely, place_all, tile, write_shapes
 from benchmarks.outlines import OUTLINES, part_pairs
+from benchmarks.peers import ours
 from benchmarks.spent import COUNTED, count
 from exactsweep import Point, Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
@@ -67,6 +68,14 @@ def test_outlines_of_parts_are_parts() -> None:
     assert max(sizes) <= 150
     for generatrix, directrix in list(part_pairs())[::13]:
         assert sweep(generatrix, directrix).trajectory.area > 0
+
+
+def test_each_state_of_polygons_gives_the_same_trajectory() -> None:
+    pair = FAMILIES["mm"](8, 8, 0)
+    right = [sweep(*pair).trajectory.vertices]
+    for operation in (ours.trajectory, ours.first, ours.text, ours.no_fit):
+        run = operation(*pair)
+        assert run() == run() == right
 
 
 def test_counted_numbers_stay_counted() -> None:

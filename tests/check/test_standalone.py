@@ -274,10 +274,14 @@ def test_entries_of_sums_are_a_number_and_a_chain_for_each_side() -> None:
     entries: tuple[Any, ...] = ([], [first[0]], [10**9, *first[1:]], [*first, first[1]], None)
     for entry in entries:
         assert not proves(put(inside, ("proof", "sums"), [entry, *rest])), entry
-    # Pieces of all outside are needed.
-    nothing: Any = [[], [[["0", "0"], ["1", "0"], ["0", "1"]]]]
-    for pieces in nothing:
-        assert not proves(put(inside, ("proof", "outside"), pieces))
+
+
+def test_a_frame_leaves_pieces_outside() -> None:
+    wide = [(0, 0), (3, 0), (3, 3), (0, 3)]
+    true = add_proof(json.loads(json.dumps(inner_fit_polygon(wide, SQUARE).certificate())))
+    tight = {**true["proof"], "frame": ["0", "0", "3", "3"], "outside": []}
+    with pytest.raises(Refused, match="there are no pieces"):
+        prove({**true, "proof": tight})
 
 
 def test_a_frame_is_a_rectangle() -> None:

@@ -14,9 +14,10 @@
 // what is left of the plane by (complement of P) + Q. For an erosion CGAL gets the complement as a
 // rectangle with the hole P (frame), or as two simple polygons to the left and to the right of P
 // (halves). Repeats for about SECONDS, at most 100 times, and writes the processor times in
-// milliseconds on one line, and then the outer boundary of the sum, or the one hole of the erosion,
-// a vertex a line. Each run starts from new numbers and ends when all coordinates are exact; with
-// `kept` all runs are on the same polygons, with `text` each reads its numbers from text.
+// milliseconds on one line, the most memory that it has held in kB on the next, and then the outer
+// boundary of the sum, or the one hole of the erosion, a vertex a line. Each run starts from new
+// numbers and ends when all coordinates are exact; with `kept` all runs are on the same polygons,
+// with `text` each reads its numbers from text.
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <sstream>
@@ -164,6 +166,16 @@ Polygon erode(const std::string& operation, const std::string& strategy, const P
   return only_hole(joined);
 }
 
+// The most memory that this process has held, in kB; 0 where the system does not say.
+long peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    long size = 0;
+    if (word == "VmHWM:" && status >> size) return size;
+  }
+  return 0;
+}
+
 void measure(const std::string& strategy, const std::string& operation, const double seconds,
              const std::string& mode) {
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
@@ -194,7 +206,10 @@ void measure(const std::string& strategy, const std::string& operation, const do
     const double elapsed = double(std::clock() - start) / CLOCKS_PER_SEC;
     total += elapsed;
     std::cout << (repeat ? " " : "") << 1000 * elapsed;
-    if (repeat == 99 || total >= seconds) write_ring(std::cout, result, '\n');
+    if (repeat == 99 || total >= seconds) {
+      std::cout << "\n" << peak_memory();
+      write_ring(std::cout, result, '\n');
+    }
   }
   std::cout << "\n";
 }
