@@ -40,12 +40,12 @@ KINDS = {
     "proved": "the proof is written out",
     "cited": "the proof is in the literature",
     "exhaustive": "all cases of a finite set were tried, or all up to the first that fails",
-    "sampled": "random pairs were tried, as many as is said",
+    "sampled": "random pairs were tried; the row has their number",
     "counted": "operations, vertices or undercuts were counted over doubling sizes",
     "measured": "seconds and bytes were measured over doubling sizes",
     "case": "given cases were computed",
 }
-"""What each kind of evidence is."""
+"""The meaning of each kind of evidence."""
 
 
 class Counterexample(NamedTuple):

@@ -59,9 +59,9 @@ class Growth:
         family: the pairs.
         bound: the bound as text.
         points: one for each size.
-        limit: by what factor the ratio may rise at the last doubling; or, if it is below 1, by how
-            much the exponent may be above that of the bound over all sizes. What is measured, and
-            has no such limit, has that of `LIMITS`.
+        limit: the greatest factor by which the ratio may rise at the last doubling; or, if it is
+            below 1, the most that the exponent over all sizes may exceed that of the bound.
+            `LIMITS` has the limits for measured growths without their own.
     """
 
     what: str

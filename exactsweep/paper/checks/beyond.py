@@ -1,4 +1,4 @@
-"""Beyond the paper: polygons of any shape, held against the definition."""
+"""Beyond the paper: polygons of any shape, compared with the definition."""
 
 from __future__ import annotations
 

@@ -38,8 +38,8 @@ def invert_generatrix(s: Sweep) -> Polygon:
 def sum_boundary() -> tuple[Loop, tuple[Loop, ...]]:
     """The outer boundary, and the holes, of the Minkowski sum of D's boundary and G.
 
-    The sum of D and G is the no-fit polygon of D and I(G). What is missing of it are the points p
-    for which p + I(G) lies inside D, off its boundary.
+    The sum of D and G is the no-fit polygon of D and I(G). The sum of D's boundary and G lacks the
+    points p for which p + I(G) lies inside D, off its boundary.
     """
     s = sweep_example()
     inverted = invert_generatrix(s)
