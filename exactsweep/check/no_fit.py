@@ -17,10 +17,10 @@ Let O be the positions t at which the interiors of D and G + t meet, and F the o
 5. Each component of the plane without the closure of O is bounded by one simple loop, if O is
    connected: around the unbounded one runs the exterior, around the others the holes.
 
-For positions inside a container, D is the complement of the container, within a box. How large it
-is does not matter: if G + t touches the container and is not inside it, G + t has points outside it
-that are as close to it as any. Here O may fall apart, so that a component is bounded by more
-loops than one, and may touch itself: loops are cut where they would visit a point twice.
+For positions inside a container, D is the complement of the container, within a box. Any box around
+the container will do: if G + t touches the container and is not inside it, G + t has points outside
+it that are as close to it as any. Here O may be disconnected, so that a component is bounded by
+more loops than one, and may touch itself: loops are cut where they would visit a point twice.
 
 The area swept along the exterior T is T + G. All of the above holds with the curve T in the place
 of D, except that T can pass along a cut between pieces of G. So the union of the open sets, one for

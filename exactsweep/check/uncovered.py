@@ -110,11 +110,11 @@ class OpenSets:
             segments: pairs of different points.
 
         Returns:
-            What is left of all of them together: pieces, of which those on one line are apart from
-            each other, and single points.
+            The remainder of their union: pieces, disjoint if they are on one line, and single
+            points.
 
         Cost: for s segments on l lines and k rings of v vertices in all, O(lk + s log s) and
-        O(v) for each line at worst; of the rings those near a line are looked at.
+        O(v) for each line at worst; only rings near a line are examined.
         """
         by_line: dict[LatticeLine, list[Interval]] = defaultdict(list)
         for a, b in segments:
@@ -276,7 +276,7 @@ def _cut_away(spans: list[_Remnant], shadow: _Remnant) -> bool:
     """Take an open interval away from closed ones, which may be points.
 
     Returns:
-        Whether what all of them together reach over has changed.
+        True if the range that they span has changed.
     """
     low, high = shadow
     i = bisect_left(spans, True, key=lambda span: not _is_least(span[1], low))

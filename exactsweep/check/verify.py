@@ -90,13 +90,13 @@ def verify(
         directrix: D, likewise.
         part: that of an inner fit, likewise.
         container: likewise.
-        max_steps: the most work to take on, in steps of about a microsecond. A certificate that
-            asks for more is not proved: it is told before the work is begun or, for polygons of any
-            shape, of which too many pieces meet, once so many steps are taken.
+        max_steps: the most work to do, in steps of about a microsecond. A certificate that needs
+            more is not proved. `verify` refuses it before the work begins or, if it is about
+            polygons of any shape and too many pieces meet, after that many steps.
 
     Returns:
-        Verification. The reason is "proved", or says which loop, edge or list is wrong. Nothing is
-        raised, whatever the certificate.
+        Verification. The reason is "proved", or says which loop, edge or list is wrong. No
+        certificate makes `verify` raise an exception.
 
     Raises:
         ExactSweepError: a polygon that is none, or `max_steps` that is no int above 0.

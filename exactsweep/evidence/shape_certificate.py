@@ -1,8 +1,8 @@
 """Certificates for polygons of any shape, as plain JSON data: the claim alone.
 
-All numbers are strings, reduced rationals; positions are translations of the polygon that moves. No
-reasons need be given: `exactsweep.check.verify` finds where a free position could be and holds the
-claim against that.
+All numbers are strings, reduced rationals; positions are translations of the polygon that moves. A
+certificate needs no reasons: `exactsweep.check.verify` finds all places where a free position could
+be, and compares the claim with them.
 """
 
 from __future__ import annotations
