@@ -56,7 +56,7 @@ class Measured(NamedTuple):
 
     @property
     def ratio(self) -> float:
-        """How many times as fast the kernel is."""
+        """The time of CGAL over that of the kernel."""
         return self.cgal.time / self.ours.time
 
     def cells(self) -> list[str]:
