@@ -56,7 +56,7 @@ class Measured(NamedTuple):
 
     @property
     def ratio(self) -> float:
-        """The time of CGAL over that of the kernel."""
+        """Return how many times as fast the kernel is."""
         return self.cgal.time / self.ours.time
 
     def cells(self) -> list[str]:
