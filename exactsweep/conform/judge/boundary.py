@@ -166,7 +166,7 @@ def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
 
 
 def trace_rings(boundary: RingBoundary) -> list[Loop]:
-    """Return a boundary as counter-clockwise rings, none of which comes to a corner twice.
+    """Return a boundary as counter-clockwise rings, none of which visits a corner twice.
 
     Cost: O(n log n).
 

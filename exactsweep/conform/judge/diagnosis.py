@@ -31,7 +31,7 @@ from exactsweep.words import write_pair
 _MOST_ROUNDED = 16
 _NEARLY = 4
 _POSITIONS = ("trajectory", "no_fit", "inner_fit")
-"""Loops that are told of a reference point."""
+"""Loops of positions, which depend on the reference point."""
 
 
 class _Answered(NamedTuple):

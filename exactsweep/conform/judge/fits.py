@@ -40,7 +40,7 @@ def judge_fits(
     whiskers: Sequence[Fit] = (),
     name: str = NAME,
 ) -> PartComparison:
-    """Hold answered exact fits against the exact ones.
+    """Compare answered exact fits with the exact ones.
 
     Args:
         case: the case.

@@ -127,7 +127,7 @@ def _blank_zeros(counts: Iterable[int]) -> Iterable[str]:
 
 
 def close(run: Run, *, is_timed: bool = False) -> str:
-    """Write what is said below the table: what failed, and how the run ended.
+    """Write the lines below the table: the failures, and the end of the run.
 
     Args:
         run: a Run.
@@ -183,7 +183,7 @@ def progress(run: Run, total: int | None) -> Iterator[Callable[[Outcome], None]]
         total: how many cases there will be, or None.
 
     Yields:
-        A function to be told each outcome.
+        A function to call with each outcome.
     """
     console = Console(stderr=True)
     bar = Progress(

@@ -107,7 +107,7 @@ class Journal:
         return self
 
     def __exit__(self, *error: object) -> None:
-        # What could not be written would fail again.
+        # A failed write would fail again.
         with suppress(OSError):
             self._file.close()
 

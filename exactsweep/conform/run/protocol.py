@@ -248,7 +248,7 @@ class UnsupportedError(ExactSweepError):
 
 
 def adapt(case: Case, hello: Hello) -> Case:
-    """Return the case that is put to an implementation, with the answers that it should give.
+    """Return the case as an implementation gets it, with the answers that it should give.
 
     Args:
         case: a Case.
@@ -323,7 +323,7 @@ def _refer(case: Case, reference: Point) -> Case:
 
 
 def _with_positions(case: Case, put: Callable[[Loop], Loop]) -> Case:
-    """Return the case with all that is told of the reference point put elsewhere."""
+    """Return the case with all positions of the reference point moved."""
 
     def loop(polygon: Polygon) -> Polygon:
         return Polygon(put(polygon.vertices))

@@ -1,4 +1,4 @@
-"""A run: everything that came of holding an implementation against cases."""
+"""A run: the outcomes of an implementation on cases."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from exactsweep.numbers.number import format_fraction
 from exactsweep.words import count
 
 SHOWN = 5
-"""How many failures of each fault are kept with all that belongs to them, the smallest."""
+"""The number of failures of each fault, the smallest, that a run keeps whole."""
 MOST_FAULTS = 40
-"""More faults than that are not told apart; the rest of them are, by verdict."""
+"""The number of faults that a run distinguishes; it groups the rest by verdict."""
 
 
 class _KeptOutcome(NamedTuple):

@@ -79,7 +79,7 @@ class SeenNames:
     """
 
     def __init__(self) -> None:
-        # What is left of it may be swept up in another thread, which closes it then.
+        # The garbage collector may close the connection in another thread.
         self._table = sqlite3.connect("", check_same_thread=False)
         finalize(self, self._table.close)
         self._table.execute("CREATE TABLE seen (name BLOB PRIMARY KEY) WITHOUT ROWID")
@@ -102,6 +102,6 @@ class SeenNames:
 
 
 def _close(file: SpooledTemporaryFile[bytes]) -> None:
-    # What could not be written would fail again.
+    # A failed write would fail again.
     with suppress(OSError):
         file.close()
