@@ -144,7 +144,7 @@ def is_exactly(item: Any, kind: type, value: object) -> bool:
 
 
 def flaw(place: KeyPath, what: str, witness: Point | None = None) -> CertificateError:
-    """The error that says what is wrong at a place."""
+    """The error that describes a flaw at a place."""
     path = ""
     while isinstance(place, tuple):
         place, last = place

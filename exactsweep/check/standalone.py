@@ -716,7 +716,7 @@ class Layout:
         self.placed.append(Placed(pieces, points, boxes, grid_box(points, self.work.scale), error))
 
     def prove(self) -> str:
-        """Prove what is claimed, and say what that is."""
+        """Prove the claim, and describe it."""
         found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
         if not self.valid:
             need(self.faults != [] == self.apart, "faults: none, or normals beside them")
@@ -846,7 +846,7 @@ def read_given(text: str) -> list[Ring]:
 
 
 def prove(certificate: Any, max_steps: int = MAX_STEPS) -> str:
-    """Prove a certificate, as `json.loads` gives it, and say what is proved.
+    """Prove a certificate, as `json.loads` gives it, and describe the proved claim.
 
     Raises:
         Refused: it is not proved; the first reason.

@@ -97,7 +97,7 @@ class OpenSets:
         second: Iterable[Sequence[Vertex]],
         budget: Budget,
     ) -> None:
-        # Large sets first: few of them cover most of what is covered.
+        # Large sets first: few of them cover most of the union.
         self._sums = ConvexSums(first, second, budget)
         self._tree = BoxTree(self._sums.boxes, budget)
         self._budget = budget
@@ -122,8 +122,8 @@ class OpenSets:
             line = find_line(a, b)
             low, high = sorted((a[line.axis], b[line.axis]))
             by_line[line].append((low, high))
-        # Lines of one direction after each other: what is known of the sets with regard to it is
-        # forgotten with it, for all of it would take the memory of all edges times all sets.
+        # Lines of one direction come together, and data on the sets for that direction are dropped
+        # after them: data for all directions would need memory for all edges times all sets.
         lines = sorted(by_line, key=lambda line: line[:2])
         spans = {line: [_to_ratios(span) for span in unite(by_line[line])] for line in lines}
         pieces, points = [], set()

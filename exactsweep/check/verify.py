@@ -1,7 +1,7 @@
 """Proving a certificate from the definition alone.
 
-A certificate with the key `claim` is for polygons of any shape: `claim` says what is in it, and
-`complete` how it is proved. The others are sweeps of monotone polygons, and the rest is about them.
+A certificate with the key `claim` is for polygons of any shape: `claim` describes it, and
+`complete` proves it. The others are sweeps of monotone polygons, and the rest is about them.
 
 With P = D + I(G), the Minkowski sum, a certificate says where three loops run:
 
@@ -152,7 +152,7 @@ def _verify(certificate: Any, max_steps: int) -> None:
 
 
 def _check_types(certificate: Any) -> None:
-    """Refuse what is not as `json.loads` gives it: values of other types may do anything."""
+    """Refuse types that `json.loads` does not return: their methods could do anything."""
     left, seen = [certificate], set()
     while left:
         item = left.pop()

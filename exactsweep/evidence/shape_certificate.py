@@ -26,7 +26,7 @@ def claim_no_fit(
     holes: Iterable[Polygon],
     exact_fits: Fits,
 ) -> dict[str, Any]:
-    """Write the certificate of a no-fit polygon, told in translations. Cost: linear.
+    """Write the certificate of a no-fit polygon, as translations. Cost: linear.
 
     >>> square = Region([(0, 0), (1, 0), (1, 1), (0, 1)])
     >>> around = Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
@@ -48,7 +48,7 @@ def claim_no_fit(
 def claim_inner_fit(
     container: Region, part: Region, regions: Iterable[Region], exact_fits: Fits
 ) -> dict[str, Any]:
-    """Write the certificate of an inner fit, told in translations. Cost: linear.
+    """Write the certificate of an inner fit, as translations. Cost: linear.
 
     >>> square = Region([(0, 0), (1, 0), (1, 1), (0, 1)])
     >>> claim_inner_fit(square, square, [], [(Point(0, 0), Point(0, 0))])["exact_fits"]

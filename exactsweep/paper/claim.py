@@ -1,4 +1,4 @@
-"""Claims of the paper, what a check finds about one, and whether the two agree.
+"""Claims of the paper, findings of checks, and comparisons of the two.
 
 A check looks for counterexamples twice: to the statement as it stands in the paper, and to the
 statement as the ledger has it. The first kind makes a row "with a condition" or "refuted"; one
@@ -77,7 +77,7 @@ class Evidence:
     """The findings of a check.
 
     Attributes:
-        tried: what was looked at, and how much of it.
+        tried: the cases that were tried, and their number.
         failure: a counterexample to the statement as corrected; empty if there is none.
         against: a counterexample to the statement as printed; None if there is none.
         others: further counterexamples, to other parts of it.

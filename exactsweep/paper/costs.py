@@ -38,7 +38,7 @@ UNITS = ("operations", "seconds", "bytes")
 Procedure = Callable[[Chains], Iterable[Any]]
 
 LINEAR, PLANAR = 0.03, 0.1
-"""By how much the exponent of bytes may be above that of m + n, and of mn in a CM sweep."""
+"""The most that the exponent of bytes may exceed that of m + n, or of mn in a CM sweep."""
 
 STEPS = 0.2
 """The most that the exponent of an MM sweep's counts may exceed that of the bound.

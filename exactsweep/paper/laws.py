@@ -125,7 +125,7 @@ class Trial:
 
     @property
     def tried(self) -> str:
-        """Describe what was tried, for the evidence."""
+        """Describe the trials, for the evidence."""
         return " ".join(
             f"{text} Pairs: {', '.join(counts)}." for text, counts in self._tried.items()
         )

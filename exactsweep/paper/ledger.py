@@ -26,7 +26,7 @@ class UnknownClaimError(ExactSweepError):
 
 
 def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
-    """Try the laws of a row on random pairs, run its check, and measure what it claims to cost."""
+    """Try the laws of a row on random pairs, run its check, and measure its claimed costs."""
     trial = Trial(effort)
     for law, pairs in row.get("laws", {}).items():
         trial.of(resolve_name(f"{CHECKS}.{law}"), pairs)

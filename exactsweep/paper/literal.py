@@ -106,7 +106,7 @@ def lower_envelope_mm(chains: Sequence[Chain]) -> Chain:
 
 
 def merge(first: Chain, second: Chain) -> Chain:
-    """Walk two chains in vertical sync, and keep what is lower.
+    """Walk two chains in vertical sync, and keep the lower one.
 
     Cost: O(size of first + size of second).
 

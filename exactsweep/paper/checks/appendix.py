@@ -258,7 +258,7 @@ def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
 
 
 def lower_envelope_cm_is_right(pair: SweepPair) -> str:
-    """LowerEnvelope_CM returns what is lowest of all sub-trajectories so far."""
+    """LowerEnvelope_CM returns the lower envelope of all sub-trajectories so far."""
     top, _, directrix = pair.chains
     chains = [trajectory_cc(top, part) for part in find_convex_parts(directrix)]
     partial = Envelope.of(chains[0])

@@ -122,7 +122,7 @@ def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool 
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> str:
-    """LowerEnvelope_MM returns what is lowest over every x."""
+    """LowerEnvelope_MM returns the lowest chain over every x."""
     top, _, directrix = pair.chains
     parts = find_convex_parts(inverse(top))
     chains = [trajectory_cm(inverse(part), directrix) for part in parts]

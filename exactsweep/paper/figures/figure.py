@@ -21,7 +21,7 @@ class PaperFigure(Protocol):
     """The interface of the module of a figure."""
 
     def list_facts(self) -> Facts:
-        """List what the figure states: pairs of a name and a computed value."""
+        """List the figure's statements: pairs of a name and a computed value."""
 
     def find_failures(self) -> Iterator[str]:
         """Texts, empty where a fact is borne out by the definition or by another way."""
@@ -36,7 +36,7 @@ def load(name: str) -> PaperFigure:
 
 
 def check_figure(name: str, against: str) -> Evidence:
-    """Hold what a figure states against another way to it, which a sentence describes."""
+    """Compare a figure's statement with another way to derive it, which a sentence describes."""
     figure = load(name)
     rows = [list(fact) for fact in figure.list_facts()]
     table = Table("What the figure states", ("what", "value"), rows)

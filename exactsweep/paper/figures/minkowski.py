@@ -60,7 +60,7 @@ def draw_sweep(picture: Picture, s: Sweep) -> None:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     s = sweep_example()
     _, holes = sum_boundary()
     met = [classify(s.directrix, place_generatrix(s, t), (0, 0)).verdict for t in ALONG]
@@ -75,7 +75,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, _positions(s))
