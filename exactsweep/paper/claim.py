@@ -166,7 +166,7 @@ class Finding(NamedTuple):
 
     @property
     def _kinds(self) -> set[str]:
-        """The kinds of evidence that are there, except for cases and what is cited."""
+        """The kinds of evidence that were given, except for cases and citations."""
         found = self.evidence
         units = {series.unit in LIMITS for series in found.growth}
         given = {

@@ -276,7 +276,7 @@ def count_operations(effort: Effort) -> Evidence:
 
 
 def _watch_slots(partial: Envelope) -> Envelope:
-    """The same envelope, whose lists count what is read of them; that is all of it, just now."""
+    """Return the same envelope with lists that count slots; this call reads all slots once."""
     return Envelope(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
 
 

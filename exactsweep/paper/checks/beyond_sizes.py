@@ -1,4 +1,4 @@
-"""Beyond the paper: how large no-fit polygons of any shape get, and what they are made of."""
+"""Beyond the paper: sizes of no-fit polygons of any shape, and of their contact segments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A figure of the paper: how it is drawn, what it states, and how that is checked."""
+"""A figure of the paper: its drawing, its statements, and the checks of these."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def overlaps(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
 
 
 def differ(name: str, found: object, expected: object) -> str:
-    """Say that a fact is not what it has to be; empty if it is.
+    """Describe the difference of a fact from its expected value; empty if there is none.
 
     >>> differ("edges", 15, 16)
     'edges: 15, not 16'
