@@ -20,7 +20,6 @@ from shape_certificates import (
     written_again,
 )
 from tampering import changes
-from tiers import mostly_long
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import size, verify
@@ -111,7 +110,8 @@ def test_a_number_in_lowest_terms_is_read(text: str) -> None:
     assert read_number(text, "x") == Fraction(int(above), int(below or 1))
 
 
-@pytest.mark.parametrize("claim", mostly_long(CERTIFICATES, ["inner_fit"]))
+@pytest.mark.long
+@pytest.mark.parametrize("claim", CERTIFICATES)
 def test_junk_is_refused_with_a_reason(claim: str) -> None:
     certificate = CERTIFICATES[claim]
     for path in _places(certificate):
