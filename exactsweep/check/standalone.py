@@ -480,10 +480,10 @@ def prove_positions(
                 if p == q and 0 <= low <= 1:
                     beside[-1 - n, True] = beside[-1 - n, False] = [(ALL, True)]
                 elif low < high:
-                    (x, y), (u, v) = ways([a, b, p, q])[::2]
                     on = share(p, q, a, b) or NOWHERE
-                    beside[-1 - n, x * u + y * v > 0].append((on, True))
-            need(spans[:1] == [(ALL, False)] or is_chain(spans), "chains: a gap")
+                    alike = (place(a) < place(b)) == (place(p) < place(q))
+                    beside[-1 - n, alike].append((on, True))
+            need(is_chain(spans), "chains: a gap")
     for n, (p, q) in enumerate(known):
         for left in [True] if n < len(known) - len(fits) else [True, False]:
             parts = is_chain([e for e in sorted(beside[n, left]) if e[0][0] <= 1])
