@@ -3,10 +3,11 @@
 `CERTIFICATES.md` says what is read. A checker adds up; it never searches. Points are homogeneous,
 ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y + c w > 0.
 
-1. Pieces. Convex rings make up a shape if their edges cancel to those of its rings, holes
-   clockwise. Then their indicators add up to the winding number of the rings, almost everywhere,
-   which so is never below 0. If each ring is simple, this says that holes are inside the exterior
-   and apart from each other, and that the pieces are the shape and do not overlap.
+1. Pieces. The rings of a shape are simple and do not cross, holes are inside the exterior and in no
+   other hole, and a circle of rings that touch, which would part the interior, is refused: so the
+   winding number of the rings, holes clockwise, is 1 in its interior, which is connected, and 0
+   outside. Convex rings make it up if their edges cancel to those of its rings. Then their
+   indicators add up to that winding number almost everywhere: they are the shape, without overlap.
 2. Layouts. Two shapes are s apart if for any two pieces a, b of them there is a normal n with
    gap = min n.b - max n.a >= 0 and gap^2 >= s^2 |n|^2. The container is a shape, too: what a frame
    has outside it. A turn by an irrational angle is a rational one that is off by e, which moves a
@@ -28,8 +29,10 @@ ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y 
 4. Inner fits are 3 with D all that is outside the container. A frame holds it; B are the positions
    at which G is in the frame. Beyond B there is O, and its four half-planes are listed as well; (b)
    is asked of the edges of B, too, and L is in B. O may have components, the sums of H and of what
-   is connected in D. So W, which is 1 far away, has to be 1 at one point of D_i + H for every i;
-   then it is 1 on O and left of each loop, 0 right of it, and the rest is as before.
+   is connected in D. So W, which is 0 far away, has to be 0 at one point of D_i + H for every i,
+   which is connected; then it is 0 on O and left of each loop, -1 right of it: off L, O is where W
+   is 0. Each region is a shape by (1), and no loop passes its interior, where its own rings make W
+   -1: so regions are the components of the rest, and are written in one way only.
 5. Sweeps. T, the trajectory, is the exterior of 3. T + G is the closure of the sums of the edges of
    T and pieces of G. The union of these is connected: T + G_j is, and along a cut of G two of them
    meet, at an edge of T that is not parallel to the cut. So 3 serves again, with the edges of T for
@@ -138,12 +141,16 @@ def read_fits(item: Any) -> list[Edge]:
     return [(point(p), point(q)) for p, q in (items(fit, 2) for fit in items(item))]
 
 
-def ring(item: Any) -> Ring:
-    """Read at least three points; those that are repeated one after the other count once."""
-    read = [point(entry) for entry in items(item)]
-    found = [p for k, p in enumerate(read) if p != read[k - 1]]
+def drop_repeated(points: Ring) -> Ring:
+    """Return a ring in which points that are repeated one after the other count once."""
+    found = [p for k, p in enumerate(points) if p != points[k - 1]]
     need(len(found) > 2, "a ring of fewer than three points")
     return found
+
+
+def ring(item: Any) -> Ring:
+    """Read a ring."""
+    return drop_repeated([point(entry) for entry in items(item)])
 
 
 def shape(item: Any, optional: str = "") -> list[Ring]:
@@ -210,14 +217,19 @@ def lies(p: Node, a: Node, b: Node) -> bool:
     return side(line(a, b), p) == 0 and y <= x <= z
 
 
+def do_cross(p: Node, q: Node, r: Node, s: Node) -> bool:
+    """Return whether two edges cross in their middles."""
+    one, other = line(p, q), line(r, s)
+    return side(one, r) * side(one, s) < 0 and side(other, p) * side(other, q) < 0
+
+
 def do_clash(p: Node, q: Node, r: Node, s: Node, apart: int, count: int) -> bool:
     """Return whether two edges of a ring, so many apart, keep it from being simple."""
     if apart in (1, count - 1):  # neighbours: one must not go back along the other
         (a, b), c = ((p, q), s) if q == r else ((r, s), q)
         return lies(c, a, b) or lies(a, b, c)
-    one, other = line(p, q), line(r, s)
-    crossed = side(one, r) * side(one, s) < 0 and side(other, p) * side(other, q) < 0
-    return crossed or lies(p, r, s) or lies(q, r, s) or lies(r, p, q) or lies(s, p, q)
+    touch = lies(p, r, s) or lies(q, r, s) or lies(r, p, q) or lies(s, p, q)
+    return touch or do_cross(p, q, r, s)
 
 
 def grid_box(points: Sequence[Node], scale: int) -> Grid:
@@ -245,19 +257,11 @@ def list_near(boxes: list[Grid], reach: int, work: Work) -> Iterator[tuple[int, 
                 yield min(a, b), max(a, b)
 
 
-def check_simple(points: Ring, work: Work) -> None:
-    """Refuse a ring that is not simple."""
-    around = edges(points)
-    for k, m in list_near([grid_box(e, work.scale) for e in around], 0, work):
-        clash = do_clash(*around[k], *around[m], m - k, len(points))
-        need(not clash, "a ring is not simple")
-
-
 def loop(item: Any, work: Work) -> Ring:
     """Read a simple ring, counter-clockwise, without straight angles, its least point first."""
     points = ring(item)
     need(len(points) == len(item), "a loop with a point that is repeated")
-    check_simple(points, work)
+    check_shape([points], work)
     bent = all(side(line(p, q), points[k - 1]) for k, (p, q) in enumerate(edges(points)))
     canonical = bent and min(map(place, points)) == place(points[0]) and double_area(points) > 0
     need(canonical, "a loop is not canonical")
@@ -282,14 +286,18 @@ def solid(rings: list[Ring], item: Any, work: Work, frame: Ring | None = None) -
             left[of, p] += sign
             left[of, q] -= sign
     need(not any(left.values()), "the edges of pieces do not cancel to those of their shape")
-    for points in rings:
-        check_simple(points, work)
-    check_connected(rings, work)
+    check_shape(rings, work)
     return pieces
 
 
-def check_connected(rings: list[Ring], work: Work) -> None:
-    """Refuse rings that with the points at which they touch form a circle."""
+def check_shape(rings: list[Ring], work: Work) -> None:
+    """Refuse rings unless they are simple, an exterior and holes, the interior in one piece."""
+    around = [(k, n, e) for k, points in enumerate(rings) for n, e in enumerate(edges(points))]
+    for a, b in list_near([grid_box(e, work.scale) for *_, e in around], 0, work):
+        (k, n, one), (j, m, other) = around[a], around[b]
+        clash = k == j and do_clash(*one, *other, m - n, len(rings[k]))
+        need(not clash, "a ring is not simple")
+        need(k == j or not do_cross(*one, *other), "rings of a shape cross")
     parts = list(range(len(rings)))
     corners = {p for points in rings for p in points} if len(rings) > 1 else []
     for p in corners:
@@ -298,6 +306,12 @@ def check_connected(rings: list[Ring], work: Work) -> None:
         met = [parts[k] for k in on]
         need(len({*met}) == len(met), "the interior of a shape falls apart")
         parts = [met[0] if part in met else part for part in parts]
+    # Two rings have at most one point in common by now, so that any other tells.
+    for k, j in ((k, j) for k in range(1, len(rings)) for j in range(len(rings)) if j != k):
+        work.take(len(rings[j]))
+        of = edges(rings[j])
+        free = next(p for p in rings[k] if not any(lies(p, *e) for e in of))
+        need((winding(of, free) != 0) == (j == 0), "a hole is not in its exterior, or in another")
 
 
 def add_convex(one: Ring, other: Ring) -> Ring:
@@ -309,15 +323,6 @@ def add_convex(one: Ring, other: Ring) -> Ring:
         left = -last or u[i][0] * v[j][1] - u[i][1] * v[j][0]
         i, j = i + (left >= 0), j + (left <= 0)
     return found
-
-
-def misses(sides: list[Node], a: Node, b: Node) -> bool:
-    """Return whether open half-planes have no point of a segment in common."""
-    (x, y, w), (u, v, z) = a, b
-    for k, m, n in sides:
-        if k * x + m * y + n * w <= 0 and k * u + m * v + n * z <= 0:
-            return True
-    return clip(sides, a, b) is None
 
 
 def clip(sides: list[Node], a: Node, b: Node) -> Span | None:
@@ -384,9 +389,7 @@ def meet(first: Tree, second: Tree, third: Tree, work: Work) -> Iterator[tuple[i
         (left, right, low, high), size, of = (found := stack.pop())[0]
         (a, b, c, d), wide, ones = found[1]
         (e, f, g, h), far, others = found[2]
-        work.left -= 1
-        if work.left < 0:
-            work.take(0)
+        work.take(1)
         if a + e < right and left < b + f and c + g < high and low < d + h:
             if size < 0 > wide and far < 0:
                 yield of, ones, others
@@ -456,7 +459,7 @@ def prove_positions(
     for n, k in chain(sums.near(tree(boxes)) if boxes else (), far):
         lines = sums.get(k)[0]
         work.take(len(lines))
-        need(misses(lines, *known[n]), "an edge of a loop or a fit is overlapped")
+        need(clip(lines, *known[n]) is None, "an edge of a loop or a fit is overlapped")
 
     entries = [(integer([*e, None][0], 0, sums.count), e[1:]) for e in map(items, items(listed))]
     entries += [(k, [found]) for k, found in zip(beyond, around, strict=True)]
@@ -477,10 +480,10 @@ def prove_positions(
                 if p == q and 0 <= low <= 1:
                     beside[-1 - n, True] = beside[-1 - n, False] = [(ALL, True)]
                 elif low < high:
-                    (x, y), (u, v) = ways([a, b, p, q])[::2]
                     on = share(p, q, a, b) or NOWHERE
-                    beside[-1 - n, x * u + y * v > 0].append((on, True))
-            need(spans[:1] == [(ALL, False)] or is_chain(spans), "chains: a gap")
+                    alike = (place(a) < place(b)) == (place(p) < place(q))
+                    beside[-1 - n, alike].append((on, True))
+            need(is_chain(spans), "chains: a gap")
     for n, (p, q) in enumerate(known):
         for left in [True] if n < len(known) - len(fits) else [True, False]:
             parts = is_chain([e for e in sorted(beside[n, left]) if e[0][0] <= 1])
@@ -557,13 +560,8 @@ def prove_inner_fit(c: dict[str, Any], work: Work) -> str:
     d, g, loops = shape(d), shape(g), []
     work.fit(d + g)
     for exterior, holes in (fields(region, "exterior holes") for region in items(regions)):
-        one, inside = loop(exterior, work), [loop(hole, work) for hole in items(holes)]
-        for hole in inside:
-            middles = [(x, y, 2 * w) for x, y, w in (add(p, q) for p, q in edges(hole))]
-            free = [p for p in middles if not any(lies(p, *e) for e in edges(one))]
-            held = any(winding(edges(one), p) for p in free)
-            need(held, "a hole is not in its region")
-        check_connected([one, *inside], work)
+        one, *inside = region = [loop(points, work) for points in (exterior, *items(holes))]
+        check_shape(region, work)
         loops += [one[::-1], *inside]
     outer = frame(*map(number, items(ends, 4)))
     still, moving = solid(d, first, work, outer), [*map(turn, solid(g, second, work))]
@@ -795,10 +793,8 @@ class Layout:
         rings = [edges(ring(e)) for e in (self.parts[k][1], *(self.parts[k][2] or []))]
         need(m < len(rings) > n and i < len(rings[m]) and j < len(rings[n]), "edges: not there")
         (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
-        one, other = line(p, q), line(r, s)
-        crossed = side(one, r) * side(one, s) < 0 and side(other, p) * side(other, q) < 0
-        clash = crossed if m != n else i != j and do_clash(p, q, r, s, (j - i) % size, size)
-        need(clash, "faults: the edges do not clash")
+        clash = i != j and do_clash(p, q, r, s, (j - i) % size, size)
+        need(clash if m == n else do_cross(p, q, r, s), "faults: the edges do not clash")
 
     def prove_near(self, kind: str, of: Any, numbers: Any, points: Any) -> None:
         """Prove that a point is inside two shapes, or that points of them are too close."""
@@ -820,9 +816,9 @@ class Layout:
 
 def outline(points: Ring) -> Ring:
     """Return a ring as loops are written, without straight angles."""
-    around = points if double_area(points) > 0 else points[::-1]
+    around = drop_repeated(points if double_area(points) > 0 else points[::-1])
     size = len(around)
-    bent = [p for k, p in enumerate(around) if side(line(around[k - 1], p), around[(k + 1) % size])]
+    bent = [p for k, p in enumerate(around) if not lies(p, around[k - 1], around[(k + 1) % size])]
     least = bent.index(min(bent, key=place)) if bent else 0
     return bent[least:] + bent[:least]
 

@@ -221,8 +221,44 @@ def test_a_hole_is_in_its_region() -> None:
     left, right = inside["regions"]
     assert (len(left["holes"]), len(right["holes"])) == (1, 0)
     regions = [{**left, "holes": []}, {**right, "holes": left["holes"]}]
-    with pytest.raises(Refused, match="a hole is not in its region"):
+    with pytest.raises(Refused, match="a hole is not in its exterior"):
         prove(claim(inside, regions=regions))
+
+
+def test_a_hole_of_an_inner_region_is_not_one_of_the_region_around_it() -> None:
+    # The square does not pass the gap of the wall; inside of it goes around a column.
+    wall = [(5, 5), (15, 5), (15, 9), (14, 9), (14, 6), (6, 6), (6, 14), (14, 14)]
+    wall += [(14, 10), (15, 10), (15, 15), (5, 15)]
+    column = [(9, 9), (11, 9), (11, 11), (9, 11)]
+    room = Region([(0, 0), (20, 0), (20, 20), (0, 20)], [wall, column])
+    two = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    true = json.loads(json.dumps(inner_fit_polygon(room, two).certificate()))
+    assert prove(add_proof(true))
+    around, inner = true["regions"]
+    assert len(around["holes"]) == len(inner["holes"]) == 1
+    regions = [{**around, "holes": around["holes"] + inner["holes"]}, {**inner, "holes": []}]
+    with pytest.raises(Refused, match="a hole is not in its exterior, or in another"):
+        prove(claim(true, regions=regions))
+
+
+@pytest.mark.parametrize(
+    ("left", "size", "reason"),
+    [
+        (3, 1, "a hole is not in its exterior, or in another"),
+        (12, 1, "a hole is not in its exterior, or in another"),
+        (4, 2, "rings of a shape cross"),
+        (5, 4, "the interior of a shape falls apart"),
+    ],
+)
+def test_a_hole_of_a_container_is_inside_and_apart(left: int, size: int, reason: str) -> None:
+    room = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(2, 2), (5, 2), (5, 5), (2, 5)]])
+    true = json.loads(json.dumps(inner_fit_polygon(room, SQUARE).certificate()))
+    right, high = left + size, 3 + size
+    hole = [[left, 3], [right, 3], [right, high], [left, high]]
+    holes = [*true["container"]["holes"], [[str(x), str(y)] for x, y in hole]]
+    container = {**true["container"], "holes": holes}
+    with pytest.raises(Refused, match=reason):
+        prove(claim(true, container=container))
 
 
 def test_a_notch_does_not_pass_as_a_hole_that_shares_an_edge_with_the_exterior() -> None:
@@ -337,6 +373,10 @@ def test_a_certificate_is_held_against_the_polygons_of_the_caller() -> None:
     moved = [(0, 0), (2, 0), (2, 1), ("1000000001/1000000000", 2), (0, 1)]
     assert verify(cc, generatrix=moved).reason == "generatrix: not the polygon that is given"
     assert not verify(cc, directrix=HOUSE).proved
+    # A point that is repeated is a corner, and a spike is not a straight angle.
+    assert verify(cc, generatrix=[*HOUSE, HOUSE[0]]).proved
+    assert not verify(cc, generatrix=[*HOUSE, (-1, 2), (-1, 2)]).proved
+    assert not verify(cc, generatrix=[(0, 0), (3, 0), *HOUSE[1:]]).proved
     assert not verify(cc, part=HOUSE).proved
     inside = CERTIFICATES["inside"]
     assert verify(inside, part=SQUARE, container=ROOM).proved
