@@ -122,7 +122,7 @@ def main(wrong: int) -> None:
     exit code is 1 if the judge accepts one of them, or gives another diagnosis.
     """
     chosen = list_cases()
-    click.echo("| program | verdicts | what is said |")
+    click.echo("| program | verdicts | diagnosis |")
     click.echo("|---|---|---|")
     failed = 0
     for name, mistake in ALL.items():

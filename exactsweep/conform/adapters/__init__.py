@@ -3,8 +3,8 @@
 Programs that compute Minkowski sums are asked for the sum of D and of G turned by half a turn about
 the origin, those that orbit for the path of G. D and G go in as the case has them, collinear
 vertices included, but counter-clockwise, holes clockwise, and without repeated vertices, which
-several of the programs require. What comes out is handed on as it is: every ring, with nothing
-removed, joined or rounded, unless the module of the adapter says so.
+several of the programs require. The adapters return every ring of an answer, with nothing removed,
+joined or rounded, unless the module of the adapter says so.
 
 As a function: `load`. As a process that speaks the protocol of `exactsweep conform`:
 

@@ -1,8 +1,8 @@
 """CGAL: its Minkowski sums, by every strategy that it has, in a program to be compiled.
 
-What it promises: exact sums of simple polygons, by the kernel with exact constructions.
+Promise: exact sums of simple polygons, by the kernel with exact constructions.
 
-What it is asked: `minkowski_sum_2(D, -G)`, or `minkowski_sum_by_full_convolution_2`, on exact
+Question: `minkowski_sum_2(D, -G)`, or `minkowski_sum_by_full_convolution_2`, on exact
 rationals, nothing being rounded on the way. The program is `cgal_sums.cpp` beside this module; it
 has to be compiled and to be found as `exactsweep-cgal`:
 

@@ -1,10 +1,10 @@
 """Clipper and Clipper2: their Minkowski sums, through the packages pyclipper and clipper2-py.
 
-What they promise: integers of up to 62 and 61 bits in magnitude; vertices of the result are
+Promise: integers of up to 62 and 61 bits in magnitude; vertices of the result are
 integers, so crossings are rounded. `MinkowskiSum` moves a pattern along a path, so it is the sum of
 two boundaries.
 
-What they are asked: the sum of -G, as the pattern, and D, as a closed path, times the scale that
+Question: the sum of -G, as the pattern, and D, as a closed path, times the scale that
 makes the case integer. Neither takes holes. The sum of two boundaries may have holes where that of
 the polygons has none, or smaller ones: where there is one, and where a ring touches itself, which
 may hide one, all rings are united with `list_fillings`, by the rule nonzero.

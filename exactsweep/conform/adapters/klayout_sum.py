@@ -1,8 +1,8 @@
 """KLayout: the Minkowski sum of polygons of its database module.
 
-What it promises: coordinates are integers of 32 bits; vertices of the result are rounded to them.
+Promise: coordinates are integers of 32 bits; vertices of the result are rounded to them.
 
-What it is asked: `Polygon.minkowski_sum` of D and -G, without resolving holes, times the scale that
+Question: `Polygon.minkowski_sum` of D and -G, without resolving holes, times the scale that
 makes the case integer. Cases whose result, or its width or height, needs more than 32 bits are not
 asked. Polygons are made raw, so that collinear vertices stay.
 """

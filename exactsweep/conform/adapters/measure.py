@@ -1,7 +1,7 @@
-"""`python -m exactsweep.conform.adapters.measure FOLDER`: judges every program that is here.
+"""`python -m exactsweep.conform.adapters.measure FOLDER`: judge every installed program.
 
 Each program is asked each of its questions, on the corpus and on generated cases. The journals stay
-in the folder, and answers that are there already are not asked again. Then one page says which
+in the folder, and a second run asks only for the answers that they lack. Then one page says which
 program is exact on which kinds of cases, and how the others fail.
 """
 

@@ -1,9 +1,9 @@
 """SVGnest and Deepnest: the path of their no-fit polygons through Clipper, run by node.
 
-What they promise: doubles, as integers in units of 10^-7; of the sum of the boundaries the largest
+Promise: doubles, as integers in units of 10^-7; of the sum of the boundaries the largest
 ring, so no holes.
 
-What they are asked: `minkowskiDifference(D, G)` of SVGnest, and `getOuterNfp(D, G)` of Deepnest,
+Questions: `minkowskiDifference(D, G)` of SVGnest, and `getOuterNfp(D, G)` of Deepnest,
 both without holes; Deepnest has another program for these, an addon to be compiled, which is not
 asked. The answer is the path of G's first vertex, from which that of the origin follows.
 

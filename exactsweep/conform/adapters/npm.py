@@ -1,10 +1,10 @@
 """Packages of npm: clipper2-ts, js-angusj-clipper, polygon-clipping, convex-minkowski-sum, by node.
 
-What they promise: clipper2-ts and js-angusj-clipper are Clipper2 and Clipper on integers that a
+Promise: clipper2-ts and js-angusj-clipper are Clipper2 and Clipper on integers that a
 double holds; vertices of the result are integers, so crossings are rounded. polygon-clipping has
 unions on doubles, with predicates that are exact. convex-minkowski-sum takes convex polygons.
 
-What they are asked: the two Clippers for `minkowskiSum` of -G and D, times the scale that makes the
+Questions: the two Clippers are asked for `minkowskiSum` of -G and D, times the scale that makes the
 case integer, united with what fills it where it has a hole or a ring that may hide one;
 polygon-clipping for the union of the sums of each two edges, and of what fills them;
 convex-minkowski-sum for its corners, which `npm.js` puts in order.

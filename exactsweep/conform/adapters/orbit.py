@@ -1,14 +1,14 @@
 """libnfporb and SVGnest: programs that move G around D, from contact to contact.
 
-What they promise: libnfporb, that holes of D, caves, interlocking and perfect fits are found, with
+Promise: libnfporb, that holes of D, caves, interlocking and perfect fits are found, with
 long doubles and a tolerance of 10^-8 or, compiled otherwise, with rationals; SVGnest, doubles and a
 tolerance of 10^-9. Neither looks at holes of G.
 
-What they are asked: libnfporb, `generate_nfp(D, G)`; SVGnest, `noFitPolygon` with all edges
+Questions: libnfporb, `generate_nfp(D, G)`; SVGnest, `noFitPolygon` with all edges
 searched, again for each hole of D as it does itself, and for inner fits `noFitPolygonRectangle` in
 rectangles and `noFitPolygon` inside in other containers. G starts with a corner, its least vertex,
-to whose path the answer is referred by either. Rings of one or two points, and such that go along a
-line and back, are taken for exact fits.
+and both programs answer with the path of that corner. Rings of one or two points, and rings that go
+along a line and back, count as exact fits.
 
 libnfporb's header is the user's, and `nfporb.cpp` beside this module calls it, as the programs
 exactsweep-nfporb and exactsweep-nfporb-rational. SVGnest's source is in the folder that the

@@ -33,19 +33,19 @@ COLUMNS: dict[str, Callable[[Outcome], bool]] = {
     "beyond 2^53": _flagged("huge"),
 }
 INSIDE = "inside a container"
-HEAD = """# Who is exact on what
+HEAD = """# Exactness of other programs
 
 A cell counts the cases that a program answers exactly; `+` counts those that are right except for
 rounding that its numbers explain; `of` counts those that it was asked. Lost exact fits do not
-count, since programs for Minkowski sums cannot know them. A blank: no such case is for that
-program. [Other programs](README.md) says what each was asked.
+count, since programs for Minkowski sums cannot know them. A blank cell: no such case is for that
+program. [Other programs](README.md) lists the questions to each.
 
 """
 FAILURES = """
 ## All verdicts
 
-With each program and question, the smallest case that is not right: `exactsweep corpus show ID`
-shows it.
+The last column names the smallest case that the program does not get right: `exactsweep corpus show
+ID` prints it.
 
 """
 
@@ -55,7 +55,7 @@ def write_page(journals: Iterable[Path], asked: str) -> str:
 
     Args:
         journals: of 'exactsweep conform', one for each program and question.
-        asked: which cases were put to the programs.
+        asked: a description of the cases that the programs got.
 
     Returns:
         The text, with the day of today.

@@ -1,9 +1,9 @@
 """pysfcgal: the Minkowski sum of SFCGAL, which is CGAL's.
 
-What it promises: numbers are exact rationals (CGAL's kernel with exact constructions). The first
+Promise: numbers are exact rationals (CGAL's kernel with exact constructions). The first
 polygon may have holes; those of the second one are not looked at.
 
-What it is asked: `minkowski_sum` of D and -G, or of -G and D if only G has holes, read from WKT and
+Question: `minkowski_sum` of D and -G, or of -G and D if only G has holes, read from WKT and
 written to it, in which SFCGAL has fractions; so nothing is rounded on the way.
 """
 

@@ -1,10 +1,10 @@
 """shapely: the union of sums of triangles, on GEOS.
 
-What it promises: coordinates are binary64, and new vertices of a union are rounded; GEOS' overlay
+Promise: coordinates are binary64, and new vertices of a union are rounded; GEOS' overlay
 (OverlayNG) gives valid polygons, its result being exact except for that rounding where no heuristic
 has to come in. It has no Minkowski sum: this is the usual recipe.
 
-What it is asked: D and -G are cut into triangles (`constrained_delaunay_triangles`, no new
+Question: D and -G are cut into triangles (`constrained_delaunay_triangles`, no new
 vertices), each two of them summed as the convex hull of the nine sums of their vertices, and the
 hulls united by `union_all`, without a grid. All is shapely's arithmetic, except for the sums of
 two vertices, which are rounded as binary64 rounds them.

@@ -21,7 +21,7 @@ HELLO = {
 
 
 def answer(part: str, d: Region, g: Region, reference: list[str]) -> dict[str, Any]:
-    """Answer one part of what is asked: rings, and exact fits where there may be some."""
+    """Answer one part of the question: rings, and exact fits where there may be some."""
     if part == "no_fit":
         n = no_fit_polygon(d, g, reference=reference)
         loops = [loop.vertices for loop in (n.exterior, *n.holes)]
@@ -32,7 +32,7 @@ def answer(part: str, d: Region, g: Region, reference: list[str]) -> dict[str, A
         return {part: rings, "inner_exact_fits": f.exact_fits}
     s = sweep(g, d, reference=reference)
     if part == "inner":
-        # What is not swept: around D, and elsewhere.
+        # The regions that G cannot reach: around D, and elsewhere.
         return {part: [loop.vertices for loop in (s.inner, *s.unswept)]}
     return {part: getattr(s, part).vertices, "exact_fits": s.exact_fits}
 

@@ -36,20 +36,20 @@ _LEAST_UNIT = Fraction(1, 2**1074)
 
 
 def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | None) -> Fraction:
-    """Return by how much less the coordinates of a loop may be off.
+    """Return the bound that errors of the coordinates of a loop must stay below.
 
     Args:
-        case: as it was put to the implementation.
+        case: the case that the implementation got.
         name: of the loop, or of the exact fits.
-        loop: what it answered.
-        numbers: what its hello says that it reads, or None.
+        loop: the answered loop.
+        numbers: the numbers that its hello declares, or None.
 
     Returns:
-        For floats, and for whatever a program answers that reads binary64: 16 units in the last
-        place of the largest coordinate of the case, and 2^-32 of the size of the smaller
-        polygon. For integers 1, or that size if it is less, but 9/16 at least, by which the nearest
-        ones are less off, if the exact answer has other numbers, else 0. And 0 for other rationals,
-        and for integers of a program that reads any rationals: these claim to be exact.
+        For floats, and for all answers of a program that reads binary64: 16 units in the last place
+        of the largest coordinate of the case, plus 2^-32 of the size of the smaller polygon. For
+        integers, if the exact answer has other numbers: 1, or that size if it is less, but at least
+        9/16, which exceeds the error of the nearest integers. Otherwise 0: fractions, and integers
+        of a program that reads any rationals, claim to be exact.
 
     Cost: linear.
     """
@@ -65,7 +65,7 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
 
 
 def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
-    """Return how much of what an answer claims for itself is granted."""
+    """Return the part of an answer's own claim that is granted."""
     return min(claim, max(granted, MOST_CLAIMED * measure_smaller(case)))
 
 
@@ -113,7 +113,7 @@ def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
 
     Args:
         exact: the rings that should have been answered.
-        theirs: what was answered, whether or not these are sound rings.
+        theirs: the answered rings, sound or not.
 
     Returns:
         Those of these that explain every coordinate, the likeliest first: "rounded down to

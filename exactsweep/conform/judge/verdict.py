@@ -1,4 +1,4 @@
-"""Verdicts on answers of other programs, and answers read as they are, whatever they hold."""
+"""Verdicts on answers of other programs, and answers read unchecked."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from exactsweep.numbers.point import Loop, Point
 class Verdict(StrEnum):
     """The verdicts on an answer, from best to worst. The worst part of an answer decides.
 
-    E is the closed region inside the exact loop, T the one inside theirs: what an odd number of
-    windings of their rings enclose. One loop gets the first of these that holds, malformed before
-    those that say how regions differ:
+    E is the closed region inside the exact loop, T the one inside the answered loop: the points
+    around which the rings wind an odd number of times. One loop gets the first of these verdicts
+    that holds, malformed before those that compare regions:
 
-    - malformed: the answer determines no region, though what there is may still be measured. A
+    - malformed: the answer determines no region, though its parts may still be measured. A
       number is nan, infinite or unreadable; a vertex has not two coordinates; a loop that was
       promised is missing or empty, or larger than `limits` allow. Or the region is not the exact
       one, nor rounded, and programs that read the rings would not agree on it: edges cross, two
@@ -41,20 +41,20 @@ class Verdict(StrEnum):
       together or appear on edges so, but nothing that is wider than `rounding` is lost. Rings that
       are nowhere so far from one exact fit trace it. A rounded answer may permit overlap, or lose
       free space: the witnesses say whether it does.
-    - false exact fits: of exact fits alone: positions are answered that are on none.
-    - conservative: T holds E. For the trajectory, theirs permits no overlap, and forbids free
+    - false exact fits: of exact fits alone: the answer has positions that are on none.
+    - conservative: T contains E. An answered trajectory permits no overlap, but forbids free
       positions.
-    - unsound: E holds T. For the trajectory, theirs permits overlap.
-    - wrong: neither. For the trajectory, theirs permits overlap and forbids free positions. So is
-      called what differs and has too many edges for it to be known how (`region.MAX_WORK`).
+    - unsound: E contains T. An answered trajectory permits overlap.
+    - wrong: neither. An answered trajectory permits overlap and forbids free positions. A
+      different region with too many edges to compare (`region.MAX_WORK`) is wrong, too.
 
-    `rounding` is what the caller declares, or what `rounding.grant_rounding` grants: what the
-    program's numbers hold there. An answer's own claim is granted up to `rounding.MOST_CLAIMED`.
+    The caller declares `rounding`, or `rounding.grant_rounding` derives it from the program's
+    numbers. An answer's own claim is granted up to `rounding.MOST_CLAIMED`.
 
     Exact fits, where the trajectory is answered, are a part of their own; `judge_fits` says what
     they may be. Where they are only missing, too short or rounded, the part is "equivalent except
     for exact fits", which is thus the verdict on an answer whose loops are exact or equivalent.
-    Programs for Minkowski sums cannot know them; who answers a false one is convicted.
+    Programs for Minkowski sums cannot know them; a false one counts against the program.
 
     The runner adds timeout, memory (more than was allowed), crash, and unsupported: no answer that
     could be judged; and undecided, where there is one that could not be compared in time, by no
@@ -99,7 +99,7 @@ class Witness:
     """A place where theirs is wrong, checked again before it is handed out.
 
     Attributes:
-        says: one sentence, what is to be seen there.
+        says: one sentence that describes it.
         translation: Point, where G's origin is to be put, or None if the witness is no position.
         classified: what `classify` says of that translation: FREE, CONTACT, OVERLAP; or None.
         point: Point of the plane: in both interiors, for an OVERLAP; for the inner and the outer
@@ -126,9 +126,9 @@ class PartComparison:
         forbidden: area of T without E: free space lost, for the trajectory.
         unsound: Witness in E without T, or None.
         conservative: Witness in T without E, or None.
-        granted: by how much less coordinates were allowed to be off, where that was looked at.
+        granted: the bound that coordinate errors had to stay below, if one was needed.
         kind: in which way exact fits differ, or how else the loop is special; "" where it is not.
-        diagnosis: what the loop is exact for, the likeliest first; () where nothing is found.
+        diagnosis: the questions to which the loop is exact, the likeliest first; () if none.
     """
 
     name: str
@@ -214,7 +214,7 @@ def write_plain(value: Any) -> Any:
 
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")
-"""What an answer may hold: the loops of a sweep, and the rings of the two fits."""
+"""The members of an answer: the loops of a sweep, and the rings of the two fits."""
 
 
 class AnswerError(ExactSweepError):
@@ -222,7 +222,7 @@ class AnswerError(ExactSweepError):
 
 
 class AnsweredLoop(NamedTuple):
-    """One loop as it was answered.
+    """One answered loop.
 
     Attributes:
         rings: tuple of rings, each a tuple of Point, not closed, otherwise as given.
@@ -354,5 +354,5 @@ def _list(value: object, path: str, what: str) -> Sequence[object]:
 
 
 def name_kind(value: object) -> str:
-    """Name the kind of a value, whatever it is; answers of Python callables may hold anything."""
+    """Name the kind of any value; answers of Python callables may hold anything."""
     return describe_kind(value) if isinstance(value, (dict, list, str, bool)) else quote(value)

@@ -68,9 +68,9 @@ def write_html(run: Run) -> str:
         run: a Run.
 
     Returns:
-        The page. What the implementation said is in it as text, never as markup.
+        The page. It holds the implementation's output as text, never as markup.
 
-    Cost: linear; pictures are made of those failures that the run keeps whole.
+    Cost: linear; only failures that the run keeps whole have pictures.
     """
     from jinja2 import Environment, StrictUndefined
 
@@ -284,7 +284,7 @@ def _rings(value: object) -> list[Sequence[Point]]:
 
 
 def _ring(points: Iterable[object]) -> list[Point]:
-    """Read points, leaving out what is none."""
+    """Read points, and leave out items that are none."""
     found = []
     for pair in points:
         if isinstance(pair, Sequence) and len(pair) == 2:

@@ -19,10 +19,10 @@ def write_junit(run: Run) -> str:
     """Write a run as JUnit XML: a test case each, the class of its pair as the class name.
 
     Crashes, timeouts and too much memory are errors, other verdicts that are not accepted are
-    failures, and what was not judged is skipped. Whatever else makes a run fail is a test case of
-    its own that fails, so that no run with exit code 1 is green. Properties say how many cases were
-    judged, what the answers that differ are exact for, and, of a case, its fault, memory and
-    rounding.
+    failures, and cases that were not judged are skipped. Any other reason for which a run fails is
+    a failing test case of its own, so that no run with exit code 1 is green. Properties give the
+    number of cases judged, the diagnosis of the answers that differ, and for each case its fault,
+    memory and rounding.
 
     Args:
         run: a Run.

@@ -68,7 +68,7 @@ def _part(part: PartComparison) -> list[str]:
 
 
 def tell_witness(witness: Mapping[str, Any]) -> list[str]:
-    """Say what a witness shows, and what `classify` says of it, in full, to be tried elsewhere.
+    """Describe what a witness shows, with `classify`'s verdict in full, to repeat elsewhere.
 
     Args:
         witness: what `write_plain` gives of it.
@@ -127,7 +127,7 @@ def _blank_zeros(counts: Iterable[int]) -> Iterable[str]:
 
 
 def close(run: Run, *, is_timed: bool = False) -> str:
-    """Write what is said below the table: what failed, and how the run ended.
+    """Write the lines below the table: the failures, and the end of the run.
 
     Args:
         run: a Run.
@@ -183,7 +183,7 @@ def progress(run: Run, total: int | None) -> Iterator[Callable[[Outcome], None]]
         total: how many cases there will be, or None.
 
     Yields:
-        A function to be told each outcome.
+        A function to call with each outcome.
     """
     console = Console(stderr=True)
     bar = Progress(

@@ -1,4 +1,4 @@
-"""Selection of the cases that are put to an implementation, from the corpus or a stream."""
+"""Selection of the cases for an implementation, from the corpus or a stream."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> I
 
     Args:
         file: of lines.
-        path: what it is called, for messages.
+        path: its name, for messages.
         read: a function of a line and its number.
 
     Raises:
@@ -205,7 +205,7 @@ def read_result(path: str) -> object:
         path: of a file, or "-" for standard input.
 
     Returns:
-        What `compare` takes, whatever it may be.
+        An answer for `compare`, not checked.
 
     Raises:
         FormatError: not to be read, or not JSON.

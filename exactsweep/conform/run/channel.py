@@ -66,7 +66,7 @@ class Channel:
         most: bytes of memory that it may hold, or None.
 
     Attributes:
-        peak: bytes that it held at most since the last line was sent, or None where nobody knows.
+        peak: its peak memory since the last line was sent, in bytes, or None if unknown.
 
     Raises:
         OSError: it cannot be started.
@@ -87,7 +87,7 @@ class Channel:
 
     @property
     def stderr(self) -> str:
-        """The last of what it wrote to standard error."""
+        """The end of its standard error."""
         return self._stderr.decode("utf-8", "replace")
 
     def send(self, line: str) -> None:
@@ -187,7 +187,7 @@ class Channel:
         had_ended = self._started.process.poll() is not None
         ready = self._selector.select(min(seconds, _LOOKING))
         if had_ended and not ready:
-            # What it started still holds its output open.
+            # A process that it started still holds its output open.
             raise ClosedError(self._end())
         for key, _ in ready:
             if key.fd == self._stdin:
@@ -223,7 +223,7 @@ class Channel:
 
     def _end(self) -> str:
         code = self._started.wait(_TO_EXIT)
-        # What it said last is in the pipe; one that it started may still be writing.
+        # Its last words are in the pipe; a process that it started may still be writing.
         with suppress(OSError, KeyError):
             for _ in range(_LAST_CHUNKS):
                 self._stderr = (self._stderr + self._read(self._errors))[-MAX_STDERR:]

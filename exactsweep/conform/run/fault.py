@@ -36,7 +36,7 @@ def name_fault(
         verdict: on the case.
         reason: one line.
         parts: what `PartComparison.to_json` gives, for each part.
-        stderr: the last of what the program wrote to standard error.
+        stderr: the end of the program's standard error.
         id: of the case, which does not count where it is quoted.
 
     Returns:
@@ -59,7 +59,7 @@ def name_fault(
     if worst is not None:
         said = [_name_difference(worst)]
     elif reason.startswith(_ENDED):
-        # What it says last follows the code, and is in stderr in full.
+        # Its last line follows the code; `stderr` holds it in full.
         said = [reason.partition(";")[0], *_find_place(stderr)]
     else:
         said = [write_cause(reason), *_find_place(stderr)[1:]]

@@ -1,4 +1,4 @@
-"""Outcomes: what became of one case, as it is kept in a journal and shown in a report."""
+"""Outcomes: the result of one case, as journals keep it and reports show it."""
 
 from __future__ import annotations
 
@@ -41,16 +41,16 @@ class Outcome:
         verdict: the verdict.
         reason: one line.
         fault: what `name_fault` says: the same for failures of the same kind.
-        diagnosis: what the worst part is exact for, the likeliest first.
-        seconds: that the answer took.
-        memory: bytes that the program held at most meanwhile, or None where nobody knows.
+        diagnosis: the questions to which the worst part is exact, the likeliest first.
+        seconds: the time of the answer.
+        memory: the program's peak memory meanwhile, in bytes, or None if it is not known.
         digest: of the case as it was given; the same only for the same case.
         parts: what `PartComparison.to_json` gives, for each part; empty for exact and
             equivalent answers.
-        case: the case as it was put to the implementation, as by `case_to_json`; None where the
-            answer is exact or equivalent, or nothing was asked.
-        result: the answer, likewise, if it is not too long to be kept.
-        stderr: the last of what the implementation wrote to standard error, where it failed.
+        case: the case as the implementation got it, as by `case_to_json`; None if the answer is
+            exact or equivalent, or the case was not asked.
+        result: the answer, likewise, unless it is too long to keep.
+        stderr: the end of the implementation's standard error, if it failed.
     """
 
     id: str
@@ -119,7 +119,7 @@ def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outc
     Args:
         peer: the implementation.
         case: a Case.
-        rounding: by how much less a coordinate may be off, as for `compare`.
+        rounding: the bound that coordinate errors must stay below, as for `compare`.
 
     Returns:
         The Outcome.
@@ -149,11 +149,11 @@ def judge_answer(
 
     Args:
         case: a Case.
-        put: the same as it was put to the implementation.
-        answer: what came of that.
+        put: the same case as the implementation got it.
+        answer: the implementation's answer, or its failure.
         promised: the loops that an answer must have.
-        numbers: what the implementation reads, as for `compare`.
-        rounding: by how much less a coordinate may be off, as for `compare`.
+        numbers: the numbers that the implementation reads, as for `compare`.
+        rounding: the bound that coordinate errors must stay below, as for `compare`.
 
     Returns:
         The Outcome.

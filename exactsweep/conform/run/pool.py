@@ -38,12 +38,12 @@ class Judges:
         seconds: that an answer may take.
         workers: how many cases are worked on at a time.
         to_start: seconds that the implementation may take to say hello.
-        rounding: by how much less a coordinate may be off, as for `compare`.
+        rounding: the bound that coordinate errors must stay below, as for `compare`.
         most: bytes of memory that each process of it may hold, or None.
 
     Attributes:
-        hello: what the implementation says of itself.
-        complaints: what went wrong when it was told to end, once `finish` has been called.
+        hello: the implementation's first line, about itself.
+        complaints: errors as its processes ended; complete once `finish` has been called.
 
     Raises:
         ProtocolError: the implementation cannot be started, or says no hello, or not always the
@@ -81,10 +81,10 @@ class Judges:
         """Put cases to the implementation.
 
         Args:
-            cases: the cases; they are taken as they are needed.
+            cases: the cases, read as they are needed.
 
         Returns:
-            An iterator of their outcomes, in the order in which they come about.
+            An iterator of their outcomes, in the order in which they are ready.
 
         Raises:
             JudgeError: a case cannot be judged; outcomes that are under way are lost.
@@ -158,7 +158,7 @@ def _take_results(pending: dict[Future[Outcome], str]) -> Iterator[tuple[str, Ou
             raise JudgeError(f"case {quote(id)}: {error}") from None
 
 
-# What follows runs in the processes that judge.
+# The functions below run in the processes that judge.
 
 _peer: ProcessPeer
 _rounding: Fraction | None

@@ -1,4 +1,4 @@
-"""A run: everything that came of holding an implementation against cases."""
+"""A run: the outcomes of an implementation on cases."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from exactsweep.numbers.number import format_fraction
 from exactsweep.words import count
 
 SHOWN = 5
-"""How many failures of each fault are kept with all that belongs to them, the smallest."""
+"""The number of failures of each fault, the smallest, that a run keeps whole."""
 MOST_FAULTS = 40
-"""More faults than that are not told apart; the rest of them are, by verdict."""
+"""The number of faults that a run distinguishes; it groups the rest by verdict."""
 
 
 class _KeptOutcome(NamedTuple):
@@ -75,16 +75,16 @@ class Run:
     """Outcomes as they come in; memory is bounded except for a few bytes a case.
 
     Args:
-        hello: what the implementation says of itself.
-        command: what was run; empty for a function or a stream.
+        hello: the implementation's hello.
+        command: the command; empty for a function or a stream.
         accepted: the worst verdict that is no failure.
         least_judged: the least part of the cases that must be judged for the run to pass.
 
     Attributes:
-        outcomes: sequence of all outcomes, without the case, the answer and what was measured.
+        outcomes: sequence of all outcomes, without the case, the answer and the measurements.
         shrunk: dict from the id of a case to the outcome of a smaller one with the same fault.
         summary: the counts.
-        complaints: list of what is wrong besides, a line each.
+        complaints: list of other errors, a line each.
         interrupted: whether the run was stopped before its end.
     """
 
@@ -160,7 +160,7 @@ class Run:
             self.shrunk[id] = smaller
 
     def find_objections(self) -> list[str]:
-        """Return what is wrong with the run besides failures, a line each."""
+        """List the errors of the run besides failures, a line each."""
         judged, total = self.summary.judged, self.summary.total()
         lines = [*self.complaints, *(["interrupted"] if self.interrupted else [])]
         if not judged:

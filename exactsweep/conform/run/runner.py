@@ -33,16 +33,16 @@ def judge_cases(
 ) -> None:
     """Put cases to an implementation and collect the outcomes.
 
-    What is in the journal already is not asked again. Ctrl-C ends the run early, and so does a
-    case that cannot be judged; the outcomes so far are kept.
+    Cases that are in the journal already are not asked again. Ctrl-C ends the run early, and so
+    does a case that cannot be judged; the outcomes so far are kept.
 
     Args:
         run: where the outcomes go.
         judges: the implementation.
         cases: the cases.
-        journal: where each outcome is written as it comes.
-        tell: is told each outcome.
-        made_smaller: of how many failures of each fault a smaller one is looked for.
+        journal: the file that records each outcome at once.
+        tell: a function to call with each outcome.
+        made_smaller: the number of failures of each fault to shrink.
     """
 
     def leave_out_old(cases: Iterable[Case]) -> Iterator[Case]:
@@ -97,20 +97,20 @@ def conform(
     Args:
         function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
             integer numbers, float for "binary64", else Fraction; polygons as lists of rings, the
-            exterior first, where `shapes` is "any". It returns what an answer of the
-            protocol holds, without the id; coordinates may be any numbers that `to_fraction`
-            reads. What it raises is a crash, and NotImplementedError is unsupported.
+            exterior first, where `shapes` is "any". It returns the members of an
+            answer of the protocol, without the id; coordinates are any numbers that `to_fraction`
+            reads. An exception is a crash, but NotImplementedError is unsupported.
         cases: the cases.
         name: of the implementation.
-        loops: what it answers, of "trajectory", "inner", "outer".
+        loops: the loops that it answers, of "trajectory", "inner", "outer".
         numbers: "rational", "integer", "int64", "int32" or "binary64", as for `Hello`.
         reference: "given", "origin" or "first", as for `Hello`.
-        questions: what it can be asked, of "sweep", "no_fit", "inner_fit".
+        questions: its questions, of "sweep", "no_fit", "inner_fit".
         shapes: the pairs that it takes: "convex", "monotone", "simple" or "any".
         seconds: that an answer may take. A function cannot be stopped: an answer that comes too
             late is a timeout when it comes.
         accepted: the worst verdict that passes; Verdict.EQUIVALENT makes exact fits count, too.
-        made_smaller: of how many failures of each fault a smaller one is looked for.
+        made_smaller: the number of failures of each fault to shrink.
 
     Returns:
         A Run; `exactsweep.conform.report` writes it for people and for CI.

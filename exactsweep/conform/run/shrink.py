@@ -2,10 +2,10 @@
 
 Greedy, in rounds, until a round changes nothing: vertices are left out, many at once and then one
 by one; the pair is moved to the origin and freed of common factors; numbers are made shorter, all
-together and then one by one. A candidate is taken if it is smaller, `sweep` takes it, it shows the
-same fault, and it has no flag that the case has not: a lost notch is not to become a repeated
-vertex, which would be another story. What is smaller is a total order on cases by numbers of
-vertices and sizes of numbers, so rounds end.
+together and then one by one. A candidate replaces the case if it is smaller, `sweep` accepts it, it
+shows the same fault, and all its flags are flags of the case: a lost notch must not become a
+repeated vertex, which is another fault. Cases have a total order, by numbers of vertices and sizes
+of numbers, and each candidate is less than the one before, so rounds end.
 """
 
 from __future__ import annotations
@@ -81,9 +81,9 @@ def shrink(
     Args:
         case: a case that fails.
         judge: gives the verdict on a case, as by an implementation and `compare`, or more than
-            the verdict: what is to stay the same. What it raises ends the search.
-        tries: how often it may be asked.
-        seconds: after which it is not asked again.
+            the verdict: the value that must stay the same. An exception ends the search.
+        tries: the most calls of `judge`.
+        seconds: the time after which it is not called again.
 
     Returns:
         A Case with the id "ID-shrunk"; the same pair, if none that is smaller was found.

@@ -14,7 +14,7 @@ from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.numbers.error import ExactSweepError
 
 _IN_MEMORY = 2**20
-"""Bytes that are kept in memory; what comes after goes to a file that nobody else sees."""
+"""The number of bytes kept in memory; the rest goes to an anonymous file."""
 
 
 class SpoolError(ExactSweepError):
@@ -70,7 +70,7 @@ class Spool:
 
 
 class SeenNames:
-    """A set of names that grows, in a file that nobody else sees; memory is bounded.
+    """A growing set of names in an anonymous file; memory is bounded.
 
     Example:
         >>> seen = SeenNames()
@@ -79,7 +79,7 @@ class SeenNames:
     """
 
     def __init__(self) -> None:
-        # What is left of it may be swept up in another thread, which closes it then.
+        # The garbage collector may close the connection in another thread.
         self._table = sqlite3.connect("", check_same_thread=False)
         finalize(self, self._table.close)
         self._table.execute("CREATE TABLE seen (name BLOB PRIMARY KEY) WITHOUT ROWID")
@@ -102,6 +102,6 @@ class SeenNames:
 
 
 def _close(file: SpooledTemporaryFile[bytes]) -> None:
-    # What could not be written would fail again.
+    # A failed write would fail again.
     with suppress(OSError):
         file.close()
