@@ -348,6 +348,13 @@ def test_loops_are_not_exchanged() -> None:
     assert not proves({**CERTIFICATES["CM"], "direction": [0, 1]})
 
 
+def test_a_direction_is_one_of_the_two_that_are_opposite() -> None:
+    # Convex polygons are monotone to every direction.
+    for x, y in ((1, 0), (0, 1), (1, 1), (1, -1)):
+        assert proves({**CERTIFICATES["CC"], "direction": [x, y]})
+        assert not proves({**CERTIFICATES["CC"], "direction": [-x, -y]})
+
+
 def test_the_inner_loop_is_the_one_around_the_directrix() -> None:
     around = CERTIFICATES["unswept"]
     (hole,) = around["unswept"]

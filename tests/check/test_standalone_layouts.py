@@ -9,6 +9,7 @@ import pytest
 
 from exactsweep.check import verify
 from exactsweep.check.standalone import Refused, load, prove, read_turn, turn_error
+from exactsweep.cli.verify import _describe
 
 SQUARE = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
 L = [["0", "0"], ["2", "0"], ["2", "1"], ["1", "1"], ["1", "2"], ["0", "2"]]
@@ -337,7 +338,13 @@ def test_a_valid_layout_has_pieces_of_all_shapes() -> None:
 
 def test_a_frame_has_its_ends_in_order() -> None:
     assert prove(faulty(OVERLAP))
-    assert "frame" in refusal(faulty(OVERLAP, frame=["4", "3", "-1", "-1"]))
+    for ends in ("4 3 -1 -1", "4 -1 4 3", "-1 3 4 3"):
+        assert "frame: not the ends" in refusal(faulty(OVERLAP, frame=ends.split()))
+
+
+def test_a_certificate_is_described_by_what_it_claims() -> None:
+    assert _describe(certificate()) == "layout of 2 placements, valid"
+    assert _describe(faulty(OVERLAP)) == "layout of 2 placements, 1 faults"
 
 
 def alone(exterior: Any, holes: Any, *pieces: Any) -> dict[str, Any]:

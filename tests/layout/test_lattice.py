@@ -1,0 +1,79 @@
+"""Solids on lattices: laws that hold for each step of the search, not for its answer alone."""
+
+from fractions import Fraction
+from itertools import product
+
+from hypothesis import given
+from hypothesis import strategies as st
+from layouts import box, lay, put
+from tiers import examples
+
+from exactsweep import Region
+from exactsweep.geometry.overlap import touch
+from exactsweep.layout import judge_layout
+from exactsweep.layout.meeting import _find_touching
+from exactsweep.layout.solid import LatticeForm, Solid, make_form, share_scale
+from exactsweep.layout.verdict import find_witness
+
+steps = st.integers(-6, 6)
+vertices = st.tuples(steps, steps)
+rings = st.lists(vertices, min_size=3, max_size=5, unique=True)
+
+
+@examples(200)
+@given(rings, rings, steps, steps)
+def test_edges_that_are_skipped_do_not_touch(
+    one: list[tuple[int, int]], other: list[tuple[int, int]], x: int, y: int
+) -> None:
+    ours, theirs = LatticeForm([one]).edges, LatticeForm([other]).edges
+    expected = {}
+    for a, b in product(ours, theirs):
+        p, q = (b[4] + x, b[5] + y), (b[6] + x, b[7] + y)
+        expected[a[8:], b[8:]] = touch(p, q, (a[4], a[5]), (a[6], a[7]))
+    found = _find_touching(ours, theirs, x, y)
+    if None in expected.values():
+        assert found is None
+    else:
+        assert found is not None
+        assert {(a, b): shared for a, b, shared in found} == {
+            places: shared for places, shared in expected.items() if shared
+        }
+
+
+@given(st.integers(1, 6), st.integers(1, 6), vertices)
+def test_a_finer_lattice_leaves_a_solid_where_it_was(
+    scale: int, factor: int, move: tuple[int, int]
+) -> None:
+    form = LatticeForm([[(0, 0), (4, 1), (3, 5)]])
+    solid = Solid(form, *move, scale, Fraction(1, 7))
+    finer = solid.on(scale * factor)
+    assert (finer.scale, finer.slack) == (scale * factor, solid.slack)
+    assert [finer.leave(x, y) for piece in finer.pieces for x, y in piece] == [
+        solid.leave(x, y) for piece in solid.pieces for x, y in piece
+    ]
+    assert [one.scale for one in share_scale(solid, finer)] == [finer.scale] * 2
+
+
+@examples(60)
+@given(vertices, vertices)
+def test_the_nearest_parts_stay_the_same_when_all_are_moved(
+    move: tuple[int, int], by: tuple[int, int]
+) -> None:
+    (x, y), (u, v) = move, by
+    near = {"a": box(x, y, x + 1, y + 1), "b": box(u, v, u + 1, v + 1)}
+    for left, low in ((-4, -8), (-8, -4)):
+        places = put("a", (-8 - x, -8 - y)), put("b", (left - u, low - v))
+        nearest = judge_layout(lay(box(-20, -20, 20, 20), near, *places)).distance
+        assert nearest is not None
+        assert (nearest.square, nearest.placements) == (Fraction(9), (0, 1))
+
+
+def test_a_witness_may_be_as_deep_as_the_slack_allows() -> None:
+    scale, form = make_form(Region(box(0, 0, 4, 4)))
+
+    def witness(slack: Fraction) -> object:
+        return find_witness(Solid(form, 0, 0, scale, slack), Solid(form, 0, 0, scale, slack))
+
+    # The centre is 2 from each side.
+    assert witness(Fraction(199, 100)) is not None
+    assert witness(Fraction(2)) is None
