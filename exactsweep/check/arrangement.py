@@ -1,8 +1,8 @@
 """From the boundary of a union of open sets to loops and exact fits.
 
 The boundary comes as pieces of lines and single points. Split wherever they meet, each edge has
-one neighbour on either side: the union or what is free. An edge free on one side belongs to a
-loop; one with the union on both sides is part of an exact fit; on both sides free it cannot be.
+one neighbour on either side: the union or free space. An edge with free space on one side belongs
+to a loop; one with the union on both sides is part of an exact fit; none is free on both sides.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
 class WalkedLoop(NamedTuple):
-    """A simple loop as it is walked, what is free on its left, and a point inside an edge.
+    """A simple loop in walking order, with free space on its left, and a point inside an edge.
 
     No other loop passes through that point.
     """
@@ -57,7 +57,7 @@ def assemble(
         pieces: of lines, those on one line apart from each other.
         points: single points; those that are on a piece are left out.
         sets: the open sets, which all pieces and points are free of.
-        budget: what it may take.
+        budget: the steps that it may take.
 
     Returns:
         Boundary. Loops are simple and may touch in vertices.
@@ -147,7 +147,7 @@ def _join(edges: Iterable[Edge], on_loops: set[Vertex]) -> Iterator[Edge]:
 
 
 def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
-    """Walk along what is free, keeping it on the left; cut the walk where it comes again."""
+    """Walk with free space on the left; cut the walk where it visits a point again."""
     loops = []
     left = {(p, q) for p, ends in ahead.items() for q in ends}
     for start in sorted(left):
@@ -172,7 +172,7 @@ def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
 
 
 def _choose_next(p: Vertex, q: Vertex, ends: Sequence[Vertex]) -> Vertex:
-    """The next edge around what is free: the first one clockwise from the way back."""
+    """Choose the next edge around free space: the first one clockwise from the way back."""
     if len(ends) == 1:
         return ends[0]
     back = subtract(p, q)

@@ -1,7 +1,7 @@
 """Certificates as they come in: plain JSON, read into exact numbers, or refused with a reason.
 
-Everything that can be said about a certificate without geometry is decided here: its keys, its
-types, numbers written in lowest terms, indices in range. Nothing is computed from it yet.
+This module checks everything that needs no geometry: keys, types, numbers in lowest terms, indices
+in range. It computes nothing from the certificate.
 """
 
 from __future__ import annotations
@@ -144,7 +144,7 @@ def is_exactly(item: Any, kind: type, value: object) -> bool:
 
 
 def flaw(place: KeyPath, what: str, witness: Point | None = None) -> CertificateError:
-    """The error that says what is wrong at a place."""
+    """The error that describes a flaw at a place."""
     path = ""
     while isinstance(place, tuple):
         place, last = place
@@ -171,8 +171,8 @@ def read_number(item: Any, place: KeyPath) -> Fraction:
     if type(item) is not str:
         raise flaw(place, f"a {type(item).__name__}, not a number in a string")
     if len(item) <= _SHORT:
-        # What is written as it should be is read in a fifth of the time. Whatever else int() takes,
-        # it is not written like that.
+        # A number in normal form is read in a fifth of the time. Comparing it with its text
+        # excludes the other notations that int() accepts.
         n, _, d = item.partition("/")
         try:
             above, below = int(n), int(d or 1)
@@ -184,7 +184,7 @@ def read_number(item: Any, place: KeyPath) -> Fraction:
         value = read_any_length(item)
     except NumberError as error:
         raise flaw(place, str(error)) from None
-    # What is only digits has been read as an int.
+    # A text of digits alone has been read as an int.
     if not item.isdecimal() and format_fraction(value) != item:
         raise flaw(place, "not a number in lowest terms")
     return value
@@ -198,7 +198,7 @@ def _point(item: Any, place: KeyPath) -> Point:
 def _read_ints(item: Any) -> Loop | None:
     """Read points whose coordinates are ints as Python writes them, all at once, in half the time.
 
-    What is anything else is read number by number, to say where it is wrong if it is.
+    `read_number` reads all other points one number at a time, and so finds the place of an error.
     """
     if type(item) is not list or set(map(type, item)) != {list} or set(map(len, item)) != {2}:
         return None

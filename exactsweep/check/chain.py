@@ -22,7 +22,7 @@ ChainEdge = tuple[Node, Node, Line]
 # A corner, by its number, with the lines of the edges before and after it.
 ChainCorner = tuple[int, Node, Line, Line]
 
-# What bounds the region above a chain on its left side, going down, and on its right side.
+# The lines that bound the region above a chain: on its left, going down, and on its right.
 _DOWN, _UP = (1, 0, 0), (-1, 0, 0)
 
 

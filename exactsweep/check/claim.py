@@ -1,6 +1,6 @@
 """Certificates for polygons of any shape as they come in: a claim, read into exact numbers.
 
-Which of them a certificate makes is said by its key `claim`:
+The key `claim` of a certificate names one of these:
 
     no_fit      directrix, generatrix; exterior, holes, exact_fits: translations of the generatrix
     inner_fit   container, part; regions, exact_fits: translations of the part

@@ -110,8 +110,8 @@ def _witness(
         off = [dx * (vy - y) - dy * (vx - x) for vx, vy in loop]
         for k, (vx, vy) in enumerate(loop):
             a, b = off[k - 1], off[k]
-            # Where the ray leaves a shape, the walk comes to its line from the right, or leaves it
-            # to the left; of an edge along the ray, the two neighbours give the ends.
+            # Where the ray leaves a shape, the boundary reaches the ray's line from the right, or
+            # leaves it to the left. For an edge along the ray, its two neighbours give the ends.
             if a != b and a <= 0 <= b:
                 ux, uy = loop[k - 1]
                 share = Fraction(a) / (a - b)

@@ -12,12 +12,12 @@
 5. Nothing is mistaken for another. Where the claim is drawn along the true boundary, each edge
    has O on one side or on both, so it is known whether it bounds a hole or is an exact fit. Since
    O is connected, loops touch like the rings of a cactus, and the boundary is made of simple loops
-   in one way only; where O is not connected, regions are the components of what is free, and their
+   in one way only; where O is not connected, regions are the components of free space, and their
    boundary is cut where it would visit a point twice. So loops, fits, their ends and the order of
    the lists are those of `no_fit`. Two loops written as one, a hole written as a ring of fits, a
    fit written in two parts: each is refused, with a position on it.
 6. Area swept. The loops are those of T + G, with T the exterior proved before: steps 3 to 5 with
-   T in the place of D. The inner loop is the one around D; the area is what the loops leave.
+   T in the place of D. The inner loop is the one around D; the area lies between the loops.
 """
 
 from __future__ import annotations

@@ -91,7 +91,7 @@ def dot(p: Vertex, q: Vertex) -> Rational:
 
 
 def divide(n: Rational, d: Rational) -> Rational:
-    """Divide: an int where one comes out, of ints without going through Fractions."""
+    """Divide, to an int if the quotient is one; ints are divided without Fractions."""
     if type(n) is int and type(d) is int:
         quotient, rest = divmod(n, d)
         return Fraction(n, d) if rest else quotient

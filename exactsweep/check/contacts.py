@@ -9,7 +9,7 @@ D. Both lie to the left of their own edges. So a sum that draws the edge is that
 - an edge of its direction and a convex corner of the other polygon, whose own two edges have this
   direction between theirs, counter-clockwise. Where one of them has it, too, it is as above.
 
-No other pairs are looked at. Whether the trajectory is right is not decided here.
+This module examines no other pairs, and does not decide whether the trajectory is right.
 """
 
 from __future__ import annotations

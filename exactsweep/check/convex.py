@@ -35,7 +35,7 @@ def cut_to_convex(shape: LatticeShape, budget: Budget) -> list[LatticeRing]:
 
     Args:
         shape: n edges, c of its vertices concave; its interior need not be connected.
-        budget: what it may take.
+        budget: the steps that it may take.
 
     Returns:
         Convex rings, counter-clockwise, without straight angles. Their interiors are disjoint, and

@@ -43,7 +43,7 @@ class ConvexSums:
     Args:
         first: counter-clockwise; one of two vertices is a segment, one of one a point.
         second: likewise.
-        budget: what they may take.
+        budget: the steps that they may take.
 
     Attributes:
         boxes: around the sums, of ints, rounded outwards.

@@ -182,7 +182,7 @@ def _lower_halves(
     return trajectory, inner, outer
 
 
-# Who asks for the loops of a pair asks for its exact fits next.
+# Callers that need the loops of a pair need its exact fits next.
 @lru_cache(maxsize=2)
 def _trajectory(d_bottom: PiecewiseLinear, g_top: PiecewiseLinear) -> PiecewiseLinear:
     """D_b(a) - G_t(a - x) is D_b(a) plus the bottom of I(G) at x - a."""

@@ -43,8 +43,8 @@ def compare(
     Args:
         claimed: the parts of a certificate.
         true: those of the answer.
-        say: what is wrong with a point of a claimed part that is on no true one.
-        budget: what it may take.
+        say: the message for a point of a claimed part that is on no true one.
+        budget: the steps that it may take.
 
     Raises:
         CertificateError: the witness is a point of just one of the two, or a point of a part

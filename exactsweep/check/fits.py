@@ -1,7 +1,7 @@
 """Exact fits from the definition, at the few places where there can be one.
 
 At x the lower halves of D and I(G), as functions A and B, leave G free to slide up as far as the
-least A(u) + B(x - u) inside intervals without breakpoints; what is beyond both one-sided limits of
+least A(u) + B(x - u) inside intervals without breakpoints; the part beyond both one-sided limits of
 T = min A + B at x is an exact fit. Where A and B jump at u and x - u, the two limits of T
 count one more pair each: just right of x both values after falling, just left of x both values
 before rising. To come below the fit, each needs such a pair. So there are a sum of two falls and a

@@ -17,15 +17,15 @@ Let O be the positions t at which the interiors of D and G + t meet, and F the o
 5. Each component of the plane without the closure of O is bounded by one simple loop, if O is
    connected: around the unbounded one runs the exterior, around the others the holes.
 
-For positions inside a container, D is the complement of the container, within a box. How large it
-is does not matter: if G + t touches the container and is not inside it, G + t has points outside it
-that are as close to it as any. Here O may fall apart, so that a component is bounded by more
-loops than one, and may touch itself: loops are cut where they would visit a point twice.
+For positions inside a container, D is the complement of the container, within a box. Any box around
+the container will do: if G + t touches the container and is not inside it, G + t has points outside
+it that are as close to it as any. Here O may be disconnected, so that a component is bounded by
+more loops than one, and may touch itself: loops are cut where they would visit a point twice.
 
 The area swept along the exterior T is T + G. All of the above holds with the curve T in the place
 of D, except that T can pass along a cut between pieces of G. So the union of the open sets, one for
 each edge of T and piece of G, may lack some slits, but not its closure, nor any loop. Slits do not
-change what is asked beside an edge either: a slit holds points close to the edge, to one side of
+change the test beside an edge either: a slit holds points close to the edge, to one side of
 it, only where it ends there, at single points.
 """
 
@@ -222,7 +222,7 @@ def _assemble_boundary(
         pieces: the convex pieces of the solid.
         boundary: its rings, as far as G is to touch them.
         g: the rings of G.
-        budget: what it may take.
+        budget: the steps that it may take.
     """
     inverses = [tuple((-x, -y) for x, y in piece) for piece in cut_to_convex(g, budget)]
     sets = OpenSets(pieces, inverses, budget)
@@ -255,7 +255,7 @@ def _regions(loops: Sequence[WalkedLoop], scale: int) -> tuple[tuple[Loop, tuple
 
 
 def _box_around(ring: LatticeRing) -> LatticeRing:
-    """A box with a margin: G + t, touching the ring and not inside it, overlaps what is between."""
+    """A box with a margin, which G + t overlaps if it touches the ring and is not inside it."""
     xs, ys = zip(*ring, strict=True)
     left, low, right, high = min(xs) - 1, min(ys) - 1, max(xs) + 1, max(ys) + 1
     return (left, low), (right, low), (right, high), (left, high)

@@ -1,8 +1,8 @@
 """Certificates too large to be checked.
 
-What is known to take too long is refused before it is begun. For polygons of any shape that is each
-edge with each other one. The rest depends on how many pieces meet, and is taken from the same
-budget as it comes.
+The checker refuses work that is known to take too long before it begins. For polygons of any shape,
+the known work is that of comparing every edge with every other one. The rest depends on the number
+of pieces that meet; the checker counts it against the same budget as it goes.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _SHORT, _FEW = 256, 2
 # Digits that are more than one step to read.
 _LONG = 100
 
-# What loops are made of is told by words and indices: no string of it is read as a number.
+# These lists describe edges by words and indices; their strings are not read as numbers.
 _WITHOUT_NUMBERS = ("contacts", "inner_drawn", "outer_drawn")
 
 

@@ -22,7 +22,7 @@ ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y 
    (c) Listed sums have a side along the left of each loop, and along both sides of each fit, but
        for points. No edge of L is along another.
    O is connected and avoids L, so O is U. Let W be the sum of the winding numbers of all loops. It
-   is the same on all of O, and one less right of each loop, where O is not. What is far away is not
+   is the same on all of O, and one less right of each loop, where O is not. A point far away is not
    in U, so it is right of a loop; there W is 0, and it is 1 on O. Each component of the plane
    without L is beside an edge of L: in U, or right of a loop. So off L, O is where W is 1. As O is
    connected, its loops meet like the rings of a cactus, and are simple in one way only.
@@ -74,7 +74,7 @@ class Refused(Exception):  # noqa: N818
 
 
 class Work:
-    """Steps that may be taken yet, and the scale of the boxes."""
+    """The budget of steps that is left, and the scale of the boxes."""
 
     def __init__(self, steps: int) -> None:
         self.left, self.scale = steps, 1
@@ -714,7 +714,7 @@ class Layout:
         self.placed.append(Placed(pieces, points, boxes, grid_box(points, self.work.scale), error))
 
     def prove(self) -> str:
-        """Prove what is claimed, and say what that is."""
+        """Prove the claim, and describe it."""
         found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
         if not self.valid:
             need(self.faults != [] == self.apart, "faults: none, or normals beside them")
@@ -842,7 +842,7 @@ def read_given(text: str) -> list[Ring]:
 
 
 def prove(certificate: Any, max_steps: int = MAX_STEPS) -> str:
-    """Prove a certificate, as `json.loads` gives it, and say what is proved.
+    """Prove a certificate, as `json.loads` gives it, and describe the proved claim.
 
     Raises:
         Refused: it is not proved; the first reason.

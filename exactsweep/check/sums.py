@@ -22,7 +22,7 @@ Suppose q - s is positive somewhere. Take its greatest one-sided limit, at x fro
 
 - s jumps or ends at x. If i is the lower side of the jump, (x, s) is a convex corner and in Q; so
   q jumps, too, and i is its higher side, which (b) rules out. If i is the higher side, q must jump
-  by as much to the same side, lest q - s be greater on the other side; (b) again.
+  by as much to the same side, or q - s would be greater on the other side; (b) again.
 - Only q jumps: the limit is greatest on the higher side of q; (b).
 - Neither jumps. By (a) s is not convex at x, by (b) q is not concave; so q - s is convex near x,
   and greatest there, hence constant. Go on to the next corner, where this holds again; at the
@@ -141,8 +141,8 @@ def _corner_outside(chain: LowerChain, first: LowerChain, second: LowerChain) ->
 def _corner_inside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
     for k, corner, side, beside in chain.concave:
         if _passes_below(first, second, corner, side):
-            # Below in the limit may mean touching at the corner itself, but not all along. How near
-            # it is below can be told by a number of many bits; their number doubles.
+            # Below in the limit may mean touching at the corner itself, but not all along. A node
+            # that is below may need many bits; each try doubles their number.
             for doublings in range(_MOST_DOUBLINGS):
                 node = _approach(corner, beside, 2 ** (doublings - 1)) if doublings else corner
                 if _passes_below(first, second, node, 0):

@@ -97,7 +97,7 @@ class OpenSets:
         second: Iterable[Sequence[Vertex]],
         budget: Budget,
     ) -> None:
-        # Large sets first: few of them cover most of what is covered.
+        # Large sets first: few of them cover most of the union.
         self._sums = ConvexSums(first, second, budget)
         self._tree = BoxTree(self._sums.boxes, budget)
         self._budget = budget
@@ -110,11 +110,11 @@ class OpenSets:
             segments: pairs of different points.
 
         Returns:
-            What is left of all of them together: pieces, of which those on one line are apart from
-            each other, and single points.
+            The remainder of their union: pieces, disjoint if they are on one line, and single
+            points.
 
         Cost: for s segments on l lines and k rings of v vertices in all, O(lk + s log s) and
-        O(v) for each line at worst; of the rings those near a line are looked at.
+        O(v) for each line at worst; only rings near a line are examined.
         """
         by_line: dict[LatticeLine, list[Interval]] = defaultdict(list)
         for a, b in segments:
@@ -122,8 +122,8 @@ class OpenSets:
             line = find_line(a, b)
             low, high = sorted((a[line.axis], b[line.axis]))
             by_line[line].append((low, high))
-        # Lines of one direction after each other: what is known of the sets with regard to it is
-        # forgotten with it, for all of it would take the memory of all edges times all sets.
+        # Lines of one direction come together, and data on the sets for that direction are dropped
+        # after them: data for all directions would need memory for all edges times all sets.
         lines = sorted(by_line, key=lambda line: line[:2])
         spans = {line: [_to_ratios(span) for span in unite(by_line[line])] for line in lines}
         pieces, points = [], set()
@@ -276,7 +276,7 @@ def _cut_away(spans: list[_Remnant], shadow: _Remnant) -> bool:
     """Take an open interval away from closed ones, which may be points.
 
     Returns:
-        Whether what all of them together reach over has changed.
+        True if the range that they span has changed.
     """
     low, high = shadow
     i = bisect_left(spans, True, key=lambda span: not _is_least(span[1], low))

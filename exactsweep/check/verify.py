@@ -1,7 +1,7 @@
 """Proving a certificate from the definition alone.
 
-A certificate with the key `claim` is for polygons of any shape: `claim` says what is in it, and
-`complete` how it is proved. The others are sweeps of monotone polygons, and the rest is about them.
+A certificate with the key `claim` is for polygons of any shape: `claim` describes it, and
+`complete` proves it. The others are sweeps of monotone polygons, and the rest is about them.
 
 With P = D + I(G), the Minkowski sum, a certificate says where three loops run:
 
@@ -90,13 +90,13 @@ def verify(
         directrix: D, likewise.
         part: that of an inner fit, likewise.
         container: likewise.
-        max_steps: the most work to take on, in steps of about a microsecond. A certificate that
-            asks for more is not proved: it is told before the work is begun or, for polygons of any
-            shape, of which too many pieces meet, once so many steps are taken.
+        max_steps: the most work to do, in steps of about a microsecond. A certificate that needs
+            more is not proved. `verify` refuses it before the work begins or, if it is about
+            polygons of any shape and too many pieces meet, after that many steps.
 
     Returns:
-        Verification. The reason is "proved", or says which loop, edge or list is wrong. Nothing is
-        raised, whatever the certificate.
+        Verification. The reason is "proved", or says which loop, edge or list is wrong. No
+        certificate makes `verify` raise an exception.
 
     Raises:
         ExactSweepError: a polygon that is none, or `max_steps` that is no int above 0.
@@ -152,7 +152,7 @@ def _verify(certificate: Any, max_steps: int) -> None:
 
 
 def _check_types(certificate: Any) -> None:
-    """Refuse what is not as `json.loads` gives it: values of other types may do anything."""
+    """Refuse types that `json.loads` does not return: their methods could do anything."""
     left, seen = [certificate], set()
     while left:
         item = left.pop()

@@ -2,8 +2,8 @@
 
 All numbers are strings, reduced rationals; all indices count the vertices as the certificate lists
 them, edge k running from vertex k to the next. The trajectory and the exact fits are positions of
-the reference point. What each list claims, and what has to be checked so that the claims together
-prove the sweep, is said in `exactsweep.check.verify`, which shares no code with this side.
+the reference point. `exactsweep.check.verify`, which shares no code with this side, documents the
+claim of each list, and the conditions under which the claims together prove the sweep.
 """
 
 from __future__ import annotations

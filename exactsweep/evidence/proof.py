@@ -292,7 +292,7 @@ class _Finder:
                 k = self._list_one(around)
                 best = self._clip([k], a, b, reach, closed)[0]
             (low, high), n = best
-            # What the last entries have this one may have, too.
+            # This entry may cover the stretch of the last ones, too.
             while found and _meets(low, n, *found[-1][1:]):
                 _, reach, closed = found.pop()
             found.append((n, reach, closed))

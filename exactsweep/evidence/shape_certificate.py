@@ -1,8 +1,8 @@
 """Certificates for polygons of any shape, as plain JSON data: the claim alone.
 
-All numbers are strings, reduced rationals; positions are translations of the polygon that moves. No
-reasons need be given: `exactsweep.check.verify` finds where a free position could be and holds the
-claim against that.
+All numbers are strings, reduced rationals; positions are translations of the polygon that moves. A
+certificate needs no reasons: `exactsweep.check.verify` finds all places where a free position could
+be, and compares the claim with them.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def claim_no_fit(
     holes: Iterable[Polygon],
     exact_fits: Fits,
 ) -> dict[str, Any]:
-    """Write the certificate of a no-fit polygon, told in translations. Cost: linear.
+    """Write the certificate of a no-fit polygon, as translations. Cost: linear.
 
     >>> square = Region([(0, 0), (1, 0), (1, 1), (0, 1)])
     >>> around = Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
@@ -48,7 +48,7 @@ def claim_no_fit(
 def claim_inner_fit(
     container: Region, part: Region, regions: Iterable[Region], exact_fits: Fits
 ) -> dict[str, Any]:
-    """Write the certificate of an inner fit, told in translations. Cost: linear.
+    """Write the certificate of an inner fit, as translations. Cost: linear.
 
     >>> square = Region([(0, 0), (1, 0), (1, 1), (0, 1)])
     >>> claim_inner_fit(square, square, [], [(Point(0, 0), Point(0, 0))])["exact_fits"]

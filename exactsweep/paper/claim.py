@@ -1,4 +1,4 @@
-"""Claims of the paper, what a check finds about one, and whether the two agree.
+"""Claims of the paper, findings of checks, and comparisons of the two.
 
 A check looks for counterexamples twice: to the statement as it stands in the paper, and to the
 statement as the ledger has it. The first kind makes a row "with a condition" or "refuted"; one
@@ -40,12 +40,12 @@ KINDS = {
     "proved": "the proof is written out",
     "cited": "the proof is in the literature",
     "exhaustive": "all cases of a finite set were tried, or all up to the first that fails",
-    "sampled": "random pairs were tried, as many as is said",
+    "sampled": "random pairs were tried; the row has their number",
     "counted": "operations, vertices or undercuts were counted over doubling sizes",
     "measured": "seconds and bytes were measured over doubling sizes",
     "case": "given cases were computed",
 }
-"""What each kind of evidence is."""
+"""The meaning of each kind of evidence."""
 
 
 class Counterexample(NamedTuple):
@@ -77,7 +77,7 @@ class Evidence:
     """The findings of a check.
 
     Attributes:
-        tried: what was looked at, and how much of it.
+        tried: the cases that were tried, and their number.
         failure: a counterexample to the statement as corrected; empty if there is none.
         against: a counterexample to the statement as printed; None if there is none.
         others: further counterexamples, to other parts of it.
@@ -166,7 +166,7 @@ class Finding(NamedTuple):
 
     @property
     def _kinds(self) -> set[str]:
-        """The kinds of evidence that are there, except for cases and what is cited."""
+        """The kinds of evidence that were given, except for cases and citations."""
         found = self.evidence
         units = {series.unit in LIMITS for series in found.growth}
         given = {

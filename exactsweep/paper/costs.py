@@ -38,13 +38,13 @@ UNITS = ("operations", "seconds", "bytes")
 Procedure = Callable[[Chains], Iterable[Any]]
 
 LINEAR, PLANAR = 0.03, 0.1
-"""By how much the exponent of bytes may be above that of m + n, and of mn in a CM sweep."""
+"""The most that the exponent of bytes may exceed that of m + n, or of mn in a CM sweep."""
 
 STEPS = 0.2
-"""By how much the exponent of an MM sweep's counts may be above that of the bound.
+"""The most that the exponent of an MM sweep's counts may exceed that of the bound.
 
-What is swept goes in batches, each three times the last, so that the counts rise in steps; over
-five doublings from 16 on a factor log n too many would show as 0.26 more.
+The sweep works in batches, each three times as large as the last, so the counts rise in steps. Over
+five doublings from 16 on, a superfluous factor log n would raise the exponent by 0.26.
 """
 
 

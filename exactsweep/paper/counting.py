@@ -1,4 +1,4 @@
-"""Integers that count what is done with them, so that nothing in the kernel has to.
+"""Integers that count operations on them, so that the kernel need not count.
 
 The kernel takes any exact rationals. Fed with these, it multiplies, divides and compares
 coordinates as always, and the counts are the same on every run and every machine.

@@ -22,14 +22,14 @@ MN2: Bound = ("mn²", lambda m, n: float(m * n * n))
 MN2_LOG: Bound = ("mn² log n", lambda m, n: m * n * n * log2(n))
 
 LIMITS = {"seconds": 0.6, "bytes": 0.5}
-"""By how much the exponent of a measured quantity may be above that of the bound.
+"""The most that the exponent of a measured quantity may exceed that of the bound.
 
 A factor m or n too many shows as 1. Seconds are judged by the three largest sizes, which outgrow
 caches; bytes by all, since ints take more of them as coordinates grow."""
 
 
 FALL = 0.1
-"""By how much the exponent of a count may be below that of a bound that it attains.
+"""The most that the exponent of a count may fall below that of a bound that it attains.
 
 Over the three largest sizes a factor log n too many in the bound shows as more.
 """
@@ -55,13 +55,13 @@ class Growth:
     """A count over doubling sizes.
 
     Attributes:
-        what: what is counted, of which procedure; or "seconds" or "bytes" of one.
+        what: the counted quantity and its procedure; or "seconds" or "bytes" of one.
         family: the pairs.
         bound: the bound as text.
         points: one for each size.
-        limit: by what factor the ratio may rise at the last doubling; or, if it is below 1, by how
-            much the exponent may be above that of the bound over all sizes. What is measured, and
-            has no such limit, has that of `LIMITS`.
+        limit: the greatest factor by which the ratio may rise at the last doubling; or, if it is
+            below 1, the most that the exponent over all sizes may exceed that of the bound.
+            `LIMITS` has the limits for measured growths without their own.
     """
 
     what: str
@@ -172,7 +172,7 @@ def grow(
     """Count at each size.
 
     Args:
-        what: what is counted.
+        what: the counted quantity.
         family: the pairs.
         bound: the bound as text.
         sizes: pairs (m, n), each about twice the one before.

@@ -19,7 +19,7 @@ KINDS_OF_PAIRS = {
     "resting": " with an edge of G on teeth",
 }
 Law = Callable[[SweepPair], str]
-"""What is wrong with a pair; empty if nothing is."""
+"""A function that describes how a pair breaks the law; empty if it does not."""
 
 
 def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
@@ -125,7 +125,7 @@ class Trial:
 
     @property
     def tried(self) -> str:
-        """Describe what was tried, for the evidence."""
+        """Describe the trials, for the evidence."""
         return " ".join(
             f"{text} Pairs: {', '.join(counts)}." for text, counts in self._tried.items()
         )

@@ -1,7 +1,7 @@
 """All rows of the ledger, in the order of the paper, and how to find one by its name.
 
-What the paper says is in ledger.toml; the functions that check it are in `checks` and `figures`,
-and are loaded when they are run.
+ledger.toml has the statements of the paper. The functions that check them are in `checks` and
+`figures`, and are loaded when they run.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class UnknownClaimError(ExactSweepError):
 
 
 def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
-    """Try the laws of a row on random pairs, run its check, and measure what it claims to cost."""
+    """Try the laws of a row on random pairs, run its check, and measure its claimed costs."""
     trial = Trial(effort)
     for law, pairs in row.get("laws", {}).items():
         trial.of(resolve_name(f"{CHECKS}.{law}"), pairs)
@@ -91,10 +91,10 @@ def read_rows() -> list[dict[str, Any]]:
 
 
 ABSTRACT = _join(_load()["abstract"])
-"""What is wrong in the paper, in short."""
+"""A summary of the errata."""
 
 OPEN = tuple((question["name"], _join(question["words"])) for question in _load()["open"])
-"""What is still open: names, and in words."""
+"""Open questions: name and text of each."""
 
 CLAIMS: tuple[Claim, ...] = tuple(map(_read, read_rows()))
 _BY_NAME = {claim.name: claim for claim in CLAIMS}

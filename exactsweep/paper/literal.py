@@ -1,9 +1,9 @@
 """The paper's procedures to the letter, on lists of vertices: a baseline for the kernel.
 
-Nothing is pruned, guessed or done in batches, and nothing is shared with the kernel. Strictly
-X-monotone polygons are taken, as in the paper. SweepI_CC returns D_b, and SweepI_CM is left to the
-kernel, which has it as printed. Chains are lists of vertices: G_t from right to left, all others
-from left to right.
+The procedures do not prune, guess or work in batches, and share no code with the kernel. They take
+strictly X-monotone polygons, as in the paper. SweepI_CC returns D_b, and the kernel's SweepI_CM is
+as printed, so it is not repeated here. Chains are lists of vertices: G_t from right to left, all
+others from left to right.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def lower_envelope_mm(chains: Sequence[Chain]) -> Chain:
 
 
 def merge(first: Chain, second: Chain) -> Chain:
-    """Walk two chains in vertical sync, and keep what is lower.
+    """Walk two chains in vertical sync, and keep the lower one.
 
     Cost: O(size of first + size of second).
 

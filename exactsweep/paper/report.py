@@ -46,7 +46,7 @@ WEIGHTS = {
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
     """Write report.html, report.md with the pictures that it shows, and ledger.json into a folder.
 
-    The same seed, effort and versions give the same bytes, except for what is measured.
+    The same seed, effort and versions give the same bytes, except for measurements.
 
     Returns:
         The paths of the three.
@@ -253,7 +253,7 @@ def _span(first: str, last: str) -> str:
 
 
 def miss(sampled: int) -> str:
-    """Report what a sample proves: a share of three in n is missed once in twenty times.
+    """Report the strength of a sample: a share of three in n is missed once in twenty times.
 
     >>> miss(300)
     '300 pairs a law: a fault of more than one pair in 100 is missed with a chance below 5%.'

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from exactsweep.check import verify
-from exactsweep.check.standalone import Refused, load, prove, turn_error
+from exactsweep.check.standalone import Refused, load, prove, read_turn, turn_error
 
 SQUARE = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
 L = [["0", "0"], ["2", "0"], ["2", "1"], ["1", "1"], ["1", "2"], ["0", "2"]]
@@ -202,6 +202,13 @@ def test_a_turn_by_any_angle_has_the_error_that_the_checker_finds() -> None:
     # Off by more than a right angle, the square could be anywhere.
     assert "beyond the frame" in refusal(turned("300", "4/5", "3/5"))
     assert "turns" in refusal(turned("90", "4/5", "3/5"))
+
+
+@pytest.mark.parametrize("degrees", [0, 36, 90, 180, 270, 359])
+def test_a_turn_is_the_same_after_whole_turns(degrees: int) -> None:
+    assert read_turn(str(degrees)) == read_turn(str(degrees + 360)) == read_turn(str(degrees - 720))
+    assert read_turn("450") == (0, 1)
+    assert read_turn("719/2") == Fraction(719, 2)
 
 
 @pytest.mark.parametrize("degrees", [1, 30, 45, 60, 89, 91, 135, 200, 271, 330, 359])

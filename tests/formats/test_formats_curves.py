@@ -17,7 +17,8 @@ from tiers import examples
 
 from exactsweep import limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
-from exactsweep.formats.curved.affine import IDENTITY
+from exactsweep.formats.curved.affine import IDENTITY, make_affine
+from exactsweep.formats.curved.arc import make_arc
 from exactsweep.formats.curved.curves import (
     _bend,
     bound_root,
@@ -280,3 +281,17 @@ def test_a_spline_that_is_none_is_refused_with_the_reason(
     spline = Spline(degree, corners, [*map(Fraction, knots)], [*map(Fraction, weights)])
     with pytest.raises(FormatError, match=f"^{says}"):
         spline.require_sound()
+
+
+@pytest.mark.parametrize("place", range(4))
+def test_the_ends_of_a_stretched_arc_are_close_to_those_asked_for(place: int) -> None:
+    # Each entry of the image alone decides how far it stretches.
+    entries = [0, 0, 0, 0]
+    entries[place] = 10**8
+    image, reading = make_affine(*entries, 5, 7), Reading("1/100")
+    for start, end in ((10, 40), (77, 131), (200, 349)):
+        arc = make_arc(image, Fraction(start), Fraction(end), reading)
+        for found, degrees in zip(arc.ends, (start, end), strict=True):
+            c, s = cos(degrees * pi / 180), sin(degrees * pi / 180)
+            asked = image.point(Fraction(c), Fraction(s))
+            assert (found.x - asked.x) ** 2 + (found.y - asked.y) ** 2 < Fraction(1, 1000) ** 2

@@ -104,9 +104,9 @@ def sum_adapter(
 
     Args:
         name: of the program, with its version.
-        numbers: what it reads.
+        numbers: the numbers that it reads.
         add: of D and of G turned, each a list of rings: the rings of their sum.
-        shapes: what it takes.
+        shapes: the shapes that it accepts.
         close: ends what runs for it.
     """
 

@@ -21,7 +21,7 @@ HELLO = {
 
 
 def answer(part: str, d: Region, g: Region, reference: list[str]) -> dict[str, Any]:
-    """Answer one part of what is asked: rings, and exact fits where there may be some."""
+    """Answer one part of the question: rings, and exact fits where there may be some."""
     if part == "no_fit":
         n = no_fit_polygon(d, g, reference=reference)
         loops = [loop.vertices for loop in (n.exterior, *n.holes)]

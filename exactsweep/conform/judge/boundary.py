@@ -1,4 +1,4 @@
-"""The boundary of the region that rings determine, whatever way they are written in.
+"""The boundary of the region that rings determine, in any notation.
 
 A point belongs to the region if an odd number of edges cross a ray from it. So a stretch of a line
 bounds the region if and only if an odd number of edges run along it, in either direction:
@@ -140,7 +140,7 @@ def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
     """Decide whether segments lead from place to place of a boundary, with no end that hangs free.
 
     Args:
-        segments: what is doubled, and on no exact fit.
+        segments: the doubled lines that are on no exact fit.
         solid: the boundary, and exact fits that are traced.
 
     Cost: linear where they lead from corner to corner, else O(s + n) for each end of s segments

@@ -182,8 +182,8 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     Args:
         case: the case.
         name: a key of LOOP_NAMES.
-        loop: what was answered.
-        rounding: by how much less a coordinate may be off.
+        loop: the answered loop.
+        rounding: the bound that coordinate errors must stay below.
 
     Returns:
         A JudgedLoop; `Verdict` says what its verdict means.

@@ -43,13 +43,13 @@ class _Answered(NamedTuple):
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
-    """Find what an answered loop is exact for, except for rounding.
+    """Find the questions to which an answered loop is exact, except for rounding.
 
     Args:
         case: the case.
         name: a key of LOOP_NAMES.
-        rings: what was answered.
-        rounding: by how much less a coordinate may be off.
+        rings: the answered rings.
+        rounding: the bound that coordinate errors must stay below.
 
     Returns:
         Tuple of phrases that go with "exact for" or stand alone, the likeliest first; () where

@@ -280,7 +280,7 @@ def walk_together(first: Sequence[Point], second: Sequence[Point], bound: Fracti
     Args:
         first: vertices of a loop of m edges, not closed.
         second: those of another one of n edges, of the same orientation.
-        bound: what the differences in x and in y must be below at every moment.
+        bound: the differences in x and in y must stay below it at every moment.
 
     Returns:
         True if a walk is found.

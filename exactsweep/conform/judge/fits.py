@@ -2,8 +2,8 @@
 
 - missing: no position of it is answered;
 - too short: only a part of it is answered;
-- too long: what is answered goes on beyond it;
-- invented: what is answered is no part of any;
+- too long: the answered fit goes on beyond it;
+- invented: the answered fit is no part of any;
 - given twice, or in pieces: all the same positions;
 - rounded: both ends are off by less than the rounding;
 - whisker: traced by the loop, and not listed. Programs that orbit, moving G along D from contact to
@@ -45,7 +45,7 @@ def judge_fits(
     Args:
         case: the case.
         theirs: segments of positions of the reference point, in any order and direction.
-        rounding: by how much less a coordinate may be off.
+        rounding: the bound that coordinate errors must stay below.
         whiskers: of the loop, on exact fits.
         name: NAME, or INSIDE for those of G inside D.
 

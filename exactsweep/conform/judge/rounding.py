@@ -113,7 +113,7 @@ def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
 
     Args:
         exact: the rings that should have been answered.
-        theirs: what was answered, whether or not these are sound rings.
+        theirs: the answered rings, sound or not.
 
     Returns:
         Those of these that explain every coordinate, the likeliest first: "rounded down to

@@ -1,4 +1,4 @@
-"""Verdicts on answers of other programs, and answers read as they are, whatever they hold."""
+"""Verdicts on answers of other programs, and answers read unchecked."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ class Witness:
     """A place where theirs is wrong, checked again before it is handed out.
 
     Attributes:
-        says: one sentence, what is to be seen there.
+        says: one sentence that describes it.
         translation: Point, where G's origin is to be put, or None if the witness is no position.
         classified: what `classify` says of that translation: FREE, CONTACT, OVERLAP; or None.
         point: Point of the plane: in both interiors, for an OVERLAP; for the inner and the outer
@@ -126,9 +126,9 @@ class PartComparison:
         forbidden: area of T without E: free space lost, for the trajectory.
         unsound: Witness in E without T, or None.
         conservative: Witness in T without E, or None.
-        granted: by how much less coordinates were allowed to be off, where that was looked at.
+        granted: the bound that coordinate errors had to stay below, if one was needed.
         kind: in which way exact fits differ, or how else the loop is special; "" where it is not.
-        diagnosis: what the loop is exact for, the likeliest first; () where nothing is found.
+        diagnosis: the questions to which the loop is exact, the likeliest first; () if none.
     """
 
     name: str
@@ -222,7 +222,7 @@ class AnswerError(ExactSweepError):
 
 
 class AnsweredLoop(NamedTuple):
-    """One loop as it was answered.
+    """One answered loop.
 
     Attributes:
         rings: tuple of rings, each a tuple of Point, not closed, otherwise as given.
@@ -354,5 +354,5 @@ def _list(value: object, path: str, what: str) -> Sequence[object]:
 
 
 def name_kind(value: object) -> str:
-    """Name the kind of a value, whatever it is; answers of Python callables may hold anything."""
+    """Name the kind of any value; answers of Python callables may hold anything."""
     return describe_kind(value) if isinstance(value, (dict, list, str, bool)) else quote(value)

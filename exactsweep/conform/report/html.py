@@ -284,7 +284,7 @@ def _rings(value: object) -> list[Sequence[Point]]:
 
 
 def _ring(points: Iterable[object]) -> list[Point]:
-    """Read points, leaving out what is none."""
+    """Read points, and leave out items that are none."""
     found = []
     for pair in points:
         if isinstance(pair, Sequence) and len(pair) == 2:

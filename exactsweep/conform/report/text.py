@@ -68,7 +68,7 @@ def _part(part: PartComparison) -> list[str]:
 
 
 def tell_witness(witness: Mapping[str, Any]) -> list[str]:
-    """Say what a witness shows, and what `classify` says of it, in full, to be tried elsewhere.
+    """Describe what a witness shows, with `classify`'s verdict in full, to repeat elsewhere.
 
     Args:
         witness: what `write_plain` gives of it.

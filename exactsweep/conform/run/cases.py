@@ -151,7 +151,7 @@ def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> I
 
     Args:
         file: of lines.
-        path: what it is called, for messages.
+        path: its name, for messages.
         read: a function of a line and its number.
 
     Raises:

@@ -66,7 +66,7 @@ class Channel:
         most: bytes of memory that it may hold, or None.
 
     Attributes:
-        peak: bytes that it held at most since the last line was sent, or None where nobody knows.
+        peak: its peak memory since the last line was sent, in bytes, or None if unknown.
 
     Raises:
         OSError: it cannot be started.
@@ -87,7 +87,7 @@ class Channel:
 
     @property
     def stderr(self) -> str:
-        """The last of what it wrote to standard error."""
+        """The end of its standard error."""
         return self._stderr.decode("utf-8", "replace")
 
     def send(self, line: str) -> None:

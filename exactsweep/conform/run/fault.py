@@ -36,7 +36,7 @@ def name_fault(
         verdict: on the case.
         reason: one line.
         parts: what `PartComparison.to_json` gives, for each part.
-        stderr: the last of what the program wrote to standard error.
+        stderr: the end of the program's standard error.
         id: of the case, which does not count where it is quoted.
 
     Returns:

@@ -34,10 +34,10 @@ class Journal:
 
     Args:
         path: the file.
-        command: what is judged; a journal of another command is not gone on with.
-        hello: what the implementation says of itself, likewise.
+        command: the judged command; a journal of another command is refused.
+        hello: the implementation's hello, likewise.
         seconds: that an answer may take, likewise.
-        rounding: by how much less a coordinate may be off, likewise.
+        rounding: the bound that coordinate errors must stay below, likewise.
         most: bytes of memory that the program may hold, or None, likewise.
         resume: whether the file may be there and is gone on with.
 

@@ -1,4 +1,4 @@
-"""Outcomes: what became of one case, as it is kept in a journal and shown in a report."""
+"""Outcomes: the result of one case, as journals keep it and reports show it."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Outcome:
         verdict: the verdict.
         reason: one line.
         fault: what `name_fault` says: the same for failures of the same kind.
-        diagnosis: what the worst part is exact for, the likeliest first.
+        diagnosis: the questions to which the worst part is exact, the likeliest first.
         seconds: the time of the answer.
         memory: the program's peak memory meanwhile, in bytes, or None if it is not known.
         digest: of the case as it was given; the same only for the same case.
@@ -119,7 +119,7 @@ def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outc
     Args:
         peer: the implementation.
         case: a Case.
-        rounding: by how much less a coordinate may be off, as for `compare`.
+        rounding: the bound that coordinate errors must stay below, as for `compare`.
 
     Returns:
         The Outcome.
@@ -152,8 +152,8 @@ def judge_answer(
         put: the same case as the implementation got it.
         answer: the implementation's answer, or its failure.
         promised: the loops that an answer must have.
-        numbers: what the implementation reads, as for `compare`.
-        rounding: by how much less a coordinate may be off, as for `compare`.
+        numbers: the numbers that the implementation reads, as for `compare`.
+        rounding: the bound that coordinate errors must stay below, as for `compare`.
 
     Returns:
         The Outcome.

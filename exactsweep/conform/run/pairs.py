@@ -1,4 +1,4 @@
-"""Pairs of polygons that somebody has, as cases: the exact answers are made here."""
+"""A user's own pairs of polygons as cases, with computed exact answers."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def _read(
 
 
 def _is_pair(line: bytes) -> bool:
-    """Decide whether a line looks like a pair, whatever else may be wrong with it."""
+    """Decide whether a line looks like a pair, valid or not."""
     try:
         document = json.loads(line)
     except (ValueError, RecursionError):

@@ -31,8 +31,8 @@ class Answer(NamedTuple):
         verdict: where there is no result.
         reason: one line, likewise.
         seconds: that it took.
-        memory: bytes that the program held at most meanwhile, or None where nobody knows.
-        stderr: the last of what it wrote to standard error, where it failed.
+        memory: the program's peak memory meanwhile, in bytes, or None if unknown.
+        stderr: the end of its standard error, if it failed.
     """
 
     result: Mapping[str, Any] | None = None
@@ -97,7 +97,7 @@ class CallablePeer:
 
     Args:
         function: as `conform` takes it.
-        hello: what it can do.
+        hello: its hello.
         seconds: that an answer may take.
     """
 

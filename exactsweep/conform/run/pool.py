@@ -38,7 +38,7 @@ class Judges:
         seconds: that an answer may take.
         workers: how many cases are worked on at a time.
         to_start: seconds that the implementation may take to say hello.
-        rounding: by how much less a coordinate may be off, as for `compare`.
+        rounding: the bound that coordinate errors must stay below, as for `compare`.
         most: bytes of memory that each process of it may hold, or None.
 
     Attributes:

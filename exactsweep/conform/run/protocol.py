@@ -1,6 +1,6 @@
 """The protocol between the runner and an implementation: JSON lines, both ways.
 
-The implementation speaks first, one line that says what it can do:
+The implementation first writes one line, which lists its abilities:
 
     {"hello": "my program 1.0", "questions": ["no_fit", "inner_fit"], "shapes": "any",
      "numbers": "integer", "reference": "given"}
@@ -68,17 +68,17 @@ class Hello:
 
     Attributes:
         name: its name and version, for the report.
-        loops: what it answers of a sweep, of "trajectory", "inner", "outer"; () where it is not
-            asked for one.
-        numbers: what it reads. "rational": everything. "integer", "int64", "int32": cases are
-            multiplied to integers, and those beyond the type are not asked. "binary64": cases
-            that the type holds as they are, or else multiplied to integers.
+        loops: the loops of a sweep that it answers, of "trajectory", "inner", "outer"; () if
+            `questions` has no "sweep".
+        numbers: the numbers that it reads. "rational": any. "integer", "int64", "int32": cases are
+            scaled to integers, and cases beyond the type are not asked. "binary64": cases are
+            scaled to integers unless the type holds their numbers exactly.
         reference: the point of G whose path its trajectory is. "given": the case's. "origin": the
             point (0, 0) in the coordinates of G. "first": the first vertex of G. The cases it gets
             have that reference point.
-        questions: what it can be asked, of "sweep"; "no_fit", the no-fit polygon with its holes;
-            and "inner_fit", the positions of G inside D.
-        shapes: the pairs that it takes, each kind with those before it: "convex"; "monotone", to
+        questions: the questions that it answers, of "sweep"; "no_fit", the no-fit polygon with
+            its holes; and "inner_fit", the positions of G inside D.
+        shapes: the pairs that it accepts, each kind with those before it: "convex"; "monotone", to
             one direction; "simple", without holes; "any".
     """
 
@@ -99,7 +99,7 @@ class Hello:
         questions: object = ("sweep",),
         shapes: object = "monotone",
     ) -> Self:
-        """Check what an implementation says of itself.
+        """Check an implementation's hello.
 
         Raises:
             ProtocolError: one of them is nothing that it may say.
@@ -252,7 +252,7 @@ def adapt(case: Case, hello: Hello) -> Case:
 
     Args:
         case: a Case.
-        hello: what the implementation said.
+        hello: the implementation's hello.
 
     Returns:
         The same pair, with the reference point that the implementation uses, and multiplied by

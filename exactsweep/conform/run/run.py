@@ -75,16 +75,16 @@ class Run:
     """Outcomes as they come in; memory is bounded except for a few bytes a case.
 
     Args:
-        hello: what the implementation says of itself.
-        command: what was run; empty for a function or a stream.
+        hello: the implementation's hello.
+        command: the command; empty for a function or a stream.
         accepted: the worst verdict that is no failure.
         least_judged: the least part of the cases that must be judged for the run to pass.
 
     Attributes:
-        outcomes: sequence of all outcomes, without the case, the answer and what was measured.
+        outcomes: sequence of all outcomes, without the case, the answer and the measurements.
         shrunk: dict from the id of a case to the outcome of a smaller one with the same fault.
         summary: the counts.
-        complaints: list of what is wrong besides, a line each.
+        complaints: list of other errors, a line each.
         interrupted: whether the run was stopped before its end.
     """
 
@@ -160,7 +160,7 @@ class Run:
             self.shrunk[id] = smaller
 
     def find_objections(self) -> list[str]:
-        """Return what is wrong with the run besides failures, a line each."""
+        """List the errors of the run besides failures, a line each."""
         judged, total = self.summary.judged, self.summary.total()
         lines = [*self.complaints, *(["interrupted"] if self.interrupted else [])]
         if not judged:

@@ -40,7 +40,7 @@ def judge_cases(
         run: where the outcomes go.
         judges: the implementation.
         cases: the cases.
-        journal: where each outcome is written as it comes.
+        journal: the file that records each outcome at once.
         tell: a function to call with each outcome.
         made_smaller: the number of failures of each fault to shrink.
     """
@@ -102,10 +102,10 @@ def conform(
             reads. An exception is a crash, but NotImplementedError is unsupported.
         cases: the cases.
         name: of the implementation.
-        loops: what it answers, of "trajectory", "inner", "outer".
+        loops: the loops that it answers, of "trajectory", "inner", "outer".
         numbers: "rational", "integer", "int64", "int32" or "binary64", as for `Hello`.
         reference: "given", "origin" or "first", as for `Hello`.
-        questions: what it can be asked, of "sweep", "no_fit", "inner_fit".
+        questions: its questions, of "sweep", "no_fit", "inner_fit".
         shapes: the pairs that it takes: "convex", "monotone", "simple" or "any".
         seconds: that an answer may take. A function cannot be stopped: an answer that comes too
             late is a timeout when it comes.

@@ -14,7 +14,7 @@ from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.numbers.error import ExactSweepError
 
 _IN_MEMORY = 2**20
-"""Bytes that are kept in memory; what comes after goes to a file that nobody else sees."""
+"""The number of bytes kept in memory; the rest goes to an anonymous file."""
 
 
 class SpoolError(ExactSweepError):
@@ -70,7 +70,7 @@ class Spool:
 
 
 class SeenNames:
-    """A set of names that grows, in a file that nobody else sees; memory is bounded.
+    """A growing set of names in an anonymous file; memory is bounded.
 
     Example:
         >>> seen = SeenNames()

@@ -1,6 +1,6 @@
 """Answers from a pipe: `gen | implementation | exactsweep judge`.
 
-In a pipe nobody puts the cases in the terms of the implementation: it reads them as they were
+A pipe does not convert the cases for the implementation, which reads them as they were
 written, with rationals, but is free to refer its trajectory to another reference point.
 """
 
@@ -30,7 +30,7 @@ class Stream:
         file: where it is read from.
 
     Attributes:
-        hello: what the implementation says of itself.
+        hello: the implementation's hello.
         complaints: list of lines on what was no answer to any case, or could not be judged; the
             first of them.
 

@@ -258,7 +258,7 @@ def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
 
 
 def lower_envelope_cm_is_right(pair: SweepPair) -> str:
-    """LowerEnvelope_CM returns what is lowest of all sub-trajectories so far."""
+    """LowerEnvelope_CM returns the lower envelope of all sub-trajectories so far."""
     top, _, directrix = pair.chains
     chains = [trajectory_cc(top, part) for part in find_convex_parts(directrix)]
     partial = Envelope.of(chains[0])
@@ -276,7 +276,7 @@ def count_operations(effort: Effort) -> Evidence:
 
 
 def _watch_slots(partial: Envelope) -> Envelope:
-    """The same envelope, whose lists count what is read of them; that is all of it, just now."""
+    """Return the same envelope with lists that count slots; this call reads all slots once."""
     return Envelope(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
 
 

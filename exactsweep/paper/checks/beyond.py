@@ -1,4 +1,4 @@
-"""Beyond the paper: polygons of any shape, held against the definition."""
+"""Beyond the paper: polygons of any shape, compared with the definition."""
 
 from __future__ import annotations
 
@@ -187,7 +187,7 @@ def compare_inner_fits(container: Region | Ring, part: Ring) -> str:
 
 
 def inner_fit_is_in_a_frame(pair: SweepPair) -> str:
-    """The inner fit is what the no-fit polygon of a frame around the container has inside."""
+    """The inner fit is the inside of the no-fit polygon of a frame around the container."""
     container = _enlarge(pair.directrix)
     part = Polygon(pair.generatrix)
     wide = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1

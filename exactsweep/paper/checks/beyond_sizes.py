@@ -1,4 +1,4 @@
-"""Beyond the paper: how large no-fit polygons of any shape get, and what they are made of."""
+"""Beyond the paper: sizes of no-fit polygons of any shape, and of their contact segments."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def _beside_bounds(*growth: Growth, failure: str = "", tried: str = "Counts.") -
 
 
 def count_holes(effort: Effort) -> Evidence:
-    """Count the holes of no-fit polygons of forks, and hold a small one against the definition."""
+    """Count the holes of no-fit polygons of forks, and compare a small one with the definition."""
 
     def holes(generatrix: Ring, directrix: Ring) -> int:
         return len(no_fit_polygon(directrix, generatrix).holes)
@@ -65,7 +65,7 @@ def count_holes(effort: Effort) -> Evidence:
         if p.count < ((p.m // 6 - 1) * (p.n // 6 - 1) - 1) ** 2
     )
     failure = no_fit_is_the_definition(SweepPair(*forks(18, 18))) or find_first_failure(few)
-    tried = "A family of forks, one of them held against the definition."
+    tried = "A family of forks, one of them compared with the definition."
     return _beside_bounds(*growth, failure=failure, tried=tried)
 
 

@@ -1,4 +1,4 @@
-"""Section 1: the definitions of a sweep, of the area and of the path, and what is said of them."""
+"""Section 1: the definitions of a sweep, of the area and of the path, and remarks on them."""
 
 from __future__ import annotations
 

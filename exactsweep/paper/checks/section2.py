@@ -72,7 +72,7 @@ def like_chains_have_no_contact(pair: SweepPair) -> str:
 
 
 def _side(polygon: Polygon, contact: Contact, which: int) -> str:
-    """The chain that a feature is inside of; "end" for what is at its ends or beyond."""
+    """Return the chain that a feature is inside of; "end" for features at or beyond its ends."""
     index = contact[1 + which]
     bottom, top = split(polygon.vertices)
     numbers = range(len(polygon))

@@ -129,7 +129,7 @@ def bottom_chains_have_two_forms(pair: SweepPair) -> str:
 
 
 def check_two_forms(effort: Effort) -> Evidence:
-    """Hold every undercut against the form that goes with what closes it."""
+    """Compare the form of every undercut with the way in which it is closed."""
     forms: Counter[str] = Counter()
 
     def law(pair: SweepPair) -> str:

@@ -41,7 +41,7 @@ from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
-# What the search in `_check_lemma_5_2` finds.
+# The pair that the search in `_check_lemma_5_2` finds.
 OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
 
 
@@ -130,7 +130,7 @@ def outer_boundary(chains: Chains) -> list[Vertex]:
 
 
 def outer_edges(pair: SweepPair) -> int:
-    """Edges of the outer boundary of the lower sweep, which is held against the definition."""
+    """Count the edges of the outer boundary of the lower sweep, and check it by the definition."""
     outer = keep_corners(outer_boundary(pair.chains))
     if failure := tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer)):
         raise ExactSweepError(failure)
@@ -207,7 +207,7 @@ def sizes_of(pair: SweepPair) -> tuple[int, int, int]:
 
 
 def count_bumps(effort: Effort) -> Evidence:
-    """Hold the printed count against the family of Figure 10."""
+    """Compare the printed count with the family of Figure 10."""
     sizes = [(2, 4, 6), (2, 2, 4), (4, 2, 4), (4, 4, 4), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8)]
     rows, failure, against = [], "", None
     for m_b, n_t, n_b in sizes[: 5 if effort.quick else None]:

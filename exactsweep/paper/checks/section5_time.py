@@ -122,7 +122,7 @@ def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool 
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> str:
-    """LowerEnvelope_MM returns what is lowest over every x."""
+    """LowerEnvelope_MM returns the lowest chain over every x."""
     top, _, directrix = pair.chains
     parts = find_convex_parts(inverse(top))
     chains = [trajectory_cm(inverse(part), directrix) for part in parts]
@@ -241,7 +241,7 @@ def _outgrows(slow: Growth, fast: Growth) -> bool:
 
 
 def count_gaps(effort: Effort) -> Evidence:
-    """Count the operations of both ways to the inner boundary, and what is written."""
+    """Count the operations of both ways to the inner boundary, and the size of the output."""
     sizes = [(16, n) for _, n in sizes_from(effort, 8)]
     written = grow_vertices("inner boundary", inner_boundary, needles, MN2, sizes)
     gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, sizes_from(effort))

@@ -1,4 +1,4 @@
-"""Slips of the pen, each with a case in which what is printed is not what is meant."""
+"""Slips of the pen, each with a case in which the printed and the meant statement differ."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The contacts of a sweep, held against every feature of one polygon tried with every other one."""
+"""The contacts of a sweep, compared with a trial of every pair of features."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ def _stations(half: LowerSweep) -> list[Point]:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     half = _sweep_half()
     start, stop = _stations(half)
     return [
@@ -66,7 +66,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s, half = sweep_example(), _sweep_half()
     yield from loops_differ(s)
     yield from overlaps(s, _stations(half))

@@ -42,7 +42,7 @@ def _find_touched(s: Sweep) -> list[Point]:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     s = sweep_example()
     return [
         ("(m, n)", f"({M}, {N})"),
@@ -53,7 +53,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, [PLACE])

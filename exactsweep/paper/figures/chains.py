@@ -44,12 +44,12 @@ def _chains() -> dict[str, list[Vertex]]:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     return [(f"edges of {name}", str(len(chain) - 1)) for name, chain in _chains().items()]
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     chains = _chains()
     for letter, ring in POLYGONS.items():
         corners = Polygon(ring).vertices

@@ -69,7 +69,7 @@ def freeze() -> Frozen:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     found = freeze()
     path = motion()
     return [
@@ -85,7 +85,7 @@ def _text(p: Point) -> str:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_examples()[1]
     yield from loops_differ(s)
     path = motion()

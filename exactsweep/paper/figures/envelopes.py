@@ -75,7 +75,7 @@ def _envelopes() -> tuple[list[Vertex], list[Vertex]]:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     parts = find_convex_parts(sweep_half().directrix)
     paths, outers = _sub_chains()
     path, outer = _envelopes()
@@ -91,7 +91,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, s.undercuts[0].positions)

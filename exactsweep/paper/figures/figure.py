@@ -1,4 +1,4 @@
-"""A figure of the paper: how it is drawn, what it states, and how that is checked."""
+"""A figure of the paper: its drawing, its statements, and the checks of these."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class PaperFigure(Protocol):
     """The interface of the module of a figure."""
 
     def list_facts(self) -> Facts:
-        """List what the figure states: pairs of a name and a computed value."""
+        """List the figure's statements: pairs of a name and a computed value."""
 
     def find_failures(self) -> Iterator[str]:
         """Texts, empty where a fact is borne out by the definition or by another way."""
@@ -36,7 +36,7 @@ def load(name: str) -> PaperFigure:
 
 
 def check_figure(name: str, against: str) -> Evidence:
-    """Hold what a figure states against another way to it, which a sentence describes."""
+    """Compare a figure's statement with another way to derive it, which a sentence describes."""
     figure = load(name)
     rows = [list(fact) for fact in figure.list_facts()]
     table = Table("What the figure states", ("what", "value"), rows)
@@ -65,7 +65,7 @@ def overlaps(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
 
 
 def differ(name: str, found: object, expected: object) -> str:
-    """Say that a fact is not what it has to be; empty if it is.
+    """Describe the difference of a fact from its expected value; empty if there is none.
 
     >>> differ("edges", 15, 16)
     'edges: 15, not 16'

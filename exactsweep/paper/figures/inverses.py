@@ -52,7 +52,7 @@ def _outside() -> list[Point]:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     s = sweep_example()
     return [
         ("edges of the trajectory", str(len(s.trajectory))),
@@ -62,7 +62,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_example()
     yield from loops_differ(s)
     outside = no_fit_polygon(s.trajectory, invert_generatrix(s)).exterior

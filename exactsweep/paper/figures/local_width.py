@@ -102,7 +102,7 @@ def _length(p: Point, q: Point) -> Fraction | None:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     return [
         (f"({letter}) {name}", str(value))
         for letter, found in (("a", measure_widths()), ("b", narrow_widths()))
@@ -111,7 +111,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     yield differ(
         "(a) d' + d''", measure_widths().inner + measure_widths().outer, measure_widths().width
     )

@@ -66,7 +66,7 @@ def measure() -> tuple[tuple[tuple[int, int, int], int], ...]:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     rows = [
         (f"({letter}) (m_b, n_t, n_b): edges", f"{count_sizes(s)}: {len(list_outer_edges(s))}")
         for letter, s in (("a", sweep_example(1)), ("b", sweep_example(2)))
@@ -81,7 +81,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     for s in (sweep_example(1), sweep_example(2)):
         yield from loops_differ(s)
         yield differ(

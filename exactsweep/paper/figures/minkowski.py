@@ -38,8 +38,8 @@ def invert_generatrix(s: Sweep) -> Polygon:
 def sum_boundary() -> tuple[Loop, tuple[Loop, ...]]:
     """The outer boundary, and the holes, of the Minkowski sum of D's boundary and G.
 
-    The sum of D and G is the no-fit polygon of D and I(G). What is missing of it are the points p
-    for which p + I(G) lies inside D, off its boundary.
+    The sum of D and G is the no-fit polygon of D and I(G). The sum of D's boundary and G lacks the
+    points p for which p + I(G) lies inside D, off its boundary.
     """
     s = sweep_example()
     inverted = invert_generatrix(s)
@@ -60,7 +60,7 @@ def draw_sweep(picture: Picture, s: Sweep) -> None:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     s = sweep_example()
     _, holes = sum_boundary()
     met = [classify(s.directrix, place_generatrix(s, t), (0, 0)).verdict for t in ALONG]
@@ -75,7 +75,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, _positions(s))

@@ -63,7 +63,7 @@ def _outer() -> list[Vertex]:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     path, k = sort_by_slope("D_b", "G_t"), _turn()
     before, after = path[k - 1], path[k]
     return [
@@ -78,7 +78,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_example()
     yield from loops_differ(s)
     (g_bottom, g_top), (d_bottom, _) = (split(p.vertices) for p in (s.generatrix, s.directrix))

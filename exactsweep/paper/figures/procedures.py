@@ -46,7 +46,7 @@ ROOM = 6
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     return [
         ("(a) procedures, calls", f"{len(PLACES)}, {len(PRINTED)}"),
         ("(b) functions, calls", f"{len(KERNEL)}, {len(MADE)}"),
@@ -54,7 +54,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     called = {name for call in PRINTED for name in call}
     expected = set(PRINTED) - {("SweepI_CM", "Trajectory_CM")}
     yield differ("calls to the letter", watch_literal(), expected)

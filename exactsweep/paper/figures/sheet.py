@@ -57,7 +57,7 @@ class Margins(NamedTuple):
 class Extent(NamedTuple):
     """The frame of a panel: an exact rectangle, with room around it and a title below.
 
-    What reaches beyond is drawn, too, unless `is_cut`.
+    Shapes that reach beyond it are drawn in full, unless `is_cut`.
     """
 
     low: Vertex

@@ -106,7 +106,7 @@ def write_slope(value: Rational) -> str:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     rows = []
     for step in range(STEPS):
         ours, theirs = _find_upcoming(step)
@@ -121,7 +121,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, [Point(Fraction(x), Fraction(y)) for x, y in find_stations()])

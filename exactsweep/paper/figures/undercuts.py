@@ -56,7 +56,7 @@ def find_undercut(s: Sweep) -> Undercut:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     facts = []
     for letter, s in zip("ab", sweep_examples(), strict=True):
         found = find_undercut(s)
@@ -70,7 +70,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     for s, kind in zip(sweep_examples(), ("point", "segment"), strict=True):
         found = find_undercut(s)
         yield from loops_differ(s)

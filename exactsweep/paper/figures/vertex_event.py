@@ -44,7 +44,7 @@ def find_moment(event: str, contacts: int) -> ContactStretch:
 
 
 def list_facts() -> Facts:
-    """List what the figure states."""
+    """List the figure's statements."""
     every = cut_trajectory(sweep_examples()[1])
     alone = [s for s in every if s.event == "VE"]
     several = [s for s in every if len(s.contacts) > 1]
@@ -58,7 +58,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """List what is not borne out."""
+    """List the statements that fail."""
     s = sweep_examples()[1]
     yield from loops_differ(s)
     for stretch in cut_trajectory(s):
