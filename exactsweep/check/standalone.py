@@ -675,7 +675,8 @@ class Layout:
         )[:8]
         keys = "container parts placements", "spacing margin"
         container, parts, placements, *gaps = fields(layout, *keys)
-        self.spacing, self.margin = (NONE if gap is None else number(gap) for gap in gaps)
+        self.gaps = ["0" if gap is None else gap for gap in gaps]
+        self.spacing, self.margin = map(number, self.gaps)
         self.work, (self.apart, self.faults) = work, map(items, lists)
         self.frame = frame(*map(number, items(ends, 4)))
         need(type(self.valid) is bool, "valid: neither true nor false")
@@ -726,7 +727,8 @@ class Layout:
             broken = [kind for kind, holds in self.check_rules(k).items() if holds]
             need(broken == [], f"a part breaks rules: {broken}")
         self.prove_apart()
-        return f"{found}, valid, spacing {self.spacing}, margin {self.margin}"
+        # As written: str refuses long ints.
+        return f"{found}, valid, spacing {self.gaps[0]}, margin {self.gaps[1]}"
 
     def check_rules(self, k: int) -> dict[str, bool]:
         """Return which rules the placements of part k break."""

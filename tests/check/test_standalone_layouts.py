@@ -64,6 +64,16 @@ def refusal(certificate: Any) -> str:
     return str(refused.value)
 
 
+def test_a_spacing_may_be_longer_than_python_prints() -> None:
+    long = certificate()
+    long["layout"]["spacing"] = long["layout"]["margin"] = "9" * 5000
+    long["layout"]["placements"], long["turns"], long["apart"] = [], [], []
+    for part in long["layout"]["parts"]:
+        part.pop("demand", None)
+    assert verify(long).proved
+    assert prove(long).endswith(f"margin {'9' * 5000}")
+
+
 def test_a_layout_that_fills_its_container_is_proved() -> None:
     assert prove(certificate()) == "layout of 2 placements of 1 parts, valid, spacing 0, margin 0"
     assert prove(load(json.dumps(certificate())))
