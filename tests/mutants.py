@@ -34,7 +34,7 @@ pytest_add_cli_args=
 use_git_change_detection=False
 """
 ELSEWHERE = {"canvas": "tests/draw"}
-"""Where the tests of a room are that has no folder of its own."""
+"""The folder of tests of each room that has none of its own."""
 NOTICED = ("killed", "timeout", "segfault", "suspicious")
 
 

@@ -191,7 +191,7 @@ def seen(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 
 def test_the_common_lattice_of_crossings_is_not_used(seen: list[int]) -> None:
-    """Of the edges of a trajectory each is checked by itself, with its own two crossings."""
+    """Each edge of a trajectory is checked by itself, with its own two crossings."""
     s = sweep(star(9), [(-y, x) for x, y in star(8)])
     denominators = [lcm(x.denominator, y.denominator) for x, y in s.trajectory.vertices]
     assert verify(s.certificate()).proved

@@ -13,7 +13,6 @@ from exactsweep.conform.report.text import close
 from exactsweep.corpus import Case, cases
 
 Rings = list[Any]
-MANY = [*islice((c for c in cases(kind="SS") if len(c.holes) > 1), 3)]
 
 
 def shift(ring: Any, by: Fraction) -> list[Point]:
@@ -44,7 +43,7 @@ def test_the_sum_of_boundaries_alone_is_named() -> None:
 
 
 def test_lost_rings_are_counted() -> None:
-    for case in MANY:
+    for case in islice((c for c in cases(kind="SS") if len(c.holes) > 1), 3):
         exact = list(list_exact_rings(case, "no_fit"))
         n = len(exact) - 1
         assert say(case, "no_fit", exact[:-1]) == (f"lacks 1 of {n} holes",)

@@ -53,9 +53,9 @@ from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import Fit, Loop
 
 MOST_MEASURED = 3000
-"""Of loops with more edges, exact and theirs together, neither area nor distance is measured."""
+"""The most edges, exact and theirs together, of loops whose area and distance are measured."""
 _MOST_SHOWN = 100
-"""Of these, so many places are enough to choose a witness from."""
+"""The number of places that are enough to choose a witness from."""
 
 JudgedLoop = tuple[PartComparison, Sequence[Fit]]
 """A comparison, and the segments on exact fits that the rings go along and back."""
