@@ -8,10 +8,13 @@ import pty
 import struct
 import subprocess
 import termios
+from pathlib import Path
 
 import pytest
 from command import EXACTSWEEP, EXAMPLE, PATIENCE, refusal, run
 from linear import require_linear
+
+from exactsweep.check.standalone import prove
 
 
 def on_a_terminal(command: str) -> str:
@@ -43,6 +46,12 @@ def on_a_terminal(command: str) -> str:
 def test_a_long_story_pages_on_a_terminal_and_a_short_one_does_not() -> None:
     assert on_a_terminal("explain").startswith("page:Class CM")
     assert "page:" not in on_a_terminal("sweep")
+
+
+def test_a_proof_is_one_that_the_standalone_checker_reads(tmp_path: Path) -> None:
+    path = tmp_path / "proof.json"
+    assert run("sweep", "--proof", "-o", str(path)).output == ""
+    assert prove(json.loads(path.read_text()))
 
 
 def test_a_false_certificate_is_answered_by_reason_and_witness() -> None:
