@@ -29,7 +29,7 @@ RULES: dict[str, tuple[set[str], str]] = {
         "what computes knows nothing of pictures",
     ),
     "evidence.proof": (
-        {"numbers", "check"},
+        {"numbers", "check", "geometry.convex"},
         "proofs are written for their checker, and found by the checking side",
     ),
     "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),

@@ -165,7 +165,7 @@ def test_every_case_is_drawn(case: Any) -> None:
 def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
     judgement = judged("far-1e-30")
     (place,) = enlarge_faults(judgement, rank_faults(judgement))
-    assert place.caption == "overlap, 0 and 1; 6E-30 wide"
+    assert place.caption == "overlap, 0 and 1; the picture is 6E-30 wide"
     edges = set()
     for data in re.findall(r'class="bad" d="([^"]+)"', place.svg):
         edges |= {float(x) for x in re.findall(r"[ML](-?[\d.]+) ", data) if 0 < float(x) < SIDE}
