@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -39,6 +40,7 @@ class NestingInstance(NamedTuple):
         containers: by id, each as in Layout JSON; none where a strip has a free width.
         rest: what goes into each layout as it is: "spacing", "margin".
         notes: what was passed over.
+        height: that of a strip with a free width.
     """
 
     kind: str
@@ -47,6 +49,7 @@ class NestingInstance(NamedTuple):
     containers: dict[str, Data]
     rest: Data
     notes: tuple[str, ...]
+    height: Fraction | None = None
 
 
 class FilledSheet(NamedTuple):
@@ -98,6 +101,13 @@ def make_layouts(
         said = (*instance.notes, *notes)
         found.append(FoundLayout(name, {**data, **instance.rest, **sheet.rest}, said))
     return found
+
+
+def require_instance(known: NestingInstance | None, kind: str, lacking: str) -> NestingInstance:
+    """Return the instance of a solution; raises FormatError if it is missing or of another kind."""
+    if known is None or known.kind != kind:
+        raise FormatError(f"a solution without its {lacking}, which its instance has (--instance)")
+    return known
 
 
 def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
