@@ -194,13 +194,14 @@ REFUSED = {
     dxf(*[line(0, 0, k, 1) for k in range(3)]): "line 6: LINE: the end (0,0) is one of 3 that meet",
     dxf(): "holds no polygon",
     dxf().replace("0\nEOF", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF"): (
-        "not DXF: line 10: a second section of entities"
+        "not DXF: line 8: a second section 'ENTITIES'"
     ),
     "0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nEOF\n": "holds no polygon",
-    "0\nSECTION\n2\nENTITIES\n0\nEOF\n": "not DXF: missing ENDSEC tag.",
-    "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n": "not DXF: missing EOF tag.",
-    "0\nSECTION\nx\ny\n": 'not DXF: Invalid group code "x\\n" at line 3.',
-    "999\n\x07\n0\nSECTION\n\x07\n": "not DXF: Invalid group code",
+    "0\nSECTION\n2\nENTITIES\n0\nEOF\n": "not DXF: missing ENDSEC tag",
+    "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n": "not DXF: missing EOF tag",
+    "0\nSECTION\n0\nENDSEC\n0\nEOF\n": "not DXF: line 2: a section without a name",
+    "0\nSECTION\nx\ny\n": "not DXF: line 3: 'x' is no group code",
+    "999\n\x07\n0\nSECTION\n\x07\n": "not DXF: line 5: '\\x07' is no group code",
 }
 
 

@@ -203,7 +203,6 @@ def test_zones_of_quality_are_read_from_the_instance() -> None:
 
 
 def test_a_drawing_of_dxf() -> None:
-    pytest.importorskip("ezdxf")
     regions = parse_regions(nests.DRAWING_SVG)
     (found,) = read(format_polygons(regions, "dxf"))
     assert len(found.data["parts"]) == 2
