@@ -124,7 +124,10 @@ class _Path:
     def _line(self, end: Point) -> None:
         self.reading.allow_vertices(1)
         self.current = end
-        self.found[-1] += place_points([end], self.matrix, self.reading)
+        if self.matrix.off:
+            self.found[-1] += place_points([end], self.matrix, self.reading)
+        else:
+            self.found[-1].append(self.matrix.point(*end))
 
     def _curve(self, end: Point, flat: Callable[[], list[Point]], start: int) -> None:
         try:

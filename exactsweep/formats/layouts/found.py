@@ -8,8 +8,9 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.node import Data, JsonNode
+from exactsweep.formats.node import Data, JsonNode, write_ring, write_shape
 from exactsweep.numbers.number import quote
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
@@ -115,3 +116,9 @@ def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
     if name.name not in things:
         raise FormatError(f"{name.path}: there is no {what} {quote(name.name)}")
     return things[name.name]
+
+
+def write_rings(outline: Candidate) -> Data:
+    """Write an outline and its holes as Layout JSON has them; crossings are for the judge."""
+    holes = [write_ring(hole.vertices()) for hole in outline.holes()]
+    return write_shape(write_ring(outline.vertices()), holes)

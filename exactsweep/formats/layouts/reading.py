@@ -15,8 +15,8 @@ from exactsweep.formats.layouts.found import (
     FoundLayout,
     NestingInstance,
     make_layouts,
+    write_rings,
 )
-from exactsweep.formats.layouts.nest_svg import read_nest, write_rings
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.parsing import parse_candidates
@@ -141,6 +141,7 @@ def _parse(
             return found
     if container is None and first == "<" and reading.unit is None:
         from exactsweep.formats.curved.xml import parse_xml
+        from exactsweep.formats.layouts.nest_svg import read_nest
 
         nest = read_nest(parse_xml(text), reading, known.containers if known else {})
         if nest is not None:
