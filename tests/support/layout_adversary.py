@@ -81,7 +81,10 @@ def invent_normal(one: Any, other: Any, distance: Fraction) -> tuple[int, int]:
 
 def is_true_layout(certificate: Certificate, _: object) -> bool:
     """Decide whether the judge gives the same verdict, and has the faults that are listed."""
-    judgement = judge_layout(Layout.from_json(_leave_out_null(certificate["layout"])))
+    try:
+        judgement = judge_layout(Layout.from_json(_leave_out_null(certificate["layout"])))
+    except LayoutError:
+        return False
     if certificate["valid"]:
         return judgement.valid
     pairs = {(fault.kind, frozenset(fault.placements)) for fault in judgement.faults}
