@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import ceil, floor, lcm
 from typing import NamedTuple, TypeVar
@@ -71,12 +70,8 @@ class LinePiece(NamedTuple):
         return self.line.at(self.low), self.line.at(self.high)
 
 
-class _Heights(NamedTuple):
-    """Distances of the vertices of a ring to the left of a direction, on its lattice."""
-
-    low: int
-    high: int
-    values: list[int]
+_Heights = tuple[int, int, list[int]]
+"""Distances of the vertices of a ring to the left of a direction, behind the least and greatest."""
 
 
 class OpenSets:
@@ -165,12 +160,12 @@ class OpenSets:
             level = n * scale
             if not low * d < level < high * d:
                 continue
-            self._budget.take(3 + len(ring) // 4, length + bits)
+            self._budget.take(3 + (len(ring) + len(spans)) // 4, length + bits)
             shadow = _find_shadow(ring, scale, [d * value - level for value in values], axis)
-            if _cut_away(spans, shadow):
-                if not spans:
-                    break
-                frame = _frame(line, spans)
+            spans[:] = _cut_away(spans, *shadow)
+            if not spans:
+                break
+            frame = _frame(line, spans)
 
     def holds(self, point: Vertex) -> bool:
         """Decide whether a point is in the union."""
@@ -214,7 +209,7 @@ def _to_ratios(span: Interval) -> _Remnant:
 
 def _measure_heights(ring: Iterable[tuple[int, int]], line: LatticeLine) -> _Heights:
     values = [line.dx * y - line.dy * x for x, y in ring]
-    return _Heights(min(values), max(values), values)
+    return min(values), max(values), values
 
 
 def _frame(line: LatticeLine, spans: Sequence[_Remnant]) -> tuple[int, int, int, int]:
@@ -272,21 +267,10 @@ def unite(
     return joined
 
 
-def _cut_away(spans: list[_Remnant], shadow: _Remnant) -> bool:
-    """Take an open interval away from closed ones, which may be points.
-
-    Returns:
-        True if the range that they span has changed.
-    """
-    low, high = shadow
-    i = bisect_left(spans, True, key=lambda span: not _is_least(span[1], low))
-    j = bisect_left(spans, True, lo=i, key=lambda span: _is_least(high, span[0]))
-    if i == j:
-        return False
-    is_last = j == len(spans)
-    (start, _), (_, end) = spans[i], spans[j - 1]
-    left = [(start, low)] if _is_least(start, low) else []
-    if _is_least(high, end):
-        left.append((high, end))
-    spans[i:j] = left
-    return i == 0 or is_last
+def _cut_away(spans: Iterable[_Remnant], low: _Unreduced, high: _Unreduced) -> Iterator[_Remnant]:
+    """Take an open interval away from closed ones, which may be points."""
+    for start, end in spans:
+        if _is_least(start, low):
+            yield start, end if _is_least(end, low) else low
+        if _is_least(high, end):
+            yield start if _is_least(high, start) else high, end
