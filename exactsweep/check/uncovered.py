@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
 from math import ceil, floor, lcm
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from exactsweep.check.boxes import BoxTree
 from exactsweep.check.cone import cross, divide, reduce_way, subtract
@@ -17,8 +16,6 @@ from exactsweep.numbers.point import Edge, Rational, Vertex
 
 # Steps to put a segment on its line, and to begin with it.
 _SEGMENT = 16
-
-_Coordinate = TypeVar("_Coordinate", Fraction, Rational)
 
 Interval = tuple[Rational, Rational]
 
@@ -63,6 +60,10 @@ class LinePiece(NamedTuple):
     line: LatticeLine
     low: Rational
     high: Rational
+
+    def holds(self, p: Vertex) -> bool:
+        """Decide whether a point of the line is on the part."""
+        return self.low <= p[self.line.axis] <= self.high
 
     @property
     def ends(self) -> Edge:
@@ -120,7 +121,13 @@ class OpenSets:
         # Lines of one direction come together, and data on the sets for that direction are dropped
         # after them: data for all directions would need memory for all edges times all sets.
         lines = sorted(by_line, key=lambda line: line[:2])
-        spans = {line: [_to_ratios(span) for span in unite(by_line[line])] for line in lines}
+        spans: dict[LatticeLine, list[_Remnant]] = {
+            line: [
+                (low.as_integer_ratio(), high.as_integer_ratio())
+                for low, high in _unite(by_line[line])
+            ]
+            for line in lines
+        }
         pieces, points = [], set()
         way = None
         for line in lines:
@@ -203,10 +210,6 @@ class OpenSets:
         return False
 
 
-def _to_ratios(span: Interval) -> _Remnant:
-    return span[0].as_integer_ratio(), span[1].as_integer_ratio()
-
-
 def _measure_heights(ring: Iterable[tuple[int, int]], line: LatticeLine) -> _Heights:
     values = [line.dx * y - line.dy * x for x, y in ring]
     return min(values), max(values), values
@@ -254,11 +257,9 @@ def _is_least(p: _Unreduced, q: _Unreduced) -> bool:
     return p[0] * q[1] <= q[0] * p[1]
 
 
-def unite(
-    spans: Iterable[tuple[_Coordinate, _Coordinate]],
-) -> list[tuple[_Coordinate, _Coordinate]]:
+def _unite(spans: Iterable[Interval]) -> list[Interval]:
     """The union of closed intervals."""
-    joined: list[tuple[_Coordinate, _Coordinate]] = []
+    joined: list[Interval] = []
     for low, high in sorted(spans):
         if joined and low <= joined[-1][1]:
             joined[-1] = joined[-1][0], max(high, joined[-1][1])
