@@ -10,8 +10,7 @@ from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures import part_pairs
 from exactsweep.procedures.chain import find_convex_parts, list_graph_edges
 from exactsweep.procedures.envelope import value
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
-from exactsweep.procedures.mm_inner import find_gaps
+from exactsweep.procedures.mm import find_gaps, sweep_mm, trajectory_mm
 
 Choice = Callable[[list[Fraction]], Fraction]  # min or max
 
