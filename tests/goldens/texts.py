@@ -28,6 +28,7 @@ from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate
 from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.describe import describe
 from exactsweep.corpus.export import cases_to_geojson, cases_to_svg, cases_to_wkt
+from exactsweep.corpus.generator.growing import bowls, bumps, ceilings, forks, needles, rim, wide
 from exactsweep.draw import (
     Picture,
     Scale,
@@ -40,9 +41,11 @@ from exactsweep.draw import (
 from exactsweep.draw.stretches import cut_trajectory
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.claim import Effort, Finding, reproduce
+from exactsweep.paper.data import as_json
 from exactsweep.paper.figures.drawing import draw_figure
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.ledger import CLAIMS
+from exactsweep.paper.pairs import LARGE
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import trajectory_cm
@@ -89,6 +92,8 @@ CASES = [
     *("fits-square", "worked-roof", "caves-open-thirds", "holes-hole-at-the-rim"),
     *("holes-as-large", "containers-too-low", "gen-fractions-3-1"),
 ]
+SIZES = ("vertices", "edges", "holes", "undercuts")
+"""The units of growth that depend on the pairs alone."""
 FIGURES = ("minkowski", "lower_bound", "local_width", "chains", "contact_motion")
 
 
@@ -117,7 +122,8 @@ def list_artists(axes: Axes) -> Iterator[str]:
     for text in axes.texts:
         place: Any = getattr(text, "xyann", None)
         yield f"text {text.get_text()!r} at {write_points([getattr(text, 'xy', (0, 0))])}"
-        yield f"  {place and write_points([place])}, {text.get_horizontalalignment()}, {text.get_fontsize()}"
+        how = text.get_horizontalalignment(), text.get_fontsize()
+        yield f"  {place and write_points([place])}, {how}"
     if legend := axes.get_legend():
         yield f"legend {[text.get_text() for text in legend.get_texts()]}"
     for child in axes.child_axes:
@@ -204,6 +210,15 @@ def list_exports() -> Iterator[str]:
     yield from (describe(name) for name in (*CASES, "huge", "fits", "convex", "combs"))
 
 
+def list_growing() -> Iterator[str]:
+    """The pairs of the growing families at two sizes."""
+    for make in (*LARGE["CC"], *LARGE["CM"], *LARGE["MM"], needles, ceilings, wide, bowls, rim):
+        for sizes in ((14, 16), (20, 12)):
+            yield f"{make.__name__} {sizes} {make(*sizes)}"
+    yield from (f"forks {forks(m, n)}" for m, n in ((18, 18), (18, 24)))
+    yield from (f"bumps {bumps(*sizes)}" for sizes in ((2, 4, 6), (4, 6, 4)))
+
+
 def list_generated() -> Iterator[str]:
     """The digests of generated inputs, family by family, and three families' cases in full.
 
@@ -221,16 +236,18 @@ def list_generated() -> Iterator[str]:
 
 def show_row(row: Finding) -> dict[str, Any]:
     """Return the findings of a row of the ledger without counts of operations and times."""
-    found = row.evidence
+    (found,) = as_json([row], Effort(seed=2, quick=True))["claims"]
+    shown = {name: value for name, value in found.items() if name not in ("seconds", "code")}
+    for name in ("words", "correction", "proof", "kernel", "chosen"):
+        shown[name] = bool(shown[name])
+    shown["growth"] = [g for g in shown["growth"] if g["what"].split()[0] in SIZES]
+    shown["tables"] = [t for t in shown["tables"] if "Exponents" not in t["caption"]]
     if {"counted", "measured"} & {*row.claim.evidence}:
-        return {"sampled": found.sampled, "searched": found.searched}
-    return {
-        "tried": found.tried,
-        "sampled": found.sampled,
-        "searched": found.searched,
-        "cases": _write(found.cases),
-        "tables": _write(found.tables),
-    }
+        del shown["tried"]
+        for case in shown["counterexamples"]:
+            del case["text"]
+    plain: dict[str, Any] = json.loads(json.dumps(shown))
+    return plain
 
 
 def list_rows() -> Iterator[str]:
@@ -246,5 +263,6 @@ TEXTS: dict[str, Callable[[], Iterator[str]]] = {
     "figures": list_figures,
     "exports": list_exports,
     "generated": list_generated,
+    "growing": list_growing,
 }
 """The texts that `test_goldens.py` makes again; `tests/paper/test_paper.py` compares the rows."""
