@@ -127,7 +127,7 @@ def find_candidates(
     Args:
         document: the document.
         path: where it is, for messages.
-        notes: takes the notes of what is ignored. If left out, it is refused.
+        notes: collects notes of ignored parts.
     """
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
         found = read_geojson(document, path, notes)

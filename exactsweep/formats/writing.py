@@ -3,14 +3,13 @@
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from html import escape
 from itertools import chain
 
 from exactsweep.formats.candidate import NamedPolygon, NamedRegion
 from exactsweep.formats.csv import write_csv_rows
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import write_json
+from exactsweep.formats.exact_json import quote_fraction, write_json
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.part_list import Coordinates
 from exactsweep.formats.reading import INSUNITS, UNITS
@@ -86,7 +85,7 @@ def _json(
     regions: Sequence[NamedRegion],
     fits: Sequence[Fit],
     unit: Fraction | None,
-    number: Callable[[Fraction], str] | None = None,
+    number: Callable[[Fraction], str] = quote_fraction,
 ) -> str:
     lines = []
     for region, name, _ in regions:
@@ -162,6 +161,8 @@ def _geojson(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction
 
 
 def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
+    from html import escape
+
     lines = []
     unnamed = [one.name or one.layer for one in regions]
     names = iter(make_unique([name for name in unnamed if name is not None]))

@@ -86,6 +86,9 @@ def test_what_is_computed_is_chosen(what: str, members: list[str]) -> None:
         '{"generatrix": {"vertices": [[0,0],[1,0],["2/2",1],[0,1e0]]}, "directrix": '
         '{"type": "Polygon", "coordinates": [[[0,0],[3,0],[0,3],[0,0]]]}}',
         '{"generatrix": "square", "directrix": [[0,0],[3,0],[0,3]], "direction": ["1/2", 0]}\r\n',
+        # Heights are ignored, as in files.
+        '{"generatrix": "square", "directrix": '
+        '{"type": "Polygon", "coordinates": [[[0,0,1],[3,0,2],[0,3],[0,0,1]]]}}',
     ],
 )
 def test_pairs_are_read_in_any_form(line: str) -> None:

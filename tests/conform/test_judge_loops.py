@@ -128,8 +128,12 @@ def test_an_integer_of_a_program_that_reads_doubles_is_a_double() -> None:
     assert judge(case, box, numbers="binary64").verdict is not Verdict.WITHIN
 
 
+def sample_small_cases() -> st.SearchStrategy[Case]:
+    return st.sampled_from([case for case in shipped_cases() if case.size <= 20])
+
+
 @examples(30)
-@given(st.sampled_from([case for case in shipped_cases() if case.size <= 20]), st.data())
+@given(st.deferred(sample_small_cases), st.data())
 def test_a_vertex_beyond_what_is_granted_is_not_within(case: Case, data: st.DataObject) -> None:
     loop: list[Any] = list(case.trajectory.vertices)
     k = data.draw(st.integers(0, len(loop) - 1))

@@ -51,6 +51,11 @@ def lower_left(turn: str, x: int, y: int) -> dict[str, Any]:
     return place(turn, x + u, y + v)
 
 
+def turned_back(turn: str, x: int, y: int) -> dict[str, Any]:
+    u, v = {"0": (x, y), "90": (y, -x), "180": (-x, -y), "270": (-y, x)}[turn]
+    return place(turn, u, v)
+
+
 @pytest.mark.parametrize(
     ("write", "said"),
     [
@@ -59,6 +64,7 @@ def lower_left(turn: str, x: int, y: int) -> dict[str, Any]:
         (lambda turn, x, y: place(turn, f"{x}/1000", f"{y}/1000"), "moves times 1000"),
         (lambda turn, x, y: place(turn, x, 4 - y), "Y of moves downward"),
         (lower_left, "moves that say where the lower left corner of the turned box is"),
+        (turned_back, "the move before the turn"),
     ],
 )
 def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:

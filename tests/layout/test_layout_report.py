@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from fractions import Fraction
+from itertools import combinations
 from typing import Any
 from xml.etree import ElementTree
 
@@ -20,6 +21,8 @@ from exactsweep.layout.report import (
     write_layout_page,
 )
 from exactsweep.layout.report.picture import SIDE, enlarge_faults, place_part
+
+SVG = "{http://www.w3.org/2000/svg}"
 
 
 def judged(slug: str) -> Judgement:
@@ -134,12 +137,26 @@ def test_a_picture_has_all_parts_and_the_faulty_ones_in_red() -> None:
     assert not {"bad", "frame", "mark"} & found.keys()
 
 
+def require_room(svg: ElementTree.Element) -> None:
+    """Require that enlarged faults with their two lines lie below the layout, in the picture."""
+    width, height = float(svg.get("width", "")), float(svg.get("height", ""))
+    panels = [(float(p.get("x", "")), float(p.get("y", ""))) for p in svg.findall(f"{SVG}svg")]
+    drawn = " ".join(path.get("d", "") for path in svg.findall(f"{SVG}path"))
+    ends = [float(y) for y in re.findall(r"[ML]-?[\d.]+ (-?[\d.]+)", drawn)]
+    lines = [float(text.get("y", "")) for text in svg.findall(f"{SVG}text")]
+    assert all(max(ends) <= y <= height - SIDE and 0 <= x <= width - SIDE for x, y in panels)
+    assert max(lines, default=0) <= height
+    assert width <= 1000
+    for (ax, ay), (bx, by) in combinations(panels, 2):
+        assert abs(ax - bx) > SIDE or abs(ay - by) > SIDE
+
+
 @pytest.mark.parametrize("case", [*layout_cases()], ids=lambda case: case.id)
 def test_every_case_is_drawn(case: Any) -> None:
     judgement = judge_layout(case.layout)
     ranked = rank_faults(judgement)
     for y_down in (False, True):
-        ElementTree.fromstring(draw_layout(judgement, ranked, case.title, y_down=y_down))
+        require_room(ElementTree.fromstring(draw_layout(judgement, ranked, "", y_down=y_down)))
     page = write_layout_page(judgement, ranked, case.title)
     assert "nan" not in page
     assert (' class="valid"' in page) == case.expected["valid"]

@@ -69,7 +69,8 @@ def make_affine(*numbers: int | Fraction) -> Affine:
     >>> make_affine(0, 1, -1, 0, 5, 0).point(Fraction(1), Fraction(0))
     Point(x=Fraction(5, 1), y=Fraction(1, 1))
     """
-    return Affine(*map(Fraction, numbers))
+    found = Affine(*map(Fraction, numbers))
+    return IDENTITY if found == IDENTITY else found
 
 
-IDENTITY = make_affine(1, 0, 0, 1, 0, 0)
+IDENTITY = Affine(*map(Fraction, (1, 0, 0, 1, 0, 0)))

@@ -1,7 +1,6 @@
 """DXF in: the closed outlines of lines and polylines, and of curves on request.
 
-ezdxf divides the text into sections and entities and leaves the numbers as the text that they are,
-so that decimals are read exactly, and blocks are placed exactly wherever their angles allow it.
+Decimals are read exactly, and blocks are placed exactly wherever their angles allow it.
 """
 
 from __future__ import annotations
@@ -123,7 +122,7 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
         corners = entity.vertex_corners(reading)
     if entity.kind == "LWPOLYLINE" or not entity.flags() & _IN_SPACE:
         image = image @ entity.plane
-    if len({corner for corner, _ in corners}) < 2:
+    if all(corner == corners[0][0] for corner, _ in corners):
         raise OrnamentError("a point")
     first, last = corners[0][0], corners[-1][0]
     if entity.flags() & _CLOSED:
