@@ -1,4 +1,4 @@
-"""`python -m tests.transcripts [NAME]...`: run the commands of transcripts, and write their output anew.
+"""`python -m tests.transcripts [NAME]...`: run transcripts, and write their output anew.
 
 A transcript is a text file in a folder `transcripts`. A line of it that begins with "$ " is a
 command of a shell: exactsweep, cat, echo or python, perhaps with `<<< TEXT`, `< FILE` or `> FILE`.
