@@ -50,8 +50,6 @@ class Affine(NamedTuple):
 
     def error(self, points: Iterable[Point]) -> Fraction:
         """Return how far, at most, images of points and of their hull are from the meant ones."""
-        if not self.off:
-            return Fraction(0)
         # Each coordinate is off by off * (|x| + |y| + 1); two of them, by less than twice that.
         return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
 
