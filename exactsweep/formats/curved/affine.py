@@ -56,7 +56,7 @@ class Affine(NamedTuple):
 
 def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fraction:
     """Return a x + b y, quickly where a number is 0, as half of those of most maps are."""
-    if b and y:
+    if b and y:  # pragma: no mutate: time alone
         return a * x + b * y if a and x else b * y
     return a * x if a and x else _ZERO
 
