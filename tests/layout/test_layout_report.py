@@ -102,6 +102,7 @@ def test_long_lists_are_cut_and_sorted() -> None:
     assert text.endswith("... 10 more (--all)\n")
     assert text.count("overlap ") == 30
     assert report_layout(judgement, ranked, everything=True).count("deep") == 40
+    assert "more" not in report_layout(many(30))
 
 
 def test_json_is_exact() -> None:
