@@ -154,10 +154,9 @@ class Candidate(NamedTuple):
     def _read(self, shape: Callable[[], _PolygonOrRegion]) -> _PolygonOrRegion:
         try:
             return shape()
-        except PolygonError as error:
-            raise PolygonError(f"{self.place}: {error}" if self.place else str(error)) from None
-        except NumberError as error:
-            raise FormatError(f"{self.place}: {error}" if self.place else str(error)) from None
+        except (PolygonError, NumberError) as error:
+            kind = PolygonError if isinstance(error, PolygonError) else FormatError
+            raise kind(f"{self.place}: {error}" if self.place else str(error)) from None
 
     def named_polygon(self) -> NamedPolygon:
         """Read the polygon, as `polygon` does, with its name and layer."""

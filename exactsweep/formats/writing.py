@@ -3,7 +3,6 @@
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from html import escape
 from itertools import chain
 
 from exactsweep.formats.candidate import NamedPolygon, NamedRegion
@@ -162,6 +161,8 @@ def _geojson(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction
 
 
 def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
+    from html import escape
+
     lines = []
     unnamed = [one.name or one.layer for one in regions]
     names = iter(make_unique([name for name in unnamed if name is not None]))

@@ -146,6 +146,7 @@ def require_room(svg: ElementTree.Element) -> None:
     lines = [float(text.get("y", "")) for text in svg.findall(f"{SVG}text")]
     assert all(max(ends) <= y <= height - SIDE and 0 <= x <= width - SIDE for x, y in panels)
     assert max(lines, default=0) <= height
+    assert width <= 1000
     for (ax, ay), (bx, by) in combinations(panels, 2):
         assert abs(ax - bx) > SIDE or abs(ay - by) > SIDE
 

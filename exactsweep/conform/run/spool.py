@@ -15,7 +15,7 @@ class SpoolError(ExactSweepError):
     """The temporary file cannot be written; the message says why."""
 
 
-class _Table:
+class _AnonymousTable:
     """A table of one column in an anonymous file, of which SQLite keeps a bounded part in memory.
 
     Args:
@@ -35,7 +35,7 @@ class _Table:
             raise SpoolError(f"temporary files: {error}") from None
 
 
-class Spool(_Table):
+class Spool(_AnonymousTable):
     """A sequence of outcomes that grows.
 
     Example:
@@ -74,7 +74,7 @@ class Spool(_Table):
             yield outcome_from_json(json.loads(line))
 
 
-class SeenNames(_Table):
+class SeenNames(_AnonymousTable):
     """A growing set of names.
 
     Example:
