@@ -1,10 +1,12 @@
-"""Compare the kernel with a reference on many random pairs: `python -m tests.campaign NAME`.
+"""Compare answers with a reference on many random inputs: `python -m tests.campaign NAME`.
 
-NAME says how pairs are drawn: `monotone` (every degeneracy on purpose, placed anywhere), `small`
+NAME says what is drawn. Pairs: `monotone` (every degeneracy on purpose, placed anywhere), `small`
 (small ints, of all classes, most of them bred from another), `shapes` (any shapes with holes),
-`touching` (Regions whose rings touch) or `around` (containers with defects, and parts whose holes
-may go around these). Pair NUMBER is drawn by a `random.Random` of its own, seeded
-with "SEED:NUMBER": a failing one comes again with `--seed SEED --first NUMBER --pairs 1`.
+`touching` (Regions whose rings touch), `around` (containers with defects, and parts whose holes
+may go around these). `layouts` are whole layouts with their judgements, `scenes` containers with
+placed shapes and the free positions of a part. A `random.Random` of its own, seeded with
+"SEED:NUMBER", draws input NUMBER: a failing one comes again with
+`--seed SEED --first NUMBER --count 1`.
 """
 
 import os
@@ -17,6 +19,7 @@ from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 from random import Random
+from typing import Any, NamedTuple
 
 import click
 from rich.console import Console
@@ -26,16 +29,19 @@ from rich.progress import track
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 import families
+import layout_reference
+import placed
 import small_pairs
 from definition import find_failure
+from random_layouts import draw_layout
 from shape_families import SHAPES, random_shapes
 from small_pairs import SmallPair, shares_direction, shrink
 
 from exactsweep.corpus import Case
 from exactsweep.corpus.case_json import case_to_line
 
-SHAPELESS_SHARE, DEEP_SHARE = 5, 10  # one of so many
-TOGETHER = 100  # pairs that a process is given at once
+SHAPELESS_SHARE = 5  # one of so many
+TOGETHER = 100  # inputs that a process is given at once
 
 
 def draw_monotone(rng: Random, names: Sequence[str] = families.FAMILIES) -> SmallPair:
@@ -60,28 +66,64 @@ def draw_shapes(rng: Random, names: Sequence[str] = tuple(SHAPES)) -> SmallPair:
     return SmallPair(g, d)
 
 
-STRATEGIES: dict[str, Callable[[Random], SmallPair]] = {
-    "monotone": draw_monotone,
-    "small": draw_small,
-    "shapes": draw_shapes,
-    "touching": small_pairs.draw_touching,
-    "around": small_pairs.draw_around,
+def compare_pair(pair: SmallPair, rng: Random, deep: bool) -> str:
+    return find_failure(pair, deep=deep)
+
+
+def name_class(pair: SmallPair) -> str:
+    return "monotone" if shares_direction(pair) else "of any shape"
+
+
+class Strategy(NamedTuple):
+    """A way to draw inputs, and to compare the answers for them with the definition.
+
+    Attributes:
+        draw: draws an input.
+        deep: one input of so many is compared in all its answers.
+        compare: says what differs from the definition, or nothing.
+        name: names the class in which an input is counted.
+    """
+
+    draw: Callable[[Random], Any]
+    deep: int = 10
+    compare: Callable[[Any, Random, bool], str] = compare_pair
+    name: Callable[[Any], str] = name_class
+
+
+STRATEGIES = {
+    "monotone": Strategy(draw_monotone),
+    "small": Strategy(draw_small),
+    "shapes": Strategy(draw_shapes),
+    "touching": Strategy(small_pairs.draw_touching, 1),
+    "around": Strategy(small_pairs.draw_around, 1),
+    "layouts": Strategy(draw_layout, 1, layout_reference.compare, lambda drawn: drawn.family),
+    "scenes": Strategy(placed.draw_scene, 1, placed.compare, lambda scene: scene.family),
 }
 
 
-def draw(name: str, seed: int, number: int) -> SmallPair:
-    return STRATEGIES[name](Random(f"{seed}:{number}"))
+def seeded(seed: int, number: int) -> Random:
+    return Random(f"{seed}:{number}")
 
 
 def by_definition(name: str, seed: int, numbers: range) -> list[str]:
-    """Compare pairs with the definition: loops of all, every answer of one in ten."""
-    share = 1 if name in ("touching", "around") else DEEP_SHARE
-    return [find_failure(draw(name, seed, k), deep=k % share == 0) for k in numbers]
+    """Compare inputs with the definition: say for each what differs, or nothing."""
+    strategy = STRATEGIES[name]
+
+    def compare(number: int) -> str:
+        rng = seeded(seed, number)
+        drawn = strategy.draw(rng)
+        try:
+            return strategy.compare(drawn, rng, number % strategy.deep == 0)
+        except Exception as error:
+            return f"{type(error).__name__}: {error}"
+
+    return [compare(number) for number in numbers]
 
 
 def by_sfcgal(name: str, seed: int, numbers: range) -> list[str]:
     """Compare pairs with SFCGAL, an unrelated program, in all but exact fits."""
-    return list(ask_sfcgal([case_of(draw(name, seed, number)) for number in numbers]))
+    draw = STRATEGIES[name].draw
+    return list(ask_sfcgal([case_of(draw(seeded(seed, number))) for number in numbers]))
 
 
 REFERENCES = {"definition": by_definition, "sfcgal": by_sfcgal}
@@ -122,31 +164,34 @@ def ask_sfcgal(cases: Sequence[Case]) -> Iterator[str]:
 
 
 def describe(name: str, seed: int, number: int, failure: str) -> str:
-    """A failing pair, and the smallest one that dropping and moving its vertices leads to."""
+    """A failing input; a pair with the smallest one that dropping and moving vertices leads to."""
+    drawn = STRATEGIES[name].draw(seeded(seed, number))
+    found = f"{name} {seed}:{number}: {failure}\n    "
+    if not isinstance(drawn, SmallPair):
+        return f"{found}from {drawn}"
 
     def fails(candidate: SmallPair) -> bool:
-        found = find_failure(candidate, deep=True)
-        return found.split()[:1] == failure.split()[:1]
+        return find_failure(candidate, deep=True).split()[:1] == failure.split()[:1]
 
-    pair = draw(name, seed, number)
-    least = shrink(pair, fails)
-    return (
-        f"pair {seed}:{number}: {failure}\n"
-        f"    G, D = {least.generatrix}, {least.directrix}\n    from {pair}"
-    )
+    least = shrink(drawn, fails)
+    return f"{found}G, D = {least.generatrix}, {least.directrix}\n    from {drawn}"
 
 
 @click.command()
 @click.argument("name", type=click.Choice([*STRATEGIES]))
-@click.option("--pairs", default=20_000, show_default=True, help="How many pairs.")
+@click.option("--count", default=20_000, show_default=True, help="How many inputs.")
 @click.option("--seed", default=1, show_default=True)
-@click.option("--first", default=0, show_default=True, help="The number of the first pair.")
-@click.option("--reference", type=click.Choice([*REFERENCES]), default="definition")
+@click.option("--first", default=0, show_default=True, help="The number of the first input.")
+@click.option(
+    "--reference", type=click.Choice([*REFERENCES]), default="definition", help="SFCGAL: of pairs."
+)
 @click.option("--workers", default=1, show_default=True, help="How many processes.")
-def main(name: str, pairs: int, seed: int, first: int, reference: str, workers: int) -> None:
-    """Compare random pairs with a reference; exit code 1 if one differs."""
+def main(name: str, count: int, seed: int, first: int, reference: str, workers: int) -> None:
+    """Compare random inputs with a reference; exit code 1 if one differs."""
+    if reference == "sfcgal" and name in ("layouts", "scenes"):
+        raise click.UsageError("SFCGAL is a reference for pairs only")
     console = Console(soft_wrap=True, highlight=False, markup=False)
-    end = first + pairs
+    end = first + count
     chunks = [range(k, min(k + TOGETHER, end)) for k in range(first, end, TOGETHER)]
     kinds: Counter[str] = Counter()
     wrong = 0
@@ -163,9 +208,9 @@ def main(name: str, pairs: int, seed: int, first: int, reference: str, workers: 
                     wrong += 1
                     console.print(describe(name, seed, number, failure))
                 else:
-                    shared = shares_direction(draw(name, seed, number))
-                    kinds["monotone" if shared else "of any shape"] += 1
-    counts = ", ".join(f"{count:,} {kind}" for kind, count in sorted(kinds.items()))
+                    strategy = STRATEGIES[name]
+                    kinds[strategy.name(strategy.draw(seeded(seed, number)))] += 1
+    counts = ", ".join(f"{number:,} {kind}" for kind, number in sorted(kinds.items()))
     console.print(f"{name}, {reference}, seed {seed}: {counts}; {wrong} mismatches")
     sys.exit(wrong > 0)
 

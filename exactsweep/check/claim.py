@@ -1,4 +1,4 @@
-"""Certificates for polygons of any shape as they come in: a claim, read into exact numbers.
+"""Proving a certificate for polygons of any shape: its answer is found again, and compared.
 
 The key `claim` of a certificate names one of these:
 
@@ -6,112 +6,178 @@ The key `claim` of a certificate names one of these:
     inner_fit   container, part; regions, exact_fits: translations of the part
     sweep       as no_fit, and kind, inner, outer, unswept, area: the area swept along the exterior
 
-Shapes, and regions of translations, are objects with `exterior` and `holes`; loops are lists of
-points, points are pairs of rationals in strings, exact fits pairs of points.
+1. Input. `standalone` decides that D and G are polygons with holes: rings are simple, touch at most
+   in points, holes lie inside the exterior and apart from each other, and the interior is
+   connected.
+2. Answer. `no_fit` finds it from the definition. It is unique, and there is one way to write it:
+   loops begin with their least vertex, lists are sorted, numbers are in lowest terms. So a claim
+   is right if and only if it is the same text. The message names the first entry that differs, and
+   the witness is a vertex that just one of both has there.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from itertools import zip_longest
+from typing import Any
 
+from exactsweep.check import standalone
+from exactsweep.check.area import check_area
 from exactsweep.check.certificate import (
     CertificateError,
-    KeyPath,
     check_keys,
     flaw,
-    is_exactly,
-    read_fit,
     read_list,
     read_loop,
     read_number,
 )
-from exactsweep.numbers.point import Fit, Loop
+from exactsweep.check.monotone import has_shared_direction
+from exactsweep.check.no_fit import find_inner_fit, find_no_fit, find_swept
+from exactsweep.check.shape import Outlines
+from exactsweep.check.size import Budget
+from exactsweep.check.standalone import Node, Refused, Work
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Loop, Point
 
-
-class ClaimedShape(NamedTuple):
-    """A polygon with holes, not checked yet."""
-
-    exterior: Loop
-    holes: tuple[Loop, ...]
-
-
-class NoFitClaim(NamedTuple):
-    """All positions at which G touches D without overlap: loops, and exact fits."""
-
-    directrix: ClaimedShape
-    generatrix: ClaimedShape
-    exterior: Loop
-    holes: tuple[Loop, ...]
-    exact_fits: tuple[Fit, ...]
-
-
-class InnerFitClaim(NamedTuple):
-    """All positions of a part inside a container: regions, and exact fits."""
-
-    container: ClaimedShape
-    part: ClaimedShape
-    regions: tuple[ClaimedShape, ...]
-    exact_fits: tuple[Fit, ...]
-
-
-class SweepClaim(NamedTuple):
-    """A no-fit polygon, and what G sweeps along its exterior."""
-
-    no_fit: NoFitClaim
-    inner: Loop
-    outer: Loop
-    unswept: tuple[Loop, ...]
-    area: Fraction
-
-
-ShapeClaim = NoFitClaim | InnerFitClaim | SweepClaim
-
-_SWEPT = ("kind", "inner", "outer", "unswept", "area")
+_NO_FIT = "directrix", "generatrix", "exterior", "holes", "exact_fits"
 _KEYS = {
-    "no_fit": NoFitClaim._fields,
-    "inner_fit": InnerFitClaim._fields,
-    "sweep": NoFitClaim._fields + _SWEPT,
+    "no_fit": _NO_FIT,
+    "inner_fit": ("container", "part", "regions", "exact_fits"),
+    "sweep": (*_NO_FIT, "kind", "outer", "inner", "unswept", "area"),
 }
 
+# Steps to see that a ring is simple at a vertex, and where its edge is.
+_VERTEX = 100
 
-def read_claim(certificate: dict[Any, Any]) -> ShapeClaim:
-    """Read a certificate that has the key `claim`.
 
-    Returns:
-        NoFitClaim, InnerFitClaim or SweepClaim.
+def prove_claim(certificate: dict[str, Any], max_steps: int) -> None:
+    """Prove a certificate that has the key `claim`.
 
     Raises:
-        CertificateError: naming the key and the place in it.
+        CertificateError: the first thing that is wrong, with a witness.
 
-    Cost: linear in the length of the input, for numbers of bounded length.
+    Cost: that of `reference_no_fit`, `reference_inner_fit` and `reference_swept`.
     """
-    name = next((name for name in _KEYS if is_exactly(certificate["claim"], str, name)), None)
-    if name is None:
+    claim = certificate["claim"]
+    if type(claim) is not str or claim not in _KEYS:
         raise CertificateError(f"claim is not {', '.join(_KEYS)}")
-    check_keys(certificate, ("claim", *_KEYS[name]))
-    shapes = ("container", "part") if name == "inner_fit" else ("directrix", "generatrix")
-    d, g = (_read_shape(certificate[key], key) for key in shapes)
-    fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
-    if name == "inner_fit":
-        return InnerFitClaim(d, g, read_list(certificate["regions"], "regions", _read_shape), fits)
-    exterior = read_loop(certificate["exterior"], "exterior")
-    no_fit = NoFitClaim(d, g, exterior, _loops(certificate["holes"], "holes"), fits)
-    if name == "no_fit":
-        return no_fit
-    if not is_exactly(certificate["kind"], str, "SS"):
-        raise CertificateError("kind is not SS")
-    inner, outer = (read_loop(certificate[k], k) for k in ("inner", "outer"))
-    unswept = _loops(certificate["unswept"], "unswept")
-    return SweepClaim(no_fit, inner, outer, unswept, read_number(certificate["area"], "area"))
+    check_keys(certificate, ("claim", *_KEYS[claim]))
+    budget = Budget(max_steps)
+    names = _KEYS[claim][:2]
+    d, g = shapes = [_read_shape(certificate[name], name) for name in names]
+    _take_all_pairs(d, g, budget)
+    work = Work(max_steps)
+    work.fit([_enter(d[0]), _enter(g[0])])
+    for name, shape in zip(names, shapes, strict=True):
+        _check_shape(name, shape, work)
+    find = _find_inner_fit if claim == "inner_fit" else _find_no_fit
+    for key, found in find(certificate, shapes, budget):
+        _compare(key, certificate[key], _write(found))
 
 
-def _loops(item: Any, place: KeyPath) -> tuple[Loop, ...]:
-    return read_list(item, place, read_loop)
-
-
-def _read_shape(item: Any, place: KeyPath) -> ClaimedShape:
+def _read_shape(item: Any, name: str) -> Outlines:
     if type(item) is not dict or item.keys() != {"exterior", "holes"}:
-        raise flaw(place, "not an object of exterior and holes")
-    exterior = read_loop(item["exterior"], (place, ".exterior"))
-    return ClaimedShape(exterior, _loops(item["holes"], (place, ".holes")))
+        raise flaw(name, "not an object of exterior and holes")
+    exterior = read_loop(item["exterior"], (name, ".exterior"))
+    return exterior, *read_list(item["holes"], (name, ".holes"), read_loop)
+
+
+def _check_shape(name: str, shape: Outlines, work: Work) -> None:
+    """Check that a shape is a polygon with holes, canonical and sorted."""
+    rings = [*map(_enter, shape)]
+    try:
+        standalone.check_shape(rings, work)
+    except Refused as refused:
+        raise CertificateError(f"{name}: {refused}", shape[0][0]) from None
+    if [*map(standalone.outline, rings)] != rings or [*shape[1:]] != sorted(shape[1:]):
+        raise CertificateError(f"{name}: not canonical, or its holes are not sorted")
+
+
+def _take_all_pairs(d: Outlines, g: Outlines, budget: Budget) -> None:
+    """Refuse at once what would take too long in any case: all vertices, and all pairs of edges."""
+    m, n = (sum(map(len, rings)) for rings in (d, g))
+    bits = max(c.bit_length() for ring in (*d, *g) for p in _enter(ring) for c in p)
+    budget.take(_VERTEX * (m + n) + 3 * m * n + m * m + n * n, bits)
+
+
+def _find_no_fit(
+    certificate: dict[str, Any], shapes: Sequence[Outlines], budget: Budget
+) -> Iterator[tuple[str, Any]]:
+    """Find the answer to the claims `no_fit` and `sweep`, each entry after the last is compared."""
+    d, g = shapes
+    no_fit = find_no_fit(d, g, budget)
+    yield from no_fit._asdict().items()
+    if certificate["claim"] == "no_fit":
+        return
+    if len(d) == len(g) == 1 and has_shared_direction([d[0], g[0]]):
+        raise CertificateError("kind: there is a shared direction, so it is not SS")
+    yield "kind", "SS"
+    _take_all_pairs((no_fit.exterior,), g, budget)
+    swept = find_swept(d, g, no_fit.exterior, budget)
+    yield from swept._asdict().items()
+    outer, *inside = map(_enter, (swept.outer, swept.inner, *swept.unswept))
+    check_area(read_number(certificate["area"], "area"), outer, inside)
+
+
+def _find_inner_fit(
+    _: dict[str, Any], shapes: Sequence[Outlines], budget: Budget
+) -> Iterator[tuple[str, Any]]:
+    container, part = shapes
+    found = find_inner_fit(container, part, budget)
+    yield "regions", [{"exterior": outer, "holes": holes} for outer, holes in found.regions]
+    yield "exact_fits", found.exact_fits
+
+
+def _enter(points: Loop) -> list[Node]:
+    return [standalone.node(*p) for p in points]
+
+
+def _write(item: Any) -> Any:
+    """Write an answer as certificates have it."""
+    if isinstance(item, dict):
+        return {key: _write(entry) for key, entry in item.items()}
+    if isinstance(item, (str, Fraction)):
+        return item if isinstance(item, str) else format_fraction(item)
+    return [*map(_write, item)]
+
+
+# --- Differences ---------------------------------------------------------------------------------
+
+
+def _compare(name: str, claimed: Any, true: Any) -> None:
+    """Raise CertificateError for the first entry of a list that differs."""
+    if claimed == true:
+        return
+    if type(claimed) is not list or type(true) is not list:
+        raise CertificateError(f"{name}: not {true if type(true) is str else 'a list'}")
+    k, invented, missed = _find_difference(claimed, true)
+    witness = _find_witness(invented, missed)
+    if invented is not None:
+        raise CertificateError(f"{name}[{k}]: not in the answer", witness)
+    if missed is not None:
+        raise CertificateError(f"{name}: one is missing", witness)
+    raise CertificateError(f"{name}: not in order, or one is listed twice")
+
+
+def _find_difference(claimed: list[Any], true: list[Any]) -> tuple[int, Any, Any]:
+    """Find where lists differ first: the entries, unless they are elsewhere, too."""
+    pairs = enumerate(zip_longest(claimed, true))
+    k, (one, other) = next((k, pair) for k, pair in pairs if pair[0] != pair[1])
+    return k, None if one in true else one, None if other in claimed else other
+
+
+def _find_witness(claimed: Any, true: Any) -> Point | None:
+    """Find a point that just one of two loops or fits has, or regions in their exteriors."""
+    entries = [item.get("exterior") if type(item) is dict else item for item in (claimed, true)]
+    for _ in range(2):
+        for item in entries:
+            try:
+                return Point(*standalone.place(standalone.point(item)))
+            except Refused:
+                continue
+        one, other = (item if type(item) is list else [] for item in entries)
+        if one == other:
+            break
+        entries = [*_find_difference(one, other)[1:]]
+    return None

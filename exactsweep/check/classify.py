@@ -21,7 +21,7 @@ from typing import Any, Literal, NamedTuple
 from exactsweep.check.cone import dot, find_common_direction, find_direction_inside
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
-from exactsweep.check.shape import LatticeShape, bring_to_one_lattice, list_rings
+from exactsweep.check.shape import LatticeShape, list_rings, scale_shapes
 from exactsweep.geometry.reading import read_point
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.error import name_refusals
@@ -69,8 +69,8 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
         polygons = [list_rings(directrix)]
     with name_refusals("generatrix"):
         polygons.append(list_rings(generatrix))
-    scale, (d, g) = bring_to_one_lattice(polygons, (x.denominator, y.denominator))
-    dx, dy = int(x * scale), int(y * scale)
+    scale, (d, g) = scale_shapes(polygons)
+    dx, dy = x * scale, y * scale
     shapes = d, tuple(tuple((px + dx, py + dy) for px, py in ring) for ring in g)
     if _boxes_apart(*shapes):
         return Classification("FREE", None)

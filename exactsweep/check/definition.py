@@ -133,7 +133,9 @@ class _IntegerFrame:
             raise ExactSweepError("the direction (0, 0) is no direction")
         unit = lcm(ux.denominator, uy.denominator)
         self._ux, self._uy = int(ux * unit), int(uy * unit)
-        self._scale, ((g,), (d,)) = bring_to_integers([[generatrix], [directrix]])
+        self._scale, ((g,), (d,)) = bring_to_integers(
+            [(generatrix.vertices,), (directrix.vertices,)]
+        )
         self.generatrix = self._halves(g, "generatrix")
         self.directrix = self._halves(d, "directrix")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from exactsweep.check.shape import bring_to_one_lattice, list_rings
+from exactsweep.check.shape import list_rings, scale_shapes
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import to_fraction
 from exactsweep.numbers.point import Vertex
@@ -29,7 +29,7 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     >>> [point_in_polygon(p, square) for p in [(1, 1), (2, "1/3"), (3, 1)]]
     [1, 0, -1]
     """
-    scale, (shape,) = bring_to_one_lattice([list_rings(polygon)])
+    scale, (shape,) = scale_shapes([list_rings(polygon)])
     x, y = point
     return locate_in_shape((to_fraction(x) * scale, to_fraction(y) * scale), shape)
 

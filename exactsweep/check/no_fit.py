@@ -42,9 +42,10 @@ from exactsweep.check.location import locate
 from exactsweep.check.shape import (
     LatticeRing,
     LatticeShape,
+    Outlines,
     list_edges,
     list_rings,
-    scale_shape,
+    scale_ring,
     scale_shapes,
     to_points,
 )
@@ -105,9 +106,7 @@ def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
     return find_no_fit(list_rings(directrix), list_rings(generatrix), UNLIMITED)
 
 
-def find_no_fit(
-    directrix: tuple[Polygon, ...], generatrix: tuple[Polygon, ...], budget: Budget
-) -> ReferenceNoFit:
+def find_no_fit(directrix: Outlines, generatrix: Outlines, budget: Budget) -> ReferenceNoFit:
     """Evaluate `reference_no_fit` within a budget."""
     scale, (d, g) = scale_shapes((directrix, generatrix))
     found = _assemble_boundary(cut_to_convex(d, budget), d, g, budget)
@@ -142,9 +141,7 @@ def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
     return find_inner_fit(list_rings(container), list_rings(part), UNLIMITED)
 
 
-def find_inner_fit(
-    container: tuple[Polygon, ...], part: tuple[Polygon, ...], budget: Budget
-) -> ReferenceInnerFit:
+def find_inner_fit(container: Outlines, part: Outlines, budget: Budget) -> ReferenceInnerFit:
     """Evaluate `reference_inner_fit` within a budget."""
     scale, (c, g) = scale_shapes((container, part))
     outside = tuple(ring[::-1] for ring in c)
@@ -184,14 +181,11 @@ def reference_swept(
     if exterior is None:
         exterior = reference_no_fit(directrix, generatrix).exterior
     shapes = list_rings(directrix), list_rings(generatrix)
-    return find_swept(*shapes, Polygon(exterior), UNLIMITED)
+    return find_swept(*shapes, Polygon(exterior).vertices, UNLIMITED)
 
 
 def find_swept(
-    directrix: tuple[Polygon, ...],
-    generatrix: tuple[Polygon, ...],
-    trajectory: Polygon,
-    budget: Budget,
+    directrix: Outlines, generatrix: Outlines, trajectory: Loop, budget: Budget
 ) -> ReferenceSwept:
     """Evaluate `reference_swept` within a budget.
 
@@ -199,7 +193,7 @@ def find_swept(
     their own, so that a lattice for all of it would be as fine as all of them together are long.
     """
     scale, (d, g) = scale_shapes((directrix, generatrix))
-    (curve,) = scale_shape((trajectory,), scale)
+    curve = scale_ring(trajectory, scale)
     pieces = cut_to_convex(g, budget)
     edges = list_edges([curve])
     sets = OpenSets(edges, pieces, budget)

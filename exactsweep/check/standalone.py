@@ -271,8 +271,10 @@ def is_convex(points: Ring) -> bool:
 
 def lies(p: Node, a: Node, b: Node) -> bool:
     """Return whether a point is on a closed segment."""
-    x, (y, z) = place(p), sorted((place(a), place(b)))
-    return side(line(a, b), p) == 0 and y <= x <= z
+    if side(line(a, b), p):
+        return False
+    low, high = sorted((place(a), place(b)))
+    return low <= place(p) <= high
 
 
 def do_cross(p: Node, q: Node, r: Node, s: Node) -> bool:

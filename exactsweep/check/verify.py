@@ -1,7 +1,7 @@
 """Proving a certificate from the definition alone.
 
 A certificate with the key `claim` is for polygons of any shape: `claim` describes it, and
-`complete` proves it. The others are sweeps of monotone polygons, and the rest is about them.
+`claim` proves it. The others are sweeps of monotone polygons, and the rest is about them.
 
 With P = D + I(G), the Minkowski sum, a certificate says where three loops run:
 
@@ -38,8 +38,7 @@ from typing import Any, NamedTuple
 
 from exactsweep.check.area import check_area
 from exactsweep.check.certificate import Certificate, CertificateError, read
-from exactsweep.check.claim import read_claim
-from exactsweep.check.complete import prove_claim
+from exactsweep.check.claim import prove_claim
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
 from exactsweep.check.fits import count_pairs, find_places, list_exact_fits
@@ -144,7 +143,7 @@ def _verify(certificate: Any, max_steps: int) -> None:
         raise CertificateError(f"a certificate is an object, not a {type(certificate).__name__}")
     claim = {key: item for key, item in certificate.items() if key != "proof"}
     if "claim" in claim:
-        prove_claim(read_claim(claim), max_steps)
+        prove_claim(claim, max_steps)
     else:
         _prove(read(claim), max_steps)
     if len(claim) < len(certificate):

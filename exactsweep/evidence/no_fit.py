@@ -91,11 +91,7 @@ class NoFitPolygon(Shown):
         in_hole = any(hole.contains(t) for hole in self.holes)
         return "overlap" if self.exterior.contains(t) and not in_hole else "free"
 
-    def certificate(self) -> dict[str, Any]:
-        """Return plain JSON data that proves the answer; positions are translations of G.
-
-        The certificate claims that the holes and exact fits are complete, for every kind of pair.
-        """
+    def _claim(self) -> dict[str, Any]:
         found = self.solution
         return claim_no_fit(
             self.stationary,
@@ -198,12 +194,7 @@ class InnerFit(Shown):
         """Positions without room in some direction, as for `NoFitPolygon`."""
         return place_fits(self.solution.fits, self.reference)
 
-    def certificate(self) -> dict[str, Any]:
-        """Return plain JSON data that proves the answer; positions are translations of the part.
-
-        Raises:
-            PolygonError: shapes are placed; certificates do not cover them.
-        """
+    def _claim(self) -> dict[str, Any]:
         if self.placed:
             raise PolygonError("positions among placed shapes have no certificate")
         fits = self.solution.fits

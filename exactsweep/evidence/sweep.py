@@ -234,11 +234,7 @@ class Sweep(Shown):
             tuple(frame.leave(positions, self.reference)),
         )
 
-    def certificate(self) -> dict[str, Any]:
-        """Return plain JSON data that proves the sweep; see `evidence.certificate`.
-
-        If the kind is "SS", positions are those of G's origin.
-        """
+    def _claim(self) -> dict[str, Any]:
         if isinstance(self.generatrix, Polygon) and isinstance(self.directrix, Polygon):
             assert self.direction is not None
             return write_certificate(

@@ -114,18 +114,20 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
     return [loop.vertices for loop in loops]
 
 
-def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit) -> str:
+def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit, *, proof: bool = False) -> str:
     """Write the certificate of a result as JSON.
 
     Args:
         result: a Sweep, a NoFitPolygon or an InnerFit.
+        proof: whether the certificate gets a proof.
 
     Returns:
         One object with one name per line.
 
     Cost: that of its `certificate`.
     """
-    return _object({name: json.dumps(value) for name, value in result.certificate().items()})
+    found = result.certificate(proof=proof)
+    return _object({name: json.dumps(value) for name, value in found.items()})
 
 
 def explanation_to_json(sweep: Sweep) -> str:

@@ -16,10 +16,10 @@ from exactsweep import Polygon, sweep
 from exactsweep.check import (
     arrangement,
     boxes,
-    claimed_shape,
     contact_segments,
     convex,
     convex_sums,
+    standalone,
     uncovered,
     verify,
 )
@@ -108,8 +108,8 @@ class Ledger:
         self.watch(convex, "_is_blocked", diagonals, lambda p, q, walls: 0.12 * len(walls))
         self.watch(convex, "_find_first_wall", diagonals, lambda p, ray, walls: 0.7 * len(walls))
         self.watch(arrangement, "_find_common_point", "_find_cuts", lambda *_: 3)
-        self.watch(contact_segments, "find_common_direction", "_check_size", lambda *_: 1)
-        self.watch(claimed_shape, "cross", "_check_size", lambda *_: 0.3)
+        self.watch(contact_segments, "find_common_direction", "_take_all_pairs", lambda *_: 1)
+        self.watch(standalone, "lies", "_take_all_pairs", lambda *_: 1)
         self.watch(convex_sums, "_measure_width", "__init__", lambda _: 6)
         self.watch(boxes, "meet", "near", lambda *_: 0.15)
         take = Budget.take
@@ -150,8 +150,8 @@ def claim(d: Points, g: Points) -> dict[str, Any]:
 @pytest.mark.parametrize("name", HOSTILE)
 def test_there_are_no_fewer_steps_than_work(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     ledger = Ledger(monkeypatch)
-    assert verify(claim(*HOSTILE[name])).reason.startswith("exterior: at the witness")
-    assert {*ledger.work} >= {"_leave_on", "near", "_check_size", "__init__"}
+    assert verify(claim(*HOSTILE[name])).reason.startswith("exterior[0]: not in the answer")
+    assert {*ledger.work} >= {"_leave_on", "near", "_take_all_pairs", "__init__"}
     assert not {payer: work for payer, work in ledger.work.items() if work > ledger.steps[payer]}
 
 
@@ -173,7 +173,7 @@ def test_pieces_far_apart_do_not_count() -> None:
     teeth = [(k, 2 * (k % 2)) for k in range(401)]
     d = [*teeth, (400, 9), (0, 9)]
     reason = verify(claim(d, d), max_steps=2 * 10**6).reason
-    assert reason.startswith("exterior: at the witness")
+    assert reason.startswith("exterior[0]: not in the answer")
 
 
 @pytest.fixture

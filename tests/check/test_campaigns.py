@@ -19,13 +19,17 @@ SLOT = [[(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]]
 CAVE = [[(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)]]
 
 
-@pytest.mark.parametrize("name", campaign.STRATEGIES)
+# The tests of layouts and of free positions begin the others.
+PAIRS = [name for name in campaign.STRATEGIES if name not in ("layouts", "scenes")]
+
+
+@pytest.mark.parametrize("name", PAIRS)
 def test_campaigns_begin_without_mismatch(name: str) -> None:
-    assert campaign.by_definition(name, 2, range(16)) == [""] * 16
+    assert campaign.by_definition(name, 2, range(10)) == [""] * 10
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("name", campaign.STRATEGIES)
+@pytest.mark.parametrize("name", PAIRS)
 def test_campaigns_go_on_without_mismatch(name: str) -> None:
     assert campaign.by_definition(name, 3, range(120)) == [""] * 120
 
@@ -104,9 +108,9 @@ def test_a_mismatch_is_told_with_its_pair_and_ends_with_exit_code_1(
 
     monkeypatch.setitem(campaign.REFERENCES, "definition", by_size)
     monkeypatch.setattr(campaign, "ProcessPoolExecutor", InThisProcess)
-    result = CliRunner().invoke(campaign.main, ["small", "--pairs", "2", "--seed", "4"])
+    result = CliRunner().invoke(campaign.main, ["small", "--count", "2", "--seed", "4"])
     assert result.exit_code == 1
-    assert "pair 4:0: wrong" in result.output
+    assert "small 4:0: wrong" in result.output
     assert "small, definition, seed 4: 1 monotone; 1 mismatches" in result.output
 
 

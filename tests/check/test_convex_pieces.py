@@ -28,7 +28,7 @@ STEPS = grid("##.", ".##").exterior
 
 def _check_pieces(*rings: Polygon) -> int:
     """Check that pieces are convex, make up the shape, and do not overlap, by their areas."""
-    _, (shape,) = bring_to_integers([rings])
+    _, (shape,) = bring_to_integers([tuple(ring.vertices for ring in rings)])
     pieces = cut_to_convex(shape, UNLIMITED)
     with patch.object(convex, "_FEW", 0):  # no vertex tried before those that rays find
         found = cut_to_convex(shape, UNLIMITED)

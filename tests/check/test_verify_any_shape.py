@@ -124,7 +124,7 @@ def test_witness_of_a_missed_fit_is_a_position_of_contact() -> None:
     result = verify({**no_fit_certificate(d, g), "exact_fits": []})
     assert result == (
         False,
-        "exact_fits: one is missing, or a part of it",
+        "exact_fits: one is missing",
         Point(*map(Fraction, (1, 1))),
     )
 
@@ -133,20 +133,25 @@ def test_witness_of_a_missed_hole_is_on_its_boundary() -> None:
     d, g = PAIRS["rooms"]
     certificate = no_fit_certificate(d, g)
     result = verify({**certificate, "holes": []})
-    assert result.reason == "holes: one is missing, or a part of it"
+    assert result.reason == "holes: one is missing"
     assert result.witness is not None
     assert classify(d, g, result.witness).verdict == "CONTACT"
 
 
-def test_witness_of_an_invented_fit_says_what_is_there() -> None:
+def test_witness_of_an_invented_fit_is_its_position() -> None:
     d, g = PAIRS["closed C"]
-    for (x, y), reason in {
-        ("1/2", "1/2"): "exact_fits[0]: at the witness G overlaps D",
-        ("3/2", "5/2"): "exact_fits[0]: at the witness G overlaps D",
-        ("9", "9"): "exact_fits[0]: at the witness G does not touch D",
-    }.items():
+    for x, y in (("1/2", "1/2"), ("3/2", "5/2"), ("9", "9")):
         result = verify({**no_fit_certificate(d, g), "exact_fits": [[[x, y], [x, y]]]})
-        assert result == (False, reason, (Fraction(x), Fraction(y)))
+        assert result == (False, "exact_fits[0]: not in the answer", (Fraction(x), Fraction(y)))
+
+
+def test_witness_of_a_moved_vertex_is_the_vertex() -> None:
+    certificate = inner_fit_certificate(grid("####", "####"), UNIT)
+    region = certificate["regions"][0]
+    moved = [*region["exterior"][:-1], ["1/3", "7/5"]]
+    result = verify({**certificate, "regions": [{**region, "exterior": moved}]})
+    expected = (False, "regions[0]: not in the answer", (Fraction(1, 3), Fraction(7, 5)))
+    assert result == expected
 
 
 # --- Input ---------------------------------------------------------------------------------------
@@ -161,25 +166,12 @@ def hole(*points: tuple[int, int]) -> list[list[str]]:
 @pytest.mark.parametrize(
     ("holes", "reason"),
     [
-        ([hole((10, 1), (11, 1), (11, 2))], "directrix.holes[0] is not inside the exterior"),
-        ([hole((8, 1), (11, 1), (11, 2))], "directrix.exterior and directrix.holes[0] meet in"),
-        ([hole((0, 1), (1, 2), (0, 3))], "directrix.exterior and directrix.holes[0] meet in"),
-        ([hole((1, 1), (5, 1), (5, 5)), hole((2, 1), (3, 0), (3, 1))], "directrix.holes[0] and"),
-        ([hole((1, 1), (8, 1), (8, 8)), hole((4, 2), (7, 2), (7, 4))], "directrix.holes[0] and"),
-        ([hole((4, 2), (7, 2), (7, 4)), hole((1, 1), (8, 1), (8, 8))], "directrix.holes: not sor"),
-        ([hole((1, 1), (3, 1), (3, 3)), hole((2, 1), (3, 2), (2, 3))], "directrix.holes[0] and"),
-        ([hole((0, 4), (4, 2), (9, 4), (4, 6))], "directrix: its interior falls apart"),
-        (
-            [hole((1, 1), (4, 4), (1, 4)), hole((1, 4), (4, 4), (4, 8))],
-            "directrix.holes[0] and directrix.holes[1] meet in more",
-        ),
-        (
-            [hole((1, 1), (4, 3), (2, 3)), hole((1, 6), (2, 3), (3, 4), (4, 3), (4, 6))],
-            "directrix: its interior falls apart",
-        ),
-        ([hole((4, 5), (9, 4), (12, 5), (9, 6))], "directrix.holes[0] is not inside the ext"),
-        ([hole((1, 1), (1, 2), (2, 2))], "directrix.holes[0]: not canonical"),
-        ([hole((1, 1), (2, 2), (3, 3))], "directrix.holes[0]: zero area"),
+        ([hole((10, 1), (11, 1), (11, 2))], "a hole is not in its exterior, or in another"),
+        ([hole((8, 1), (11, 1), (11, 2))], "rings of a shape cross"),
+        ([hole((0, 1), (1, 2), (0, 3))], "the interior of a shape falls apart"),
+        ([hole((4, 2), (7, 2), (7, 4)), hole((1, 1), (2, 1), (2, 2))], "not canonical, or its"),
+        ([hole((1, 1), (1, 2), (2, 2))], "not canonical, or its holes are not sorted"),
+        ([hole((1, 1), (2, 2), (3, 3))], "a ring is not simple"),
     ],
 )
 def test_bad_holes_are_refused(holes: list[Any], reason: str) -> None:
@@ -187,11 +179,11 @@ def test_bad_holes_are_refused(holes: list[Any], reason: str) -> None:
     for name in ("directrix", "generatrix"):
         result = verify({**no_fit_certificate(C, UNIT), name: shape})
         assert not result.proved
-        assert result.reason.startswith(reason.replace("directrix", name))
+        assert result.reason.startswith(f"{name}: {reason}")
     for name in ("container", "part"):
         result = verify({**inner_fit_certificate(C, UNIT), name: shape})
         assert not result.proved
-        assert result.reason.startswith(reason.replace("directrix", name))
+        assert result.reason.startswith(f"{name}: {reason}")
 
 
 def test_holes_may_touch_in_points() -> None:
@@ -212,10 +204,9 @@ def test_holes_may_touch_in_points() -> None:
         ({"version": 1}, "version is not 2"),
         ({"directrix": []}, "directrix: not an object of exterior and holes"),
         ({"generatrix": {"exterior": SQUARE}}, "generatrix: not an object of exterior and holes"),
-        ({"exterior": [["0", "0"]]}, "exterior: fewer than three vertices"),
-        ({"exterior": [["0", "0"], ["1", "1"], ["2", "2"]]}, "exterior: zero area"),
-        ({"holes": None}, "holes: a NoneType, not a list"),
-        ({"exact_fits": [[["0", "0"]]]}, "exact_fits[0]: not a list of 2"),
+        ({"exterior": [["0", "0"]]}, "exterior[0]: not in the answer"),
+        ({"holes": None}, "holes: not a list"),
+        ({"exact_fits": [[["0", "0"]]]}, "exact_fits[0]: not in the answer"),
     ],
 )
 def test_reason_names_the_place_in_a_claim(change: dict[str, Any], reason: str) -> None:
@@ -232,14 +223,6 @@ def test_many_edges_are_refused_at_once_for_any_shape() -> None:
     shape = {"exterior": edges, "holes": []}
     result = verify({**certificate, "directrix": shape, "generatrix": shape})
     assert result.reason == "too large: to check it would take more than 100000000 steps"
-
-
-def test_loops_of_a_sweep_that_are_no_loops_are_refused_as_such() -> None:
-    certificate = sweep_certificate(C, UNIT)
-    for name in ("outer", "inner"):
-        loop = certificate[name]
-        result = verify({**certificate, name: [loop[0], *loop[:0:-1]]})
-        assert result.reason == f"{name}: not canonical"
 
 
 def test_the_work_on_a_sweep_is_told_besides_that_on_its_trajectory() -> None:

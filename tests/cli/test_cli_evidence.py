@@ -103,6 +103,8 @@ def test_a_certificate_is_proved(tmp_path: Path) -> None:
     assert run("verify", path, "--add-proof", proved).exit_code == 0
     assert run("verify", proved).exit_code == 0
     assert prove(json.loads(Path(proved).read_text()))
+    assert run("sweep", HOUSE, NOTCH, "--proof", "-o", path).output == ""
+    assert json.loads(Path(path).read_text()) == json.loads(Path(proved).read_text())
     verdict = run("verify", "--json", path)
     assert json.loads(verdict.stdout) == {"proved": True, "reason": "proved", "witness": None}
 

@@ -58,7 +58,7 @@ def changed(certificate: Certificate, rng: Random) -> Iterator[tuple[str, Certif
 
 
 @pytest.mark.parametrize(
-    ("kind", "at_least"), [("monotone", 500), ("no_fit", 100), ("sweep", 200), ("inner_fit", 50)]
+    ("kind", "at_least"), [("monotone", 500), ("no_fit", 100), ("sweep", 200), ("inner_fit", 30)]
 )
 def test_no_changed_certificate_is_proved(kind: str, at_least: int) -> None:
     tried = 0

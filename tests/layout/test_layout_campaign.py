@@ -1,37 +1,26 @@
 """The campaign over layouts: a few without mismatch, and what is wrong is noticed."""
 
-import random
 from types import SimpleNamespace
 from typing import Any
 
+import campaign
 import pytest
 from known_layouts import SHEET, TILE
-from layout_campaign import try_layout
 from layout_reference import find_difference, find_wrong_move
 from layouts import lay, put
-from random_layouts import draw_layout
 
 from exactsweep import Point
 from exactsweep.layout import Fault, judge_layout
 from exactsweep.numbers.number import to_fraction
 
-
-@pytest.mark.parametrize("first", range(0, 9, 3))
-def test_random_layouts_are_judged_as_by_the_definition(first: int) -> None:
-    for number in range(first, first + 3):
-        assert try_layout(7, number).failure == ""
+LATER = range(1000, 1100, 25)
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("first", range(1000, 1100, 25))
-def test_more_random_layouts(first: int) -> None:
-    for number in range(first, first + 25):
-        assert try_layout(7, number).failure == ""
-
-
-def test_layouts_are_known_by_their_seed() -> None:
-    first, second = (draw_layout(random.Random("1:7")) for _ in range(2))
-    assert first == second
+@pytest.mark.parametrize(
+    "numbers", [range(9), *(pytest.param(range(k, k + 25), marks=pytest.mark.long) for k in LATER)]
+)
+def test_random_layouts_are_judged_as_by_the_definition(numbers: range) -> None:
+    assert campaign.by_definition("layouts", 7, numbers) == [""] * len(numbers)
 
 
 LAYOUT = lay(SHEET, {"t": TILE}, put("t"), put("t", ("1/2", 0)), put("t", (3, 0)), put("t", (4, 0)))

@@ -39,10 +39,12 @@ class Pair(NamedTuple):
     direction: tuple[int, int]
 
 
-def convex(rng: random.Random) -> IntRing:
+def convex(
+    rng: random.Random, sides: Sequence[int] = (1, 2, 3, 5, 12, 1000), most: int = 14
+) -> IntRing:
     """The hull of a few points of a grid; often with vertical or parallel edges."""
-    side = rng.choice([1, 2, 3, 5, 12, 1000])
-    points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, 14))]
+    side = rng.choice(sides)
+    points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, most))]
     found = find_hull(points)
     return [*found] if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
 
@@ -92,11 +94,11 @@ def rectilinear(rng: random.Random) -> IntRing:
     return _between(rng, chains, pointed=0)
 
 
-def teeth(rng: random.Random) -> IntRing:
+def teeth(rng: random.Random, depths: Sequence[int] = (1, 3, 1000), most: int = 7) -> IntRing:
     """Spikes of few slopes, up and down: parallel edges, tangent envelopes."""
-    depth = rng.choice([1, 3, 1000])
+    depth = rng.choice(depths)
     steps = [(1, depth), (1, -depth), (1, depth), (1, -depth), (2, 0)]
-    chains = [_walk([rng.choice(steps) for _ in range(rng.randint(2, 7))]) for _ in "bt"]
+    chains = [_walk([rng.choice(steps) for _ in range(rng.randint(2, most))]) for _ in "bt"]
     return _between(rng, chains)
 
 

@@ -9,10 +9,13 @@ from math import lcm
 from random import Random
 from typing import Any, NamedTuple
 
+from random_layouts import RandomLayout
+
 from exactsweep import Point, Region
 from exactsweep.check import classify, verify
-from exactsweep.layout import Judgement, Layout, LayoutError, Placement
+from exactsweep.layout import Judgement, Layout, LayoutError, Placement, judge_layout
 
+MOVES = 2
 BITS = 320
 """Angles are this near to those that have no rational turn."""
 
@@ -160,6 +163,16 @@ def list_walls(layout: Layout, shapes: Sequence[Region]) -> list[Region]:
     left, right, low, high = left - room, right + room, low - room, high + room
     frame = [(left, low), (right, low), (right, high), (left, high)]
     return [Region(frame, [layout.container.exterior]), *map(Region, layout.container.holes)]
+
+
+def compare(drawn: RandomLayout, rng: Random, deep: bool) -> str:
+    """Judge a random layout, and say what differs from the definition, or nothing."""
+    judgement = judge_layout(drawn.layout)
+    return (
+        find_difference(drawn.layout, judgement)
+        or find_wrong_move(drawn.layout, judgement, MOVES)
+        or find_unproved(judgement, rng)
+    )
 
 
 def find_difference(layout: Layout, judgement: Any) -> str:

@@ -18,6 +18,7 @@ from exactsweep.corpus.generator.cells import Cell, build_block, grow, move, tra
 SHEARS = [((1, 0), (0, 1)), ((1, 1), (0, 1)), ((2, 1), (1, 1)), ((0, -1), (1, 3))]
 SCALES = [Fraction(1), Fraction(1), Fraction(2, 3), Fraction(10**30), Fraction(1, 10**30)]
 SIDE = 6
+MOST = 100  # positions of a scene
 
 
 class Scene(NamedTuple):
@@ -136,11 +137,11 @@ def list_positions(scene: Scene, found: InnerFit) -> Iterator[Point]:
         yield Point((p.x + q.x) / 2, (p.y + q.y) / 2)
 
 
-def find_mismatch(scene: Scene, most: int, rng: Random) -> tuple[int, str]:
-    """Hold the positions of a scene against the definition: how many, and what is wrong first."""
+def compare(scene: Scene, rng: Random, deep: bool) -> str:
+    """Locate positions of a scene by the kernel and by the definition: the first that differs."""
     found = free_positions(scene.container, scene.placed, scene.part)
     positions = list(list_positions(scene, found))
-    for t in (chosen := rng.sample(positions, min(most, len(positions)))):
+    for t in rng.sample(positions, min(MOST, len(positions))):
         if (told := found.locate(t)) != (true := expected(scene, t)):
-            return len(chosen), f"{told} at {t}, not {true}: {scene}"
-    return len(chosen), ""
+            return f"{told} at {t}, not {true}"
+    return ""

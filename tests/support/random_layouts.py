@@ -6,7 +6,7 @@ One `random.Random` decides everything, so that a layout is known by its seed.
 from collections.abc import Callable
 from fractions import Fraction
 from random import Random
-from typing import Any
+from typing import Any, NamedTuple
 
 from layouts import Ring, box
 from placed import draw_jigsaw
@@ -183,8 +183,14 @@ def put_around(rng: Random, data: dict[str, Any], scale: Fraction, margin: Fract
     data["container"] = {"exterior": exterior, "holes": defects}
 
 
-def draw_layout(rng: Random) -> tuple[str, Layout]:
-    """The name of a family and a layout of it."""
+class RandomLayout(NamedTuple):
+    """A layout, and the family that it is of."""
+
+    family: str
+    layout: Layout
+
+
+def draw_layout(rng: Random) -> RandomLayout:
     scale = rng.choice(SCALES)
     spacing, margin = draw_gap(rng, scale), draw_gap(rng, scale)
     family = rng.choice(["jigsaw", "rows", "rows", "heap"])
@@ -200,4 +206,4 @@ def draw_layout(rng: Random) -> tuple[str, Layout]:
             placed = sum(one["part"] == part["id"] for one in data["placements"])
             part["demand"] = max(0, placed + rng.choice([*[0] * 8, 1, -1]))
     data |= {"spacing": spacing, "margin": margin}
-    return family, Layout.from_json(data)
+    return RandomLayout(family, Layout.from_json(data))

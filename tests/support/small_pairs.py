@@ -41,10 +41,7 @@ class SmallPair(NamedTuple):
 
 
 def convex(rng: Random) -> Shape:
-    side = rng.choice([1, 2, 3, 4, 6])
-    points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, 7))]
-    found = find_hull(points)
-    return [[*found] if len(found) > 2 else [(0, 0), (side, 0), (0, side)]]
+    return [families.convex(rng, [1, 2, 3, 4, 6], 7)]
 
 
 def monotone(rng: Random) -> Shape:
@@ -56,14 +53,7 @@ def rectilinear(rng: Random) -> Shape:
 
 
 def teeth(rng: Random) -> Shape:
-    """Spikes of few slopes."""
-    steps = [(1, 2), (1, -2), (1, 2), (1, -2), (2, 0), (0, 1), (0, -1)]
-    chain = [(0, 0)]
-    for _ in range(rng.randint(2, 6)):
-        dx, dy = rng.choice(steps)
-        chain.append((chain[-1][0] + dx, chain[-1][1] + dy))
-    ceiling = max(y for _, y in chain) + rng.randint(1, 2)
-    return [[*chain, (chain[-1][0], ceiling), (0, ceiling)]]
+    return [families.teeth(rng, [1, 2], 4)]
 
 
 def tangle(rng: Random) -> Shape:
