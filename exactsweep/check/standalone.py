@@ -33,10 +33,54 @@ ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y 
    which is connected; then it is 0 on O and left of each loop, -1 right of it: off L, O is where W
    is 0. Each region is a shape by (1), and no loop passes its interior, where its own rings make W
    -1: so regions are the components of the rest, and are written in one way only.
-5. Sweeps. T, the trajectory, is the exterior of 3. T + G is the closure of the sums of the edges of
-   T and pieces of G. The union of these is connected: T + G_j is, and along a cut of G two of them
-   meet, at an edge of T that is not parallel to the cut. So 3 serves again, with the edges of T for
-   the pieces of D, and slits, positions between sums, for fits. The inner loop is the one around D.
+5. Sweeps of any shape. T, the trajectory, is the exterior of 3. T + G is the closure of the sums of
+   the edges of T and pieces of G. The union of these is connected: T + G_j is, and along a cut of G
+   two of them meet, at an edge of T that is not parallel to the cut. So 3 serves again, with the
+   edges of T for the pieces of D, and slits, positions between sums, for fits. The inner loop is
+   the one around D.
+6. Sweeps with a shared direction, turned to be x. P = D + H is bounded by the trajectory T, P + G
+   by the outer loop, E, the points p with p + H in P, by the inner loop. All five loops are simple
+   and weakly monotone to x: each line square to x meets a loop's region in one piece. It meets P
+   and P + G in one piece, for sections of sums are sums of sections, and E, for E is common to all
+   P - h. A loop is simple if its lower chain is below its upper one, from both sides of each jump.
+   (a) T is in P: its edges are covered by contacts, sums of a feature of D and one of H. So its
+       region is in P, and P is in its region by (e).
+   (b) The outer loop is the same with T and G for D and H. For T + G is P + G less the inside of E,
+       the swept area: p is in T + G if p + H, which is connected, meets T, so unless p + H avoids P
+       or is inside P.
+   (c) The region Q of the inner loop is in E, for Q + H is in P by (e). Its edges are covered by
+       sums t + g with t on T. None is inside E, or t would be inside P. The inside of E is
+       connected, as its sections lead to D, which is in E. It meets Q, as Q is in E, but not the
+       edges of Q, so it is in Q.
+   (d) Contacts are listed, all of them. Where a sum of two features is along an edge of T, D moved
+       by any point of H is left of it, and so is H moved by any of D. So the features are two edges
+       of its direction, or such an edge and a convex corner whose edges have this direction
+       between.
+   (e) Lemma. Let A, B and Q be regions of loops. A corner of a lower chain has the slopes of the
+       lines through it that the chain near it is not below: from minus infinity at its first
+       corner, to infinity at its last. It is convex if it has more than one. If
+       - a + b is in Q for all corners a of A and b of B that have more than one slope in common,
+         and
+       - at each concave corner of Q, in the limit from a side on which the boundary of Q goes on
+         without a vertical edge, A + B is not below it,
+       for lower chains and, turned by half a turn, upper ones, then A + B is in Q.
+       Proof for lower halves: Q is above its chain q, A + B above s(x) = min A(u) + B(x - u). A
+       convex corner of s is a sum a + b, and s is nowhere above A moved by b or B moved by a, which
+       pass there: so a and b have all slopes that a + b has, and it is in Q. Ends of s and bottoms
+       of its vertical edges are convex, so they are in Q, and s is over no x beyond Q. Suppose q -
+       s is positive somewhere. Take its greatest one-sided limit, at x from a side i.
+       - s jumps or ends at x. If i is the lower side, the bottom is in Q, so q jumps, too, with i
+         on its higher side, where the corner is concave. If i is the higher side of s, q jumps by
+         as much to the same side, or q - s would be greater on the other side. Both are ruled out.
+       - Only q jumps. The limit is greatest on its higher side, where the corner is concave.
+       - Neither jumps. By the first condition s is not convex at x, by the second q is not concave.
+         So q - s is convex near x and greatest there, hence constant. So it is at the next corner,
+         too, and at last at the end of s, which was ruled out.
+   (f) Exact fits. The lower chains of D and H leave G free to slide up at x as far as the least
+       A(u) + B(x - u) inside intervals, past both one-sided limits of s at x. Where A and B both
+       jump, each limit of s counts one pair of values more: after both fell, or before both rise.
+       To be less, each needs such a pair: so x is a sum of two falls and of two rises, ends
+       included.
 """
 
 from __future__ import annotations
@@ -55,7 +99,7 @@ from math import gcd, lcm
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
-FORMAT, VERSION, MAX_DIGITS, MAX_STEPS = "exactsweep certificate", 2, 20_000, 10**8
+FORMAT, VERSION, MAX_DIGITS, MAX_STEPS = "exactsweep certificate", 2, 10**6, 10**8
 PI = Fraction(  # cut off after 99 decimals
     31415926535897932384626433832795028841971693993751 * 10**50
     + 5820974944592307816406286208998628034825342117067,
@@ -115,8 +159,10 @@ def need(condition: bool, reason: str) -> None:
 
 def fields(item: Any, names: str, optional: str = "") -> list[Any]:
     """Take an object apart by its keys; those that may be left out come as None."""
-    known, keys = f"{names} {optional}".split(), {*item} if type(item) is dict else {None}
-    need({*names.split()} <= keys <= {*known}, f"not an object with {names}")
+    need(type(item) is dict, f"not an object with {names}")
+    known, missing = f"{names} {optional}".split(), sorted({*names.split()} - item.keys())
+    need(not missing, f"keys are missing: {', '.join(missing)}")
+    need(item.keys() <= {*known}, "there are unknown keys")
     return [item.get(name) for name in known]
 
 
@@ -126,10 +172,10 @@ def items(item: Any, length: int | None = None) -> list[Any]:
     return list(item)
 
 
-def under(name: str, read: Callable[[Any], T], item: Any) -> T:
+def under(name: str, read: Callable[..., T], *given: Any) -> T:
     """Read what is under a key, or name that in the reason."""
     try:
-        return read(item)
+        return read(*given)
     except Refused as refused:
         raise Refused(f"{name}: {refused}") from None
 
@@ -167,11 +213,11 @@ def read_fits(item: Any) -> list[Edge]:
     return [(point(p), point(q)) for p, q in (items(fit, 2) for fit in items(item))]
 
 
-def read_contact(item: Any) -> Contact:
-    """Read a contact: features, edges or vertices, of the generatrix and of the directrix."""
-    kind, i, j = items(item, 3)
-    need(kind in ("EV", "VE", "EE"), "not EV, VE or EE")
-    return kind, integer(i, 0, 10**9), integer(j, 0, 10**9)
+def read_contacts(item: Any) -> list[Contact]:
+    """Read contacts: features, edges or vertices, of the generatrix and of the directrix."""
+    entries = [items(entry, 3) for entry in items(item)]
+    need(all(kind in ("EV", "VE", "EE") for kind, *_ in entries), "not EV, VE or EE")
+    return [(kind, integer(i, 0, 10**9), integer(j, 0, 10**9)) for kind, i, j in entries]
 
 
 def least_first(item: Any) -> Ring:
@@ -563,8 +609,8 @@ def winding(known: list[Edge], p: Node) -> int:
     return found
 
 
-def count(rings: list[Ring]) -> int:
-    """Count vertices."""
+def count(rings: Sequence[Sequence[Any]]) -> int:
+    """Count the entries of lists."""
     return sum(map(len, rings))
 
 
@@ -722,7 +768,7 @@ class MonotoneLoop(NamedTuple):
 
     def feature(self, item: Any) -> tuple[str, int]:
         """Read a feature."""
-        kind, k = item if type(item) is list and len(item) == 2 else (None, None)
+        kind, k = item if type(item) is list and len(item) == 2 else ("", -1)
         there = kind in ("vertex", "edge") and type(k) is int and 0 <= k < len(self.points)
         need(there, "neither a vertex nor an edge")
         return kind, k
@@ -781,7 +827,7 @@ def heights(
     ]
     above, found, jumps = one.edges, list[tuple[int, int]](), one.jumps or other.jumps
     i, j = one.reach(below[0][0]), 0
-    work.take(len(below) - i)
+    first = i
     while i < len(above) and (order(above[i][1], below[0][0]) or -tie) <= 0:
         i += 1
     while j < len(below) and (order(below[j][1], above[0][0]) or tie) <= 0:
@@ -789,9 +835,10 @@ def heights(
     while i < len(above) and j < len(below):
         (q, r, (a, b, c)), (s, t, (d, e, f)) = above[i], below[j]
         if jumps or not found:
-            first = order(q, s) >= 0
-            at, unit = (side((d, e, f), q), e * q[2]) if first else (-side((a, b, c), s), b * s[2])
-            found.append((at, unit))
+            if order(q, s) >= 0:
+                found.append((side((d, e, f), q), e * q[2]))
+            else:
+                found.append((-side((a, b, c), s), b * s[2]))
         at = r[0] * t[2] - t[0] * r[2]
         if at <= 0:
             found.append((d * r[0] + e * r[1] + f * r[2], e * r[2]))
@@ -800,7 +847,7 @@ def heights(
         at = at or -tie
         i += at <= 0
         j += at >= 0
-    work.take(i)
+    work.take(len(below) + i - first)
     return found
 
 
@@ -810,9 +857,9 @@ def meeting(one: LowerChain, other: LowerChain, work: Work) -> Iterator[tuple[in
     def is_below(before: Node, after: Node) -> bool:
         return before[0] * after[1] > before[1] * after[0] or before[1] == after[1] == 0
 
+    work.take(len(one.runs) * count(other.runs) + len(other.runs) * count(one.runs))
     for run in one.runs:
         for others in other.runs:
-            work.take(len(run) + len(others))
             start = 0
             for k, p, before, after in run:
                 while start < len(others) and not is_below(before, others[start][3]):
@@ -887,6 +934,7 @@ class Monotone:
         loops[2] = [add(p, at) for p in loops[2]]
         self.fits = [(add(p, at), add(q, at)) for p, q in under("exact_fits", read_fits, fits)]
         x, y = (n if type(n) is int else under("direction", number, n) for n in items(way, 2))
+        need(all(type(n) is int or len(n) > 4300 for n in way), "direction: not a pair of ints")
         primitive = x.denominator == 1 == y.denominator and gcd(int(x), int(y)) == 1
         need(primitive and (x > 0 or (x, y) == (0, 1)), "direction: not primitive")
         self.work, self.way, self.scale = work, (int(x), int(y)), find_scale(loops[0] + loops[1])
@@ -997,8 +1045,8 @@ class Monotone:
                     if low >= piece[1]:
                         break
                     found[k][contact] = piece
-        for k, (entries, of) in enumerate(zip(items(listed, len(sides)), t.lines, strict=True)):
-            known = [*map(read_contact, items(entries))]
+        for k, entries in enumerate(under("contacts", items, listed, len(sides))):
+            of, known = t.lines[k], under(f"contacts[{k}]", read_contacts, entries)
             if known != sorted(found[k]):
                 for contact in sorted(found[k].keys() - known):
                     at = self.leave_line(of, sides[k], found[k][contact])
@@ -1008,13 +1056,18 @@ class Monotone:
 
     def prove_drawn(self, name: str, drawn: MonotoneLoop, listed: Any) -> None:
         """Prove that the features listed for each edge of a loop draw it, all of it."""
-        for k, entries in enumerate(items(listed, len(drawn.lines))):
-            pairs = [items(entry, 2) for entry in items(entries)]
-            features = [(self.t.feature(p), self.g.feature(q)) for p, q in pairs]
-            need(len({*features}) == len(features), f"{name}: a drawing is there twice")
+        for k, entries in enumerate(under(name, items, listed, len(drawn.lines))):
+            features = under(f"{name}[{k}]", self.read_drawings, entries)
             of, edge = drawn.lines[k], extent(drawn.lines[k], drawn.ends("edge", k))
             pieces = [extent(of, self.t.ends(*p), self.g.ends(*q)) for p, q in features]
             self.prove_covered((name, k), of, edge, pieces)
+
+    def read_drawings(self, item: Any) -> list[tuple[tuple[str, int], tuple[str, int]]]:
+        """Read features: positions on the trajectory, and what draws there."""
+        pairs = [items(entry, 2) for entry in items(item)]
+        found = [(self.t.feature(p), self.g.feature(q)) for p, q in pairs]
+        need(len({*found}) == len(found), "a drawing is there twice")
+        return found
 
     def prove_covered(
         self, place: tuple[str, int], of: Node, edge: Extent, pieces: list[Extent]
@@ -1290,18 +1343,23 @@ def read_given(text: str) -> list[Ring]:
     return [[node(*map(Fraction, items(p, 2))) for p in points] for points in rings]
 
 
+def check_format(certificate: Any) -> None:
+    """Refuse a certificate of another format."""
+    need(type(certificate) is dict, "a certificate is an object")
+    version = certificate.get("version")
+    need(certificate.get("format") == FORMAT, f"format: not {FORMAT!r}")
+    need(type(version) is int and version == VERSION, f"version: not {VERSION}")
+
+
 def prove(certificate: Any, max_steps: int = MAX_STEPS) -> str:
     """Prove a certificate, as `json.loads` gives it, and describe the proved claim.
 
     Raises:
         Refused: it is not proved; the first reason.
     """
-    work = Work(max_steps)
-    need(type(certificate) is dict, "a certificate is an object")
-    kind, claim, version = (certificate.get(key) for key in ("kind", "claim", "version"))
-    need(certificate.get("format") == FORMAT, f"format: not {FORMAT!r}")
+    check_format(certificate)
     need(type(max_steps) is int, "max_steps: not an int")
-    need(type(version) is int and version == VERSION, f"version: not {VERSION}")
+    work, kind, claim = Work(max_steps), certificate.get("kind"), certificate.get("claim")
     if kind == "layout":
         return Layout(certificate, work).prove()
     provers = {"no_fit": prove_no_fit, "inner_fit": prove_inner_fit, "sweep": prove_sweep}
