@@ -6,7 +6,6 @@ import multiprocessing
 import os
 import re
 import signal
-import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager, suppress
@@ -14,8 +13,10 @@ from multiprocessing.connection import Connection
 from multiprocessing.synchronize import Barrier
 from pathlib import Path
 from threading import RLock, Thread
-from typing import IO, Any, NoReturn, TypeVar
-from uuid import uuid4
+from typing import IO, TYPE_CHECKING, Any, NoReturn, TypeVar
+
+if TYPE_CHECKING:
+    import subprocess
 
 _MARK = "EXACTSWEEP_MARK"
 # For what is spawned: no modules of the working directory before those of Python, and no word of
@@ -49,9 +50,11 @@ class Started:
                 "programs are started and ended on POSIX systems only; a Python function can be "
                 "judged here, and what 'exactsweep judge' reads from a pipe"
             )
-        self._mark = uuid4().hex
+        import subprocess
+
+        self._mark = _make_mark()
         with _starting:
-            self.process = subprocess.Popen(
+            self.process: subprocess.Popen[bytes] = subprocess.Popen(
                 command,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
@@ -76,7 +79,9 @@ class Started:
 
     def wait(self, seconds: float) -> int | None:
         """Return the exit code, as of `subprocess.Popen`, or None if it does not end in time."""
-        with suppress(subprocess.TimeoutExpired):
+        from subprocess import TimeoutExpired
+
+        with suppress(TimeoutExpired):
             return self.process.wait(seconds)
         return None
 
@@ -96,6 +101,10 @@ class Started:
                 with suppress(OSError):
                     pipe.close()
         _kill_marked(self._mark)
+
+
+def _make_mark() -> str:
+    return os.urandom(16).hex()
 
 
 def _find_family(pid: int) -> list[int]:
@@ -245,7 +254,7 @@ def _begin(
 ) -> None:
     global _together
     _together = barrier
-    mark = uuid4().hex
+    mark = _make_mark()
     _set_environment({**environment, _MARK: f"{os.environ.get(_MARK, '')} {mark}"})
     # A handler, and no mask, is not inherited by what is started from here.
     signal.signal(signal.SIGINT, lambda number, frame: None)

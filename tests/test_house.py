@@ -29,7 +29,7 @@ RULES: dict[str, tuple[set[str], str]] = {
         "what computes knows nothing of pictures",
     ),
     "evidence.proof": (
-        {"numbers", "check"},
+        {"numbers", "check", "geometry.convex"},
         "proofs are written for their checker, and found by the checking side",
     ),
     "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),
@@ -95,7 +95,7 @@ def modules() -> dict[str, Path]:
 
 def imported(source: str, known: set[str]) -> Iterator[str]:
     """The modules of the package that a source imports."""
-    for node in ast.walk(parse(source)):
+    for node in statements(parse(source)):
         if isinstance(node, ast.ImportFrom):
             assert node.level == 0, "imports are absolute"
             module = node.module or ""
@@ -128,13 +128,17 @@ def broken(module: str, targets: Iterator[str]) -> Iterator[str]:
             yield f"{module} imports {target}, which {room} may not see: {why}"
 
 
+@cache
+def sources() -> dict[str, str]:
+    """The sources of all modules of the package, by their names."""
+    return {name: path.read_text(encoding="utf-8") for name, path in modules().items()}
+
+
+@cache
 def arrows() -> dict[str, set[str]]:
     """Return the modules that each module imports."""
-    found = modules()
-    return {
-        name: set(imported(path.read_text(encoding="utf-8"), set(found)))
-        for name, path in found.items()
-    }
+    known = {*sources()}
+    return {name: set(imported(source, known)) for name, source in sources().items()}
 
 
 def circle(graph: dict[str, set[str]]) -> list[str]:
@@ -205,8 +209,8 @@ def test_few_files_lie_at_the_top_and_none_is_long() -> None:
     assert len(list(PACKAGE.glob("*.py"))) <= 6
     long = [
         name
-        for name, path in modules().items()
-        if len(path.read_text(encoding="utf-8").splitlines()) > MOST_LINES.get(name, 400)
+        for name, source in sources().items()
+        if len(source.splitlines()) > MOST_LINES.get(name, 400)
     ]
     assert not long
 
@@ -214,7 +218,7 @@ def test_few_files_lie_at_the_top_and_none_is_long() -> None:
 def named_types(source: str) -> Iterator[str]:
     """The classes and type aliases of a source, without leading underscores."""
     tree = parse(source)
-    for node in ast.walk(tree):
+    for node in statements(tree):
         if isinstance(node, ast.ClassDef):
             yield node.name.lstrip("_")
     for node in tree.body:
@@ -237,11 +241,7 @@ def namesakes(sources: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
 def test_no_two_types_have_one_name() -> None:
     # One word for one thing: a reader who meets a name knows which type it is.
     # The checker that stands alone has words of its own.
-    found = namesakes(
-        (name, path.read_text(encoding="utf-8"))
-        for name, path in modules().items()
-        if name not in MOST_LINES
-    )
+    found = namesakes(item for item in sources().items() if item[0] not in MOST_LINES)
     assert not found, found
 
 
@@ -284,8 +284,8 @@ def test_docstrings_keep_one_order() -> None:
     # The order: summary, arguments, results, errors, cost, source, example.
     found = [
         f"{module}.{name}: {line}"
-        for module, path in modules().items()
-        for name, text in docstrings(path.read_text(encoding="utf-8"))
+        for module, source in sources().items()
+        for name, text in docstrings(source)
         if (line := misplaced(text))
     ]
     assert not found, "\n".join(found)

@@ -7,7 +7,7 @@ from typing import Any, Literal
 from exactsweep import NoFitPolygon, Sweep
 from exactsweep.batch.rounded import round_values
 from exactsweep.formats.decimals import format_decimal
-from exactsweep.formats.exact_json import write_json
+from exactsweep.formats.exact_json import quote_fraction, write_json
 from exactsweep.formats.rounding import Rounding
 from exactsweep.text.results import direction_to_json
 
@@ -53,7 +53,8 @@ def write_result_line(
     values = {c: _value(result, c) for c in columns}
     if rounding is not None:
         values = round_values(values, rounding)
-    return _line({"index": index, **names, **values}, format_decimal if rounding else None)
+    number = format_decimal if rounding else quote_fraction
+    return _line({"index": index, **names, **values}, number)
 
 
 def write_error_line(index: int, names: Mapping[str, object], reason: str) -> bytes:
@@ -78,10 +79,9 @@ def _value(result: Sweep | NoFitPolygon, column: str) -> object:
     return list(value) if column in ("holes", "unswept") else value
 
 
-def _line(record: Mapping[str, object], number: Callable[[Fraction], str] | None = None) -> bytes:
-    members = (f'"{name}": {_text(name, value, number)}' for name, value in record.items())
+def _line(record: Mapping[str, Any], number: Callable[[Fraction], str] = quote_fraction) -> bytes:
+    members = [
+        f'"{name}": {direction_to_json(v) if name == "direction" else write_json(v, number)}'
+        for name, v in record.items()
+    ]
     return f"{{{', '.join(members)}}}\n".encode()
-
-
-def _text(name: str, value: Any, number: Callable[[Fraction], str] | None) -> str:
-    return direction_to_json(value) if name == "direction" else write_json(value, number)

@@ -149,7 +149,7 @@ class Work:
                 raise FormatError(f"$.{name}: there is no part {quote(value)}{near}")
             return _polygon(self._by_name[value], name)
         try:
-            return choose(find_candidates(value), None).region()
+            return choose(find_candidates(value), None).shape()
         except ValueError as error:
             raise FormatError(f"{name}: {error}") from None
 

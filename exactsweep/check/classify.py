@@ -1,8 +1,7 @@
 """One translation of one polygon against another: free, in contact, or overlapping.
 
-A plane sweep in the manner of Shamos and Hoey ("Geometric intersection problems", 1976) over the
-edges of both polygons, holes and all, on ints. Where boundaries meet without crossing, they do so
-at a vertex of one of them, which is an event; there the two interiors are compared as cones. So
+All pairs of edges whose boxes meet, holes and all, on ints. Where boundaries meet without crossing,
+they do so at a vertex of one of them; there the two interiors are compared as cones. So
 
 - edges that cross, or cones at a common point with a direction in common: the interiors meet;
 - common points, and no two cones meet: the interiors are disjoint, because a ring could enter
@@ -18,6 +17,7 @@ from fractions import Fraction
 from itertools import chain
 from typing import Any, Literal, NamedTuple
 
+from exactsweep.check.boxes import find_box, meet
 from exactsweep.check.cone import dot, find_common_direction, find_direction_inside
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
@@ -56,7 +56,7 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
         PolygonError: vertices are not those of a simple polygon; the message begins with its name.
         NumberError: a coordinate is not an exact number; likewise.
 
-    Cost: O((m + n) log(m + n)) comparisons, and as many insertions into one list.
+    Cost: O(mn) for the edges of both that are in the boxes of both.
     Source: Definition 1.1.
 
     >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -69,10 +69,9 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
         polygons = [list_rings(directrix)]
     with name_refusals("generatrix"):
         polygons.append(list_rings(generatrix))
-    scale, (d, g) = scale_shapes(polygons)
-    dx, dy = x * scale, y * scale
+    scale, (d, g, (((dx, dy),),)) = scale_shapes([*polygons, ((Point(x, y),),)])
     shapes = d, tuple(tuple((px + dx, py + dy) for px, py in ring) for ring in g)
-    if _boxes_apart(*shapes):
+    if not meet(*(find_box(shape[0]) for shape in shapes)):
         return Classification("FREE", None)
     contact = None
     for point, cones in list_meetings(shapes):
@@ -87,15 +86,6 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
             direction = find_direction_inside(find_cones_of(split_where_touching(inner))[start][0])
             return Classification("OVERLAP", _witness(start, direction, shapes, scale))
     return Classification("FREE", None)
-
-
-def _boxes_apart(one: LatticeShape, other: LatticeShape) -> bool:
-    for axis in (0, 1):
-        # The exterior is the first ring.
-        a, b = [p[axis] for p in one[0]], [p[axis] for p in other[0]]
-        if max(a) < min(b) or max(b) < min(a):
-            return True
-    return False
 
 
 def _witness(

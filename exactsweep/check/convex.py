@@ -4,12 +4,6 @@ A shape is cut along diagonals, each from a vertex to a vertex through the inter
 of any face is wider than half a turn. Then every face is convex: a hole in a face would have a
 corner that is a wide angle of the face. Diagonals suffice, because every set of diagonals that do
 not cross can be completed to a triangulation.
-
-One is found in linear time. Let h be where a ray from p into an angle first meets a wall, which is
-an edge or a diagonal, and let a be an end of that wall. Of all vertices in the triangle of p, h and
-a, those on the ray apart, the one at the least angle to the ray, and the nearest at that angle, can
-be seen from p: a wall in between, which does not meet the ray before h, would have an end in the
-triangle at a lesser angle.
 """
 
 from __future__ import annotations
@@ -17,14 +11,13 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from exactsweep.check.cone import Cone, cross, dot, reduce_way, subtract
+from exactsweep.check.cone import Cone, cross, dot, subtract
 from exactsweep.check.meeting import find_cones_of, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
 from exactsweep.check.size import Budget, measure_bits
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 
-_NEAR = 32  # as many vertices to either side are looked at first
-_FEW = 4  # as many of them are tried
+_NEAR = 32  # as many vertices to either side are tried first
 
 _Wall = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex]
 """A segment by its ends, behind its least and its greatest x and y."""
@@ -41,7 +34,7 @@ def cut_to_convex(shape: LatticeShape, budget: Budget) -> list[LatticeRing]:
         Convex rings, counter-clockwise, without straight angles. Their interiors are disjoint, and
         together with the diagonals between them they are the interior of the shape.
 
-    Cost: O(c n).
+    Cost: O(c n) where diagonals go to vertices near in x, O(c n**2) at worst.
 
     >>> from exactsweep.check.size import UNLIMITED
     >>> len(cut_to_convex((((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)),), UNLIMITED))
@@ -102,71 +95,15 @@ def _find_diagonal(
     walls: Sequence[_Wall],
     take: Callable[[int], None],
 ) -> Vertex:
-    """The end of a diagonal into a wide angle.
-
-    The best of the vertices next in x, if it is among the first few of them, else the best of those
-    that are seen along three rays.
-    """
+    """The end of the best diagonal into a wide angle: to a vertex near in x, else to any."""
     k = bisect_left(order, p)
-    near = order[max(k - _NEAR, 0) : k + _NEAR + 1]
-    take(2 * len(near))
-    for _, _, q in sorted(_rank_diagonals(p, wide, near, cones))[:_FEW]:
-        take(1 + len(walls) // 8)
-        if not _is_blocked(p, q, walls):
-            return q
-    (ax, ay), (bx, by) = wide
-    take(4 * len(walls))
-    rays = [way for way in ((-ay, ax), (-ax, -ay), (-bx, -by)) if wide.surrounds(way)]
-    seen = [q for ray in rays for q in _list_seen(p, reduce_way(ray), order, walls)]
-    return min(_rank_diagonals(p, wide, seen, cones))[2]
-
-
-def _list_seen(
-    p: Vertex, ray: Vertex, order: Iterable[Vertex], walls: Iterable[_Wall]
-) -> Iterator[Vertex]:
-    """The vertex seen at the least angle on either side of a ray, up to its first wall."""
-    a, b = _find_first_wall(p, ray, walls)
-    for end, other in ((a, b), (b, a)):
-        way, along = subtract(end, p), subtract(other, end)
-        turn, before = cross(ray, way), cross(along, way)
-        if turn == 0:
-            yield end
-            continue
-        # Seen from the other side all is mirrored.
-        sense = 1 if turn > 0 else -1
-        best = end
-        for q in order:
-            to_q = subtract(q, p)
-            if sense * cross(ray, to_q) <= 0:
-                continue
-            inward = sense * cross(to_q, way)
-            if inward < 0 or (inward == 0 and dot(to_q, to_q) >= dot(way, way)):
-                continue
-            if before * cross(along, subtract(end, q)) > 0:
-                best, way = q, to_q
-        yield best
-
-
-def _find_first_wall(p: Vertex, ray: Vertex, walls: Iterable[_Wall]) -> Edge:
-    """The wall that a ray meets first. If that is in an end of walls, it is one that ends there."""
-    first: Rational | None = None
-    over: Rational = 1
-    found = None
-    for *_, a, b in walls:
-        to_a, to_b = subtract(a, p), subtract(b, p)
-        from_a, from_b = cross(ray, to_a), cross(ray, to_b)
-        if from_a * from_b > 0:
-            continue
-        if from_a == from_b:  # along the ray: both are ends of other walls
-            continue
-        # Where it meets the wall's line: a share of the ray, over the difference of both.
-        at, by = cross(to_a, to_b), from_b - from_a
-        if by < 0:
-            at, by = -at, -by
-        if at > 0 and (first is None or at * over < first * by):
-            first, over, found = at, by, (a, b)
-    assert found is not None  # there is a way out of a shape
-    return found
+    for ends in (order[max(k - _NEAR, 0) : k + _NEAR + 1], order):
+        take(2 * len(ends))
+        for _, _, q in sorted(_rank_diagonals(p, wide, ends, cones)):
+            take(1 + len(walls) // 8)
+            if not _is_blocked(p, q, walls):
+                return q
+    raise AssertionError("a wide angle has a diagonal")
 
 
 def _rank_diagonals(

@@ -8,7 +8,7 @@ from typing import Any
 from exactsweep.check.shape import list_rings, scale_shapes
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import to_fraction
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.point import Point, Vertex
 
 
 @tells_arguments
@@ -29,9 +29,10 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     >>> [point_in_polygon(p, square) for p in [(1, 1), (2, "1/3"), (3, 1)]]
     [1, 0, -1]
     """
-    scale, (shape,) = scale_shapes([list_rings(polygon)])
     x, y = point
-    return locate_in_shape((to_fraction(x) * scale, to_fraction(y) * scale), shape)
+    at = Point(to_fraction(x), to_fraction(y))
+    _, (shape, ((place,),)) = scale_shapes([list_rings(polygon), ((at,),)])
+    return locate_in_shape(place, shape)
 
 
 def locate_in_shape(point: Vertex, rings: Sequence[Sequence[Vertex]]) -> int:

@@ -4,36 +4,13 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from functools import cmp_to_key
-from typing import NamedTuple
 
+from exactsweep.check.boxes import find_box, meet
 from exactsweep.check.cone import Cone, Ray, cross, dot, find_cones, is_between, subtract
 from exactsweep.check.shape import LatticeShape, list_edges
-from exactsweep.numbers.point import Vertex
-
-
-class _StatusEdge(NamedTuple):
-    """An edge from its lexicographically lesser end to the greater one."""
-
-    left: Vertex
-    right: Vertex
-    along: Vertex  # right minus left
-    sense: int  # 1 if the counter-clockwise walk goes from left to right, else -1
-    owner: int
-
-    def side(self, point: Vertex) -> int | Fraction:
-        """Negative where the point is above the edge (left of it), 0 on it, positive below."""
-        (x, y), (dx, dy) = self.left, self.along
-        return dy * (point[0] - x) - dx * (point[1] - y)
-
-    @property
-    def rays(self) -> tuple[Ray, Ray]:
-        """The edge as seen from a point inside it."""
-        x, y = self.along
-        return Ray((x, y), self.sense > 0), Ray((-x, -y), self.sense < 0)
-
+from exactsweep.numbers.point import Edge, Vertex
 
 Cones = list[Cone]
 
@@ -41,66 +18,55 @@ Cones = list[Cone]
 def list_meetings(
     shapes: tuple[LatticeShape, LatticeShape],
 ) -> Iterator[tuple[Vertex, tuple[Cones, Cones]]]:
-    """Common boundary points in the order of the sweep, each with the cones of both shapes.
+    """Common boundary points of two shapes, crossings first, each with the cones of both.
 
-    Complete as long as no cones met so far; past that, the order of the status is not kept.
+    Cost: O(mn) for m and n edges in the boxes of both.
     """
-    corners: dict[Vertex, dict[int, list[Ray]]] = defaultdict(dict)
-    starting: dict[Vertex, list[_StatusEdge]] = defaultdict(list)
-    for owner, shape in enumerate(shapes):
-        for ring in shape:
-            for k, p in enumerate(ring):
-                corners[p].setdefault(owner, []).extend(find_rays(ring, k))
-                left, right = sorted((ring[k - 1], p))
-                sense = 1 if right == p else -1
-                starting[left].append(_StatusEdge(left, right, subtract(right, left), sense, owner))
-    # The status: the edges over the current event from below to above. At equal x the lower
-    # event comes first, as if the plane were tilted a little; so a vertical edge is the steepest.
-    status: list[_StatusEdge] = []
-    for point in sorted(corners):
-        low = bisect_left(status, True, key=lambda edge: edge.side(point) >= 0)
-        high = bisect_left(status, True, lo=low, key=lambda edge: edge.side(point) > 0)
-        through = [edge for edge in status[low:high] if edge.right != point]
-        rays = corners[point]
-        for edge in through:
-            rays.setdefault(edge.owner, []).extend(edge.rays)
-        if len(rays) == 2:
-            yield point, (find_cones(rays[0]), find_cones(rays[1]))
-        # Edges that run on together share one line: either order of them is right until the
-        # first one ends, at an event that lies on both.
-        onward = through + starting[point]
-        onward.sort(key=_BY_SLOPE)
-        status[low:high] = onward
-        for k in {low, low + len(onward)}:
-            if 0 < k < len(status) and (crossing := _find_crossing(status[k - 1], status[k])):
-                a, b = sorted(status[k - 1 : k + 1], key=lambda edge: edge.owner)
-                yield crossing, (find_cones(a.rays), find_cones(b.rays))
+    through: dict[Vertex, tuple[set[Edge], set[Edge]]] = defaultdict(lambda: (set(), set()))
+    for e, f in _list_near(shapes):
+        (a, b), (c, d) = e, f
+        way, along = subtract(b, a), subtract(d, c)
+        from_c, from_d = cross(way, subtract(c, a)), cross(way, subtract(d, a))
+        if (from_c > 0 < from_d) or (from_c < 0 > from_d):
+            continue
+        if from_c * from_d < 0 and cross(along, subtract(a, c)) * cross(along, subtract(b, c)) < 0:
+            share = Fraction(from_c) / (from_c - from_d)
+            crossing = c[0] + share * along[0], c[1] + share * along[1]
+            yield crossing, ([Cone(way, subtract(a, b))], [Cone(along, subtract(c, d))])
+        ends = [*(p for p in e if is_between(p, c, d)), *(p for p in f if is_between(p, a, b))]
+        for p in ends:
+            through[p][0].add(e)
+            through[p][1].add(f)
+    for p in sorted(through):
+        one, other = (_find_cones_at(p, edges) for edges in through[p])
+        yield p, (one, other)
 
 
-def _find_crossing(e: _StatusEdge, f: _StatusEdge) -> Vertex | None:
-    """The point inside both edges in which they cross; touching is left to the events."""
-    if e.owner == f.owner:
-        return None
-    from_left, from_right = e.side(f.left), e.side(f.right)
-    if from_left * from_right >= 0 or f.side(e.left) * f.side(e.right) >= 0:
-        return None
-    share = Fraction(from_left) / (from_left - from_right)
-    return f.left[0] + share * f.along[0], f.left[1] + share * f.along[1]
+def _list_near(shapes: tuple[LatticeShape, LatticeShape]) -> Iterator[tuple[Edge, Edge]]:
+    """List pairs of edges whose boxes meet."""
+    one, other = (
+        [
+            (box, e)
+            for e in list_edges(split_where_touching(shape))
+            if meet(box := find_box(e), around)
+        ]
+        for shape, around in zip(shapes, (find_box(s[0]) for s in shapes[::-1]), strict=True)
+    )
+    for box, e in one:
+        for around, f in other:
+            if meet(box, around):
+                yield e, f
 
 
-def _compare_slopes(e: _StatusEdge, f: _StatusEdge) -> int:
-    turn = cross(f.along, e.along)
-    return (turn > 0) - (turn < 0)
-
-
-_BY_SLOPE = cmp_to_key(_compare_slopes)
-
-
-def find_rays(ring: Sequence[Vertex], k: int) -> tuple[Ray, Ray]:
-    """The rays of a ring at its vertex k."""
-    p = ring[k]
-    ahead, back = subtract(ring[(k + 1) % len(ring)], p), subtract(ring[k - 1], p)
-    return Ray(ahead, True), Ray(back, False)
+def _find_cones_at(p: Vertex, edges: Iterable[Edge]) -> Cones:
+    """The cones of a shape at a point, from all of its edges through that."""
+    rays = [
+        Ray(subtract(q, p), is_ahead)
+        for edge in edges
+        for q, is_ahead in zip(edge, (False, True), strict=True)
+        if q != p
+    ]
+    return find_cones(rays)
 
 
 def split_where_touching(shape: LatticeShape) -> LatticeShape:
@@ -126,8 +92,8 @@ def split_where_touching(shape: LatticeShape) -> LatticeShape:
 
 def find_cones_of(shape: LatticeShape) -> dict[Vertex, Cones]:
     """The cones of a shape at each of its vertices; its rings touch in vertices only."""
-    rays: dict[Vertex, list[Ray]] = defaultdict(list)
-    for ring in shape:
-        for k, p in enumerate(ring):
-            rays[p].extend(find_rays(ring, k))
-    return {p: find_cones(found) for p, found in rays.items()}
+    at: dict[Vertex, list[Edge]] = defaultdict(list)
+    for edge in list_edges(shape):
+        for p in edge:
+            at[p].append(edge)
+    return {p: _find_cones_at(p, edges) for p, edges in at.items()}

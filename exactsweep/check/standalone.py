@@ -1203,7 +1203,8 @@ class Layout:
             error = NONE if type(turn) is tuple else far * turn_error(to, turn)
             need(error > 0 or turn == to, "turns: not the turn of the placement")
             self.facts.append((k, turn, bool(mirrored)))
-            self.put([move_ring(e, to, bool(mirrored), point(move)) for e in pieces[k]], error)
+            by = point(move)
+            self.put([move_ring(e, to, bool(mirrored), by) for e in pieces[k]], error)
         # All that is outside comes last, for its number is -1.
         within = shape(container)
         self.put([] if outside is None else solid(within, outside, work, self.frame), NONE)

@@ -1,7 +1,6 @@
 """Results as polygons in a format, rounded on request, and what rounding did to them."""
 
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 
 import click
 
@@ -142,7 +141,7 @@ def _say(changes: Changes, moved: int, rounding: Rounding, is_safe: bool) -> str
         return ""
     parts = [f"rounded: {count(changes.changed, 'polygon')}"]
     if changes.distance:
-        parts.append(f"moved by at most {approximate(_up(changes.distance))}")
+        parts.append(f"moved by at most {approximate(changes.distance, up=True)}")
     if moved:
         parts.append(f"{count(moved, 'exact fit')} {'left out' if rounding.outward else 'moved'}")
     if changes.left_out:
@@ -150,11 +149,3 @@ def _say(changes: Changes, moved: int, rounding: Rounding, is_safe: bool) -> str
     if is_safe:
         parts.append("proved to permit no overlap")
     return ", ".join(parts)
-
-
-def _up(distance: Fraction) -> Fraction:
-    """The distance with six digits, not below it."""
-    scale = Fraction(1)
-    while distance * scale < 10**5:
-        scale *= 10
-    return Fraction(-(-distance * scale // 1)) / scale

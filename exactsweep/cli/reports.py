@@ -16,8 +16,8 @@ import click
 from exactsweep.cli.complete import list_verdicts, offer
 from exactsweep.cli.options import checked, gather, takes_file
 from exactsweep.cli.output import measure_columns, write
-from exactsweep.formats import FormatError
-from exactsweep.numbers.number import to_fraction
+from exactsweep.formats import FormatError, show_path
+from exactsweep.numbers.number import quote, to_fraction
 
 if TYPE_CHECKING:
     from exactsweep.conform.run.protocol import Hello
@@ -49,7 +49,7 @@ class Reports:
         require_own_files(paths)
         for path in paths:
             if path != "-" and not Path(path).parent.is_dir():
-                raise FormatError(f"{path}: its folder is not there")
+                raise FormatError(f"{show_path(path)}: its folder is not there")
 
     def begin(self, hello: Hello, command: Sequence[str] = ()) -> Run:
         """Begin a run that is measured so."""
@@ -105,7 +105,7 @@ def _require_verdict(name: str) -> str:
     """Refuse what is no verdict, or says nothing on an answer."""
     allowed = list_verdicts()
     if name not in allowed:
-        raise FormatError(f"{name!r} is not one of: {', '.join(allowed)}")
+        raise FormatError(f"{quote(name)} is not one of: {', '.join(allowed)}")
     return name
 
 

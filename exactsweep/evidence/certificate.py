@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.trace import Trace
+from exactsweep.evidence.drawn import DrawnPiece
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Point
@@ -50,8 +50,8 @@ class Statement(NamedTuple):
     area: Fraction
     exact_fits: Sequence[Sequence[Point]]
     contacts: Sequence[Sequence[Contact]]
-    inner_drawn: Sequence[Sequence[Trace]]
-    outer_drawn: Sequence[Sequence[Trace]]
+    inner_drawn: Sequence[Sequence[DrawnPiece]]
+    outer_drawn: Sequence[Sequence[DrawnPiece]]
 
 
 def write_certificate(statement: Statement) -> dict[str, Any]:
@@ -102,8 +102,8 @@ def _written_int(number: int) -> int | str:
     return text if len(text) > _DIGITS_OF_AN_INT else number
 
 
-def _drawn(edges: Sequence[Sequence[Trace]]) -> list[list[list[list[str | int]]]]:
-    return [[[list(place), list(feature)] for place, feature in drawn] for drawn in edges]
+def _drawn(edges: Sequence[Sequence[DrawnPiece]]) -> list[list[list[list[str | int]]]]:
+    return [[[list(place), list(feature)] for place, feature, *_ in drawn] for drawn in edges]
 
 
 def _points(points: Sequence[Point]) -> list[list[str]]:

@@ -15,17 +15,17 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
-from math import lcm
-from typing import Any, Literal, NamedTuple
+from math import ceil, floor, inf, lcm
+from typing import Literal, NamedTuple
 
-from exactsweep.geometry.direction import Vector, angle_key
+from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
-from exactsweep.geometry.vectors import is_between, minus
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.geometry.segment import Segment, find_direction, lay_point, make_segment
+from exactsweep.geometry.vectors import cross, is_between, minus
+from exactsweep.numbers.point import Edge, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
 
@@ -84,65 +84,81 @@ def find_edge_contacts(
     Cost: O((t + m + n) log(t + m + n)) for t edges, plus a look-up in O(log t) for each pair that
     can touch without overlap. Convex polygons have O(m + n) such pairs, others O(m n).
     """
-    lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
-    for k, edge in enumerate(edges):
-        piece = make_segment(edge)
-        lines[piece.direction, piece.offset].append((piece, k))
+    found = find_touching(list(map(make_segment, edges)), generatrix, directrix)
+    return [sorted(_without_parts({*at}, generatrix, directrix)) for at in found]
+
+
+def find_touching(
+    edges: Sequence[Segment], generatrix: Outline, directrix: Outline
+) -> list[dict[Contact, Segment]]:
+    """Find all contacts along edges, EV and VE as part of EE among them, and their translations.
+
+    Arguments and cost are those of `find_edge_contacts`. Returns a dict for each edge.
+    """
+    lines: defaultdict[tuple[Vector, int, int], list[tuple[int, int, Segment]]] = defaultdict(list)
+    for k, piece in enumerate(edges):
+        key = piece.direction, *piece.offset.as_integer_ratio()
+        lines[key].append((floor(piece.low), k, piece))
     for line in lines.values():
-        line.sort(key=_low)
-    longest = {key: max(p.high - p.low for p, _ in line) for key, line in lines.items()}
-    found: list[set[Contact]] = [set() for _ in edges]
+        line.sort()
+    longest = {key: max(ceil(p.high) - low for low, _, p in line) for key, line in lines.items()}
+    found: list[dict[Contact, Segment]] = [{} for _ in edges]
 
-    def note(event: Event, i: int, j: int, u: Vector, first: Vertex, last: Vertex) -> None:
-        key = u, find_offset(u, first)
-        if key not in lines:
+    def note(event: Event, i: int, j: int, mine: Segment, theirs: Segment) -> None:
+        key = mine.direction, *(theirs.offset - mine.offset).as_integer_ratio()
+        line = lines.get(key)
+        if line is None:
             return
-        touching = make_segment((first, last), u)
-        # If a line has many pieces, test only those nearby.
-        line = lines[key]
-        start = bisect_left(line, touching.low - longest[key], key=_low)
-        for piece, k in line[start : bisect_right(line, touching.high, key=_low)]:
-            if touching.shares_piece(piece):
-                found[k].add(Contact(event, i, j))
+        # Ints decide quickly which pieces of the line are near.
+        first = floor(theirs.low) - ceil(mine.high) - longest[key]
+        last = ceil(theirs.high) - floor(mine.low)
+        near = line[bisect_left(line, (first + 1,)) : bisect_left(line, (last,))]
+        if near:
+            touching = theirs.minus(mine)
+            for _, k, piece in near:
+                if touching.shares_piece(piece):
+                    found[k][Contact(event, i, j)] = touching
 
-    directions = {direction for direction, _ in lines}
+    directions = {direction for direction, _, _ in lines}
     g_along, d_along = (
-        {k: u for k, edge in enumerate(shape.edges) if (u := find_direction(edge)) in directions}
+        [k for k, piece in enumerate(shape.pieces) if piece.direction in directions]
         for shape in (generatrix, directrix)
     )
-    g_edges, d_edges = (
-        {k: shape.edge(k) for k in along_edge}
-        for shape, along_edge in ((generatrix, g_along), (directrix, d_along))
-    )
-    parallel: defaultdict[Vector, list[int]] = defaultdict(list)
-    for j, u in d_along.items():
-        parallel[u].append(j)
-    for i, (p, q) in g_edges.items():
-        for j in parallel[g_along[i]]:
-            r, s = d_edges[j]
-            # Both run with their shape on the left, so facing edges have opposite directions.
-            if (p < q) != (r < s):
-                note("EE", i, j, g_along[i], minus(r, p), minus(s, q))
-                # Where rings touch, a vertex may lie inside an edge.
-                for k in directrix.vertices_inside(j):
-                    v = directrix.vertices[k]
-                    note("EV", i, k, g_along[i], minus(v, p), minus(v, q))
-                for k in generatrix.vertices_inside(i):
-                    w = generatrix.vertices[k]
-                    note("VE", k, j, g_along[i], minus(r, w), minus(s, w))
-    for i, j in find_facing(g_edges, directrix):
-        (p, q), v = g_edges[i], directrix.vertices[j]
-        for k in directrix.vertices_at(v):
-            note("EV", i, k, g_along[i], minus(v, p), minus(v, q))
-    for j, i in find_facing(d_edges, generatrix):
-        (r, s), w = d_edges[j], generatrix.vertices[i]
-        for k in generatrix.vertices_at(w):
-            note("VE", k, j, d_along[j], minus(r, w), minus(s, w))
-    return [sorted(_without_parts(c, generatrix, directrix)) for c in found]
+    parallel: defaultdict[tuple[Vector, bool], list[int]] = defaultdict(list)
+    for j in d_along:
+        parallel[directrix.pieces[j].direction, directrix.backward[j]].append(j)
+    for i in g_along:
+        mine = generatrix.pieces[i]
+        u = mine.direction
+        # Both run with their shape on the left, so facing edges have opposite directions.
+        for j in parallel[u, not generatrix.backward[i]]:
+            theirs = directrix.pieces[j]
+            note("EE", i, j, mine, theirs)
+            # Where rings touch, a vertex may lie inside an edge.
+            for k in directrix.vertices_inside(j):
+                note("EV", i, k, mine, lay_point(directrix.vertices[k], u))
+            for k in generatrix.vertices_inside(i):
+                note("VE", k, j, lay_point(generatrix.vertices[k], u), theirs)
+    for i, j in find_facing(generatrix, directrix, g_along):
+        mine = generatrix.pieces[i]
+        theirs = lay_point(directrix.vertices[j], mine.direction)
+        for k in directrix.twins(j):
+            note("EV", i, k, mine, theirs)
+    for j, i in find_facing(directrix, generatrix, d_along):
+        theirs = directrix.pieces[j]
+        mine = lay_point(generatrix.vertices[i], theirs.direction)
+        for k in generatrix.twins(i):
+            note("VE", k, j, mine, theirs)
+    return found
 
 
-def _low(item: tuple[Segment, int]) -> Rational:
-    return item[0].low
+def find_translations(contact: Contact, generatrix: Outline, directrix: Outline) -> Segment:
+    """Return the translations at which an EV, VE or EE contact lasts. Cost: O(1)."""
+    event, i, j = contact
+    ours, theirs = generatrix.edge(i), directrix.edge(j)
+    u = find_direction(ours if event[0] == "E" else theirs)
+    mine = make_segment(ours, u) if event[0] == "E" else lay_point(ours[0], u)
+    return (make_segment(theirs, u) if event[1] == "E" else lay_point(theirs[0], u)).minus(mine)
 
 
 def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contact]:
@@ -219,43 +235,51 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
         for d in [j] if event == "VE" else [j, directrix.before[j]]:
             other = make_segment(directrix.edge(d))
             if piece.direction == other.direction:
-                moved = piece.moved(t)
-                if moved.offset == other.offset and moved.shares_piece(other):
+                touching, place = other.minus(piece), lay_point(t, piece.direction)
+                if touching.offset == place.offset and touching.shares_piece(place):
                     found.add(Contact("EE", i, d))
     return sorted(found)
 
 
-def find_facing(edges: Mapping[int, Edge], outline: Outline) -> Iterator[tuple[int, int]]:
+def find_facing(
+    shape: Outline, outline: Outline, numbers: Iterable[int]
+) -> Iterator[tuple[int, int]]:
     """Find the pairs of an edge and a vertex that can touch without overlap.
 
     Args:
-        edges: the edges of a polygon by number, with the interior on the left.
-        outline: the other polygon, no three neighbours collinear.
+        shape: the features of a polygon.
+        outline: those of the other polygon, no three neighbours collinear.
+        numbers: the numbers of the edges of the first polygon.
 
     Returns:
-        (number of the edge, index of the vertex).
+        (number of the edge, number of the vertex).
 
     Cost: O((m + n) log n + pairs) for n edges and m vertices.
 
-    >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
-    >>> sorted(find_facing({0: ((0, 0), (1, 0)), 1: ((1, 0), (0, 1))}, square))
-    [(0, 2), (0, 3), (1, 0)]
+    >>> square, steep = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]]), Outline([[(1, 0), (0, 1)]])
+    >>> sorted(find_facing(square, square, [0])), sorted(find_facing(steep, square, [0]))
+    ([(0, 2), (0, 3)], [(0, 0)])
     """
-    order = sorted((_angle((q, p)), i) for i, (p, q) in edges.items())
-    angles = [angle for angle, _ in order]
-    for j, v in enumerate(outline.vertices):
-        before, after = outline.vertices[outline.before[j]], outline.vertices[outline.after[j]]
-        if (v[0] - before[0]) * (after[1] - v[1]) <= (v[1] - before[1]) * (after[0] - v[0]):
-            continue
-        first, last = _angle((before, v)), _angle((v, after))
-        start, end = bisect_left(angles, first), bisect_right(angles, last)
-        found = order[start:end] if first <= last else order[start:] + order[:end]
-        for _, i in found:
-            yield i, j
+    # Slopes of edges no wider than 2**n differ by 4**-n, so ints in that unit have their order.
+    bits = (
+        2
+        * max(max(piece.direction[0] for piece in o.pieces) for o in (shape, outline)).bit_length()
+    )
 
+    def angle(o: Outline, k: int, *, turned: bool) -> tuple[bool, float]:
+        """Return a key that orders directed edges by angle, from -90 degrees, exclusive."""
+        a, b = o.pieces[k].direction
+        return o.backward[k] != turned, (b << bits) // a if a else inf
 
-def _angle(edge: Edge) -> tuple[bool, Any]:
-    """Return a key that orders directed edges by angle, from -90 degrees, exclusive."""
-    (px, py), (qx, qy) = edge
-    backward = qx < px or (qx == px and qy < py)
-    return backward, angle_key(find_direction(edge))
+    order = sorted((angle(shape, i, turned=True), i) for i in numbers)
+    angles = [key for key, _ in order]
+    ways = [angle(outline, k, turned=False) for k in range(len(outline.vertices))]
+    for j, (into, out) in enumerate(zip(outline.arriving, outline.leaving, strict=True)):
+        first, last = ways[into], ways[out]
+        if (cross(outline.pieces[into].direction, outline.pieces[out].direction) > 0) == (
+            first[0] == last[0]
+        ):
+            start, end = bisect_left(angles, first), bisect_right(angles, last)
+            found = order[start:end] if first <= last else order[start:] + order[:end]
+            for _, i in found:
+                yield i, j

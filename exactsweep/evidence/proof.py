@@ -16,8 +16,6 @@ from math import lcm
 from typing import Any
 
 from exactsweep.check import standalone
-from exactsweep.check.convex import cut_to_convex
-from exactsweep.check.size import UNLIMITED
 from exactsweep.check.standalone import (
     Edge,
     Node,
@@ -33,10 +31,9 @@ from exactsweep.check.standalone import (
     shape,
     turn,
 )
+from exactsweep.geometry.convex import IntRing, cut_to_convex
 from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Vertex
 
-_LONG = 2000  # bits of a common denominator that are worth while
 _STRIPS = 64
 _EDGES = 3  # of a convex polygon, on either side of a slice
 
@@ -363,19 +360,14 @@ def _unite(slits: Sequence[Edge], known: Sequence[Edge]) -> list[Edge]:
 
 
 def _cut(rings: list[Ring]) -> list[Ring]:
-    """Cut a shape into convex pieces, in ints where a common denominator is of use."""
+    """Cut a shape into convex pieces of few sides."""
     scale = lcm(*(w for one in rings for _, _, w in one))
-    if scale.bit_length() > _LONG:
-        scale = 1
-    scaled: list[tuple[Vertex, ...]] = []
-    for points in rings:
-        found = [(x * scale, y * scale) for x, y in map(place, points)]
-        scaled.append(tuple(found if scale == 1 else [(int(x), int(y)) for x, y in found]))
-    cut = chain.from_iterable(map(_slice, cut_to_convex((scaled[0], *scaled[1:]), UNLIMITED)))
-    return [[node(Fraction(x) / scale, Fraction(y) / scale) for x, y in piece] for piece in cut]
+    scaled = [[(x * (scale // w), y * (scale // w)) for x, y, w in one] for one in rings]
+    cut = chain.from_iterable(map(_slice, cut_to_convex(scaled)))
+    return [[node(Fraction(x, scale), Fraction(y, scale)) for x, y in piece] for piece in cut]
 
 
-def _slice(points: Sequence[Vertex]) -> Iterator[Sequence[Vertex]]:
+def _slice(points: IntRing) -> Iterator[IntRing]:
     """Cut a convex polygon across into slices of few sides, whose sums have few sides."""
     last = (len(points) - 1) // 2
     for k in range(0, last, _EDGES):

@@ -22,7 +22,7 @@ from collections.abc import Sequence
 from itertools import permutations
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from exactsweep.evidence.contact import Contact, find_contacts, list_edges
+from exactsweep.evidence.contact import Contact, find_contacts, find_translations, list_edges
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.segment import find_direction
@@ -149,17 +149,8 @@ class _Guide:
 
     def _piece(self, contact: Contact, edge: Edge) -> Edge:
         """Find the piece of an edge of the trajectory along which a contact lasts."""
-        event, i, j = contact
-        g, d = self.generatrix, self.directrix
-        if event == "EV":
-            (p, q), v = g.edge(i), d.vertices[j]
-            ends = minus(v, p), minus(v, q)
-        elif event == "VE":
-            w, (p, q) = g.vertices[i], d.edge(j)
-            ends = minus(p, w), minus(q, w)
-        else:
-            (p, q), (v, w) = g.edge(i), d.edge(j)
-            ends = minus(v, p), minus(w, q)
+        touching = find_translations(contact, self.generatrix, self.directrix)
+        ends = touching.point(touching.low), touching.point(touching.high)
 
         def progress(point: Vertex) -> Rational:
             return _progress(edge, point)

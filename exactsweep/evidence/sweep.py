@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from itertools import chain
+from itertools import chain, islice, pairwise
 from typing import Any, ClassVar
 
 from exactsweep.evidence.certificate import Statement, write_certificate
@@ -17,9 +17,9 @@ from exactsweep.evidence.contact import (
     list_edges,
     number_as_given,
 )
+from exactsweep.evidence.drawn import DrawnEdge, DrawnPiece, find_drawn_edges
 from exactsweep.evidence.shape_certificate import claim_no_fit, write_points
 from exactsweep.evidence.shown import Shown, place_fits, place_loop, solve
-from exactsweep.evidence.trace import Trace, Tracer
 from exactsweep.evidence.undercut import Undercut, find_closing_positions
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
@@ -29,8 +29,8 @@ from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import abridge, format_fraction
-from exactsweep.numbers.point import Fit, Point, Vertex
-from exactsweep.procedures.made_once import made_once
+from exactsweep.numbers.point import Edge, Fit, Point, Vertex
+from exactsweep.procedures.solution import made_once
 from exactsweep.words import write_vector
 
 
@@ -197,10 +197,6 @@ class Sweep(Shown):
             number_as_given(self.directrix, d, j, of_edge=event[1] == "E"),
         )
 
-    @cached_property
-    def _tracer(self) -> Tracer:
-        return Tracer(self._route, self._boundaries[0])
-
     def view(self, height: int = 600) -> Any:
         """Return the interactive page for a notebook; see `exactsweep.view.page`.
 
@@ -218,11 +214,20 @@ class Sweep(Shown):
 
         Holes of D are not undercuts.
         """
-        return tuple(self._undercut(*pocket) for pocket in self.solution.pockets)
+        pockets = self.solution.pockets
+        edges = [edge for bottom, _ in pockets for edge in pairwise(bottom)]
+        drawn = iter(self._find_drawn_edges(edges, inside=True))
+        return tuple(
+            self._undercut(bottom, back, list(islice(drawn, len(bottom) - 1)))
+            for bottom, back in pockets
+        )
 
-    def _undercut(self, bottom: list[Vertex], back: list[Vertex]) -> Undercut:
+    def _undercut(
+        self, bottom: list[Vertex], back: list[Vertex], drawn: list[DrawnEdge]
+    ) -> Undercut:
         """Make the undercut of a bottom chain and the vertices of D on the way back."""
-        intersection, positions = find_closing_positions(bottom, self._tracer)
+        closing = find_closing_positions(drawn, self._route, self._boundaries[0])
+        intersection, positions = closing
         frame = self.solution.frame
         points = frame.leave(bottom + back)
         chain = tuple(points[: len(bottom)])
@@ -250,8 +255,8 @@ class Sweep(Shown):
                     area=self.area,
                     exact_fits=self.exact_fits,
                     contacts=self._numbered_contacts,
-                    inner_drawn=self._trace(self.solution.inner),
-                    outer_drawn=self._trace(self.solution.outer),
+                    inner_drawn=self._draw(self.solution.inner, inside=True),
+                    outer_drawn=self._draw(self.solution.outer, inside=False),
                 )
             )
         return {
@@ -270,9 +275,15 @@ class Sweep(Shown):
             "area": format_fraction(self.area),
         }
 
-    def _trace(self, loop: Sequence[Point]) -> list[list[Trace]]:
-        """Find the features that draw the edges of a loop."""
-        return list(map(self._tracer.trace, list_edges(self._enter(loop))))
+    def _find_drawn_edges(self, edges: list[Edge], *, inside: bool) -> list[DrawnEdge]:
+        if not edges:
+            return []
+        return find_drawn_edges(edges, self._route, self._boundaries[0], inside=inside)
+
+    def _draw(self, loop: Sequence[Point], *, inside: bool) -> list[list[DrawnPiece]]:
+        """Find features that together draw each edge of a loop."""
+        drawn = self._find_drawn_edges(list_edges(self._enter(loop)), inside=inside)
+        return [edge.choose() for edge in drawn]
 
     def __str__(self) -> str:
         names = "trajectory", "inner", "outer"

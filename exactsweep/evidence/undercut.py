@@ -9,10 +9,10 @@ touches both points (Figure 7b). A monotone G may need several positions.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from exactsweep.evidence.trace import Tracer
+from exactsweep.evidence.drawn import DrawnEdge, DrawnPiece
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.point import Point, Vertex
 
@@ -41,29 +41,43 @@ class Undercut(NamedTuple):
 
 
 def find_closing_positions(
-    bottom: Sequence[Vertex], tracer: Tracer
+    bottom: Sequence[DrawnEdge], path: Outline, generatrix: Outline
 ) -> tuple[Intersection, list[Vertex]]:
     """Find the positions at which G closes an undercut, and the kind of their intersection.
 
     Args:
-        bottom: the bottom chain.
-        tracer: the Tracer of the sweep, on the same lattice.
+        bottom: the edges of the bottom chain.
+        path: the trajectory of G's origin.
+        generatrix: the features of G.
 
     Returns:
         `intersection` and `positions` of `Undercut`, with positions on the lattice.
     """
-    edges = list(pairwise(bottom))
-    if len(edges) == 1:
-        ends = tracer.closing_range(edges[0])
-        if ends is not None:
-            closing = list(dict.fromkeys(ends))
+    if len(bottom) == 1:
+        (edge,) = bottom
+        ranges = []
+        whole = edge.whole
+        for (_, k), (kind, i), _ in sorted(filter(edge.covers, edge.along), key=_by_feature):
+            way, own = path.pieces[k], generatrix.pieces[i]
+            low, high = max(way.low, whole.high - own.high), min(way.high, whole.low - own.low)
+            if kind == "edge" and low <= high:
+                ranges.append((low, high, way))
+        if ranges:
+            low, high, way = next((r for r in ranges if r[0] < r[1]), ranges[0])
+            closing = list(dict.fromkeys([way.point(low), way.point(high)]))
             return "point" if len(closing) == 1 else "segment", closing
-    else:
-        position = tracer.covering_position(bottom)
-        if position is not None:
-            return "point", [position]
+    # At an inner point of an edge of the trajectory, only a parallel edge of G draws.
+    common = set.intersection(
+        *({d.position.number for d in filter(edge.covers, edge.at_vertices)} for edge in bottom)
+    )
+    if common:
+        return "point", [path.vertices[min(common)]]
     positions: dict[Vertex, None] = {}
-    for edge in edges:
-        for trace in tracer.trace(edge):
-            positions.update(dict.fromkeys(tracer.ends_of(trace.position)))
+    for edge in bottom:
+        for (kind, k), *_ in edge.choose():
+            positions.update(dict.fromkeys(path.edge(k)[: 1 + (kind == "edge")]))
     return "point", list(positions)
+
+
+def _by_feature(drawn: DrawnPiece) -> int:
+    return drawn.feature.number

@@ -1,7 +1,6 @@
 """Decimal numbers in files, read and written exactly."""
 
 import re
-from contextlib import suppress
 from fractions import Fraction
 from math import ceil, log2
 
@@ -35,8 +34,10 @@ def read_decimal(text: str) -> Fraction:
     """
     # A text that begins like a JSON number nearly always is one.
     if text.removeprefix("-")[:1].isdigit() and "/" not in text:  # pragma: no mutate: time alone
-        with suppress(NumberError):
+        try:
             return to_fraction(text)
+        except NumberError:
+            pass
     if not re.fullmatch(DECIMAL, text):
         raise FormatError(f"{quote(text)} is not a decimal number")
     match = _PARTS.fullmatch(text)

@@ -199,7 +199,12 @@ def read_certificate(path: str) -> object:
         raise FormatError(f"{show_path(path)}: {error}") from None
 
 
-def write_json(value: object, number: Callable[[Fraction], str] | None = None) -> str:
+def quote_fraction(value: Fraction) -> str:
+    """Write a number as an exact string of JSON."""
+    return f'"{format_fraction(value)}"'
+
+
+def write_json(value: object, number: Callable[[Fraction], str] = quote_fraction) -> str:
     """Write plain data and Fractions as JSON.
 
     Args:
@@ -214,14 +219,14 @@ def write_json(value: object, number: Callable[[Fraction], str] | None = None) -
         '{"a": ["1/3", 2]}'
     """
     if isinstance(value, Fraction):
-        return f'"{format_fraction(value)}"' if number is None else number(value)
+        return number(value)
     if isinstance(value, dict):
-        members = (
+        members = [
             f"{json.dumps(name)}: {write_json(part, number)}" for name, part in value.items()
-        )
+        ]
         return f"{{{', '.join(members)}}}"
     if isinstance(value, Polygon):
         value = value.vertices
     if isinstance(value, (list, tuple)):
-        return f"[{', '.join(write_json(part, number) for part in value)}]"
+        return f"[{', '.join([write_json(part, number) for part in value])}]"
     return json.dumps(value)

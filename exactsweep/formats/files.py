@@ -13,6 +13,7 @@ from exactsweep.numbers.number import quote
 # Possessive, so that the pattern passes endless blank lines and comments only once.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
 """The pattern at the start of a DXF text."""
+_MOST_SHOWN = 400
 
 
 @tells_arguments
@@ -61,13 +62,17 @@ def decode_text(data: bytes) -> str:
 
 @tells_arguments
 def show_path(path: str) -> str:
-    """Write a path for a message, always on one line.
+    """Write a path for a message, always on one line; of a very long one, both ends.
 
     >>> show_path("-"), show_path(f"two{chr(10)}lines") == ascii(f"two{chr(10)}lines")
     ('standard input', True)
+    >>> len(show_path("folder/" * 10_000))
+    403
     """
     if path == "-":
         return "standard input"
+    if len(path) > _MOST_SHOWN:
+        path = f"{path[: _MOST_SHOWN // 2]}...{path[-_MOST_SHOWN // 2 :]}"
     return path if path and path.isprintable() else ascii(path)
 
 

@@ -12,6 +12,7 @@ from exactsweep.formats.node import JsonNode
 from exactsweep.numbers.point import Point
 
 _MAX_DEPTH = 100
+_VERTICES = "a list of vertices"
 
 
 def read_geojson(
@@ -22,7 +23,7 @@ def read_geojson(
     Args:
         document: an object with a "type", as `parse_json` returns it.
         path: its JSON path, for messages.
-        notes: collects notes of ignored parts. Without it, third coordinates are refused.
+        notes: collects notes of ignored parts.
 
     Returns:
         list with a Candidate for each Polygon, named by the id of its Feature. Candidates of other
@@ -41,11 +42,11 @@ def read_geojson(
         >>> len(outline.vertices())
         4
     """
-    return allow_faults(_read(JsonNode(document, path), None, 0, notes))
+    return allow_faults(_read(JsonNode(document, path), None, 0, {} if notes is None else notes))
 
 
 def _read(
-    node: JsonNode, name: str | None, depth: int, notes: dict[str, None] | None
+    node: JsonNode, name: str | None, depth: int, notes: dict[str, None]
 ) -> Iterator[Candidate]:
     if not isinstance(node.value, dict):
         yield Candidate.refused(f"{node.path} is {describe_kind(node.value)}, not a Polygon", name)
@@ -69,24 +70,21 @@ def _read(
         yield Candidate.refused(f"{node.path}.type is {describe_kind(kind)}, not 'Polygon'", name)
 
 
-def _outline(node: JsonNode, name: str | None, notes: dict[str, None] | None) -> Candidate:
+def _outline(node: JsonNode, name: str | None, notes: dict[str, None]) -> Candidate:
     """Make the outline of the rings of a Polygon."""
     try:
         rings = [*node.each("a list of rings")]
-        vertices = [ring.entries("a list of vertices") for ring in rings]
+        level = [
+            JsonNode([_drop_height(position) for position in ring.entries(_VERTICES)], ring.path)
+            for ring in rings
+        ]
     except FormatError as error:
         return Candidate.refused(error, name)
     if not rings:
         return Candidate.refused(f"{node.path} is empty", name)
-    if notes is not None:
-        level = [[_drop_height(position) for position in ring] for ring in vertices]
-        if level != vertices:
-            notes["third coordinates, which are heights, are ignored"] = None
-        vertices = level
-    readers = (
-        (ring.path, partial(_ring, value, ring.path))
-        for ring, value in zip(rings, vertices, strict=True)
-    )
+    if level != rings:
+        notes["third coordinates, which are heights, are ignored"] = None
+    readers = ((ring.path, partial(_ring, *ring)) for ring in level)
     return Candidate.of_rings(readers, node.path, name)
 
 

@@ -32,6 +32,10 @@ class JsonNode(NamedTuple):
             raise FormatError(f"{self.path} has no {quote(name)}")
         return JsonNode(self.value[name], f"{self.path}.{name}")
 
+    def either(self, name: str) -> JsonNode:
+        """Return a member if it is there, else this itself."""
+        return self / name if self.has(name) else self
+
     def get(self, name: str, default: object) -> JsonNode:
         """Return a member, or what stands for it."""
         return self / name if self.has(name) else JsonNode(default, f"{self.path}.{name}")
@@ -120,8 +124,7 @@ def write_shape(exterior: list[list[str]], holes: Sequence[list[list[str]]]) -> 
     return {"exterior": exterior} | ({"holes": [*holes]} if holes else {})
 
 
-def write_box(left: Fraction, low: Fraction, width: Fraction, height: Fraction) -> Data:
-    """Write a rectangle as Layout JSON has it."""
+def write_box(left: Fraction, low: Fraction, width: Fraction, height: Fraction) -> list[list[str]]:
+    """Write the corners of a rectangle as Layout JSON has them."""
     right, top = left + width, low + height
-    corners = (left, low), (right, low), (right, top), (left, top)
-    return {"exterior": write_ring([Point(*corner) for corner in corners])}
+    return write_ring([Point(left, low), Point(right, low), Point(right, top), Point(left, top)])

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import chain
-from typing import NamedTuple, NoReturn, TypeVar
+from typing import NoReturn, TypeVar
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.decimals import DECIMAL, read_decimal
@@ -24,13 +24,8 @@ _TOKEN = re.compile(
 _OTHERS = ("LINESTRING", "POINT")
 _SRID = re.compile(r"\s*(?i:SRID)\s*=\s*[0-9]{1,9}\s*;")
 _MAX_DEPTH = 32
+_ZERO = Fraction(0)
 _Enclosed = TypeVar("_Enclosed")
-
-
-class _Token(NamedTuple):
-    kind: str
-    text: str
-    offset: int
 
 
 def parse_wkt(text: str) -> list[Candidate]:
@@ -65,32 +60,35 @@ class _Reader:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.tokens = self._tokens()
-        self.token = next(self.tokens)
+        self.kind: str | None = None
+        self.offset = 0
+        srid = _SRID.match(text)
+        self.matches = _TOKEN.finditer(text, srid.end() if srid else 0)
+        self._advance()
         self.line, self.line_start, self.counted = 1, 0, 0
         self.height: Fraction | None = None
 
     def outlines(self) -> Iterator[Candidate]:
         while True:
             yield from self._geometry(0)
-            if self.token.kind == "end":
+            if self.kind == "end":
                 return
-            if self.token.kind != "word":
+            if self.kind != "word":
                 self._refuse(f"{self._show()} after the end of the polygon")
 
     def _geometry(self, depth: int) -> Iterator[Candidate]:
-        kind = self.token.text.upper()
+        kind = self.word.upper()
         if kind not in ("POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", *_OTHERS):
             self._refuse(f"{self._show()} is neither POLYGON nor MULTIPOLYGON")
         if depth > _MAX_DEPTH:
             self._refuse("nested too deeply")
         place = self._place()
         self._advance()
-        if self.token.text.upper() in ("M", "ZM"):
+        if self.word.upper() in ("M", "ZM"):
             self._refuse("M coordinates cannot be swept")
-        if self.token.text.upper() == "Z":
+        if self.word.upper() == "Z":
             self._advance()
-        if self.token.text.upper() == "EMPTY":
+        if self.word.upper() == "EMPTY":
             yield Candidate.refused(f"{self._place()}: the polygon is empty")
             self._advance()
         elif kind in _OTHERS:
@@ -107,7 +105,7 @@ class _Reader:
         """Read a list in parentheses."""
         self._expect("(")
         found = [read()]
-        while self.token.text == ",":
+        while self.word == ",":
             self._advance()
             found.append(read())
         self._expect(")")
@@ -132,44 +130,43 @@ class _Reader:
 
     def _point(self) -> Point:
         point = Point(self._number(), self._number())
-        last = self.token
-        height = self._number() if last.kind == "number" else None
-        if self.height not in (None, height or 0):
-            self.token = last
+        offset = self.offset
+        height = self._number() if self.kind == "number" else _ZERO
+        if self.height is None:
+            self.height = height
+        if height != self.height:
+            self.offset = offset
             self._refuse("Z is not the same all along, and cannot be swept")
-        self.height = height or Fraction(0)
         return point
 
     def _number(self) -> Fraction:
-        if self.token.kind != "number":
+        if self.kind != "number":
             self._refuse(f"{self._show()} instead of a number")
         try:
-            value = read_decimal(self.token.text)
+            value = read_decimal(self.word)
         except NumberError as error:
             self._refuse(str(error))
         self._advance()
         return value
 
     def _expect(self, mark: str) -> None:
-        if self.token.text != mark:
+        if self.word != mark:
             self._refuse(f"{self._show()} instead of '{mark}'")
         self._advance()
 
     def _advance(self) -> None:
-        self.token = next(self.tokens)
-
-    def _tokens(self) -> Iterator[_Token]:
-        srid = _SRID.match(self.text)
-        for match in _TOKEN.finditer(self.text, srid.end() if srid else 0):
-            yield _Token(match.lastgroup or "", match[0], match.start())
-        yield _Token("end", "", len(self.text))
+        match = next(self.matches, None)
+        if match is None:
+            self.kind, self.word, self.offset = "end", "", len(self.text)
+        else:
+            self.kind, self.word, self.offset = match.lastgroup, match[0], match.start()
 
     def _show(self) -> str:
-        return "the end" if self.token.kind == "end" else quote(self.token.text)
+        return "the end" if self.kind == "end" else quote(self.word)
 
     def _place(self) -> str:
         # Only what is new is searched, as a text may hold very many polygons.
-        before, here = self.counted, self.token.offset
+        before, here = self.counted, self.offset
         self.line += self.text.count("\n", before, here)
         self.line_start = max(self.line_start, self.text.rfind("\n", before, here) + 1)
         self.counted = here

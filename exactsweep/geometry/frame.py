@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import X_AXIS, Vector
-from exactsweep.numbers.number import divide_all, divide_exactly, to_int
+from exactsweep.geometry.vectors import minus
+from exactsweep.numbers.number import divide_all, divide_exactly, ratio
 from exactsweep.numbers.point import ORIGIN, Point, Vertex, make_points
 
 
@@ -35,8 +36,11 @@ class Frame(NamedTuple):
     def enter_point(self, point: Point, shift: Point = ORIGIN) -> Vertex:
         """Convert a point minus a vector to the frame; to ints if it is on the lattice."""
         (p, q), scale = self.direction, self.scale
-        x, y = (point.x - shift.x) * scale, (point.y - shift.y) * scale
-        return to_int(p * x + q * y), to_int(p * y - q * x)
+        (x, b), (y, d) = (
+            c.as_integer_ratio() for c in (point if shift == ORIGIN else minus(point, shift))
+        )
+        x, y = x * d * scale, y * b * scale
+        return ratio(p * x + q * y, b * d), ratio(p * y - q * x, b * d)
 
     def leave(self, points: Sequence[Vertex], shift: Point = ORIGIN) -> list[Point]:
         """Convert points of the frame to the plane, moved by a vector. Cost: O(n)."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
+from copy import copy
 from functools import cached_property
 
+from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
@@ -23,6 +25,8 @@ class Outline:
         vertices: the vertices of all rings, one ring after another.
         after: for each vertex, the number of the next vertex of its ring.
         before: for each vertex, the number of the vertex before.
+        arriving: for each vertex, the number of the edge that ends there.
+        leaving: for each vertex, the number of the edge that starts there.
         starts: for each ring, the number of its first vertex.
         numbers: dict from a vertex to its number, the last one if several vertices are equal.
 
@@ -42,6 +46,8 @@ class Outline:
             self.vertices += ring
             self.after += [*range(first + 1, first + size), first]
             self.before += [first + size - 1, *range(first, first + size - 1)]
+        self.arriving: Sequence[int] = self.before
+        self.leaving: Sequence[int] = range(len(self.vertices))
         self.numbers = {vertex: k for k, vertex in enumerate(self.vertices)}
 
     def edge(self, k: int) -> Edge:
@@ -52,6 +58,23 @@ class Outline:
     def edges(self) -> list[Edge]:
         """Return all edges, by number."""
         return [self.edge(k) for k in range(len(self.vertices))]
+
+    @cached_property
+    def pieces(self) -> list[Segment]:
+        """All edges as segments of their lines."""
+        return list(map(make_segment, self.edges))
+
+    @cached_property
+    def backward(self) -> list[bool]:
+        """For each edge, True if it runs against the direction of its segment."""
+        return [p > q for p, q in self.edges]
+
+    def complement(self) -> Outline:
+        """Return the boundary of the outside: each edge keeps its number and runs backwards."""
+        other = copy(self)
+        other.pieces, other.backward = self.pieces, [not way for way in self.backward]
+        other.arriving, other.leaving = self.leaving, self.arriving
+        return other
 
     @cached_property
     def _by_x(self) -> tuple[list[Rational], list[int]]:
@@ -82,6 +105,10 @@ class Outline:
             return (self.numbers[point],) if point in self.numbers else ()
         return self._all_numbers.get(point, ())
 
+    def twins(self, k: int) -> Sequence[int]:
+        """Find the numbers of the vertices at the place of vertex k, k among them."""
+        return (k,) if len(self.starts) == 1 else self._all_numbers[self.vertices[k]]
+
     def vertices_inside(self, k: int) -> list[int]:
         """Find the numbers of the vertices of other rings inside edge k.
 
@@ -94,9 +121,10 @@ class Outline:
         return [i for i in near if is_between(self.vertices[i], p, q)]
 
     def scaled(self, factor: int) -> Outline:
-        """Return the outline enlarged by a positive factor. Cost: O(n)."""
+        """Return the outline enlarged by a factor, not 0. Cost: O(n)."""
         larger = Outline([[(factor * x, factor * y) for x, y in self.vertices]])
         larger.after, larger.before, larger.starts = self.after, self.before, self.starts
+        larger.arriving = self.arriving
         return larger
 
     def edges_through(self, point: Vertex) -> Iterator[int]:

@@ -11,8 +11,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
-from exactsweep.geometry.vectors import cross
-from exactsweep.numbers.number import to_int
+from exactsweep.numbers.number import ratio
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
@@ -24,15 +23,15 @@ class Segment(NamedTuple):
     low: Rational
     high: Rational
 
-    def moved(self, t: Vertex) -> Segment:
-        """Return the segment translated by a vector."""
-        shift = measure_along(self.direction, t)
-        return Segment(
-            self.direction,
-            self.offset + find_offset(self.direction, t),
-            self.low + shift,
-            self.high + shift,
-        )
+    def minus(self, other: Segment) -> Segment:
+        """Return the translations that move a point of a parallel segment to one of this."""
+        direction, offset, low, high = other
+        return Segment(direction, self.offset - offset, self.low - high, self.high - low)
+
+    def point(self, along: Rational) -> Vertex:
+        """Return the point of the line with a coordinate, by x, or by y on a vertical line."""
+        (a, b), offset, _, _ = self
+        return (along, ratio(offset + b * along, a)) if a else (-offset, along)
 
     def shares_piece(self, other: Segment) -> bool:
         """Decide whether two segments of one line overlap in positive length."""
@@ -53,10 +52,19 @@ def find_direction(edge: Edge) -> Vector:
 def find_offset(direction: Vector, point: Vertex) -> Rational:
     """Return the offset of the line with a direction through a point, as an int if possible.
 
-    All lines of the lattice have int offsets, also if the point is not on the lattice. Dictionaries
-    find ints in a tenth of the time.
+    All lines of the lattice have int offsets, also if the point is not on the lattice.
     """
-    return to_int(cross(direction, point))
+    (a, b), (x, y) = direction, point
+    if type(x) is int and type(y) is int:
+        return a * y - b * x
+    (n, d), (m, e) = x.as_integer_ratio(), y.as_integer_ratio()
+    return ratio(a * m * d - b * n * e, d * e)
+
+
+def lay_point(point: Vertex, direction: Vector) -> Segment:
+    """Return a point as a segment of its line in a direction."""
+    along = point[0] if direction[0] else point[1]
+    return Segment(direction, find_offset(direction, point), along, along)
 
 
 def make_segment(edge: Edge, direction: Vector | None = None) -> Segment:

@@ -165,13 +165,13 @@ class Board:
 
     @cached_property
     def grain(self) -> Fraction:
-        """The least width or height of a placed part."""
+        """The least width or height of a placed part; 1 if there is none."""
         sizes = [
             Fraction(min(right - left, high - low)) / solid.scale
             for solid in map(self.solid, self.placed)
             for left, right, low, high in [solid.box]
         ]
-        return min(sizes)
+        return min(sizes, default=Fraction(1))
 
     @cached_property
     def unit(self) -> int:

@@ -188,6 +188,24 @@ def find_first_failure(failures: Iterator[str]) -> str:
     return next(filter(None, failures), "")
 
 
+def weigh(tried: str, *growth: Growth, failure: str = "", attained: bool = False) -> Evidence:
+    """Make evidence of counts, which fails if a count outgrows its bound.
+
+    Args:
+        tried: the description of the cases.
+        growth: the counts.
+        failure: another failure; it comes first.
+        attained: whether a count that falls behind its bound is a failure, too.
+    """
+    failures = [failure, *(series.failure for series in growth)]
+    failures += [
+        f"{series.what} on {series.family} fall behind {series.bound}"
+        for series in growth
+        if attained and not series.is_attained
+    ]
+    return Evidence(tried, find_first_failure(iter(failures)), growth=growth)
+
+
 def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
     """Check claims one by one.
 

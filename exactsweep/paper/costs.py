@@ -149,7 +149,8 @@ def run_outer_cm(c: Chains) -> Iterable[Any]:
     return sweep_outer_cm(*c)
 
 
-def _run_trajectory_mm(c: Chains) -> Iterable[Any]:
+def run_trajectory_mm(c: Chains) -> Iterable[Any]:
+    """Trajectory_MM, for the chains of a pair."""
     return trajectory_mm(c.top, c.directrix)
 
 
@@ -179,7 +180,7 @@ def _list_costs() -> Iterator[Cost]:
     row = "Corollary 4.5"
     yield Cost(row, "Trajectory_CM", run_trajectory_cm, path, MN, wide, "m", 64, 128, slack=PLANAR)
     row, procedure = "Corollary 5.7", "Trajectory_MM"
-    one = partial(Cost, row, procedure, _run_trajectory_mm, path, MN_LOG, limit=STEPS)
+    one = partial(Cost, row, procedure, run_trajectory_mm, path, MN_LOG, limit=STEPS)
     yield one(figure10, "mn", 16, 16)
     yield one(figure10, "m", 32, 32)
     yield one(figure10, "n", 32, 32)

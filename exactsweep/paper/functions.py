@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
+from typing import Any, TypeVar
 
 from exactsweep.check import ReferenceLoops, reference_loops
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Vertex
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.laws import Law
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import split, take_corners
+from exactsweep.sweep import Sweep
+
+P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
@@ -84,6 +89,40 @@ def tell_difference(name: str, found: Iterable[Vertex], expected: Iterable[Verte
     if found == expected:
         return ""
     return f"{name} is {write_chain(found)}, and {write_chain(expected)} by the definition"
+
+
+def returns(procedure: str, loop: str, run: Callable[[Chains], Iterable[Vertex]]) -> Law:
+    """Make the law that a procedure returns a boundary of the definition.
+
+    Args:
+        procedure: its name.
+        loop: "trajectory", "inner" or "outer".
+        run: calls it for the chains of a pair.
+    """
+
+    def law(pair: SweepPair) -> str:
+        expected = take_bottom(getattr(look_up(pair), loop))
+        return tell_difference(procedure, run(pair.chains), expected)
+
+    boundary = loop if loop == "trajectory" else f"{loop} boundary"
+    law.__doc__ = f"{procedure} returns the {boundary} of the definition."
+    return law
+
+
+def has_wrong_inner_loop(s: Sweep, pair: SweepPair) -> str:
+    """Say that the inner loop is not that of the definition; empty if it is."""
+    right = s.inner.vertices == look_up(pair).inner
+    return "" if right else "the inner loop is not that of the definition"
+
+
+def list_edges(corners: Iterable[P]) -> list[tuple[P, P]]:
+    """The edges of a polygon.
+
+    >>> list_edges([(0, 0), (1, 0), (0, 1)])[-1]
+    ((0, 1), (0, 0))
+    """
+    first, *others = corners
+    return list(pairwise([first, *others, first]))
 
 
 def write_chain(chain: Iterable[Vertex]) -> str:

@@ -17,6 +17,7 @@ from typing import Any
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, find_first_failure
 from exactsweep.paper.laws import Trial
+from exactsweep.paper.tiny import SHAPES, search_grid
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
@@ -31,6 +32,9 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
     for law, pairs in row.get("laws", {}).items():
         trial.of(resolve_name(f"{CHECKS}.{law}"), pairs)
     found = [Evidence(trial.tried, trial.failure, sampled=trial.sampled)]
+    for law, side, most, generatrix, directrix in row.get("search", ()):
+        shapes = SHAPES[generatrix], SHAPES[directrix]
+        found.append(search_grid(side, most, *shapes, resolve_name(f"{CHECKS}.{law}")))
     if "check" in row:
         found.append(resolve_name(f"{CHECKS}.{row['check']}")(effort))
     if "figure" in row:

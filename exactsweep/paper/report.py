@@ -23,6 +23,7 @@ from exactsweep.paper import plots
 from exactsweep.paper.claim import KINDS, ClaimVerdict, Counterexample, Effort, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, make_slug, write_data
+from exactsweep.paper.figures.drawing import draw_figure
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth
 from exactsweep.paper.ledger import ABSTRACT, OPEN
@@ -367,7 +368,8 @@ def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
     drawn = {}
     for row in rows:
         if row.claim.figure and not row.disagreement:
-            picture, stem = load(row.claim.figure).draw(), make_slug(row.claim.name)
+            name, stem = row.claim.figure, make_slug(row.claim.name)
+            picture = draw_figure(name, load(name))
             save(picture, str(folder / f"{stem}.pdf"))
             _save_outlined(picture, folder / f"{stem}.svg")
             drawn[row.claim.name] = (folder / f"{stem}.svg").read_bytes()

@@ -66,6 +66,9 @@ def is_bent(ring: Ring) -> bool:
     return not Polygon(ring).is_convex
 
 
+SHAPES: dict[str, RingTest] = {"any": is_any, "convex": is_convex, "bent": is_bent}
+
+
 def list_tiny_pairs(
     side: int, most: int, generatrix: RingTest, directrix: RingTest
 ) -> Iterator[SweepPair]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
-from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
 from math import isqrt
@@ -21,7 +21,10 @@ from exactsweep.words import CLASSES, write_pair
 if TYPE_CHECKING:
     from rich.table import Table
 
-_APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
+_NEAREST, _UPWARD = (
+    Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN, rounding=rounding)
+    for rounding in (ROUND_HALF_EVEN, ROUND_CEILING)
+)
 # The number of leading bits that usually determine the shown digits of a long number; they do not
 # if the value with its error bound is near the middle between two results.
 _BITS = 200
@@ -287,20 +290,23 @@ def _fit_ends(fits: Iterable[Fit]) -> dict[str, tuple[Point, ...]]:
     return {f"exact fit {k}": tuple(dict.fromkeys(fit)) for k, fit in enumerate(fits)}
 
 
-def approximate(value: Fraction) -> str:
-    """Round a number to six significant digits.
+def approximate(value: Fraction, *, up: bool = False) -> str:
+    """Round a number to six significant digits, the nearest ones or the next ones up.
 
     >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
     ('-6.66667', '30', '6.33825E+29')
+    >>> approximate(Fraction(1, 3), up=True), approximate(Fraction(1, 4), up=True)
+    ('0.333334', '0.25')
     """
+    context = _UPWARD if up else _NEAREST
     n, d = value.as_integer_ratio()
     i, j = (max(k.bit_length() - _BITS, 0) for k in (n, d))
     near = _NEARLY.divide(Decimal(n >> i), Decimal(d >> j))
     near = _NEARLY.multiply(near, _NEARLY.power(2, i - j))
-    rounded, other = (_APPROXIMATE.multiply(near, factor) for factor in _AROUND)
+    rounded, other = (context.multiply(near, factor) for factor in _AROUND)
     if rounded != other:
-        rounded = _APPROXIMATE.divide(Decimal(n), Decimal(d))
-    rounded = rounded.normalize(_APPROXIMATE)
+        rounded = context.divide(Decimal(n), Decimal(d))
+    rounded = rounded.normalize(context)
     return f"{rounded:f}" if -6 <= rounded.adjusted() <= 12 else str(rounded)
 
 

@@ -119,7 +119,7 @@ def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit, *, proof: bool 
 
     Args:
         result: a Sweep, a NoFitPolygon or an InnerFit.
-        proof: whether the certificate gets a proof.
+        proof: whether the certificate gets a proof, which is written without blanks.
 
     Returns:
         One object with one name per line.
@@ -127,7 +127,8 @@ def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit, *, proof: bool 
     Cost: that of its `certificate`.
     """
     found = result.certificate(proof=proof)
-    return _object({name: json.dumps(value) for name, value in found.items()})
+    marks = (",", ":") if proof else None
+    return _object({name: json.dumps(value, separators=marks) for name, value in found.items()})
 
 
 def explanation_to_json(sweep: Sweep) -> str:

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,12 @@ from exactsweep.batch import take_all_pairs
 
 PARTS = part_list(16)
 JOB = take_all_pairs(PARTS, PARTS)
-WHOLE = b"".join(line for chunk in JOB.chunks(0) for line in JOB.work.lines(chunk))
+
+
+@cache
+def whole() -> bytes:
+    """The records of all pairs."""
+    return b"".join(line for chunk in JOB.chunks(0) for line in JOB.work.lines(chunk))
 
 
 @pytest.fixture
@@ -69,7 +75,7 @@ def test_neither_a_lost_worker_nor_a_lost_scheduler_costs_a_record(
     out, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, err) == (0, "")
     assert re.fullmatch(r"256 pairs, \d+ refused\n", out)
-    assert output.read_bytes() == WHOLE
+    assert output.read_bytes() == whole()
     output.unlink()
 
     process = start([*command, "--scheduler", address])
@@ -81,7 +87,7 @@ def test_neither_a_lost_worker_nor_a_lost_scheduler_costs_a_record(
         assert (process.returncode, out) == (1, "")
         assert re.fullmatch(r"Error: the scheduler is gone, after \d+ of 256 pairs; .*\n", err)
         subprocess.run(command, check=True, capture_output=True)
-    assert output.read_bytes() == WHOLE
+    assert output.read_bytes() == whole()
 
 
 @pytest.mark.long
@@ -93,7 +99,7 @@ def test_a_cluster_of_its_own_survives_a_killed_worker(tmp_path: Path, command: 
     os.kill(workers[0], signal.SIGKILL)
     _, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, err) == (0, "")
-    assert (tmp_path / "out.jsonl").read_bytes() == WHOLE
+    assert (tmp_path / "out.jsonl").read_bytes() == whole()
     assert not any(Path(f"/proc/{pid}").exists() for pid in workers)
 
 

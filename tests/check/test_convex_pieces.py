@@ -30,7 +30,7 @@ def _check_pieces(*rings: Polygon) -> int:
     """Check that pieces are convex, make up the shape, and do not overlap, by their areas."""
     _, (shape,) = bring_to_integers([tuple(ring.vertices for ring in rings)])
     pieces = cut_to_convex(shape, UNLIMITED)
-    with patch.object(convex, "_FEW", 0):  # no vertex tried before those that rays find
+    with patch.object(convex, "_NEAR", 0):  # all vertices are tried
         found = cut_to_convex(shape, UNLIMITED)
     assert sum(map(find_doubled_area, found)) == sum(map(find_doubled_area, shape))
     for piece in (*pieces, *found):

@@ -1,4 +1,3 @@
-import json
 import re
 import subprocess
 import sys
@@ -12,92 +11,9 @@ import exactsweep
 from exactsweep import sweep
 from exactsweep.cli import main
 from exactsweep.text.report import report
-from exactsweep.text.results import sweep_to_json, sweep_to_wkt
-
-REPORT = """\
-class       CM, convex generatrix and monotone directrix
-direction   (1,0)
-reference   (0,0)
-undercuts   1
-exact fits  0
-
-            vertices  area about  area exactly
-generatrix         5              3
-directrix          7              30
-trajectory         9  65.4        327/5
-inner loop         8  31.6        158/5
-outer loop        12  103.6       518/5
-swept area                        72
-
-trajectory  (-2,-1) (-1,-2) (7,-2) (8,-1) (8,5) (5,5) (13/5,13/5) (2,5) ... 1 more
-inner loop  (0,0) (8,0) (8,5) (7,5) (23/5,13/5) (13/5,13/5) (2,5) (0,5)
-outer loop  (-2,-1) (-1,-2) (9,-2) (10,-1) (10,6) (9,7) (6,7) (21/5,26/5) ... 4 more
-"""
-
 
 # Writes until nobody reads any more.
 UNREAD = "while (echo) 2>&-; do :; done"
-
-
-def test_without_arguments_the_example_is_swept() -> None:
-    assert run("sweep").stdout == REPORT
-
-
-@pytest.mark.parametrize("name", ["notch.wkt", "notch.geojson"])
-def test_files_are_swept(name: str) -> None:
-    assert run("sweep", HOUSE, str(Path(NOTCH).with_name(name))).stdout == REPORT
-
-
-@pytest.mark.parametrize("pair", [("-", NOTCH), (HOUSE, "-")])
-def test_standard_input_is_a_file(pair: tuple[str, str]) -> None:
-    stdin = Path((HOUSE, NOTCH)[pair.index("-")]).read_bytes()
-    assert run("sweep", *pair, stdin=stdin).stdout == REPORT
-
-
-def test_json_and_wkt_are_written() -> None:
-    assert run("sweep", "--json").stdout == sweep_to_json(EXAMPLE)
-    assert run("sweep", HOUSE, NOTCH, "--wkt").stdout == sweep_to_wkt(EXAMPLE)
-
-
-@pytest.mark.parametrize("options", [(), ("--json",), ("--wkt",)])
-def test_output_goes_to_a_file(tmp_path: Path, options: tuple[str, ...]) -> None:
-    path = tmp_path / "result"
-    result = run("sweep", "-o", str(path), *options)
-    assert (result.exit_code, result.output) == (0, "")
-    assert path.read_text() == run("sweep", *options).stdout == run("sweep", "-o-", *options).stdout
-
-
-def test_direction_is_reduced_and_the_loops_do_not_depend_on_it() -> None:
-    standard = json.loads(run("sweep", "--json").stdout)
-    turned = json.loads(run("sweep", "--json", "--direction", "-1/2", "0.125").stdout)
-    assert (standard.pop("direction"), turned.pop("direction")) == ([1, 0], [4, -1])
-    assert standard == turned
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["sweep", HOUSE], "Give both GENERATRIX and DIRECTRIX, or neither."),
-        (["sweep", "-", "-"], "Only one polygon can be read from standard input."),
-        (["sweep", HOUSE, NOTCH, HOUSE], "Got unexpected extra argument"),
-        (["sweep", "--json", "--wkt"], "--json and --wkt exclude each other."),
-        (["sweep", "--certificate", "--wkt"], "--wkt and --certificate exclude each other."),
-        (["explain", HOUSE], "Give both GENERATRIX and DIRECTRIX, or neither."),
-        (["explain", "--wkt"], "No such option"),
-        (["verify"], "Missing argument 'FILE'."),
-        (["sweep", "--direction", "0", "0"], "(0, 0) is not a direction"),
-        (["sweep", "--direction", "x", "0"], "'x' is not a number such as"),
-        (["sweep", "--direction", "1"], "Option '--direction' requires 2 arguments."),
-        (["sweep", "--reference", "1", "1e9999"], "'1e9999' has more than 4300 digits"),
-        (["sweep", "--svg"], "No such option"),
-        (["broom"], "No such command 'broom'."),
-    ],
-)
-def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
-    result = run(*arguments)
-    assert (result.exit_code, result.stdout) == (2, "")
-    assert message in result.stderr
-    assert "Traceback" not in result.stderr
 
 
 @pytest.mark.parametrize(
@@ -121,13 +37,6 @@ def test_bad_input_is_refused_in_one_line(tmp_path: Path, content: bytes, messag
     assert refusal(run("sweep", str(path), NOTCH)).startswith(f"{path}: {message}")
     assert refusal(run("sweep", HOUSE, str(path))).startswith(f"{path}: {message}")
     assert refusal(run("sweep", HOUSE, "-", stdin=content)).startswith(f"standard input: {message}")
-
-
-def test_a_direction_that_is_not_shared_is_refused() -> None:
-    plus = "[[1,0],[2,0],[2,1],[3,1],[3,2],[2,2],[2,3],[1,3],[1,2],[0,2],[0,1],[1,1]]"
-    assert run("sweep", "-", NOTCH, stdin=plus).exit_code == 0
-    message = refusal(run("sweep", "--direction", "0", "1"))
-    assert "the directrix is not monotone to (0, 1)" in message
 
 
 @pytest.mark.parametrize(
@@ -197,7 +106,7 @@ def test_a_piped_report_is_never_wrapped_and_long_numbers_are_on_request() -> No
     assert lines[8].split() == ["directrix", "3", "7.77778E+2999", f"{digits[:21]}..."]
     assert f"({digits},0)" in report(result, everything=True)
     assert not any(line != line.rstrip() for line in lines)
-    assert len(lines) == len(REPORT.splitlines())
+    assert len(lines) == len(report(EXAMPLE).splitlines())
     assert "".join(lines).isascii()
     assert "\x1b" not in "".join(lines)
 
@@ -207,7 +116,7 @@ def test_a_terminal_is_not_overrun(width: int) -> None:
     plain = re.sub("\x1b\\[[0-9;]*m", "", report(EXAMPLE, width))
     assert max(map(len, plain.splitlines())) <= width
     # Lines are broken between vertices only.
-    vertices = re.findall(r"\(\S+\)", REPORT)
+    vertices = re.findall(r"\(\S+\)", report(EXAMPLE))
     assert re.findall(r"\(\S+\)", plain) == vertices
 
 

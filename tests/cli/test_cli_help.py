@@ -40,22 +40,6 @@ def test_help_has_an_example_that_can_be_given(name: str, command: click.Command
     assert "\\b" not in shown
 
 
-@pytest.mark.parametrize(
-    ("arguments", "suggested"),
-    [
-        (["sweeep"], "sweep"),
-        (["exlpain"], "explain"),
-        (["corpus", "lst"], "list"),
-        (["sweep", "--certifcate"], "--certificate"),
-        (["batch", "--worker", "2"], "--workers"),
-    ],
-)
-def test_unknown_words_get_a_suggestion(arguments: list[str], suggested: str) -> None:
-    result = run(*arguments)
-    assert result.exit_code == 2
-    assert f"Did you mean '{suggested}'?" in result.stderr
-
-
 def test_unknown_polygons_get_a_suggestion(tmp_path: Path) -> None:
     path = tmp_path / "parts.json"
     path.write_text(format_polygons(part_list(8), "json"))

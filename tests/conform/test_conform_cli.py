@@ -80,37 +80,13 @@ def test_filters_choose_cases_of_the_corpus_and_of_files(two: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ((), "Missing argument 'COMMAND...'"),
-        (("--accept", "fine", "x"), "'fine' is not one of: exact, equivalent, "),
-        (("--accept", "unsupported", "x"), "is not one of"),
-        (("--timeout", "0", "x"), "Invalid value for '--timeout'"),
-        (("--timeout", "nan", "x"), "Invalid value for '--timeout'"),
-        (("--json", "-", "--html", "-", "x"), "Only one report can go to standard output."),
-        (("--workers", "0", "x"), "Invalid value for '--workers'"),
-        (("--resume", "x"), "--resume needs --journal."),
-    ],
-)
-def test_wrong_usage_exits_with_2(arguments: tuple[str, ...], message: str) -> None:
-    done = run("conform", *arguments)
-    assert (done.exit_code, done.stdout) == (2, "")
-    assert message in done.stderr
-
-
-@pytest.mark.parametrize(
     ("options", "message"),
     [
-        (("--filter", "colour=red"), "'colour=red' is not id=..., flag=..., class=... or size=..."),
-        (("--filter", "flag"), "'flag' is not id=..."),
-        (("--filter", "size=many"), "'many' is not a number of vertices"),
-        (("--filter", "id=a", "--filter", "id=b"), "more than one filter id=..."),
         (("--filter", "flag=exact-fits"), "did you mean 'exact-fit'?"),
         (("--filter", "class=XX"), "no class 'XX'"),
         (("--filter", "id=none"), "no case is like that"),
         (("--cases", "/none"), "/none: No such file or directory"),
         (("--journal", "/none/journal"), "/none/journal: No such file or directory"),
-        (("--html", "/none/page"), "/none/page: its folder is not there"),
     ],
 )
 def test_what_cannot_be_run_is_refused(options: tuple[str, ...], message: str) -> None:
@@ -138,14 +114,6 @@ def test_two_cases_with_one_id_are_refused(two: str, tmp_path: Path) -> None:
     double.write_text(Path(two).read_text() * 2)
     said = refusal(run("conform", "--cases", str(double), "--", *CONVEX))
     assert said == "two cases have the id 'mine-slot'"
-
-
-def test_a_command_that_does_not_start_is_refused() -> None:
-    assert "does not start" in refusal(run("conform", "--", "/no/such/program"))
-    said = refusal(run("conform", "--", sys.executable, "-c", "raise SystemExit('no licence')"))
-    assert said == "no hello: exited with code 1; it says: no licence"
-    said = refusal(run("conform", "--", sys.executable, "-c", "print('Loading ...')"))
-    assert said.startswith("the first line is no hello: 'Loading ...' is no JSON line: column 1")
 
 
 def test_files_of_the_working_directory_do_not_get_in_the_way(

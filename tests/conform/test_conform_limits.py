@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from command import refusal, run
-from judged import CONVEX, CORRECT, HOSTILE, SQUARE, TWO, write_cases
+from judged import CORRECT, HOSTILE, SQUARE, TWO, write_cases
 
 from exactsweep import processes
 from exactsweep.conform import Outcome, Run, Verdict
@@ -92,28 +92,6 @@ def test_faults_without_end_are_bounded() -> None:
         2 * MOST_FAULTS,
         SHOWN,
     )
-
-
-@pytest.mark.parametrize(
-    ("share", "code"), [("0", 0), ("1/6", 0), ("16%", 0), ("0.2", 1), ("17%", 1), ("100%", 1)]
-)
-def test_a_run_must_judge_enough(share: str, code: int) -> None:
-    done = run("conform", "--least-judged", share, "--filter", "id=worked-s", "--", *CONVEX)
-    assert done.exit_code == code
-    *_, reason, ending = done.stdout.splitlines()
-    assert (reason == "only 1 of 6 cases judged, too few") == bool(code)
-    assert "1 of 6 cases judged, 0 worse than" in ending
-
-
-@pytest.mark.parametrize("share", ["2", "-1", "101%", "many", "%", "nan"])
-def test_a_share_is_between_none_and_all(share: str) -> None:
-    assert run("conform", "--least-judged", share, "--", *CONVEX).exit_code == 2
-
-
-def test_nothing_judged_is_said() -> None:
-    done = run("conform", "--filter", "id=undercuts", "--", *CONVEX)
-    assert done.exit_code == 1
-    assert done.stdout.splitlines()[-2] == "nothing was judged"
 
 
 def test_what_could_not_be_compared_neither_fails_nor_passes() -> None:

@@ -126,24 +126,6 @@ def test_what_a_function_cannot_be_is_refused(changes: dict[str, Any]) -> None:
 # The hello.
 
 
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("", "'' is no JSON line"),
-        ("[]", "'[]' is a list, not an object"),
-        ("{}", 'the first line is no hello: it has no "hello"'),
-        ('{"hello": "a", "hello": "b"}', "the name 'hello' is twice"),
-        ('{"hello": 1, "loops": [], "numbers": 1, "reference": 1}', '"hello" is not a name'),
-        ('{"hello": "a", "loops": [], "numbers": 1, "reference": 1}', '"loops" is [], not a list'),
-        ('{"hello": "a", "loops": ["inner"], "numbers": [], "reference": 1}', '"numbers" is []'),
-    ],
-)
-def test_a_hello_that_is_none_is_refused(line: str, message: str) -> None:
-    with pytest.raises(ProtocolError) as refusal:
-        read_hello(line)
-    assert message in str(refusal.value)
-
-
 def test_a_hello_is_read_as_it_was_written() -> None:
     hello = Hello("mine", ("trajectory", "outer"), "int64", "first")
     assert read_hello(json.dumps(hello.to_json())) == hello

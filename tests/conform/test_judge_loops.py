@@ -1,6 +1,5 @@
 """Loops of answers: all rings count, rounding is what numbers hold there, mistakes are named."""
 
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -23,47 +22,24 @@ SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
 SLOT = Case.of("slot", "", BLOCK, SQUARE)
 
-BROKEN = {
-    "bow tie": [[10, 10], [30, 30], [30, 10], [10, 30]],
-    "spike": [[10, 10], [12, 10], [12, 12], [14, 14], [12, 12], [10, 12]],
-    "one point": [[10, 10]],
-    "two points": [[10, 10], [11, 11]],
-    "the same again": [list(p) for p in SLOT.trajectory.vertices],
-    "overlaps": [[3, 0], [9, 0], [9, 1], [3, 1]],
-}
-
 
 def judge(case: Case, loop: object, name: str = "trajectory", **options: Any) -> PartComparison:
     return compare(case, {name: loop}, **options).parts[0]
 
 
-@pytest.mark.parametrize("name", BROKEN)
-@pytest.mark.parametrize("first", [True, False])
-def test_a_broken_ring_is_not_made_good_by_the_exact_one(name: str, first: bool) -> None:
-    exact = [list(p) for p in SLOT.trajectory.vertices]
-    rings = [exact, BROKEN[name]] if first else [BROKEN[name], exact]
-    assert judge(SLOT, rings).verdict is Verdict.MALFORMED
-
-
-def test_a_sound_ring_besides_the_exact_one_is_not_acquitted_either() -> None:
-    exact = [list(p) for p in SLOT.trajectory.vertices]
-    assert judge(SLOT, [exact, [[10, 10], [12, 10], [10, 12]]]).verdict is Verdict.CONSERVATIVE
-    assert judge(SLOT, [exact, [[0, 0], ["1/2", 0], [0, "1/2"]]]).verdict is Verdict.UNSOUND
-
-
 def test_many_rings_are_judged_as_few_are() -> None:
-    """A sheet with 225 holes; a limit of the judge's is no fault of a program."""
+    """A sheet with 64 holes; a limit of the judge's is no fault of a program."""
     holes = [
         [(3 * i + 1, 3 * j + 1), (3 * i + 2, 3 * j + 1), (3 * i + 2, 3 * j + 2)]
-        for i in range(15)
-        for j in range(15)
+        for i in range(8)
+        for j in range(8)
     ]
-    sheet = Case.of("sheet", "", box(46, 46), box("1/9", "1/9"), directrix_holes=holes)
+    sheet = Case.of("sheet", "", box(25, 25), box("1/9", "1/9"), directrix_holes=holes)
     rings = list(list_exact_rings(sheet, "no_fit"))
-    assert len(rings) == 226
+    assert len(rings) == 65
     assert judge(sheet, [ring[::-1] for ring in rings[::-1]], "no_fit").verdict == "equivalent"
-    lost = judge(sheet, [*rings[:100], *rings[101:]], "no_fit")
-    assert (lost.verdict, lost.diagnosis) == ("conservative", ("lacks 1 of 225 holes",))
+    lost = judge(sheet, [*rings[:30], *rings[31:]], "no_fit")
+    assert (lost.verdict, lost.diagnosis) == ("conservative", ("lacks 1 of 64 holes",))
     tiny = [[[k, 9], [k + 1, 9], [k, 10]] for k in range(0, 1200, 2)]
     assert judge(SLOT, tiny).verdict is Verdict.WRONG
 
@@ -94,24 +70,6 @@ def test_a_ring_keyholed_along_an_exact_fit_traces_it() -> None:
     assert compare(case, {"no_fit": [wrong, hole]}).verdict is Verdict.MALFORMED
 
 
-def test_fits_are_traced_by_rings_of_an_inner_fit() -> None:
-    """Two rooms, and between them a corridor as wide as G."""
-    rooms = [(0, 0), (4, 0), (4, 1), (8, 1), (8, 0), (12, 0), (12, 3), (8, 3), (8, 2), (4, 2)]
-    case = Case.of("two rooms", "", [*rooms, (4, 3), (0, 3)], SQUARE, inner_fit=True)
-    first, second = map(list, list_exact_rings(case, "inner_fit"))
-    ((a, b),) = case.inner_exact_fits
-    k = next(k for k, p in enumerate(first) if is_on_segment(a, first[k - 1], p))
-    for rings in (
-        [[*first[:k], a, b, a, *first[k:]], second],
-        [first, second, [a, b]],
-        [first, [b, a, b], second],
-    ):
-        found = compare(case, {"inner_fit": rings})
-        assert [p.verdict for p in found.parts] == ["equivalent", "equivalent"]
-    found = compare(case, {"inner_fit": [first, second, [a, (9, 9)]]})
-    assert found.verdict is Verdict.MALFORMED
-
-
 def test_a_segment_as_a_region_that_is_nearly_none_is_within() -> None:
     case = Case.of("exactly as wide", "", box(4, "1/8"), box(1, "1/8"), inner_fit=True)
     assert case.inner_regions == ()
@@ -132,12 +90,6 @@ def test_a_loop_that_is_smaller_than_its_rounding_is_not_taken_for_a_fit() -> No
     loop[0][0] += 2
     found = compare(case, {"trajectory": loop}, numbers="binary64")
     assert found.parts[0].verdict is Verdict.WITHIN
-
-
-def test_a_ring_that_touches_itself_is_judged_by_its_region() -> None:
-    exact = [list(p) for p in SLOT.trajectory.vertices]
-    touching = [[10, 10], [12, 10], [11, 11], [12, 12], [10, 12], [11, 11]]
-    assert judge(SLOT, [exact, touching]).verdict is Verdict.CONSERVATIVE
 
 
 def test_crossing_combs_are_wrong_whose_boxes_differ_already(
@@ -176,19 +128,12 @@ def test_an_integer_of_a_program_that_reads_doubles_is_a_double() -> None:
     assert judge(case, box, numbers="binary64").verdict is not Verdict.WITHIN
 
 
-@pytest.mark.parametrize("claim", ["1000", "1", "1/2"])
-def test_a_claim_is_capped(claim: str) -> None:
-    loop = [[-1, -1], [4, -1], [4, 3], [2, 3], [2, "5/4"], [1, 1], [1, 3], [-1, 3]]
-    result = {"trajectory": loop, "rounding": claim}
-    part = compare(SLOT, result).parts[0]
-    assert part.verdict is Verdict.CONSERVATIVE
-    assert part.granted == Fraction(1, 100)
-    # The caller may allow whatever it likes.
-    assert compare(SLOT, result, rounding=Fraction(claim)).parts[0].verdict is Verdict.WITHIN
+def sample_small_cases() -> st.SearchStrategy[Case]:
+    return st.sampled_from([case for case in shipped_cases() if case.size <= 20])
 
 
 @examples(30)
-@given(st.sampled_from([case for case in shipped_cases() if case.size <= 20]), st.data())
+@given(st.deferred(sample_small_cases), st.data())
 def test_a_vertex_beyond_what_is_granted_is_not_within(case: Case, data: st.DataObject) -> None:
     loop: list[Any] = list(case.trajectory.vertices)
     k = data.draw(st.integers(0, len(loop) - 1))
@@ -225,60 +170,10 @@ G = [(2, 1), (5, 2), (3, 4)]
 CASE = Case.of("odd", "", D, G, ("1/2", 7))
 
 
-def shift(loop: Sequence[Point], x: Any, y: Any) -> list[Any]:
-    return [(p.x + Fraction(x), p.y + Fraction(y)) for p in loop]
-
-
-def answers() -> dict[str, list[Any]]:
-    t = CASE.trajectory.vertices
-    origin = shift(t, "-1/2", -7)
-    negated = [(-x, -y) for x, y in origin]
-    total = Case.of("", "", D, [(-x, -y) for x, y in G]).trajectory.vertices
-    return {
-        "exact for G's first vertex as reference": shift(t, "3/2", -6),
-        "exact for G's origin as reference": origin,
-        "exact for the lower left corner of G's box as reference": shift(t, "3/2", -6),
-        "exact for positions relative to the lower left corner of D's box": shift(t, "3/2", -6),
-        "exact for the centre of G's box as reference": shift(t, 3, "-9/2"),
-        "exact for G's centroid as reference": shift(t, "17/6", "-14/3"),
-        "exact for another reference point: all is moved by (100,-3)": shift(t, 100, -3),
-        "exact for exchanged roles, D around G": [(x + Fraction(1, 2), y + 7) for x, y in negated],
-        "exact for exchanged roles, D around G, and for G's origin as reference": negated,
-        "exact for D + G, G not reflected": shift(total, "1/2", 7),
-        "exact for another orientation: y is negated": [
-            (x + Fraction(1, 2), 7 - y) for x, y in origin
-        ],
-        "exact for another scale: it is 10 times as large": [(10 * x, 10 * y) for x, y in t],
-        "exact for the inner loop instead": list(CASE.inner.vertices),
-        "exact for the outer loop instead": list(CASE.outer.vertices),
-        "the convex hull of the exact one": find_hull(t),
-        "D itself": D,
-        "G itself": G,
-    }
-
-
-@pytest.mark.parametrize("words", answers())
-@pytest.mark.parametrize("numbers", [Fraction, float])
-def test_a_mistake_is_named(words: str, numbers: Any) -> None:
-    loop = [[numbers(x), numbers(y)] for x, y in answers()[words]]
-    found = judge(CASE, loop)
-    assert words in found.diagnosis
-    assert found.reason.startswith(found.diagnosis[0])
-    assert found.verdict in (Verdict.WRONG, Verdict.UNSOUND, Verdict.CONSERVATIVE)
-
-
 def test_no_mistake_is_named_that_is_none() -> None:
     assert judge(CASE, [[0, 0], [1, 0], [0, 1]]).diagnosis == ()
     moved = [*CASE.trajectory.vertices[1:], Point(Fraction(-9), Fraction(5))]
     assert judge(CASE, moved).diagnosis == ("one vertex is off, the others are exact",)
-
-
-def test_a_little_more_than_rounding_is_no_other_scale_and_no_other_point() -> None:
-    ring = [[float(x), float(y)] for x, y in CASE.trajectory.vertices]
-    (a, b), *others = ring
-    for spoilt in ([[x * (1 + 1e-10), y * (1 + 1e-10)] for x, y in ring], [[a - 1e-9, b], *others]):
-        found = judge(CASE, spoilt)
-        assert found.diagnosis == ("exact except for 4 times the rounding granted",)
 
 
 @pytest.mark.parametrize(

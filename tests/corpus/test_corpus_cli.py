@@ -1,15 +1,12 @@
 """`exactsweep corpus` as a user meets it."""
 
-import csv
 import json
-import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 import pytest
 from command import EXACTSWEEP, refusal, run, shell
 from shipped_cases import shipped_cases
 
-from exactsweep import Polygon
 from exactsweep.corpus import (
     FAMILIES,
     Case,
@@ -20,7 +17,6 @@ from exactsweep.corpus import (
     themes,
 )
 from exactsweep.corpus.shipped import read_schema
-from exactsweep.formats import parse_polygon
 
 CORPUS = f"{EXACTSWEEP} corpus"
 
@@ -62,18 +58,6 @@ def test_list_of_other_things(what: str, names: dict[str, object]) -> None:
     assert [line.split()[0] for line in lines("list", what)] == list(names)
 
 
-def test_show_tells_the_case_and_the_notes_on_its_flags() -> None:
-    text = "\n".join(lines("show", "reference-fits-elsewhere"))
-    assert "reference-fits-elsewhere: An exact fit, the reference point off the grid" in text
-    assert "class          CM, convex generatrix and monotone directrix" in text
-    assert "integer scale  7" in text
-    assert "input fits     int32, int64\n" in text
-    assert "reference   (1/7,3)" in text
-    assert "exact fit   (8/7,2) (8/7,4)" in text
-    for flag in find_case("reference-fits-elsewhere").flags:
-        assert f"\n{flag}\n  {notes()[flag].meaning}\n  Catches: " in text
-
-
 def test_show_as_json_is_one_line() -> None:
     for id in "fits-square", "gen-turned-9-4":
         assert read(lines("show", id, "--json")) == [find_case(id)]
@@ -89,19 +73,6 @@ def test_export_as_json_is_a_case_a_line() -> None:
     assert read(lines("export", "--class", "CC", "--max-size", "6")) == list(
         cases(kind="CC", max_size=6)
     )
-
-
-def test_export_as_wkt_holds_every_figure_or_says_why_not() -> None:
-    rows = list(csv.reader(lines("export", "worked-swallowtail", "--to", "wkt")))
-    assert rows[0] == ["case", "figure", "wkt", "missing because"]
-    assert [row[1] for row in rows[1:]] == [
-        *["directrix", "generatrix", "trajectory", "inner", "outer"]
-    ]
-    assert rows[3][2] == ""
-    assert "-2/3 is not a finite decimal" in rows[3][3]
-    case = find_case("worked-swallowtail")
-    for row, ring in (rows[1], case.directrix_ring), (rows[5], case.outer.vertices):
-        assert parse_polygon(row[2]) == Polygon(ring)
 
 
 def test_export_as_geojson_is_exact_where_it_says_so() -> None:
@@ -123,20 +94,6 @@ def test_export_as_geojson_is_exact_where_it_says_so() -> None:
         seen[properties["exact"]] += 1
         assert ({(Fraction(x), Fraction(y)) for x, y in ring} == given) == properties["exact"]
     assert min(seen.values()) > 0
-
-
-def test_export_as_svg_is_a_sheet_of_pictures() -> None:
-    text = run("corpus", "export", "fits", "sizes", "--to", "svg").stdout
-    pictures = ElementTree.fromstring(text).findall("{http://www.w3.org/2000/svg}g")
-    wanted = [*cases(prefix="fits-"), *cases(prefix="sizes-")]
-    assert len(pictures) == len(wanted)
-    for picture, case in zip(pictures, wanted, strict=True):
-        (drawn,) = picture.findall("{http://www.w3.org/2000/svg}svg")
-        assert int(drawn.attrib["width"]) <= 440, case.id
-        assert int(drawn.attrib["height"]) <= 330, case.id
-        texts = [text.text for text in picture.findall("{http://www.w3.org/2000/svg}text")]
-        assert texts[0] == case.id
-        assert str(texts[1]).startswith(f"{case.kind}, {case.size} vertices")
 
 
 def test_generate_takes_families_in_turn() -> None:

@@ -11,26 +11,16 @@ import pytest
 from command import EXAMPLE
 from matplotlib import pyplot
 from matplotlib.axes import Axes
-from strategies import points
 
 from exactsweep import Sweep, sweep
 from exactsweep.canvas import style
 from exactsweep.draw import (
     DrawError,
-    Picture,
-    Scale,
-    choose_telling_positions,
-    draw_chains,
-    draw_sub_trajectories,
     make_figure,
     plot_sweep,
     save,
 )
 from exactsweep.draw.sweeps import find_anchor
-from exactsweep.numbers.point import Vertex
-from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import find_convex_parts, split
-from exactsweep.procedures.cm import trajectory_cm
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
@@ -69,35 +59,6 @@ def scaled(s: Sweep, factor: Fraction) -> Sweep:
     return sweep(g, d)
 
 
-def test_all_of_a_sweep_is_in_the_picture() -> None:
-    assert labels(picture_of(EXAMPLE)) == [
-        "swept area",
-        "directrix D",
-        "inner loop",
-        "outer loop",
-        "undercut",
-        "trajectory, EV",
-        "trajectory, VE",
-        "trajectory, EE",
-        "generatrix G",
-        "reference point of G",
-        "contact, VE",
-        "contact, VV",
-    ]
-    assert "exact fit" in labels(picture_of(FIT))
-
-
-def test_shapes_are_drawn_where_they_are() -> None:
-    axes = picture_of(EXAMPLE)
-    assert corners(axes, "directrix D") == [
-        (float(x), float(y)) for x, y in EXAMPLE.directrix.vertices
-    ]
-    assert corners(axes, "undercut") == [(2.6, 2.6), (3.0, 1.0), (4.6, 2.6)]
-    inner = [(float(x), float(y)) for x, y in EXAMPLE.inner.vertices]
-    assert corners(axes, "inner loop") == [*inner, inner[0]]
-    assert corners(axes, "trajectory, VE")[:2] == [(-1.0, -2.0), (7.0, -2.0)]
-
-
 @pytest.mark.parametrize("exponent", [30, -30, 900])
 def test_size_changes_labels_only(exponent: int) -> None:
     plain, large = picture_of(EXAMPLE), picture_of(scaled(EXAMPLE, Fraction(10) ** exponent))
@@ -105,13 +66,6 @@ def test_size_changes_labels_only(exponent: int) -> None:
     assert labels(plain) == labels(large)
     for label in labels(plain):
         assert corners(plain, label) == corners(large, label)
-
-
-def test_the_generatrix_is_drawn_at_the_positions() -> None:
-    axes = picture_of(EXAMPLE, positions=[(3, -2), ("-2", "1/2")])
-    found: list[Any] = [p for p in axes.patches if p.get_zorder() == style.GENERATRIX.order]
-    assert [tuple(patch.get_xy()[0]) for patch in found] == [(3.0, -2.0), (-2.0, 0.5)]
-    assert choose_telling_positions(FIT) == list(points((1, 3), (1, 1), (-1, -1)))
 
 
 def test_a_far_reference_point_leaves_the_picture_alone() -> None:
@@ -143,22 +97,6 @@ def test_no_two_things_differ_by_colour_alone() -> None:
     assert len({look.marker for look in style.CONTACTS.values()}) == len(style.CONTACTS)
     chains = [style.choose_chain_look(k) for k in range(7)]
     assert len({(look.marker, str(look.dash)) for look in chains}) == len(chains)
-
-
-def test_chains_sub_trajectories_and_their_envelope_are_drawn() -> None:
-    _, top = split(EXAMPLE.generatrix.vertices)
-    directrix: list[Vertex] = [(0, 0), (3, 3), (5, 0), (8, 2)]
-    parts = find_convex_parts(directrix)
-    chains = [trajectory_cc(top, part) for part in parts]
-    envelope = list(trajectory_cm(top, directrix))
-    (axes,) = make_figure().axes
-    picture = Picture(axes, Scale.of(directrix, *chains))
-    draw_chains(picture, {f"D_{k}": part for k, part in enumerate(parts, 1)})
-    draw_sub_trajectories(picture, chains, envelope)
-    picture.text(directrix[1], "reflex")
-    picture.legend()
-    assert labels(axes) == ["D_1", "D_2", "sub-trajectory", "lower envelope"]
-    assert corners(axes, "D_2") == [(3.0, 3.0), (5.0, 0.0), (8.0, 2.0)]
 
 
 @pytest.mark.parametrize("suffix", ["svg", "pdf", "png"])

@@ -9,7 +9,7 @@ from command import run
 from hypothesis import given
 from matplotlib.axes import Axes
 from strategies import simple_polygons
-from test_notebook import SVG, Balanced, inside
+from test_notebook import Balanced, inside
 from tiers import examples
 
 from exactsweep import (
@@ -19,7 +19,6 @@ from exactsweep import (
     Region,
     inner_fit_polygon,
     no_fit_polygon,
-    sweep,
 )
 from exactsweep.canvas import style
 from exactsweep.draw import make_figure
@@ -65,26 +64,6 @@ def rings(axes: Axes, order: float) -> list[list[tuple[float, float]]]:
     return found
 
 
-def test_all_of_a_no_fit_polygon_is_in_the_picture() -> None:
-    axes = picture_of(no_fit_polygon(PLATE, SQUARE))
-    assert labels(axes) == [
-        "stationary D",
-        "hole",
-        "exterior",
-        "exact fit",
-        "exact fit, one position",
-        "orbiting G",
-        "reference point of G",
-    ]
-    assert line(axes, "exterior") == [(-1, -1), (9, -1), (9, 5), (-1, 5), (-1, -1)]
-    assert line(axes, "exact fit") == [(5, 1), (5, 3)]
-    assert line(axes, "exact fit, one position") == [(7, 2)]
-    # The inner end of the segment, the single position, the hole, the exterior.
-    assert line(axes, "reference point of G") == [(5, 3), (7, 2), (1, 1), (-1, -1)]
-    (hole,) = rings(axes, style.FREE.order)
-    assert hole == [(1, 1), (3, 1), (3, 2), (1, 2)]
-
-
 def test_holes_are_cut_out() -> None:
     for shape, order in (PLATE, style.DIRECTRIX.order), (Region(SQUARE), style.GENERATRIX.order):
         axes = picture_of(no_fit_polygon(PLATE, SQUARE), positions=[(0, 0)])
@@ -106,32 +85,6 @@ def test_a_ring_that_moves_keeps_its_hole() -> None:
     assert line(axes, "exact fit, one position") == [(-1, -1)]
 
 
-def test_all_of_an_inner_fit_is_in_the_picture() -> None:
-    axes = picture_of(inner_fit_polygon(PLATE, SQUARE))
-    assert labels(axes) == [
-        "container D",
-        "free positions",
-        "exact fit",
-        "part G",
-        "reference point of G",
-    ]
-    assert rings(axes, style.FREE.order)[0] == [(0, 3), (4, 3), (4, 4), (0, 4)]
-    axes = picture_of(inner_fit_polygon(CHANNEL, SQUARE))
-    assert labels(axes) == ["container D", "exact fit", "part G", "reference point of G"]
-    assert line(axes, "exact fit") == [(0, 0), (4, 0)]
-    assert labels(picture_of(inner_fit_polygon(SQUARE, CHANNEL))) == ["container D"]
-
-
-def test_ends_are_hollow_where_they_hang() -> None:
-    # A door exactly as wide as the square, from the outside into a chamber.
-    room = [(0, 0), (5, 0), (5, 6), (3, 6), (3, 4), (4, 4), (4, 1), (1, 1), (1, 4), (2, 4)]
-    room += [(2, 6), (0, 6)]
-    axes = picture_of(no_fit_polygon(room, SQUARE))
-    (hollow,) = (one for one in axes.lines if one.get_zorder() == style.HANGING_END.order)
-    points: Any = hollow.get_xydata()
-    assert [(x, y) for x, y in points if x == x] == [(2, 3), (2, 6)]
-
-
 def test_a_far_reference_point_leaves_the_picture_alone() -> None:
     near = picture_of(no_fit_polygon(PLATE, SQUARE))
     far = picture_of(no_fit_polygon(PLATE, SQUARE, reference=(10**40, 0)))
@@ -148,44 +101,7 @@ def test_every_answer_has_a_picture_in_a_notebook(d: Polygon, g: Polygon) -> Non
         Balanced(found._repr_html_())
 
 
-def test_a_single_position_is_a_dot_in_a_notebook() -> None:
-    picture = ElementTree.fromstring(no_fit_polygon(PLATE, SQUARE)._repr_svg_())
-    dots = [
-        path.attrib
-        for path in picture.iterfind(f"{SVG}path")
-        if path.attrib.get("stroke-linecap") == "round" and path.attrib["stroke-width"] == "8"
-    ]
-    (dot,) = dots
-    start, end = dot["d"].removeprefix("M").split("L")
-    assert start == end
-
-
-def test_the_summary_tells_the_sizes() -> None:
-    texts = Balanced(no_fit_polygon(PLATE, SQUARE)._repr_html_()).texts
-    for text in ("SS, polygons of any shape", "16 vertices, area 35", "58", "1", "2"):
-        assert text in texts
-    texts = Balanced(inner_fit_polygon(PLATE, SQUARE)._repr_html_()).texts
-    for text in ("inner fit of 4 in 16 vertices", "3", "6", "8"):
-        assert text in texts
-
-
 def test_a_sweep_of_any_shape_is_drawn(tmp_path: Path) -> None:
-    axes = sweep(SQUARE, PLATE).plot(make_figure().axes[0])
-    assert labels(axes) == [
-        "swept area",
-        "directrix D",
-        "inner loop",
-        "outer loop",
-        "trajectory, EE",
-        "exact fit",
-        "exact fit, one position",
-        "generatrix G",
-        "reference point of G",
-        "contact, VE",
-        "contact, EE",
-        "contact, VV",
-    ]
-    assert len(rings(axes, style.DIRECTRIX.order)) == 4
     parts = tmp_path / "plate.json"
     parts.write_text(json.dumps({"exterior": [[0, 0], [5, 0], [5, 5], [0, 5]],
                                  "holes": [[[1, 1], [3, 1], [3, 3], [1, 3]]]}))  # fmt: skip
@@ -193,15 +109,3 @@ def test_a_sweep_of_any_shape_is_drawn(tmp_path: Path) -> None:
     result = run("draw", "-", str(parts), "-o", str(output), stdin=json.dumps(SQUARE))
     assert (result.exit_code, result.output) == (0, "")
     assert output.read_bytes().startswith(b"\x89PNG")
-
-
-def test_what_is_not_swept_is_cut_out() -> None:
-    cave = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8)]
-    cave += [(8, 2), (2, 2), (2, 8), (3, 8), (3, 10), (0, 10)]
-    s = sweep(SQUARE, cave)
-    *_, hole = rings(s.plot(make_figure().axes[0]), style.SWEPT.order)
-    assert hole[::-1] == [(3, 3), (7, 3), (7, 7), (3, 7)]
-    assert inside(ElementTree.fromstring(s._repr_svg_()))
-    texts = Balanced(s._repr_html_()).texts
-    assert "no shared direction" in texts
-    assert "4 vertices, area 16" in texts

@@ -76,18 +76,6 @@ def test_a_polygon_is_drawn_upright() -> None:
     assert path.attrib["d"] == "M12.00 259.00L408.00 259.00L408.00 61.00L12.00 160.00Z"
 
 
-def test_the_summary_tells_the_sizes() -> None:
-    texts = Balanced(EXAMPLE._repr_html_()).texts
-    for text in (
-        "CM, convex generatrix and monotone directrix",
-        "9 vertices, area 327/5",
-        "72",
-        "CM sweep of 5 around 7 vertices",
-    ):
-        assert text in texts
-    assert "(8,5)" in Balanced(EXAMPLE.directrix._repr_html_()).texts
-
-
 def test_matplotlib_is_not_needed() -> None:
     program = (
         "import sys; sys.modules['matplotlib'] = None\n"

@@ -214,16 +214,17 @@ COMPASS = [(x, y) for x, y in product(range(-2, 3), repeat=2) if 2 in (abs(x), a
 
 def test_an_edge_faces_the_corners_that_lie_to_its_right() -> None:
     """Corners that are convex, with both of their edges to the right of the edge or along it."""
+    # Edge 2 k leads to point k of the compass, and the next one back.
     ways = dict(enumerate(COMPASS))
+    rose = Outline([[(5, 5), (5 + x, 5 + y)] for x, y in COMPASS])
     for forward, back in product(COMPASS, repeat=2):
         turn = forward[0] * back[1] - forward[1] * back[0]
         if turn == 0:
             continue
         faced = {
-            i
+            i // 2
             for i, j in find_facing(
-                {k: ((5, 5), (5 + x, 5 + y)) for k, (x, y) in ways.items()},
-                Outline([[(0, 0), forward, back]]),
+                rose, Outline([[(0, 0), forward, back]]), range(0, 2 * len(COMPASS), 2)
             )
             if j == 0
         }

@@ -9,7 +9,7 @@ from many_contacts import FORK, ROOF, STAIRS, STEPS, TABLE
 from exactsweep import Sweep, sweep
 from exactsweep.check import verify
 from exactsweep.evidence.contact import list_edges
-from exactsweep.evidence.trace import Feature, Trace
+from exactsweep.evidence.drawn import DrawnPiece, Feature, find_drawn_edges
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.segment import Segment, choose_cover, make_segment
 from exactsweep.geometry.vectors import minus
@@ -27,25 +27,25 @@ def known() -> Iterator[Sweep]:
         yield sweep(*([(-x, -y) for x, y in shape] for shape in (g, d)), direction=(1, 0))
 
 
-def gather(edge: Edge, path: Outline, g: Outline) -> list[list[tuple[Segment, Trace]]]:
+def gather(edge: Edge, path: Outline, g: Outline) -> list[list[DrawnPiece]]:
     """All pieces that G draws on an edge: edges from its ends, along paths, edges at vertices."""
     whole = make_segment(edge)
     from_ends, along, at_all = [], [], []
     for (k, t), (i, own) in product(enumerate(path.vertices), enumerate(g.edges)):
-        piece = make_segment(own).moved(t)
-        trace = Trace(Feature("vertex", k), Feature("edge", i))
+        start, end = ((x + t[0], y + t[1]) for x, y in own)
+        drawn = DrawnPiece(Feature("vertex", k), Feature("edge", i), make_segment((start, end)))
         if any(minus(p, q) == t for p in edge for q in own):
-            from_ends.append((piece, trace))
-        at_all.append((piece, trace))
+            from_ends.append(drawn)
+        at_all.append(drawn)
     for (k, (p, q)), (i, w) in product(enumerate(path.edges), enumerate(g.vertices)):
         ends = g.edge(i)
         is_parallel = make_segment(ends).direction == make_segment((p, q)).direction
         moved = [(u + x, v + y) for u, v in (ends if is_parallel else (w,)) for x, y in (p, q)]
         total = make_segment((min(moved), max(moved)))
         feature = Feature("edge" if is_parallel else "vertex", i)
-        along.append((total, Trace(Feature("edge", k), feature)))
+        along.append(DrawnPiece(Feature("edge", k), feature, total))
     return [
-        [(piece, trace) for piece, trace in group if on_line(piece, whole)]
+        [drawn for drawn in group if on_line(drawn.piece, whole)]
         for group in (from_ends, along, at_all)
     ]
 
@@ -59,21 +59,21 @@ def on_line(piece: Segment, whole: Segment) -> bool:
 def test_what_draws_an_edge_covers_it_and_is_looked_for_in_order(s: Sweep) -> None:
     assert verify(s.certificate()).proved
     path, g = s._route, s._boundaries[0]
-    for loop in s.solution.inner, s.solution.outer:
-        for edge in list_edges(s._enter(loop)):
+    for loop, inside in ((s.solution.inner, True), (s.solution.outer, False)):
+        edges = list_edges(s._enter(loop))
+        for edge, at in zip(edges, find_drawn_edges(edges, path, g, inside=inside), strict=True):
             whole = make_segment(edge)
-            found = s._tracer.trace(edge)
-            tried: list[tuple[Segment, Trace]] = []
+            found = at.choose()
+            tried: list[DrawnPiece] = []
             for group in gather(edge, path, g):
                 tried += group
-                if choose_cover(whole, [(piece, 0) for piece, _ in tried]) is not None:
+                if choose_cover(whole, [(drawn.piece, 0) for drawn in tried]) is not None:
                     break
-            pieces = {trace: piece for piece, trace in tried}
-            assert {*found} <= pieces.keys()
-            is_one = any(p.low <= whole.low and whole.high <= p.high for p in pieces.values())
+            assert {*found} <= {*tried}
+            is_one = any(p.low <= whole.low and whole.high <= p.high for _, _, p in tried)
             assert (len(found) == 1) == is_one
             # None of them is needless, and they come from one end to the other.
-            drawn = [(pieces[trace], 0) for trace in found]
+            drawn = [(drawn.piece, 0) for drawn in found]
             assert choose_cover(whole, drawn) is not None
             for k in range(len(drawn)):
                 assert choose_cover(whole, drawn[:k] + drawn[k + 1 :]) is None

@@ -14,10 +14,10 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.evidence.contact import MonotoneOutline
-from exactsweep.evidence.trace import Feature, Tracer
-from exactsweep.evidence.undercut import Undercut
+from exactsweep.evidence.drawn import Feature, find_drawn_edges
+from exactsweep.evidence.undercut import Undercut, find_closing_positions
 from exactsweep.geometry.outline import Outline
+from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Vertex
 
 Pair = tuple[Polygon, Polygon]
@@ -225,17 +225,21 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
             assert far.certificate()[name] == near.certificate()[name], (seed, name)
 
 
+def close(chain: list[Vertex], path: Outline, g: Outline) -> Any:
+    """Find what closes a chain on the inner loop of a trajectory."""
+    return find_closing_positions(
+        find_drawn_edges([*pairwise(chain)], path, g, inside=True), path, g
+    )
+
+
 def test_a_chain_may_be_covered_from_the_middle_of_an_edge_but_not_beyond_g() -> None:
-    g = Outline([[(-1, 5), (0, 2), (1, 0), (3, 0), (4, 2), (5, 5)]])
-    lying, aside = (Outline([[(x, 0), (9, 0), (9, 9), (x, 9)]]) for x in (-1, 1))
-    chain = [(0, 2), (1, 0), (3, 0), (4, 2), (5, 5)]
-    for way in (chain, chain[::-1]):
-        assert Tracer(MonotoneOutline(lying.vertices), g).covering_position(way) == (0, 0)
-        assert Tracer(lying, g).covering_position(way) == (0, 0)
-        assert Tracer(aside, g).covering_position(way) is None
-    longer = [*chain[:-1], (6, 8)]
-    for way in (longer, longer[::-1]):
-        assert Tracer(lying, g).covering_position(way) is None
+    g = Outline([[(0, 5), (1, 2), (2, 0), (4, 0), (5, 2), (6, 5)]])
+    # A notch from above, down to (0, 0).
+    path = Outline([[(-9, -9), (9, -9), (9, 9), (1, 9), (0, 0), (-1, 9), (-9, 9)]])
+    chain: list[Vertex] = [(1, 2), (2, 0), (4, 0), (5, 2), (6, 5)]
+    assert close(chain, path, g) == close(chain[::-1], path, g) == ("point", [(0, 0)])
+    with pytest.raises(ExactSweepError):
+        close([*chain[:-1], (7, 8)], path, g)
 
 
 def test_a_straight_chain_is_covered_along_a_piece_of_the_trajectory() -> None:
@@ -246,15 +250,14 @@ def test_a_straight_chain_is_covered_along_a_piece_of_the_trajectory() -> None:
         (5, 7, (0, 2)),
         (6, 7, (0, 3)),
         (9, 10, (2, 4)),
-        (10, 12, (4, 4)),
+        (10, 12, (4,)),
         (11, 13, (7, 8)),
         (11, 12, (7, 8)),  # and in (4, -1)
-        (12, 17, (9, 9)),
-        (7, 12, (4, 4)),
-        (7, 13, None),
+        (12, 17, (9,)),
+        (7, 12, (4,)),
     ]:
-        found = Tracer(path, bar).closing_range(((low, 0), (high, 0)))
-        assert found == (None if expected is None else tuple((x, -1) for x in expected))
+        _, found = close([(low, 0), (high, 0)], path, bar)
+        assert found == [(x, -1) for x in expected]
 
 
 @pytest.mark.parametrize(
@@ -272,8 +275,9 @@ def test_an_edge_of_several_positions_is_drawn_at_vertices_of_the_trajectory(
         return [(c * x - s * y, s * x + c * y) for x, y in points]
 
     square = Outline([turn((0, 0), (1, 0), (1, 2), (0, 2))])
-    zigzag = Outline([turn((3, 0), (4, 1), (3, 2), (4, 3), (3, 4), (8, 2))])
+    zigzag = Outline([turn((8, 2), (3, 4), (4, 3), (3, 2), (4, 1), (3, 0))])
     start, end = turn((3, 5), (3, 1))
-    traces = Tracer(zigzag, square).trace((start, end))
-    assert {trace.position for trace in traces} == {Feature("vertex", k) for k in (0, 2, 4)}
-    assert {trace.feature for trace in traces} == {Feature("edge", 3)}
+    (drawn,) = find_drawn_edges([(start, end)], zigzag, square, inside=False)
+    found = drawn.choose()
+    assert {drawn.position for drawn in found} == {Feature("vertex", k) for k in (1, 3, 5)}
+    assert {drawn.feature for drawn in found} == {Feature("edge", 3)}

@@ -1,5 +1,4 @@
 import io
-import re
 from fractions import Fraction
 from pathlib import Path
 
@@ -21,7 +20,6 @@ from exactsweep.formats import (
     read_polygon,
     read_polygons,
 )
-from exactsweep.numbers.point import Point
 
 SQUARE = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
 CORNERS = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -37,10 +35,6 @@ def dxf(*entities: Tags) -> str:
 
 def line(a: object, b: object, c: object, d: object, *more: tuple[int, object]) -> Tags:
     return [(0, "LINE"), *more, (10, a), (20, b), (11, c), (21, d)]
-
-
-def arc(x: object, y: object, r: object, start: object, end: object) -> Tags:
-    return [(0, "ARC"), (10, x), (20, y), (40, r), (50, start), (51, end)]
 
 
 def polyline(*corners: tuple[object, ...], flags: int = 1) -> Tags:
@@ -110,12 +104,6 @@ def test_lines_in_any_order_are_joined_exactly(polygon: Polygon, random: object)
     assert parse_polygon(dxf(*lines)) == expected
 
 
-def test_decimals_are_not_rounded_to_floats() -> None:
-    long = "0.1000000000000000000000000000000000001"
-    text = dxf(polyline((0, 0), (long, 0), (0, "+1.E0")))
-    assert parse_polygon(text).vertices[1] == Point(Fraction(long), Fraction(0))
-
-
 def test_outlines_are_chosen_by_layer_or_index() -> None:
     def draw(space: Modelspace) -> None:
         space.add_lwpolyline(CORNERS, close=True, dxfattribs={"layer": "cut"})
@@ -138,94 +126,6 @@ def test_outlines_are_chosen_by_layer_or_index() -> None:
         parse_polygon(text)
     found = parse_polygons(text.replace("\nLINE\n", "\nTEXT\n"))
     assert [part.layer for part in found] == ["cut", "two", "two"]
-
-
-def test_layers_keep_apart() -> None:
-    first = [line(0, 0, 1, 0), line(1, 0, 0, 1), line(0, 1, 0, 0)]
-    second = [[(0, "LINE"), (8, "b"), *tags[1:]] for tags in first]
-    assert len(parse_polygons(dxf(*first, *second))) == 2
-
-
-def test_arcs_are_joined_within_the_tolerance() -> None:
-    # A slot whose ends are rounded to six decimals, turned by 30 degrees.
-    slot = dxf(
-        line("-0.5", "0.866025", "8.160254", "5.866025"),
-        arc("8.660254", 5, 1, -60, 120),
-        line("9.160254", "4.133975", "0.5", "-0.866025"),
-        arc(0, 0, 1, 120, 300),
-    )
-    polygon = parse_polygon(slot, tolerance="1e-4")
-    assert polygon.is_convex
-    assert abs(float(polygon.area) - 20 - 3.14159265) < 1e-3
-    with pytest.raises(FormatError, match="meets no other end exactly"):
-        parse_polygon(slot, "1", tolerance="1e-7")
-    with pytest.raises(FormatError, match=r"LINE: the end \(1/1000,0\) meets no other end exactly"):
-        parse_polygon(dxf(line("0.001", 0, 0, 0), arc(1, 0, 1, 0, 180)), tolerance=1)
-
-
-def test_bulges_and_circles_are_read_as_lines() -> None:
-    rounded = dxf(polyline((0, 0), (2, 0, 1), (2, 2), (0, 2, 1)))
-    assert abs(float(parse_polygon(rounded, tolerance="1e-6").area) - 7.14159265) < 1e-4
-    circle = dxf([(0, "CIRCLE"), (10, 5), (20, 5), (40, 2)])
-    assert abs(float(parse_polygon(circle, tolerance="1e-6").area) - 12.5663706) < 1e-4
-    full = dxf(arc(5, 5, 2, 90, 450))
-    assert parse_polygon(full, tolerance="1e-3") == parse_polygon(circle, tolerance="1e-3")
-    whole = dxf(polyline((0, 0, 1), (2, 0, 1)))
-    assert abs(float(parse_polygon(whole, tolerance="1e-6").area) - 3.14159265) < 1e-4
-
-
-REFUSED = {
-    dxf(arc(0, 0, 1, 0, 90)): "line 6: ARC: a curve, which is read only with a tolerance",
-    dxf([(0, "CIRCLE"), (40, 1)]): "line 6: CIRCLE: a curve, which is read only with",
-    dxf(polyline((0, 0, "0.5"), (1, 0), (0, 1))): "line 6: LWPOLYLINE: a curve, which is read only",
-    dxf(polyline((0, 0))): "line 6: LWPOLYLINE: a point",
-    dxf(polyline((0, 0), (1, 1), (2, 2))): "line 6: LWPOLYLINE: zero area",
-    dxf([(0, "SPLINE")]): "line 6: SPLINE: a curve, which is read only with a tolerance",
-    dxf([(0, "INSERT")]): "line 6: INSERT: group 2 is missing",
-    dxf([(0, "a\tb")]): "line 6: 'a\\tb': no line, polyline, arc, ",
-    dxf([(0, "LINE"), (10, 0)]): "line 6: LINE: group 20 is missing",
-    dxf(line(0, 0, 1, 0, (30, 5))): "line 6: LINE: not level: its points are at",
-    dxf([*polyline((0, 0)), (230, "0.5")]): "line 6: LWPOLYLINE: drawn in a plane of its own",
-    dxf(line(0, 0, "x", 0)): "line 6: LINE: group 11: 'x' is not a decimal number",
-    dxf(line(0, 0, "1e9999", 0)): "line 6: LINE: group 11: '1e9999' has more than 4300 digits",
-    dxf([(0, "POLYLINE"), (70, 16)]): "line 6: POLYLINE: a mesh",
-    dxf([(0, "POLYLINE"), (70, 1), (0, "VERTEX"), (10, 0)]): "line 6: POLYLINE: line 10: VERTEX",
-    dxf(line(0, 0, 1, 0), line(1, 0, 0, 0)): "line 6: LINE: the end (0,0) meets no other end",
-    dxf(*[line(0, 0, k, 1) for k in range(3)]): "line 6: LINE: the end (0,0) is one of 3 that meet",
-    dxf(): "holds no polygon",
-    dxf().replace("0\nEOF", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF"): (
-        "not DXF: line 10: a second section of entities"
-    ),
-    "0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nEOF\n": "holds no polygon",
-    "0\nSECTION\n2\nENTITIES\n0\nEOF\n": "not DXF: missing ENDSEC tag.",
-    "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n": "not DXF: missing EOF tag.",
-    "0\nSECTION\nx\ny\n": 'not DXF: Invalid group code "x\\n" at line 3.',
-    "999\n\x07\n0\nSECTION\n\x07\n": "not DXF: Invalid group code",
-}
-
-
-@pytest.mark.parametrize(("text", "message"), REFUSED.items(), ids=range(len(REFUSED)))
-def test_refusals_name_place_and_reason(text: str, message: str) -> None:
-    with pytest.raises(ValueError, match=f"^{re.escape(message)}") as caught:
-        parse_polygon(text)
-    assert str(caught.value).isprintable()
-    assert len(str(caught.value)) < 200
-
-
-@pytest.mark.parametrize(
-    ("entity", "message"),
-    [
-        (arc(0, 0, 0, 0, 90), "the radius is not positive"),
-        (arc(0, 0, "1e-9", 0, 90), "ARC: 1 line vanished, shorter than ends may be apart"),
-        (
-            arc(0, 0, "1e30", 0, 90),
-            r"ARC: a curve would become more than 10\*\*12 lines",
-        ),
-    ],
-)
-def test_arcs_that_cannot_be_lines_are_refused(entity: Tags, message: str) -> None:
-    with pytest.raises(FormatError, match=message):
-        parse_polygon(dxf(entity, line("1e30", 0, 0, "1e30")), tolerance=1)
 
 
 def test_old_code_pages_and_binary_files(tmp_path: Path) -> None:

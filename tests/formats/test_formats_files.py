@@ -111,30 +111,6 @@ def test_rounding_says_what_it_changed(polygon: Polygon, places: int) -> None:
         assert parse_polygon(format_polygons([part], form)) == part.region.exterior
 
 
-SEVERAL = {
-    "json": '{"polygons": [{"id": "a", "vertices": [[0,0],[1,0],[0,1]]}, [[0,0],[2,0],[0,2]]]}',
-    "wkt": "POLYGON ((0 0, 1 0, 0 1, 0 0))\nMULTIPOLYGON (((0 0, 2 0, 0 2, 0 0)))\n",
-    "multi": "MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)), ((0 0, 2 0, 0 2, 0 0)))",
-    "geojson": '{"type": "FeatureCollection", "features": [{"type": "Feature", "id": 7, "geometry":'
-    '{"type": "Polygon", "coordinates": [[[0,0],[1,0],[0,1],[0,0]]]}},'
-    '{"type": "Feature", "geometry": {"type": "GeometryCollection", "geometries": ['
-    '{"type": "MultiPolygon", "coordinates": [[[[0,0],[2,0],[0,2],[0,0]]]]}]}}]}',
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("text", SEVERAL.values(), ids=SEVERAL)
-def test_files_may_hold_several_polygons(tmp_path: Path, text: str) -> None:
-    path = tmp_path / "several"
-    path.write_text(text)
-    areas = [part.polygon.area for part in read_polygons(str(path))]
-    assert areas == [Fraction(1, 2), 2]
-    assert read_polygon(f"{path}#1").area == 2
-    with pytest.raises(FormatError, match=r"several: holds 2 polygons; choose one by name, index"):
-        read_polygon(str(path))
-    with pytest.raises(FormatError, match=r"several: no polygon has the name, index or layer '2'"):
-        read_polygon(f"{path}#2")
-
-
 def test_names_come_before_indices(tmp_path: Path) -> None:
     polygons = [NamedPolygon(TRIANGLE, "1"), NamedPolygon(TRIANGLE.translated((5, 0)), "x")]
     path = tmp_path / "parts.json"
@@ -161,34 +137,6 @@ def test_names_may_have_the_sign(tmp_path: Path) -> None:
     assert read_polygon(f"{path}##") == moved
     with pytest.raises(FormatError, match=r"/none: No such file or directory$"):
         read_polygon(str(tmp_path / "none#x#y"))
-
-
-def test_another_geometry_concerns_no_other() -> None:
-    ring = '{"type": "Polygon", "coordinates": [[[0,0],[1,0],[0,1],[0,0]]]}'
-    features = (
-        '{"type": "Feature", "id": "hole", "geometry": {"type": "Point", "coordinates": [0, 0]}},'
-        '{"type": "Feature", "id": "none", "geometry": null},'
-        f'{{"type": "Feature", "id": "part", "geometry": {ring}}}'
-    )
-    text = f'{{"type": "FeatureCollection", "features": [{features}]}}'
-    assert parse_polygon(text, "part") == TRIANGLE
-    with pytest.raises(FormatError, match=r"^\$\.features\[0\]\.geometry\.type is 'Point', not"):
-        parse_polygon(text, "hole")
-    with pytest.raises(FormatError, match=r"^\$\.features\[1\]\.geometry is null, not a Polygon$"):
-        parse_polygon(text, "none")
-    parts = parse_polygons(text)
-    assert [part.name for part in parts] == ["part"]
-    assert "geometry.type is 'Point'" in parts.left_out[0]
-
-
-def test_a_bad_polygon_among_several_is_named() -> None:
-    found = parse_polygons("POLYGON ((0 0, 1 0, 0 1, 0 0))\nPOLYGON ((0 0, 1 1, 2 2, 0 0))")
-    assert len(found) == 1
-    assert found.left_out[0].startswith("line 2, column 10: zero area")
-    found = parse_polygons('{"polygons": [[[0,0],[1,0],[0,1]], [[0,0],[1,1],[2,2]]]}')
-    assert found.left_out[0].startswith("$.polygons[1]: zero area")
-    with pytest.raises(PolygonError, match=r"^\$\.polygons\[0\]: zero area"):
-        parse_polygons('{"polygons": [[[0,0],[1,1],[2,2]]]}')
 
 
 @given(strategies.simple_polygons())
@@ -234,6 +182,11 @@ def test_arrays_that_are_no_polygons_are_refused() -> None:
         from_numpy(numpy.full((3, 2), math.nan))
     with pytest.raises(FormatError, match="dtype 'int8': not 'object', 'int64' or 'float64'"):
         to_numpy(TRIANGLE, "int8")
+    for x in ("1/2", 2**63, -(2**63) - 1):
+        with pytest.raises(FormatError, match=r"^vertex \d: .* is not an int64$"):
+            to_numpy(Polygon([(0, 0), (x, 0), (0, 1)]), "int64")
+    ends = Polygon([(-(2**63), 0), (2**63 - 1, 0), (0, 1)])
+    assert to_numpy(ends, "int64").tolist() == [[int(x), int(y)] for x, y in ends.vertices]
     with pytest.raises(FormatError, match="is beyond all floats"):
         to_shapely(Polygon([(0, 0), ("1e999", 0), (0, 1)]), nearest=True)
 

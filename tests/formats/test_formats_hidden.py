@@ -87,21 +87,6 @@ SVG = """<svg xmlns="http://www.w3.org/2000/svg"><style>
 </g></svg>"""
 
 
-def test_hidden_elements_of_svg_are_counted_and_no_parts() -> None:
-    parts = parse_polygons(SVG)
-    assert [part.polygon.area for part in parts] == [81, 4, 49]
-    assert parts.left_out == [
-        "hidden: 1 rect in defs (--hidden)",
-        "hidden: 3 rect with display none (--hidden)",
-        "hidden: 1 g with display none (--hidden)",
-        "hidden: 1 rect that is not visible (--hidden)",
-    ]
-    found = parse_polygons(SVG, hidden=True)
-    assert [part.polygon.area for part in found] == [1, 81, 4, 9, 9, 16, 25, 36, 49]
-    with pytest.raises(FormatError, match=r"^hidden: 1 rect with display none"):
-        parse_polygons("<svg><rect display='none' width='1' height='1'/></svg>")
-
-
 def test_commands_tell_what_is_hidden(tmp_path: Path) -> None:
     path = tmp_path / "a.svg"
     path.write_text(SVG)
@@ -155,17 +140,6 @@ def test_ornaments_lose_no_file() -> None:
     assert len(parts.left_out) == 5
     kinds = [reason.split(": ")[1] for reason in parts.left_out]
     assert kinds == ["HATCH", "LINE", "XLINE", "RAY", "LWPOLYLINE"]
-    svg = "<svg><rect width='4' height='4'/><rect width='0' height='9'/><path d='M1 1h2'/></svg>"
-    assert parse_polygon(svg).area == 16
-    assert len(parse_regions(svg, nested=True).left_out) == 2
-
-
-def test_open_outlines_are_no_ornaments() -> None:
-    text = "<svg><rect width='4' height='4'/><path d='M1 1h2v1'/></svg>"
-    with pytest.raises(FormatError, match="holds 1 polygon; choose one"):
-        parse_polygon(text)
-    with pytest.raises(FormatError, match="nested outlines are read with all of their layer"):
-        parse_regions(text, nested=True)
 
 
 def test_heights_within_the_distance_are_level() -> None:
@@ -208,31 +182,3 @@ def test_no_outline_vanishes_in_joints(tmp_path: Path) -> None:
 def test_broken_style_sheets_hide_nothing(sheet: str) -> None:
     text = f"<svg><style>{sheet}</style><rect width='2' height='2'/></svg>"
     assert parse_polygon(text).area == 4
-
-
-def test_heights_of_geojson_are_ignored_and_a_note_says_so() -> None:
-    text = '{"type": "Polygon", "coordinates": [[[0, 0, 7], [4, 0], [0, 4, -1], [0, 0, 7]]]}'
-    found = parse_polygons(text)
-    assert [part.polygon.area for part in found] == [8]
-    assert found.notes == ["third coordinates, which are heights, are ignored"]
-    assert parse_polygons(text.replace(", 7", "").replace(", -1", "")).notes == []
-
-
-@pytest.mark.parametrize(
-    ("sheet", "notes"),
-    [
-        (".a, rect, #b, * { display: inline }", []),
-        ("g .a { stroke: red }", []),
-        (
-            "g .a, .b { display: none } a > b { visibility: hidden }",
-            [
-                "2 selectors of style sheets ignored, first 'g .a': only names, classes and ids "
-                "are read"
-            ],
-        ),
-    ],
-)
-def test_selectors_that_are_ignored_are_noted(sheet: str, notes: list[str]) -> None:
-    rect = '<rect class="a" id="b" width="2" height="1"/>'
-    found = parse_polygons(f"<svg><style>{sheet}</style>{rect}</svg>")
-    assert (len(found), found.notes) == (1, notes)

@@ -1,7 +1,6 @@
 """Polygons with holes, read from every format that has them; none is lost or made a part."""
 
 import re
-from pathlib import Path
 
 import pytest
 import shapely
@@ -13,106 +12,13 @@ from tiers import examples
 from exactsweep import Point, Polygon, PolygonError, Region
 from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
-    FormatError,
-    NamedRegion,
     from_shapely,
-    parse_polygon,
-    parse_polygons,
-    parse_region,
     parse_regions,
-    read_polygons,
-    read_region,
-    read_regions,
 )
 from exactsweep.geometry.overlap import Overlap
 
 OUTER, INNER = [(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 PLATE = Region(OUTER, [INNER])
-RINGS = "[[[0,0],[4,0],[4,4],[0,4],[0,0]], [[1,1],[2,1],[2,2],[1,2],[1,1]]]"
-TEXTS = {
-    "json": '{"exterior": [[0,0],[4,0],[4,4],[0,4]], "holes": [[[1,1],[2,1],[2,2],[1,2]]]}',
-    "wkt": "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))",
-    "multi": "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1)))",
-    "geojson": f'{{"type": "Polygon", "coordinates": {RINGS}}}',
-    "geojson multi": f'{{"type": "MultiPolygon", "coordinates": [{RINGS}]}}',
-    "svg nonzero": "<svg><path d='M0 0H4V4H0zM1 1v1h1v-1z'/></svg>",
-    "svg evenodd": "<svg><path fill-rule='evenodd' d='M0 0H4V4H0zM1 1h1v1H1z'/></svg>",
-    "svg relative": "<svg><path d='m0 0h4v4h-4zm1 1v1h1v-1z'/></svg>",
-    "svg hole first": "<svg><path d='M1 1v1h1v-1zM0 0H4V4H0V0'/></svg>",
-    "svg inherited": "<svg fill-rule='evenodd'><g><path d='M0 0H4V4H0zM1 1h1v1H1z'/></g></svg>",
-    "svg style": "<svg><path fill-rule='nonzero' style='a:b; fill-rule : evenodd!important' "
-    "d='M0 0H4V4H0zM1 1h1v1H1z'/></svg>",
-    "svg mirrored": "<svg><path transform='scale(-1 1)' d='M0 0H-4V4H0zM-1 1v1h-1v-1z'/></svg>",
-}  # fmt: skip
-PLACES = {
-    "json": "$.holes[0]",
-    "wkt": "line 1, column 37",
-    "multi": "line 1, column 43",
-    "geojson": "$.coordinates[1]",
-    "geojson multi": "$.coordinates[0][1]",
-    "svg hole first": "line 1: path: subpath 0",
-}
-
-
-@pytest.mark.parametrize("name", TEXTS)
-def test_holes_are_read(name: str, tmp_path: Path) -> None:
-    path = tmp_path / "plate"
-    path.write_text(TEXTS[name])
-    assert parse_region(TEXTS[name]) == read_region(str(path)) == PLATE
-    assert parse_regions(TEXTS[name]) == read_regions(f"{path}#0") == [NamedRegion(PLATE)]
-
-
-@pytest.mark.parametrize("name", TEXTS)
-def test_who_wants_a_polygon_is_told_of_the_hole(name: str, tmp_path: Path) -> None:
-    place = PLACES.get(name, "line 1: path: subpath 1")
-    path = tmp_path / "plate"
-    path.write_text(TEXTS[name])
-    for read in (parse_polygon, parse_polygons):
-        with pytest.raises(FormatError) as caught:
-            read(TEXTS[name])
-        assert str(caught.value) == f"{place}: an inner ring: with it, this is a Region, no Polygon"
-    with pytest.raises(FormatError, match=r"plate: .*an inner ring"):
-        read_polygons(str(path))
-
-
-def test_a_ring_that_winds_the_same_way_draws_nothing() -> None:
-    inner = "M1 1h2v2H1z"
-    text = f"<svg><path d='M0 0H4V4H0z{inner}'/></svg>"
-    assert parse_polygon(text) == Polygon(OUTER)
-    assert parse_region(text) == Region(OUTER)
-    twice = f"<svg><path d='M0 0H4V4H0z{inner}M1 1v1h1V1zM1 1v1h1V1z'/></svg>"
-    assert parse_region(twice) == PLATE
-
-
-REFUSED = {
-    "d='M0 0H4V4H0zM3 1v1h9v-1z'": "subpath 0 and subpath 1 cross",
-    "d='M0 0H4V4H0zM2 0h9v9z'": "subpath 1 and subpath 0 cross",
-    "d='M0 0H4V4H0zM1 1h1z'": "subpath 1: fewer than three distinct vertices",
-    "d='M0 0H4V4H0zM0 1v1h1v-1z'": "hole 0, edge 0, and the exterior, edge 3 run along each other",
-    "d='M0 0H4V4H0zM0 2L2 3 4 2 2 1z'": "the interior falls apart",
-    "fill-rule='odd' d='M0 0H4V4H0zM1 1h1v1z'": "the fill rule 'odd' is neither",
-}  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    ("data", "regions"),
-    [
-        ("M0 0H4V4H0z M5 0h1v1h-1z", [(16, 0), (1, 0)]),
-        ("M0 0H9V9H0z M1 1v7h7v-7z M2 2h1v1h-1z", [(81 - 49, 1), (1, 0)]),
-        ("M0 0H9V9H0z M1 1H8V8H1z M2 2v1h1v-1z", [(81, 0)]),
-        ("M0 0H9V9H0z M1 1H8V8H1z M2 2v1h1v-1z M4 4v1h1v-1z", [(81, 0)]),
-    ],
-)
-def test_a_path_may_draw_several_regions(data: str, regions: list[tuple[int, int]]) -> None:
-    found = parse_regions(f"<svg><path d='{data}'/></svg>")
-    assert [(int(part.region.area), len(part.region.holes)) for part in found] == regions
-
-
-@pytest.mark.parametrize("path", REFUSED)
-def test_paths_that_draw_no_region_are_named(path: str) -> None:
-    with pytest.raises(ValueError, match=r"^line 2: path 'p': ") as caught:
-        parse_region(f"<svg>\n<path id='p' {path}/></svg>")
-    assert REFUSED[path] in str(caught.value)
 
 
 @pytest.mark.parametrize(
@@ -220,22 +126,3 @@ def test_interiors_of_shapely_are_holes() -> None:
     crossing = shapely.Polygon(OUTER, [[(3, 1), (9, 1), (3, 2)]])
     with pytest.raises(PolygonError, match="the exterior, edge 1, and hole 0, edge 0 cross"):
         from_shapely(crossing)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ('{"type": "Polygon", "coordinates": [[], []]}', r"^\$\.coordinates\[0\] is empty$"),
-        (
-            f'{{"type": "Polygon", "coordinates": {RINGS.replace(",[1,1]]]", "]]")}}}',
-            r"^\$\.coordinates\[1\] is not closed: the last vertex must repeat the first$",
-        ),
-        (
-            f'{{"type": "Polygon", "coordinates": {RINGS.replace("[1,2]", "[1,9]")}}}',
-            r"^hole 0, edge 3, and the exterior, edge 2 cross$",
-        ),
-    ],
-)
-def test_bad_inner_rings_are_named(text: str, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        parse_region(text)

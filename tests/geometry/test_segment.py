@@ -61,9 +61,12 @@ def test_segments_share_a_piece_of_positive_length() -> None:
         assert piece.shares_piece(whole) == whole.shares_piece(piece) == shares
 
 
-def test_a_segment_is_moved_along_and_across() -> None:
-    upright = make_segment(((3, 1), (3, 5)))
-    assert upright == Segment((0, 1), -3, 1, 5)
-    assert upright.moved((2, -1)) == make_segment(((5, 0), (5, 4)))
-    slanted = make_segment(((0, 1), (2, 2)))
-    assert slanted.moved((1, 3)) == make_segment(((1, 4), (3, 5)))
+def test_differences_of_segments_hold_those_of_their_points() -> None:
+    for direction, moved in [((0, 1), (5, 2)), ((2, 1), (2, 4)), ((1, -3), (0, 0))]:
+        a, b = direction
+        one = make_segment(((3, 1), (3 + 2 * a, 1 + 2 * b)))
+        other = make_segment((moved, (moved[0] - a, moved[1] - b)))
+        between = one.minus(other)
+        assert (one.direction, one.point(one.low)) == (direction, (3, 1))
+        assert between.point(between.low) == (3 - moved[0], 1 - moved[1])
+        assert between.high - between.low == 3 * (a or b)

@@ -58,12 +58,12 @@ def changed(certificate: Certificate, rng: Random) -> Iterator[tuple[str, Certif
 
 
 @pytest.mark.parametrize(
-    ("kind", "at_least"), [("monotone", 500), ("no_fit", 100), ("sweep", 200), ("inner_fit", 30)]
+    ("kind", "at_least"), [("monotone", 280), ("no_fit", 50), ("sweep", 100), ("inner_fit", 15)]
 )
 def test_no_changed_certificate_is_proved(kind: str, at_least: int) -> None:
     tried = 0
     rng = Random(7)
-    for pair, certificate in certificates(kind, 7):
+    for pair, certificate in certificates(kind, 4):
         assert verify(certificate).proved, pair
         for name, false in changed(certificate, rng):
             assert not verify(false).proved, (name, pair)
@@ -76,7 +76,7 @@ def test_no_answer_to_another_question_is_proved(kind: str) -> None:
     """Pairs that differ in one vertex or two, and the answer of the one for the other."""
     rng = Random(11)
     tried = 0
-    for pair, certificate in certificates(kind, 15):
+    for pair, certificate in certificates(kind, 10):
         other = breed(rng, pair)
         found = certificate_of(kind, other)
         if found.keys() != certificate.keys():
@@ -85,7 +85,7 @@ def test_no_answer_to_another_question_is_proved(kind: str) -> None:
             spliced = {key: (one if key in INPUT else two)[key] for key in one}
             assert verify(spliced).proved == (spliced == one), (pair, other)
             tried += spliced != one
-    assert tried >= 10
+    assert tried >= 6
 
 
 @pytest.mark.parametrize("kind", KINDS)

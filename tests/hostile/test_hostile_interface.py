@@ -101,81 +101,68 @@ HOSTILE: list[Any] = [
     *([], (), {}, set(), [None], [[]], {"a": 1}, [1, 2], object(), Hostile(), Unspeakable()),
 ]
 
-PAIR = {"generatrix": UNIT, "directrix": UNIT}
 FIGURE = make_figure()
 PICTURE = Picture(FIGURE.axes[0], Scale.of(EXAMPLE.outer.vertices))
-DRAWN = {"picture": PICTURE, "s": EXAMPLE}
+# Good values of parameters without a default, by their names.
+BY_NAME: dict[str, Any] = {
+    **dict.fromkeys(("generatrix", "directrix", "stationary", "orbiting"), UNIT),
+    **dict.fromkeys(("container", "part", "a", "b"), UNIT),
+    **dict.fromkeys(("t", "point", "position"), (0, 0)),
+    **dict.fromkeys(("polygon", "shape"), GENERATRIX),
+    **dict.fromkeys(("generatrices", "directrices", "polygons"), PARTS),
+    "placed": [],
+    "path": "p.json",
+    "text": TEXT,
+    "output": "o.jsonl",
+    "form": "wkt",
+    "name": "tour",
+    "case": CASE,
+    "cases": [CASE],
+    "result": {},
+    "function": lambda case: {},
+    "certificate": EXAMPLE.certificate(),
+    "notebook": {"cells": []},
+    "id": "directions-y",
+    "family": "notched",
+    "seed": 1,
+    "s": EXAMPLE,
+    "found": no_fit_polygon(UNIT, UNIT),
+    "picture": PICTURE,
+    "figure": FIGURE,
+    "positions": [ORIGIN],
+    "chains": [UNIT],
+    "undercuts": EXAMPLE.undercuts,
+    "look": Look("red"),
+    "fits": [(ORIGIN, ORIGIN)],
+    "loops": [EXAMPLE.trajectory],
+    "array": np.array(UNIT),
+    "geometry": shapely.box(0, 0, 1, 1),
+    "places": 2,
+    "region": PART.region,
+    "regions": [PART],
+    "layout": next(iter(layout_cases())).layout,
+    "job": take_all_pairs(PARTS, PARTS),
+    "side_of": lambda part: "closest",
+    "geometries": [shapely.box(0, 0, 1, 1)],
+    "data": case_to_json(CASE),
+}
+# Where the name is not enough, or a default would take long or say little.
 VALID: dict[str, dict[str, Any]] = {
-    "sweep": {**PAIR, "direction": (1, 0), "reference": (0, 0)},
-    "no_fit_polygon": {"stationary": UNIT, "orbiting": UNIT, "reference": (0, 0)},
-    "inner_fit_polygon": {"container": UNIT, "part": UNIT, "reference": (0, 0)},
-    "distance_squared": {"a": UNIT, "b": UNIT},
-    "free_positions": {"container": UNIT, "placed": [], "part": UNIT, "reference": (0, 0)},
-    "batch.read_parts": {"path": "p.json"},
-    "batch.take_all_pairs": {"generatrices": PARTS, "directrices": PARTS},
-    "batch.take_listed_pairs": {"path": "pairs.jsonl", "parts": []},
-    "batch.run": {"job": take_all_pairs(PARTS, PARTS), "output": "o.jsonl", "workers": 1},
-    "check.classify": {**PAIR, "t": (0, 0)},
-    "check.point_in_polygon": {"point": (0, 0), "polygon": UNIT},
-    "check.reference_exact_fits": {**PAIR, "direction": (1, 0)},
-    "check.reference_loops": {**PAIR, "direction": (1, 0)},
-    "check.reference_inner_fit": {"container": UNIT, "part": UNIT},
-    "check.reference_no_fit": PAIR,
-    "check.reference_swept": PAIR,
-    "check.verify": {"certificate": EXAMPLE.certificate(), "max_steps": 10**8},
-    "conform.compare": {"case": CASE, "result": {}},
-    "conform.conform": {
-        "function": lambda case: {},
-        "cases": [CASE],
-        "name": "a",
-        "loops": ("trajectory",),
-        "made_smaller": 0,
-    },
-    "conform.shrink": {"case": CASE, "judge": lambda case: "", "tries": 3, "seconds": 1.0},
-    "corpus.case_from_json": {"data": case_to_json(CASE)},
-    "corpus.case_to_json": {"case": CASE},
+    "batch.run": {"workers": 1},
+    "batch.take_listed_pairs": {"path": "pairs.jsonl"},
+    "check.verify": {"max_steps": 10**8},
+    "conform.conform": {"name": "a", "loops": ("trajectory",), "made_smaller": 0},
+    "conform.shrink": {"judge": lambda case: "", "tries": 3, "seconds": 1.0},
     "corpus.cases": {"prefix": "directions"},
-    "corpus.find_case": {"id": "directions-y"},
     "corpus.find_layout_case": {"id": next(iter(layout_cases())).id},
-    "corpus.generate": {"family": "notched", "seed": 1, "count": 2},
-    "draw.choose_telling_positions": {"s": EXAMPLE},
-    "draw.cut_trajectory": {"s": EXAMPLE},
-    "draw.draw_chains": {"picture": PICTURE, "chains": {"a": UNIT}},
-    "draw.draw_contacts": {**DRAWN, "positions": [ORIGIN]},
-    "draw.draw_exact_fits": {**DRAWN, "fits": [(ORIGIN, ORIGIN)], "loops": [EXAMPLE.trajectory]},
-    "draw.draw_generatrix": {**DRAWN, "positions": [ORIGIN], "label": "g"},
-    "draw.draw_loops": DRAWN,
-    "draw.draw_shape": {"picture": PICTURE, "shape": GENERATRIX, "look": Look("red")},
-    "draw.draw_sub_trajectories": {"picture": PICTURE, "chains": [UNIT], "envelope": None},
-    "draw.draw_trajectory": DRAWN,
-    "draw.draw_undercuts": {"picture": PICTURE, "undercuts": EXAMPLE.undercuts},
-    "draw.place_generatrix": {"s": EXAMPLE, "position": ORIGIN},
-    "draw.plot_positions": {"found": no_fit_polygon(UNIT, UNIT), "axes": FIGURE.axes[0]},
-    "draw.plot_sweep": {"s": EXAMPLE, "axes": FIGURE.axes[0]},
+    "draw.draw_chains": {"chains": {"a": UNIT}},
+    "draw.place_generatrix": {"position": ORIGIN},
     "draw.read_suffix": {"path": "a.svg"},
-    "draw.save": {"figure": FIGURE, "path": "a.svg"},
-    "draw.save_svg": {"figure": FIGURE},
-    "formats.format_polygons": {"polygons": PARTS, "form": "wkt"},
-    "formats.from_numpy": {"array": np.array(UNIT)},
-    "formats.from_shapely": {"geometry": shapely.box(0, 0, 1, 1)},
-    **{
-        f"formats.{verb}_{shape}": {given: TEXT if given == "text" else "p.json"}
-        for verb, given in (("parse", "text"), ("read", "path"))
-        for shape in ("polygon", "polygons", "region", "regions")
-    },
+    "draw.save": {"path": "a.svg"},
     "formats.from_wkt": {"text": "POLYGON ((0 0, 1 0, 0 1, 0 0))"},
-    "formats.parts_from_shapely": {"geometries": [shapely.box(0, 0, 1, 1)]},
-    "formats.read_certificate": {"path": "p.json"},
-    "formats.read_text": {"path": "p.json"},
-    "formats.round_region": {"region": PART.region, "places": 2, "side": "closest"},
-    "formats.round_regions": {"regions": [PART], "places": 2, "side_of": lambda part: "closest"},
-    "formats.show_path": {"path": "p.json"},
-    "formats.to_numpy": {"polygon": GENERATRIX, "dtype": "object"},
-    "formats.to_shapely": {"polygon": GENERATRIX},
-    "layout.judge_layout": {"layout": next(iter(layout_cases())).layout},
-    "lessons.read_notebook": {"name": "tour"},
-    "lessons.run_notebook": {"notebook": {"cells": []}},
-    "view.make_page": {"s": EXAMPLE, "names": ("a", "b"), "tell": str},
+    "formats.round_region": {"side": "closest"},
+    "formats.to_numpy": {"dtype": "object"},
+    "view.make_page": {"names": ("a", "b"), "tell": str},
 }
 # An address is waited for; progress and restarts are not checked.
 UNTRIED = {"scheduler", "progress", "restart"}
@@ -250,12 +237,12 @@ READERS: dict[type, tuple[Callable[..., Any], dict[str, Any]]] = {
 
 
 def arguments_of(name: str) -> dict[str, Any]:
-    """Good arguments for a public function: those of VALID, and defaults."""
+    """Good arguments for a public function: those of VALID, by their names, and defaults."""
     parameters = inspect.signature(PUBLIC[name]).parameters.values()
-    defaults = {p.name: p.default for p in parameters if p.default is not p.empty}
-    return {key: value for key, value in defaults.items() if key not in UNTRIED} | VALID.get(
-        name, {}
-    )
+    plain = {p.name: p for p in parameters if p.kind is not p.VAR_KEYWORD}
+    good = BY_NAME | {key: p.default for key, p in plain.items() if p.default is not p.empty}
+    good |= VALID.get(name, {})
+    return {key: good[key] for key in plain if key not in UNTRIED}
 
 
 @pytest.mark.filterwarnings("ignore")

@@ -5,32 +5,36 @@ from typing import Any
 
 import pytest
 from known_layouts import FAULTY, SHEET, TILE, TRIANGLE, VALID
-from layouts import box, lay, put
+from layouts import box, image, lay, put
 
 from exactsweep import Point
-from exactsweep.layout import Layout, judge_layout
+from exactsweep.corpus import layout_cases
+from exactsweep.layout import Judgement, judge_layout
 
 
-def kinds(layout: Layout) -> list[tuple[str, tuple[int, ...]]]:
-    return [(fault.kind, fault.placements) for fault in judge_layout(layout).faults]
+def kinds(judgement: Judgement) -> list[tuple[str, tuple[int, ...]]]:
+    return [(fault.kind, fault.placements) for fault in judgement.faults]
 
 
 def point(x: Any, y: Any) -> Point:
     return Point(Fraction(x), Fraction(y))
 
 
-@pytest.mark.parametrize("name", VALID)
-def test_right_layouts_are_not_convicted(name: str) -> None:
-    judgement = judge_layout(VALID[name])
-    assert judgement.faults == ()
-    assert judgement.valid
+LAYOUTS = VALID | {name: layout for name, (layout, _) in FAULTY.items()}
+LAYOUTS |= {case.id: case.layout for case in layout_cases() if len(case.layout.placements) < 20}
 
 
-@pytest.mark.parametrize("name", FAULTY)
-def test_faults_are_found_and_no_others(name: str) -> None:
-    layout, expected = FAULTY[name]
-    assert kinds(layout) == expected
-    assert not judge_layout(layout).valid
+# With numbers as long as the last one there is no lattice for all parts.
+@pytest.mark.parametrize("factor", [Fraction(1, 3), Fraction(9, 7**400)], ids=["third", "tiny"])
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_a_layout_scaled_and_moved_as_a_whole_has_the_same_faults(
+    name: str, factor: Fraction
+) -> None:
+    one = judge_layout(LAYOUTS[name])
+    other = judge_layout(image(LAYOUTS[name], factor, 1000 * factor, Fraction(777, 2) * factor))
+    assert kinds(other) == kinds(one)
+    assert other.contacts == one.contacts
+    assert other.density == one.density
 
 
 def test_an_overlap_is_proved_and_measured() -> None:

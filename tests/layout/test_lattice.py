@@ -17,11 +17,13 @@ from exactsweep.layout.verdict import find_witness
 
 steps = st.integers(-6, 6)
 vertices = st.tuples(steps, steps)
-rings = st.lists(vertices, min_size=3, max_size=5, unique=True)
+# On so small a grid, many ends lie on edges.
+near = st.integers(-2, 2)
+rings = st.lists(st.tuples(near, near), min_size=3, max_size=5, unique=True)
 
 
 @examples(200)
-@given(rings, rings, steps, steps)
+@given(rings, rings, near, near)
 def test_edges_that_are_skipped_do_not_touch(
     one: list[tuple[int, int]], other: list[tuple[int, int]], x: int, y: int
 ) -> None:

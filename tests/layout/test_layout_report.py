@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import re
 from fractions import Fraction
+from itertools import combinations
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
+from layouts import image
 
 from exactsweep.corpus import find_layout_case, layout_cases
 from exactsweep.layout import Judgement, Layout, judge_layout
@@ -20,6 +22,8 @@ from exactsweep.layout.report import (
     write_layout_page,
 )
 from exactsweep.layout.report.picture import SIDE, enlarge_faults, place_part
+
+SVG = "{http://www.w3.org/2000/svg}"
 
 
 def judged(slug: str) -> Judgement:
@@ -99,6 +103,7 @@ def test_long_lists_are_cut_and_sorted() -> None:
     assert text.endswith("... 10 more (--all)\n")
     assert text.count("overlap ") == 30
     assert report_layout(judgement, ranked, everything=True).count("deep") == 40
+    assert "more" not in report_layout(many(30))
 
 
 def test_json_is_exact() -> None:
@@ -134,21 +139,43 @@ def test_a_picture_has_all_parts_and_the_faulty_ones_in_red() -> None:
     assert not {"bad", "frame", "mark"} & found.keys()
 
 
+def require_room(svg: ElementTree.Element) -> None:
+    """Require that enlarged faults with their two lines lie below the layout, in the picture."""
+    width, height = float(svg.get("width", "")), float(svg.get("height", ""))
+    panels = [(float(p.get("x", "")), float(p.get("y", ""))) for p in svg.findall(f"{SVG}svg")]
+    drawn = " ".join(path.get("d", "") for path in svg.findall(f"{SVG}path"))
+    ends = [float(y) for y in re.findall(r"[ML]-?[\d.]+ (-?[\d.]+)", drawn)]
+    lines = [float(text.get("y", "")) for text in svg.findall(f"{SVG}text")]
+    assert all(max(ends) <= y <= height - SIDE and 0 <= x <= width - SIDE for x, y in panels)
+    assert max(lines, default=0) <= height
+    assert width <= 1000
+    for (ax, ay), (bx, by) in combinations(panels, 2):
+        assert abs(ax - bx) > SIDE or abs(ay - by) > SIDE
+
+
 @pytest.mark.parametrize("case", [*layout_cases()], ids=lambda case: case.id)
 def test_every_case_is_drawn(case: Any) -> None:
     judgement = judge_layout(case.layout)
     ranked = rank_faults(judgement)
     for y_down in (False, True):
-        ElementTree.fromstring(draw_layout(judgement, ranked, case.title, y_down=y_down))
+        require_room(ElementTree.fromstring(draw_layout(judgement, ranked, "", y_down=y_down)))
     page = write_layout_page(judgement, ranked, case.title)
     assert "nan" not in page
     assert (' class="valid"' in page) == case.expected["valid"]
 
 
+@pytest.mark.parametrize("case", [*layout_cases()], ids=lambda case: case.id)
+def test_faults_of_a_layout_elsewhere_are_enlarged_alike(case: Any) -> None:
+    """By whole numbers, so that corners of the picture remain on a lattice."""
+    here, there = map(judge_layout, (case.layout, image(case.layout, Fraction(1), 1000, -777)))
+    panels, others = (enlarge_faults(j, rank_faults(j)) for j in (here, there))
+    assert [panel.svg for panel in others] == [panel.svg for panel in panels]
+
+
 def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
     judgement = judged("far-1e-30")
     (place,) = enlarge_faults(judgement, rank_faults(judgement))
-    assert place.caption == "overlap, 0 and 1; 6E-30 wide"
+    assert place.caption == "overlap, 0 and 1; the picture is 6E-30 wide"
     edges = set()
     for data in re.findall(r'class="bad" d="([^"]+)"', place.svg):
         edges |= {float(x) for x in re.findall(r"[ML](-?[\d.]+) ", data) if 0 < float(x) < SIDE}

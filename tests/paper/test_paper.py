@@ -1,5 +1,6 @@
 """The ledger of the paper: complete, tied to the code, and borne out by its evidence."""
 
+import json
 import re
 from itertools import pairwise, product
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 from command import ROOT
+from goldens.texts import show_row
 
 from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
@@ -39,6 +41,12 @@ NUMBERED = {
     "Table": "1",
 }
 ORDER = [claim.name for claim in CLAIMS]
+GOLDEN: dict[str, Any] = {
+    name: row
+    for line in (ROOT / "tests/goldens/ledger.txt").read_text(encoding="utf-8").splitlines()
+    for name, row in json.loads(line).items()
+}
+"""The findings of a quick run, by row; `python -m tests.goldens` writes them."""
 PROCEDURES = [
     *(f"{name}_{kind}" for name in ("Trajectory", "SweepI", "SweepO") for kind in ("CC", "CM")),
     *("Trajectory_MM", "Sweep_MM", "LowerEnvelope_CM", "LowerEnvelope_MM"),
@@ -74,6 +82,7 @@ def test_the_evidence_bears_out_the_status(claim: Claim, tmp_path: Path) -> None
     (row,) = reproduce([claim], Effort(seed=2, quick=True))
     assert row.disagreement == ""
     assert row.evidence.tried
+    assert show_row(row) == GOLDEN[claim.name]
     write_data(tmp_path, [row], Effort(seed=2, quick=True))
     files = sorted((tmp_path / "counterexamples").iterdir())
     assert len(files) == sum(bool(case.generatrix) for case in row.evidence.cases)
@@ -255,6 +264,7 @@ def test_of_seconds_that_are_measured_again_the_least_count() -> None:
 
 def test_all_laws_and_checks_of_the_ledger_say_what_holds() -> None:
     named = {name for row in read_rows() for name in row.get("laws", {})}
+    named |= {law for row in read_rows() for law, *_ in row.get("search", ())}
     named |= {row["check"] for row in read_rows() if "check" in row}
     assert all((resolve_name(f"{CHECKS}.{name}").__doc__ or "").endswith(".") for name in named)
 
@@ -266,7 +276,7 @@ def test_a_row_is_sampled_where_it_has_laws(row: dict[str, Any]) -> None:
         ("figure" in row)
         == ("chosen" in row)
         == ("against" in row)
-        != bool({"check", "laws", "costs"} & set(row))
+        != bool({"check", "laws", "search", "costs"} & set(row))
     )
     assert ("weight" in row) == ClaimVerdict(row["verdict"]).objects
     assert ("measured" in row["evidence"]) == ("costs" in row)

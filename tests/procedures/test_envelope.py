@@ -1,7 +1,7 @@
 """Lower envelopes: worked by hand, and against the least of all chains, point by point."""
 
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 from random import Random
 
 import pytest
@@ -20,7 +20,6 @@ from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelo
 
 Chain = list[Vertex]
 usually = examples(100)
-half, third = Fraction(1, 2), Fraction(1, 3)
 
 
 @st.composite
@@ -120,119 +119,71 @@ def test_cm_walk_gives_the_mm_envelope(pair: tuple[Polygon, Polygon]) -> None:
     assert list(partial) == list(whole)
 
 
-SPELLINGS: list[tuple[Rational, int]] = [(1, 1), (1, 7), (Fraction(1, 1000), 1)]
+@st.composite
+def walled(draw: st.DrawFn) -> Chain:
+    """Chains with walls, on a grid so small that they often meet."""
+    x, y = 0, draw(own.tiny(0, 4))
+    chain: Chain = [(x, y)]
+    for width in draw(st.lists(own.tiny(0, 2), min_size=1, max_size=6)):
+        x, y = x + width, draw(own.tiny(0, 4))
+        chain.append((x, y))
+    return take_corners([(-1, draw(own.tiny(0, 4))), *chain, (x + 1, draw(own.tiny(0, 4)))])
 
 
-def spell(chain: Chain, unit: Rational, times: int) -> Envelope:
-    """A chain in other units, its breaks not in lowest terms."""
-    envelope = Envelope.of([(unit * x, unit * y) for x, y in chain])
-    envelope.breaks[:] = [(times * n, times * d) for n, d in envelope.breaks]
-    return envelope
+def list_borders(*chains: Chain) -> list[Fraction]:
+    """The places of vertices and crossings."""
+    places = {Fraction(x) for chain in chains for x, _ in chain}
+    edges = [edge for chain in chains for edge in pairwise(chain)]
+    for ((px, py), (qx, qy)), ((rx, ry), (sx, sy)) in product(edges, edges):
+        u, v, w, z = qx - px, qy - py, sx - rx, sy - ry
+        if u * z != v * w:
+            places.add(px + u * Fraction((rx - px) * z - (ry - py) * w) / (u * z - v * w))
+    return sorted(places)
 
 
-def measure(envelope: Envelope, unit: Rational) -> Chain:
-    return [(Fraction(x) / unit, Fraction(y) / unit) for x, y in envelope]
+def limits(chain: Chain, x: Fraction) -> list[Fraction]:
+    """The heights of a chain just before a place and just after it."""
+    edges = [((px, py), (qx, qy)) for (px, py), (qx, qy) in pairwise(chain) if px < qx]
+    return [
+        py + (qy - py) * (x - px) / (qx - px)
+        for (px, py), (qx, qy) in edges
+        if px < x <= qx or px <= x < qx
+    ]
 
 
-VALLEY: Chain = [(0, 2), (2, 0), (4, 2)]
-
-
-@pytest.mark.parametrize(
-    ("partial", "piece", "expected"),
-    [
-        pytest.param(
-            #  \  /\  /
-            #   \/  \/
-            VALLEY,
-            [(2, 2), (4, 0), (6, 2)],
-            [(0, 2), (2, 0), (3, 1), (4, 0), (6, 2)],
-            id="cross in a point",
-        ),
-        pytest.param(
-            #  \   __/      both pass (4, 2): a vertex of the one, the end of the other
-            #   \_/\
-            VALLEY,
-            [(4, 2), (5, 1), (6, 1)],
-            [(0, 2), (2, 0), (4, 2), (5, 1), (6, 1)],
-            id="end on end",
-        ),
-        pytest.param(
-            VALLEY,
-            [(2, 4), (3, 1), (4, 0), (6, 0)],
-            [(0, 2), (2, 0), (3, 1), (4, 0), (6, 0)],
-            id="vertex on edge",
-        ),
-        pytest.param(
-            [(0, 2), (2, 0), (3, 1), (4, 4)],
-            [(2, 3), (3, 1), (5, 0)],
-            [(0, 2), (2, 0), (3, 1), (5, 0)],
-            id="vertex on vertex",
-        ),
-        pytest.param(
-            #  \____/       one line from x = 2 to x = 4: no vertex where they change over
-            #     \____/
-            [(0, 1), (1, 0), (4, 0), (5, 3)],
-            [(1, 3), (2, 0), (6, 0), (7, 1)],
-            [(0, 1), (1, 0), (6, 0), (7, 1)],
-            id="share a segment",
-        ),
-        pytest.param(
-            #  ____|        the piece begins below: a step down
-            #      |____
-            [(0, 2), (4, 2)],
-            [(1, 0), (6, 0)],
-            [(0, 2), (1, 2), (1, 0), (6, 0)],
-            id="step down",
-        ),
-        pytest.param(
-            #       ____    the partial envelope ends below: a step up
-            #  ____|
-            [(0, 0), (4, 0)],
-            [(2, 3), (6, 3)],
-            [(0, 0), (4, 0), (4, 3), (6, 3)],
-            id="step up",
-        ),
-        pytest.param(
-            [(0, 3), (1, 0), (3, 0), (4, 3), (5, 9)],
-            [(3, 0), (6, 0)],
-            [(0, 3), (1, 0), (6, 0)],
-            id="goes on where an edge ends, in one line",
-        ),
-        pytest.param(
-            #  \      /     three edges are trimmed off
-            #   \/\__/
-            [(0, 4), (1, 3), (2, 3), (3, 4), (4, 6)],
-            [(half, 5), (1, 3), (6, -7)],
-            [(0, 4), (1, 3), (6, -7)],
-            id="hides all but one edge",
-        ),
-        pytest.param(
-            [(0, 0), (6, 0)],
-            [(1, 3), (5, 1)],
-            [(0, 0), (6, 0)],
-            id="hidden piece",
-        ),
-        pytest.param(
-            [(0, 0), (6, 0)],
-            [(1, 3), (5, 0)],
-            [(0, 0), (6, 0)],
-            id="hidden piece that ends on the partial envelope",
-        ),
-        pytest.param(
-            [(0, 5), (1, 4), (2, 4)],
-            [(0, 3), (1, 1), (2, 1), (3, 2)],
-            [(0, 3), (1, 1), (2, 1), (3, 2)],
-            id="hides all",
-        ),
-    ],
-)
-@pytest.mark.parametrize(("unit", "times"), SPELLINGS)
-def test_partial_trajectory_and_piece(
-    partial: Chain, piece: Chain, expected: Chain, unit: Rational, times: int
+@given(walled(), graphs_anywhere(), st.sampled_from([(1, 1), (1, 7), (Fraction(1, 1000), 1)]))
+@examples(400)
+def test_a_piece_takes_over_where_it_is_lower_for_good(
+    partial: Chain, drawn: Chain, spelled: tuple[Rational, int]
 ) -> None:
-    first, second = spell(partial, unit, times), spell(piece, unit, times)
-    assert measure(lower_envelope_mm([first, second]), unit) == expected
-    assert measure(lower_envelope_cm(first, second), unit) == expected
+    """In any unit, and with breaks not in lowest terms."""
+    unit, times = spelled
+    piece: Chain = [(x - 1, y) for x, y in drawn]
+    given = [Envelope.of([(unit * x, unit * y) for x, y in chain]) for chain in (partial, piece)]
+    for envelope in given:
+        envelope.breaks[:] = [(times * n, times * d) for n, d in envelope.breaks]
+    if piece[0][0] > partial[-1][0]:
+        with pytest.raises(ChainError, match="does not start over the partial trajectory"):
+            lower_envelope_cm(*given)
+        return
+    joined = lower_envelope_cm(*given)
+    found: Chain = [(Fraction(x) / unit, Fraction(y) / unit) for x, y in joined]
+    borders = list_borders(partial, piece)
+    (start, _), (end, _) = piece[0], piece[-1]
+    touched = [
+        x
+        for x in borders
+        if (below := limits(partial, x)) and (above := limits(piece, x))
+        # Where the piece ends, it counts from the left alone.
+        if min(below[:1] if x == end else below) <= above[0]
+    ]
+    last = max(touched, default=start)
+    # A piece that ends first, and is not lower there, changes nothing.
+    last = partial[-1][0] if last == end < partial[-1][0] else last
+    for x in ((x + y) / 2 for x, y in pairwise(borders)):
+        of = partial if x < max(last, start) else piece
+        assert height(found, x) == height(of, x)
+    assert (found[0][0], found[-1][0]) == (partial[0][0], max(last, end))
 
 
 def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:
@@ -254,10 +205,9 @@ def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:
     assert [value(at) for at in late.breaks] == [0, 2, 3, 5, 9]
 
 
-@pytest.mark.parametrize("piece", [[(-1, 2), (6, 2)], [(5, 0), (6, 2)]])
-def test_piece_that_starts_elsewhere_is_refused(piece: Chain) -> None:
+def test_a_piece_that_starts_before_is_refused() -> None:
     with pytest.raises(ChainError, match="does not start over the partial trajectory"):
-        lower_envelope_cm(Envelope.of(VALLEY), Envelope.of(piece))
+        lower_envelope_cm(Envelope.of([(0, 0), (4, 2)]), Envelope.of([(-1, 2), (6, 2)]))
 
 
 def test_hole_between_chains_is_refused_when_it_is_read() -> None:

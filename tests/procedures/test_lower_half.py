@@ -6,12 +6,13 @@ from random import Random
 
 import pytest
 
+from exactsweep.geometry.hull import find_hull
 from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures import part_pairs
-from exactsweep.procedures.chain import find_convex_parts, list_graph_edges
+from exactsweep.procedures.chain import find_convex_parts, list_graph_edges, split
+from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm
 from exactsweep.procedures.envelope import value
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
-from exactsweep.procedures.mm_inner import find_gaps
+from exactsweep.procedures.mm import find_gaps, sweep_mm, trajectory_mm
 
 Choice = Callable[[list[Fraction]], Fraction]  # min or max
 
@@ -51,8 +52,9 @@ def draw_chain(rng: Random, edges: int) -> list[tuple[int, int]]:
     return chain
 
 
-@pytest.mark.parametrize("few", [0, part_pairs.FEW_PAIRS])
-@pytest.mark.parametrize("seed", range(0, 120, 30))
+@pytest.mark.parametrize(
+    ("seed", "few"), [(0, 0), (30, part_pairs.FEW_PAIRS), (60, 0), (90, part_pairs.FEW_PAIRS)]
+)
 def test_it_is_the_least_or_the_greatest_sum(
     seed: int, few: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -61,8 +63,18 @@ def test_it_is_the_least_or_the_greatest_sum(
         rng = Random(number)
         bottom, top = draw_chain(rng, rng.randint(2, 9)), draw_chain(rng, rng.randint(2, 7))
         lowest = min(y for _, y in top) - 1
-        below = [(x, lowest - rng.randint(0, 3)) for x in range(top[-1][0] + 1)]
+        below: list[Vertex] = [(x, lowest - rng.randint(0, 3)) for x in range(top[-1][0] + 1)]
         check(rng, bottom, top, below)
+        lid, floor = find_half(top, 1)[::-1], find_half(below, 0)
+        check(rng, bottom, lid, floor)
+        boundaries = sweep_inner_cm(lid[::-1], bottom), [*sweep_outer_cm(lid[::-1], floor, bottom)]
+        assert boundaries == sweep_mm(lid[::-1], floor, bottom), (bottom, lid, floor)
+
+
+def find_half(chain: Sequence[Vertex], upper: int) -> list[Vertex]:
+    """Find the lower or upper half of a convex hull; the upper one from right to left."""
+    hull = find_hull(chain)
+    return list(split(hull)[upper]) if len(hull) > 2 else hull[:: 1 - 2 * upper]
 
 
 def check(rng: Random, d: Sequence[Vertex], top: Sequence[Vertex], below: Sequence[Vertex]) -> None:

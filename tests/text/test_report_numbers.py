@@ -1,13 +1,13 @@
 """Numbers in reports: six digits, rounded once, in time however long they are."""
 
-from decimal import Context, Decimal
+from decimal import ROUND_CEILING, Context, Decimal
 from fractions import Fraction
 
 from hypothesis import given
 from hypothesis import strategies as st
 from linear import require_linear
 
-from exactsweep.text.report import approximate
+from exactsweep.text.report import approximate, take_root
 
 SIX = Context(prec=6, Emax=10**9, Emin=-(10**9))
 
@@ -20,6 +20,15 @@ def expected(value: Fraction) -> Decimal:
 def test_six_digits_are_those_of_the_number(value: Fraction, power: int, denominator: int) -> None:
     for number in (value, value * Fraction(10) ** power, value / denominator):
         assert Decimal(approximate(number)) == expected(number)
+
+
+@given(st.fractions(), st.integers(-2000, 2000))
+def test_digits_are_rounded_up_where_a_number_is_a_bound(value: Fraction, power: int) -> None:
+    number = value * Fraction(10) ** power
+    exactly = SIX.copy()
+    exactly.rounding = ROUND_CEILING
+    n, d = map(Decimal, number.as_integer_ratio())
+    assert Decimal(approximate(number, up=True)) == exactly.divide(n, d)
 
 
 @given(st.integers(100_000, 999_999), st.integers(0, 900), st.sampled_from([-1, 0, 1]))
@@ -36,3 +45,12 @@ def test_long_numbers_take_no_longer_than_to_take_their_first_bits() -> None:
     """Once half a second for 137,607 digits, and 30 for a million."""
     numbers = {n: Fraction(7**n, 2 ** (2 * n)) for n in (10_000, 80_000)}
     require_linear(lambda n: approximate(numbers[n]))
+
+
+@given(st.fractions(min_value=0), st.integers(0, 900), st.sampled_from([1, -1]))
+def test_a_root_has_60_bits_however_large_the_number_is(
+    value: Fraction, power: int, sense: int
+) -> None:
+    square = value * Fraction(10) ** (sense * power)
+    root = take_root(square)
+    assert square <= root**2 <= square * (1 + Fraction(1, 2**56))

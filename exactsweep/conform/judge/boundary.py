@@ -15,13 +15,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from functools import cmp_to_key
 from itertools import chain, groupby, pairwise
 from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.vectors import is_on_segment, turn
+from exactsweep.geometry.vectors import is_on_segment, minus, turn, way_key
 from exactsweep.numbers.point import Fit, Loop, Point, PointRings
 
 _LineKey = tuple[Fraction | None, Fraction]
@@ -185,7 +184,7 @@ def trace_rings(boundary: RingBoundary) -> list[Loop]:
             near.setdefault(b, []).append(a)
     partner: dict[tuple[Point, Point], Point] = {}
     for p, others in near.items():
-        ordered = others if len(others) == 2 else _sort_around(p, others)
+        ordered = sorted(others, key=lambda other, p=p: way_key(minus(other, p)))  # type: ignore[misc]
         for a, b in zip(ordered[::2], ordered[1::2], strict=True):
             partner[a, p], partner[b, p] = b, a
     rings: list[Loop] = []
@@ -206,15 +205,3 @@ def trace_rings(boundary: RingBoundary) -> list[Loop]:
         if len(path) > 1:
             rings.append(tuple(path))
     return [ring if find_doubled_area(ring) > 0 else ring[::-1] for ring in rings]
-
-
-def _sort_around(p: Point, others: Sequence[Point]) -> list[Point]:
-    """Sort points by their directions from another one, counter-clockwise from straight right."""
-
-    def compare(a: Point, b: Point) -> int:
-        upper = [(q.y, q.x) > (p.y, p.x) for q in (a, b)]
-        if upper[0] != upper[1]:
-            return -1 if upper[0] else 1
-        return -1 if turn(p, a, b) > 0 else 1
-
-    return sorted(others, key=cmp_to_key(compare))

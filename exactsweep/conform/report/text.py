@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from decimal import MAX_EMAX, MIN_EMIN, ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
-from fractions import Fraction
 from typing import Any
 
 from rich.console import Console
@@ -18,7 +16,7 @@ from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.peer import cut, tell_bytes
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import Tally, fails
-from exactsweep.text.report import lay_out, take_root
+from exactsweep.text.report import approximate, lay_out, take_root
 from exactsweep.words import count
 
 _MOST_LISTED = 20
@@ -59,9 +57,9 @@ def _part(part: PartComparison) -> list[str]:
     name = LOOP_NAMES.get(part.name, "exact fits")
     lines = [f"{name}: {part.verdict}" + (f", {part.reason}" if part.reason else "")]
     if part.distance_squared is not None and part.area:
-        distance = _about(take_root(part.distance_squared[1]), ROUND_CEILING)
-        granted = f", granted {_about(part.granted)}" if part.granted else ""
-        lines.append(f"  off by at most {distance}, area {_about(part.area)}{granted}")
+        distance = approximate(take_root(part.distance_squared[1]), up=True)
+        granted = f", granted {approximate(part.granted)}" if part.granted else ""
+        lines.append(f"  off by at most {distance}, area {approximate(part.area)}{granted}")
     for witness in part.witnesses:
         lines += (f"  {line}" for line in tell_witness(write_plain(witness)))
     return lines
@@ -82,12 +80,6 @@ def tell_witness(witness: Mapping[str, Any]) -> list[str]:
         place = ",".join(witness["translation"])
         lines.append(f"translation ({place}): {witness['classified']}{point}")
     return lines
-
-
-def _about(value: Fraction, rounding: str = ROUND_HALF_EVEN) -> str:
-    context = Context(prec=6, rounding=rounding, Emax=MAX_EMAX, Emin=MIN_EMIN)
-    rounded = context.divide(Decimal(value.numerator), Decimal(value.denominator))
-    return f"{rounded.normalize(context):g}"
 
 
 def write_table(summary: Tally, terminal_width: int | None = None) -> str:
@@ -151,7 +143,8 @@ def close(run: Run, *, is_timed: bool = False) -> str:
         )
     granted, where = run.summary.granted
     if granted:
-        lines.append(f"within: a rounding of up to {_about(granted)} was granted ({cut(where)})")
+        most = approximate(granted)
+        lines.append(f"within: a rounding of up to {most} was granted ({cut(where)})")
     rounded = run.summary.total(Verdict.WITHIN)
     if rounded and fails(Verdict.WITHIN, run.accepted):
         lines.append(f"with --accept within, {count(rounded, 'rounded answer')} would pass")

@@ -12,6 +12,7 @@ from typing import Any, BinaryIO, Self
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.protocol import Hello
+from exactsweep.formats import show_path
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import format_fraction
@@ -57,7 +58,7 @@ class Journal:
         most: int | None = None,
         resume: bool = False,
     ) -> None:
-        self._path = path
+        self._path, self._name = path, show_path(str(path))
         self._file: BinaryIO
         # Where the outcomes of before are, by the digest of their case.
         self._places: dict[str, tuple[int, int]] = {}
@@ -78,10 +79,10 @@ class Journal:
             self._keep_others_away(self._file)
         except FileExistsError:
             raise JournalError(
-                f"{path} is there already; go on with it by --resume, or remove it"
+                f"{self._name} is there already; go on with it by --resume, or remove it"
             ) from None
         except OSError as error:
-            raise JournalError(f"{path}: {error.strerror or error}") from None
+            raise JournalError(f"{self._name}: {error.strerror or error}") from None
         self._write(head)
 
     def add(self, outcome: Outcome) -> None:
@@ -127,7 +128,7 @@ class Journal:
 
     def _keep_others_away(self, file: BinaryIO) -> None:
         if not lock(file):
-            raise JournalError(f"{self._path}: another run is writing it")
+            raise JournalError(f"{self._name}: another run is writing it")
 
     def _read(self, file: BinaryIO, head: Mapping[str, Any]) -> int:
         """Read the outcomes of before; return where the last whole line ends."""
@@ -146,7 +147,7 @@ class Journal:
             except (ValueError, AttributeError) as error:
                 if isinstance(error, JournalError):
                     raise
-                raise JournalError(f"{self._path}, line {number}: not of a journal") from None
+                raise JournalError(f"{self._name}, line {number}: not of a journal") from None
             whole += len(line)
         return whole
 
@@ -154,14 +155,14 @@ class Journal:
         for name, value in head.items():
             if found.get(name) != value:
                 what = _WORDS.get(name, name)
-                raise JournalError(f"{self._path} is the journal of another {what}")
+                raise JournalError(f"{self._name} is the journal of another {what}")
 
     def _write(self, data: Mapping[str, Any]) -> None:
         try:
             self._file.write(_line(data))
             self._file.flush()
         except OSError as error:
-            raise JournalError(f"{self._path}: {error.strerror or error}") from None
+            raise JournalError(f"{self._name}: {error.strerror or error}") from None
 
 
 def _line(data: Mapping[str, Any]) -> bytes:

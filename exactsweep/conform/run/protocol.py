@@ -31,7 +31,7 @@ numbers: an integer is itself, any other is the nearest binary64.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, Literal, Self, cast, get_args
@@ -275,69 +275,49 @@ def adapt(case: Case, hello: Hello) -> Case:
     if not hello.parts(case):
         raise UnsupportedError("not asked: the case is not one of an inner fit")
     if hello.reference != "given":
-        case = _refer(case, ORIGIN if hello.reference == "origin" else case.generatrix_ring[0])
+        x, y = ORIGIN if hello.reference == "origin" else case.generatrix_ring[0]
+        case = _transform(case, by=Point(x - case.reference.x, y - case.reference.y))
     if hello.numbers == "rational":
         return case
     if hello.numbers == "binary64":
-        for candidate in (case, scale_case(case)):
+        for candidate in (case, _transform(case, case.integer_scale)):
             if "binary64" in candidate.representable:
                 return candidate
     elif hello.numbers == "integer" or hello.numbers in case.representable:
-        return scale_case(case)
+        return _transform(case, case.integer_scale)
     raise UnsupportedError(f"{hello.numbers} does not hold the case")
 
 
-def scale_case(case: Case) -> Case:
-    """Return the case multiplied by its `integer_scale`."""
-    k = case.integer_scale
-    if k == 1:
+def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:
+    """Return the case with polygons p as k p, and positions t as k t + by."""
+    if (k, by) == (1, ORIGIN):
         return case
 
-    def point(p: Point) -> Point:
-        return Point(p.x * k, p.y * k)
+    def ring(points: Iterable[Point], by: Point = ORIGIN) -> Loop:
+        return tuple(Point(x * k + by.x, y * k + by.y) for x, y in points)
 
-    def ring(points: Loop) -> Loop:
-        return tuple(map(point, points))
+    def loop(polygon: Polygon, by: Point = ORIGIN) -> Polygon:
+        return Polygon(ring(polygon.vertices, by))
+
+    def region(shape: Region) -> Region:
+        return Region(loop(shape.exterior, by), [loop(hole, by) for hole in shape.holes])
+
+    def fits(found: Iterable[Fit]) -> tuple[Fit, ...]:
+        return tuple((p, q) for p, q in (ring(fit, by) for fit in found))
 
     return replace(
-        _with_positions(case, ring),
+        case,
         directrix_ring=ring(case.directrix_ring),
         generatrix_ring=ring(case.generatrix_ring),
         directrix_holes=tuple(map(ring, case.directrix_holes)),
         generatrix_holes=tuple(map(ring, case.generatrix_holes)),
-        reference=point(case.reference),
-        inner=Polygon(ring(case.inner.vertices)),
-        outer=Polygon(ring(case.outer.vertices)),
-        unswept=tuple(Polygon(ring(loop.vertices)) for loop in case.unswept),
+        reference=ring([case.reference], by)[0],
+        trajectory=loop(case.trajectory, by),
+        inner=loop(case.inner),
+        outer=loop(case.outer),
+        unswept=tuple(map(loop, case.unswept)),
         area=case.area * k * k,
-    )
-
-
-def _refer(case: Case, reference: Point) -> Case:
-    """Return the case with another reference point."""
-    dx, dy = reference.x - case.reference.x, reference.y - case.reference.y
-    if (dx, dy) == ORIGIN:
-        return case
-    moved = _with_positions(case, lambda ring: tuple(Point(x + dx, y + dy) for x, y in ring))
-    return replace(moved, reference=reference)
-
-
-def _with_positions(case: Case, put: Callable[[Loop], Loop]) -> Case:
-    """Return the case with all positions of the reference point moved."""
-
-    def loop(polygon: Polygon) -> Polygon:
-        return Polygon(put(polygon.vertices))
-
-    def region(shape: Region) -> Region:
-        return Region(loop(shape.exterior), map(loop, shape.holes))
-
-    def fits(found: Iterable[Fit]) -> tuple[Fit, ...]:
-        return tuple((p, q) for p, q in map(put, found))
-
-    return replace(
-        case,
-        trajectory=loop(case.trajectory),
-        holes=tuple(map(loop, case.holes)),
+        holes=tuple(loop(hole, by) for hole in case.holes),
         exact_fits=fits(case.exact_fits),
         inner_regions=case.inner_regions and tuple(map(region, case.inner_regions)),
         inner_exact_fits=fits(case.inner_exact_fits),

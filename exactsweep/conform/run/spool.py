@@ -4,25 +4,39 @@ from __future__ import annotations
 
 import json
 import sqlite3
-from array import array
 from collections.abc import Iterator
-from contextlib import suppress
-from tempfile import SpooledTemporaryFile
 from weakref import finalize
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.numbers.error import ExactSweepError
-
-_IN_MEMORY = 2**20
-"""The number of bytes kept in memory; the rest goes to an anonymous file."""
 
 
 class SpoolError(ExactSweepError):
     """The temporary file cannot be written; the message says why."""
 
 
-class Spool:
-    """A sequence of outcomes that grows; memory is eight bytes an outcome.
+class _AnonymousTable:
+    """A table of one column in an anonymous file, of which SQLite keeps a bounded part in memory.
+
+    Args:
+        declared: the column and the end of the declaration in SQL.
+    """
+
+    def __init__(self, declared: str) -> None:
+        # The garbage collector may close the connection in another thread.
+        self._file = sqlite3.connect("", check_same_thread=False)
+        finalize(self, self._file.close)
+        self._file.execute(f"CREATE TABLE kept ({declared}")
+
+    def _insert(self, value: str | bytes) -> None:
+        try:
+            self._file.execute("INSERT INTO kept VALUES (?)", (value,))
+        except sqlite3.OperationalError as error:
+            raise SpoolError(f"temporary files: {error}") from None
+
+
+class Spool(_AnonymousTable):
+    """A sequence of outcomes that grows.
 
     Example:
         >>> from exactsweep.conform.judge.verdict import Verdict
@@ -33,11 +47,8 @@ class Spool:
     """
 
     def __init__(self) -> None:
-        self._file = SpooledTemporaryFile(_IN_MEMORY)  # noqa: SIM115
-        # It closes with the spool, which is used as a sequence and has no other end.
-        finalize(self, _close, self._file)
-        self._starts = array("Q")
-        self._end = 0
+        super().__init__("line TEXT)")
+        self._length = 0
 
     def add(self, outcome: Outcome) -> None:
         """Take in an outcome, at the end.
@@ -45,32 +56,26 @@ class Spool:
         Raises:
             SpoolError: there is no room for it.
         """
-        line = json.dumps(outcome.to_json()).encode() + b"\n"
-        try:
-            self._file.seek(self._end)
-            self._file.write(line)
-            self._file.flush()
-        except OSError as error:
-            raise SpoolError(f"temporary files: {error.strerror or error}") from None
-        self._starts.append(self._end)
-        self._end += len(line)
+        self._insert(json.dumps(outcome.to_json()))
+        self._length += 1
 
     def __len__(self) -> int:
-        return len(self._starts)
+        return self._length
 
     def __getitem__(self, index: int) -> Outcome:
-        return self._read(self._starts[index])
+        (found,) = self._read("WHERE rowid = ?", range(1, self._length + 1)[index])
+        return found
 
     def __iter__(self) -> Iterator[Outcome]:
-        return map(self._read, self._starts)
+        return self._read("ORDER BY rowid")
 
-    def _read(self, start: int) -> Outcome:
-        self._file.seek(start)
-        return outcome_from_json(json.loads(self._file.readline()))
+    def _read(self, which: str, *values: int) -> Iterator[Outcome]:
+        for (line,) in self._file.execute(f"SELECT line FROM kept {which}", values):
+            yield outcome_from_json(json.loads(line))
 
 
-class SeenNames:
-    """A growing set of names in an anonymous file; memory is bounded.
+class SeenNames(_AnonymousTable):
+    """A growing set of names.
 
     Example:
         >>> seen = SeenNames()
@@ -79,10 +84,7 @@ class SeenNames:
     """
 
     def __init__(self) -> None:
-        # The garbage collector may close the connection in another thread.
-        self._table = sqlite3.connect("", check_same_thread=False)
-        finalize(self, self._table.close)
-        self._table.execute("CREATE TABLE seen (name BLOB PRIMARY KEY) WITHOUT ROWID")
+        super().__init__("name BLOB PRIMARY KEY) WITHOUT ROWID")
 
     def add(self, name: str) -> bool:
         """Take in a name; return whether it is new.
@@ -91,17 +93,7 @@ class SeenNames:
             SpoolError: there is no room for it.
         """
         try:
-            self._table.execute(
-                "INSERT INTO seen VALUES (?)", (name.encode(errors="surrogatepass"),)
-            )
+            self._insert(name.encode(errors="surrogatepass"))
         except sqlite3.IntegrityError:
             return False
-        except sqlite3.OperationalError as error:
-            raise SpoolError(f"temporary files: {error}") from None
         return True
-
-
-def _close(file: SpooledTemporaryFile[bytes]) -> None:
-    # A failed write would fail again.
-    with suppress(OSError):
-        file.close()

@@ -50,15 +50,13 @@ class Affine(NamedTuple):
 
     def error(self, points: Iterable[Point]) -> Fraction:
         """Return how far, at most, images of points and of their hull are from the meant ones."""
-        if not self.off:
-            return Fraction(0)
         # Each coordinate is off by off * (|x| + |y| + 1); two of them, by less than twice that.
         return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
 
 
 def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fraction:
     """Return a x + b y, quickly where a number is 0, as half of those of most maps are."""
-    if b and y:
+    if b and y:  # pragma: no mutate: time alone
         return a * x + b * y if a and x else b * y
     return a * x if a and x else _ZERO
 
@@ -69,7 +67,8 @@ def make_affine(*numbers: int | Fraction) -> Affine:
     >>> make_affine(0, 1, -1, 0, 5, 0).point(Fraction(1), Fraction(0))
     Point(x=Fraction(5, 1), y=Fraction(1, 1))
     """
-    return Affine(*map(Fraction, numbers))
+    found = Affine(*map(Fraction, numbers))
+    return IDENTITY if found == IDENTITY else found
 
 
-IDENTITY = make_affine(1, 0, 0, 1, 0, 0)
+IDENTITY = Affine(*map(Fraction, (1, 0, 0, 1, 0, 0)))

@@ -5,23 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
-from io import StringIO
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
-from exactsweep.numbers.error import require_imports
 from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import Point
 
-if TYPE_CHECKING:
-    from ezdxf.lldxf.types import DXFTag
-
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
+_BULGE, _COMMENT = 42, 999
 _FROZEN = 1
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
 _NORMAL = {210: 0, 220: 0, 230: 1}
@@ -42,43 +38,52 @@ def require_level(reading: Reading, heights: Iterable[Fraction]) -> None:
         raise FormatError(f"not level: its points are at different heights{allowed}")
 
 
-class _Text(str):
-    """A value and the line of the file on which it is."""
-
-    __slots__ = ("line",)
-    line: int
+Tags = Sequence[tuple[int, str]]
+"""Group codes, each with the text of its value."""
 
 
 class Entity:
     """An entity: its kind, and its values by group code.
 
+    Args:
+        tags: the entity's tags, the kind first.
+        line: the line of the file that names the kind.
+
     Attributes:
         kind: "LINE", for instance.
-        line: the line of the file on which its kind is named.
-        place: both, for messages.
-        layer: the name of its layer.
+        line: as given.
         vertices: the entities that follow it and belong to it.
     """
 
-    def __init__(self, tags: Iterable[DXFTag]) -> None:
-        self.tags = list(tags)
-        kind = self.tags[0].value
-        self.kind, self.line = str(kind).strip(), kind.line
-        self.layer = self._text(_LAYER, "0")
-        is_word = self.kind.isidentifier() and len(self.kind) < _LONG
-        shown = self.kind if is_word else quote(self.kind)
-        self.place = f"line {self.line}: {shown}"
+    def __init__(self, tags: Tags, line: int) -> None:
+        self.tags, self.line = tags, line
+        # The first value of each group.
+        self.values = dict(reversed(tags))
+        self.kind = tags[0][1].strip()
         self.vertices: list[Entity] = []
+
+    @property
+    def place(self) -> str:
+        """The kind and the line, for messages."""
+        is_word = self.kind.isidentifier() and len(self.kind) < _LONG
+        return f"line {self.line}: {self.kind if is_word else quote(self.kind)}"
+
+    @property
+    def layer(self) -> str:
+        """The name of the entity's layer."""
+        return self._text(_LAYER, "0")
 
     @cached_property
     def size(self) -> int:
         """For how many bytes it counts: for those of its values, and as an entity."""
-        own = ENTITY + sum(len(str(tag.value)) + _GROUP for tag in self.tags)
+        own = ENTITY + sum(len(value) + _GROUP for _, value in self.tags)
         return own + sum(vertex.size for vertex in self.vertices)
 
     def number(self, code: int, default: int | None = None) -> Fraction:
         """Return the number with a group code; refuse if it is missing without a default."""
-        return _read_group(code, self._text(code, None if default is None else str(default)))
+        if default is not None and code not in self.values:
+            return Fraction(default)
+        return _read_group(code, self._text(code, None))
 
     def point(self, code: int) -> Point:
         """Return the point whose x has a group code, and its y that code plus ten."""
@@ -97,12 +102,14 @@ class Entity:
 
     def numbers(self, code: int) -> list[Fraction]:
         """Return all numbers with a group code."""
-        return [read_decimal(str(tag.value).strip()) for tag in self.tags if tag.code == code]
+        return [_read_group(code, value) for own, value in self.tags if own == code]
 
     def points(self, code: int) -> list[Point]:
         """Return all points whose x has a group code."""
-        pairs = zip(self.numbers(code), self.numbers(code + 10), strict=True)
-        return [Point(*found) for found in pairs]
+        xs, ys = self.numbers(code), self.numbers(code + 10)
+        if len(xs) != len(ys):
+            raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
+        return [*map(Point, xs, ys)]
 
     def require_level(self, reading: Reading, *codes: int) -> None:
         """Refuse points at different heights above the plane; one that is not there is 0."""
@@ -125,19 +132,14 @@ class Entity:
 
     def corners(self) -> list[tuple[Point, Fraction]]:
         """Return the vertices of an LWPOLYLINE, each with the bulge of the edge that follows."""
-        parts: list[dict[int, str]] = []
-        for tag in self.tags:
-            if tag.code == 10:
-                parts.append({})
-            if parts:
-                parts[-1].setdefault(tag.code, str(tag.value).strip())
-        return [
-            (
-                Point(_read_group(10, part[10]), _read_group(20, part.get(20))),
-                _read_group(42, part.get(42, "0")),
-            )
-            for part in parts
-        ]
+        bulges: dict[int, Fraction] = {}
+        place = -1
+        for code, value in self.tags:
+            place += code == 10
+            if code == _BULGE:
+                bulges[place] = _read_group(_BULGE, value)
+        zero = Fraction(0)
+        return [(point, bulges.get(k, zero)) for k, point in enumerate(self.points(10))]
 
     def vertex_corners(self, reading: Reading) -> list[tuple[Point, Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
@@ -146,7 +148,7 @@ class Entity:
             try:
                 # The frame of a fitted curve is not drawn.
                 if not vertex.flags() & _FRAME:
-                    found.append(_corner(vertex))
+                    found.append((vertex.point(10), vertex.number(_BULGE, 0)))
                     heights.append(vertex.number(30, 0))
             except ValueError as error:
                 raise FormatError(f"{vertex.place}: {error}") from None
@@ -154,12 +156,10 @@ class Entity:
         return found
 
     def _text(self, code: int, default: str | None) -> str:
-        for tag in self.tags[1:]:
-            if tag.code == code:
-                return str(tag.value).strip()
-        if default is None:
+        value = self.values.get(code, default)
+        if value is None:
             raise FormatError(f"group {code} is missing")
-        return default
+        return value.strip()
 
 
 class Drawing(NamedTuple):
@@ -194,16 +194,7 @@ def read_drawing(text: str) -> Drawing:
 
     Cost: linear.
     """
-    with require_imports("ezdxf", "dxf", "DXF", FormatError):
-        from ezdxf.lldxf.const import DXFError
-        from ezdxf.lldxf.loader import load_dxf_structure
-
-    require_size(len(text))
-    try:
-        sections = load_dxf_structure(_tags(text))
-    except DXFError as error:
-        reason = str(error).removeprefix("DXFStructureError: ")[:80]
-        raise FormatError(f"not DXF: {ascii(reason)[1:-1]}") from None
+    sections = _read_sections(text)
     blocks: dict[str, list[Entity]] = {}
     current: list[Entity] = []
     for entity in _gather(sections.get("BLOCKS", [])[1:]):
@@ -215,11 +206,64 @@ def read_drawing(text: str) -> Drawing:
     return Drawing(entities, blocks, _unit(sections), *_layers(sections.get("TABLES", [])[1:]))
 
 
-def _layers(found: Iterable[Iterable[DXFTag]]) -> tuple[dict[str, str], set[str]]:
+def _read_sections(text: str) -> dict[str, list[Entity]]:
+    """Find the entities of each section, after its own, which has the values of a header."""
+    require_size(len(text))
+    sections: dict[str, list[Entity]] = {}
+    section: list[Entity] | None = None
+    for entity in _divide(text):
+        if entity.kind == "SECTION":
+            if section is not None:
+                break
+            name = entity._text(_NAME, "")
+            if not name or name in sections:
+                which = f"a second section {quote(name)}" if name else "a section without a name"
+                raise FormatError(f"not DXF: line {entity.line}: {which}")
+            sections[name] = section = [entity]
+        elif entity.kind == "ENDSEC":
+            section = None
+        elif entity.kind == "EOF":
+            break
+        elif section is not None:
+            section.append(entity)
+    else:
+        raise FormatError("not DXF: missing EOF tag")
+    if section is not None:
+        raise FormatError("not DXF: missing ENDSEC tag")
+    return sections
+
+
+def _divide(text: str) -> Iterator[Entity]:
+    """Divide a text into entities; a line has a group code, the next one its value."""
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    tags: list[tuple[int, str]] = []
+    start = count = 0
+    for k, (word, value) in enumerate(zip(lines[::2], lines[1::2], strict=False)):
+        try:
+            code = int(word)
+        except ValueError:
+            shown = quote(word)
+            raise FormatError(f"not DXF: line {2 * k + 1}: {shown} is no group code") from None
+        if code == 0:
+            if tags:
+                yield Entity(tags, start)
+            count += 1
+            # Vertices of old polylines among them.
+            require_count(count, ENTITY, "entities")
+            tags, start = [(0, value)], 2 * k + 2
+            if value.strip() == "EOF":
+                break
+        elif code != _COMMENT and tags:
+            tags.append((code, value))
+    if tags:
+        yield Entity(tags, start)
+
+
+def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
     """Find the layers that do not show, and those that do not plot."""
     hidden = {"DEFPOINTS": "for the points of dimensions"}
     unplotted = set()
-    for layer in map(Entity, found):
+    for layer in found:
         if layer.kind != "LAYER":
             continue
         name = layer.name.upper()
@@ -232,12 +276,11 @@ def _layers(found: Iterable[Iterable[DXFTag]]) -> tuple[dict[str, str], set[str]
     return hidden, unplotted
 
 
-def _gather(found: Iterable[Iterable[DXFTag]]) -> list[Entity]:
-    """Make entities, and give a POLYLINE the vertices that follow it."""
+def _gather(found: Iterable[Entity]) -> list[Entity]:
+    """List entities, and give a POLYLINE the vertices that follow it."""
     entities: list[Entity] = []
     polyline: Entity | None = None
-    for tags in found:
-        entity = Entity(tags)
+    for entity in found:
         if entity.kind == "VERTEX" and polyline is not None:
             polyline.vertices.append(entity)
             continue
@@ -247,51 +290,17 @@ def _gather(found: Iterable[Iterable[DXFTag]]) -> list[Entity]:
     return entities
 
 
-def _unit(sections: Mapping[str, Sequence[Iterable[DXFTag]]]) -> Fraction | None:
-    tags = [tag for entity in sections.get("HEADER", [])[:1] for tag in entity]
-    for name, value in pairwise(tags):
-        if name.code == 9 and str(name.value).strip() == "$INSUNITS":
-            text = str(value.value).strip()
+def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
+    tags = [tag for entity in sections.get("HEADER", [])[:1] for tag in entity.tags]
+    for (code, name), (_, value) in pairwise(tags):
+        if code == 9 and name.strip() == "$INSUNITS":
+            text = value.strip()
             return INSUNITS.get(int(text)) if text.isascii() and text.isdigit() else None
     return None
 
 
-def _tags(text: str) -> Iterator[DXFTag]:
-    from ezdxf.lldxf.tagger import ascii_tags_loader
-    from ezdxf.lldxf.types import DXFTag
-
-    lines = StringIO(text, newline=None)
-    opens_section = seen = False
-    count = 0
-    for k, tag in enumerate(ascii_tags_loader(lines, skip_comments=False)):
-        if tag.code == 999:
-            continue
-        if tag.code not in (0, _NAME):
-            yield DXFTag(tag.code, tag.value)
-            continue
-        count += tag.code == 0
-        # Vertices of old polylines among them, each of some 3 kB.
-        require_count(count, ENTITY, "entities")
-        # Kinds and names keep their lines for messages.
-        value = _Text(tag.value)
-        value.line = 2 * k + 2
-        if opens_section and value == "ENTITIES":
-            # ezdxf takes the last one.
-            if seen:
-                raise FormatError(f"not DXF: line {value.line}: a second section of entities")
-            seen = True
-        opens_section = (tag.code, value) == (0, "SECTION")
-        yield DXFTag(tag.code, value)
-
-
-def _read_group(code: int, text: str | None) -> Fraction:
-    if text is None:
-        raise FormatError(f"group {code} is missing")
+def _read_group(code: int, text: str) -> Fraction:
     try:
-        return read_decimal(text)
+        return read_decimal(text.strip())
     except ValueError as error:
         raise FormatError(f"group {code}: {error}") from None
-
-
-def _corner(vertex: Entity) -> tuple[Point, Fraction]:
-    return vertex.point(10), vertex.number(42, 0)

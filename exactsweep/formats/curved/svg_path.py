@@ -22,8 +22,12 @@ from exactsweep.numbers.number import NumberError, quote
 from exactsweep.numbers.point import ORIGIN, Point
 
 _GAP = re.compile(r"[\s,]*")
-_NUMBER = re.compile(DECIMAL)
-_FLAG = re.compile("[01]")
+_NUMBER = re.compile(rf"[\s,]*({DECIMAL})")
+_FLAG = re.compile(r"[\s,]*([01])")
+# The arguments of each command: coordinates, numbers, and flags.
+_ARGUMENTS = {"M": "xy", "L": "xy", "H": "x", "V": "y", "C": "xyxyxy", "S": "xyxy"}
+_ARGUMENTS |= {"Q": "xyxy", "T": "xy", "A": "nnnffxy", "Z": ""}
+_LINES = str.maketrans("Mm", "Ll")
 
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[list[Point]]:
@@ -55,83 +59,75 @@ class _Path:
         self.place = 0
         self.command = ""
         self.current = ORIGIN
-        # The control point that a smooth curve mirrors, with the command that set it.
+        # The control point that a smooth curve mirrors, with the commands that may mirror it.
         self.control: tuple[str, Point] = ("", ORIGIN)
-        # The subpath that is being read: where it starts, before the matrix, and its corners.
+        # The start of the current subpath, before the matrix, and all subpaths.
         self.start = ORIGIN
-        self.points: list[Point] = []
+        self.found: list[list[Point]] = []
 
     def lines(self) -> list[list[Point]]:
-        found: list[list[Point]] = []
         while not self._at_end():
             start = self.place
             letter = self.data[start]
             if letter.isalpha():
                 self.place += 1
                 self.command = letter
-                if letter not in "MmLlHhVvZzCcSsQqTtAa":
+                if letter.upper() not in _ARGUMENTS:
                     self._refuse(f"{quote(letter)} is no command", start)
-            elif not self.command or self.command in "Zz":
+            elif self.command in ("", *"Zz"):
                 self._refuse(f"{quote(self.data[start : start + 20])} instead of a command", start)
-            if self.command in "Mm":
-                found.append(self.points)
-                self.points = []
-                self._segment(start)
-            elif not self.points and not found:
+            kind = self.command.upper()
+            if kind == "M":
+                self.found.append([])
+            elif not self.found:
                 self._refuse("the path does not begin with M", start)
-            elif self.command in "Zz":
-                self._close()
-            else:
-                if not self.points:
-                    # After Z, the next subpath begins where the last one did.
-                    self._line(self.current)
-                self._segment(start)
-            if self.command in "Zz":
-                found.append(self.points)
-                self.points = []
-        found = [line for line in [*found, self.points] if line]
+            elif not self.found[-1] and kind != "Z":
+                # After Z, the next subpath begins where the last one did.
+                self._line(self.current)
+            self._draw(kind, start)
+        found = [line for line in self.found if line]
         if not found:
             self._refuse("the path is empty", 0)
         return found
 
-    def _close(self) -> None:
-        self.reading.allow_vertices(1)
-        self.points += self.points[:1]
-        self.current, self.control = self.start, ("", self.start)
-
-    def _segment(self, start: int) -> None:
-        kind = self.command.upper()
-        base = self.current if self.command.islower() else ORIGIN
-        before, control = self.current, self.control
+    def _draw(self, kind: str, start: int) -> None:
+        """Read the arguments of a command, and draw it."""
+        before, (kinds, control) = self.current, self.control
+        values = [self._argument(sort) for sort in _ARGUMENTS[kind]]
+        points = [Point(*pair) for pair in zip(values[::2], values[1::2], strict=False)]
         self.control = ("", before)
-        if kind in "ML":
-            self._line(self._point(base))
+        if kind == "Z":
+            self.reading.allow_vertices(1)
+            self.found[-1] += self.found[-1][:1]
+            self.found.append([])
+            self.current = self.start
+        elif kind == "H":
+            self._line(Point(values[0], before.y))
+        elif kind == "V":
+            self._line(Point(before.x, values[0]))
+        elif kind == "A":
+            self._arc(values, start)
+        elif kind in "ML":
+            self._line(points[0])
             if kind == "M":
                 self.start = self.current
             # Further pairs after M are lines.
-            self.command = self.command.replace("M", "L").replace("m", "l")
-        elif kind == "H":
-            self._line(Point(base.x + self._number(), before.y))
-        elif kind == "V":
-            self._line(Point(before.x, base.y + self._number()))
-        elif kind == "A":
-            self._arc(base, start)
+            self.command = self.command.translate(_LINES)
         else:
-            controls = [self._mirror(control)] if kind in "ST" else []
-            while len(controls) < (2 if kind in "CS" else 1):
-                controls.append(self._point(base))
-            end = self._point(base)
-            points = [before, *controls, end]
-            self._curve(end, lambda: flatten_bezier(points, self.matrix, self.reading), start)
-            self.control = ("CS" if kind in "CS" else "QT", controls[-1])
+            if kind in "ST":
+                smooth = Point(2 * before.x - control.x, 2 * before.y - control.y)
+                points.insert(0, smooth if kind in kinds else before)
+            curve = [before, *points]
+            self._curve(curve[-1], lambda: flatten_bezier(curve, self.matrix, self.reading), start)
+            self.control = ("CS" if kind in "CS" else "QT", curve[-2])
 
     def _line(self, end: Point) -> None:
         self.reading.allow_vertices(1)
         self.current = end
         if self.matrix.off:
-            self.points += place_points([end], self.matrix, self.reading)
+            self.found[-1] += place_points([end], self.matrix, self.reading)
         else:
-            self.points.append(self.matrix.point(*end))
+            self.found[-1].append(self.matrix.point(*end))
 
     def _curve(self, end: Point, flat: Callable[[], list[Point]], start: int) -> None:
         try:
@@ -139,59 +135,43 @@ class _Path:
         except FormatError as error:
             self._refuse(str(error), start)
         self.reading.allow_vertices(len(found))
-        self.points += found[1:]
+        self.found[-1] += found[1:]
         self.current = end
 
-    def _mirror(self, control: tuple[str, Point]) -> Point:
-        kinds, point = control
-        at = self.current
-        if self.command.upper() not in kinds:
-            return at
-        return Point(2 * at.x - point.x, 2 * at.y - point.y)
-
-    def _arc(self, base: Point, start: int) -> None:
-        rx, ry, angle = abs(self._number()), abs(self._number()), self._number()
-        large, left = self._flag(), self._flag()
-        first, last = self.current, self._point(base)
-        if rx == 0 or ry == 0 or first == last:
-            self._line(last)
+    def _arc(self, values: list[Fraction], start: int) -> None:
+        rx, ry, angle, large, left, x, y = values
+        ends, radii = (self.current, Point(x, y)), (abs(rx), abs(ry))
+        if not rx or not ry or ends[0] == ends[1]:
+            self._line(ends[1])
             return
+        angle = angle if radii[0] != radii[1] else Fraction(0)
+        flags = bool(large), bool(left)
         self._curve(
-            last,
-            lambda: flatten_elliptic_arc(
-                (first, last),
-                (rx, ry),
-                angle if rx != ry else Fraction(0),
-                (large, left),
-                self.matrix,
-                self.reading,
-            ),
+            ends[1],
+            lambda: flatten_elliptic_arc(ends, radii, angle, flags, self.matrix, self.reading),
             start,
         )
 
-    def _point(self, base: Point) -> Point:
-        x = self._number()
-        return Point(base.x + x, base.y + self._number())
-
-    def _number(self) -> Fraction:
+    def _argument(self, sort: str) -> Fraction:
+        """Read a number; of a small letter, a coordinate counts from the current point."""
+        if sort == "f":
+            return Fraction(self._match(_FLAG, "a flag, 0 or 1")[0])
         text, start = self._match(_NUMBER, "a number")
         try:
-            return read_decimal(text)
+            value = read_decimal(text)
         except NumberError as error:
             self._refuse(str(error), start)
-
-    def _flag(self) -> bool:
-        return self._match(_FLAG, "a flag, 0 or 1")[0] == "1"
+        if sort == "n" or self.command.isupper():
+            return value
+        return value + self.current["xy".index(sort)]
 
     def _match(self, pattern: re.Pattern[str], what: str) -> tuple[str, int]:
-        ended = self._at_end()
-        start = self.place
-        match = pattern.match(self.data, start)
+        match = pattern.match(self.data, self.place)
         if match is None:
-            shown = "the end" if ended else quote(self.data[start : start + 20])
-            self._refuse(f"{shown} instead of {what}", start)
+            shown = "the end" if self._at_end() else quote(self.data[self.place : self.place + 20])
+            self._refuse(f"{shown} instead of {what}", self.place)
         self.place = match.end()
-        return match[0], start
+        return match[1], match.start(1)
 
     def _at_end(self) -> bool:
         gap = _GAP.match(self.data, self.place)

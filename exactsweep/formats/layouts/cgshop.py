@@ -9,7 +9,15 @@ Source: the verifier of the challenge, `CG-SHOP/pyutils24`.
 from __future__ import annotations
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import STANDING, FilledSheet, NestingInstance, find_named
+from exactsweep.formats.layouts.found import (
+    STANDING,
+    FilledSheet,
+    FoundLayout,
+    NestingInstance,
+    find_named,
+    make_layouts,
+    require_instance,
+)
 from exactsweep.formats.node import Data, JsonNode
 
 
@@ -23,8 +31,9 @@ def read_instance(document: JsonNode) -> NestingInstance:
     return NestingInstance("cgshop", parts, {}, containers, {}, ())
 
 
-def read_sheets(document: JsonNode, instance: NestingInstance) -> list[FilledSheet]:
+def read_solution(document: JsonNode, known: NestingInstance | None) -> list[FoundLayout]:
     """Read a solution to an instance; raises FormatError."""
+    instance = require_instance(known, "cgshop", "polygons")
     names = "item_indices", "x_translations", "y_translations"
     indices, xs, ys = ([*(document / name).each()] for name in names)
     if not len(indices) == len(xs) == len(ys):
@@ -33,7 +42,7 @@ def read_sheets(document: JsonNode, instance: NestingInstance) -> list[FilledShe
     for index, x, y in zip(indices, xs, ys, strict=True):
         find_named(instance.parts, index, "item")
         placements.append(STANDING | {"part": index.name, "move": [x.number, y.number]})
-    return [FilledSheet(instance.containers["container"], placements)]
+    return make_layouts([FilledSheet(instance.containers["container"], placements)], instance)
 
 
 def _polygon(value: JsonNode) -> Data:

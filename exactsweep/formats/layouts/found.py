@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.node import Data, JsonNode
+from exactsweep.formats.node import Data, JsonNode, write_ring, write_shape
 from exactsweep.numbers.number import quote
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
@@ -39,6 +41,7 @@ class NestingInstance(NamedTuple):
         containers: by id, each as in Layout JSON; none where a strip has a free width.
         rest: what goes into each layout as it is: "spacing", "margin".
         notes: what was passed over.
+        height: that of a strip with a free width.
     """
 
     kind: str
@@ -47,6 +50,7 @@ class NestingInstance(NamedTuple):
     containers: dict[str, Data]
     rest: Data
     notes: tuple[str, ...]
+    height: Fraction | None = None
 
 
 class FilledSheet(NamedTuple):
@@ -100,8 +104,21 @@ def make_layouts(
     return found
 
 
+def require_instance(known: NestingInstance | None, kind: str, lacking: str) -> NestingInstance:
+    """Return the instance of a solution; raises FormatError if it is missing or of another kind."""
+    if known is None or known.kind != kind:
+        raise FormatError(f"a solution without its {lacking}, which its instance has (--instance)")
+    return known
+
+
 def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
     """Return the item of a name; raises FormatError if it is missing."""
     if name.name not in things:
         raise FormatError(f"{name.path}: there is no {what} {quote(name.name)}")
     return things[name.name]
+
+
+def write_rings(outline: Candidate) -> Data:
+    """Write an outline and its holes as Layout JSON has them; crossings are for the judge."""
+    holes = [write_ring(hole.vertices()) for hole in outline.holes()]
+    return write_shape(write_ring(outline.vertices()), holes)

@@ -13,7 +13,14 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, find_named
+from exactsweep.formats.layouts.found import (
+    FilledSheet,
+    FoundLayout,
+    NestingInstance,
+    find_named,
+    make_layouts,
+    require_instance,
+)
 from exactsweep.formats.node import Data, JsonNode, write_box, write_shape
 from exactsweep.numbers.number import quote
 
@@ -29,52 +36,44 @@ def read_instance(document: JsonNode) -> NestingInstance:
         part = {"id": name, **_shape(item / "shape"), "demand": (item / "demand").whole}
         part["mirrored"] = False
         if item.has("allowed_orientations"):
-            part["turns"] = [turn.number for turn in (item / "allowed_orientations").each()] or [
-                "0"
-            ]
+            turns = [turn.number for turn in (item / "allowed_orientations").each()]
+            part["turns"] = turns or ["0"]
         if item.has("min_quality"):
             notes.append(f"item {name}: its least quality is not looked at")
         parts[name] = part
     for bin in document.get("bins", []).each():
         containers[(bin / "id").name] = _container(bin, notes)
     least = {name: part["demand"] for name, part in parts.items()}
-    return NestingInstance("jagua", parts, least, containers, {}, tuple(notes))
-
-
-def find_height(document: JsonNode) -> Fraction | None:
-    """Return the height of the strip of an instance, if it has one."""
-    holder = document / "strips" if document.has("strips") else document
+    strip = document.either("strips")
     name = "height" if document.has("strips") else "strip_height"
-    return (holder / name).fraction if holder.has(name) else None
+    height = (strip / name).fraction if strip.has(name) else None
+    return NestingInstance("jagua", parts, least, containers, {}, tuple(notes), height)
 
 
-def read_sheets(
-    document: JsonNode, instance: NestingInstance, height: Fraction | None
-) -> list[FilledSheet]:
+def read_solution(document: JsonNode, known: NestingInstance | None) -> list[FoundLayout]:
     """Read a solution; it is the document, or its member "solution"."""
-    solution = document / "solution" if document.has("solution") else document
+    instance = require_instance(known, "jagua", "items")
+    solution = document.either("solution")
     containers = dict(instance.containers)
     for one in solution.get("containers", []).each():
         containers[(one / "id").name] = _container(one, [])
     if solution.has("layouts"):
-        return [
-            FilledSheet(
-                find_named(containers, layout / "container_id", "container"), _placed(layout)
-            )
-            for layout in (solution / "layouts").each()
-        ]
-    if height is None:
+        layouts = [*(solution / "layouts").each()]
+        boxes = [find_named(containers, one / "container_id", "container") for one in layouts]
+    elif instance.height is None:
         raise FormatError(f"{solution.path} is a strip, and nothing says how high (--instance)")
-    width = solution / ("width" if solution.has("width") else "strip_width")
-    zero = Fraction(0)
-    layout = solution / "layout" if solution.has("layout") else solution
-    return [FilledSheet(write_box(zero, zero, width.fraction, height), _placed(layout))]
+    else:
+        layouts = [solution.either("layout")]
+        width = solution / ("width" if solution.has("width") else "strip_width")
+        zero = Fraction(0)
+        boxes = [{"exterior": write_box(zero, zero, width.fraction, instance.height)}]
+    return make_layouts([*map(FilledSheet, boxes, map(_placed, layouts))], instance)
 
 
 def _placed(layout: JsonNode) -> list[Data]:
     found = []
     for item in (layout / "placed_items").each():
-        motion = item / "transformation" if item.has("transformation") else item
+        motion = item.either("transformation")
         part = (item / ("item_id" if item.has("item_id") else "id")).name
         move, turn = (motion / "translation").pair, (motion / "rotation").number
         found.append({"part": part, "turn": turn, "move": move})
@@ -100,7 +99,7 @@ def _shape(value: JsonNode) -> Data:
     data = value / "data"
     if kind == "rectangle":
         sides = "x_min", "y_min", "width", "height"
-        return write_box(*((data / name).fraction for name in sides))
+        return {"exterior": write_box(*((data / name).fraction for name in sides))}
     if kind == "simplepolygon":
         return {"exterior": data.ring}
     if kind == "polygon":

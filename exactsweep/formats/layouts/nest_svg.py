@@ -17,15 +17,14 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
-from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.curved.svg import read_svg
 from exactsweep.formats.curved.svg_style import name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import FilledSheet, NestingInstance
+from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, write_rings
 from exactsweep.formats.nesting import nest_candidates
-from exactsweep.formats.node import Data, write_ring, write_shape
+from exactsweep.formats.node import Data
 from exactsweep.numbers.number import format_fraction, quote
 
 if TYPE_CHECKING:
@@ -141,9 +140,3 @@ def _one_shape(elements: Element | list[Element], reading: Reading) -> Data:
         lines = ", ".join(line(element) for element in elements)
         raise FormatError(f"line {lines}: {len(found)} outlines, which are not one part")
     return write_rings(found[0])
-
-
-def write_rings(outline: Candidate) -> Data:
-    """Write an outline and its holes as Layout JSON has them; crossings are for the judge."""
-    holes = [write_ring(hole.vertices()) for hole in outline.holes()]
-    return write_shape(write_ring(outline.vertices()), holes)

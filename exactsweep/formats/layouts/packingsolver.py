@@ -8,10 +8,19 @@ Source: `irregular/instance_builder.cpp` and `irregular/solution.cpp`; `shape.hp
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.curves import flatten_arc
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import STANDING, FilledSheet, NestingInstance, find_named
+from exactsweep.formats.layouts.found import (
+    STANDING,
+    FilledSheet,
+    FoundLayout,
+    NestingInstance,
+    find_named,
+    make_layouts,
+)
 from exactsweep.formats.node import Data, JsonNode, write_box, write_ring, write_shape
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import format_fraction, quote
@@ -47,8 +56,10 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
     return NestingInstance("packingsolver", parts, least, containers, rest, tuple(notes))
 
 
-def read_sheets(document: JsonNode, instance: NestingInstance) -> list[FilledSheet]:
-    """Read the bins of a solution to an instance; raises FormatError."""
+def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[FoundLayout]:
+    """Read the bins of a solution to an instance, or as they are drawn; raises FormatError."""
+    if instance is None or instance.kind != "packingsolver":
+        return _read_drawn(document)
     found = []
     for bin in (document / "bins").each():
         container = dict(find_named(instance.containers, bin / "id", "bin type"))
@@ -61,10 +72,10 @@ def read_sheets(document: JsonNode, instance: NestingInstance) -> list[FilledShe
             mirrored = item.get("mirror", False).is_true
             placements.append(placement | ({"mirrored": True} if mirrored else {}))
         found.append(FilledSheet(container, placements, bin.get("copies", "1").whole, rest))
-    return found
+    return make_layouts(found, instance)
 
 
-def read_drawn(document: JsonNode) -> tuple[NestingInstance, list[FilledSheet]]:
+def _read_drawn(document: JsonNode) -> list[FoundLayout]:
     """Read the bins of a solution as they are drawn in it, each item a part of its own."""
     parts: dict[str, Data] = {}
     sheets = []
@@ -79,7 +90,7 @@ def read_drawn(document: JsonNode) -> tuple[NestingInstance, list[FilledSheet]]:
                 placements.append(STANDING | {"part": name})
         sheets.append(FilledSheet(container | {"holes": holes}, placements))
     note = "without the instance, items are judged as the solution draws them, rounded"
-    return NestingInstance("packingsolver", parts, {}, {}, {}, (note,)), sheets
+    return make_layouts(sheets, NestingInstance("packingsolver", parts, {}, {}, {}, (note,)))
 
 
 def _allowed(item: JsonNode, notes: list[str]) -> Data:
@@ -106,16 +117,10 @@ def _outline(value: JsonNode, reading: Reading) -> list[list[str]]:
     if kind == "polygon":
         return (value / "vertices").ring
     if kind == "general":
-        corners = []
-        for element in (value / "elements").each():
-            _require_line(element)
-            corners.append((element / "start").value)
-        return JsonNode(corners, f"{value.path}.elements").ring
+        return _join(value / "elements", lambda element: (element / "start").value)
     x, y = (value.get(name, "0").fraction for name in "xy")
     if kind == "rectangle":
-        box = write_box(x, y, (value / "width").fraction, (value / "height").fraction)
-        found: list[list[str]] = box["exterior"]
-        return found
+        return write_box(x, y, (value / "width").fraction, (value / "height").fraction)
     if kind == "circle":
         start = Point(x + (value / "radius").fraction, y)
         return write_ring(flatten_arc(Point(x, y), start, start, True, IDENTITY, reading))
@@ -129,13 +134,12 @@ def _drawn(value: JsonNode) -> Data:
 
 
 def _drawn_ring(elements: JsonNode) -> list[list[str]]:
-    points = []
+    return _join(elements, lambda element: [(element / name).value for name in ("xs", "ys")])
+
+
+def _join(elements: JsonNode, find_start: Callable[[JsonNode], object]) -> list[list[str]]:
+    """Read the starts of elements that are all lines."""
     for element in elements.each():
-        _require_line(element)
-        points.append([(element / name).value for name in ("xs", "ys")])
-    return JsonNode(points, elements.path).ring
-
-
-def _require_line(element: JsonNode) -> None:
-    if (element / "type").name.lower() not in ("linesegment", "line_segment", "l"):
-        raise FormatError(f"{element.path}: an arc between two rounded ends is not read")
+        if (element / "type").name.lower() not in ("linesegment", "line_segment", "l"):
+            raise FormatError(f"{element.path}: an arc between two rounded ends is not read")
+    return JsonNode([*map(find_start, elements.each())], elements.path).ring

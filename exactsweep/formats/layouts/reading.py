@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any, Unpack
 
 from exactsweep.formats.candidate import Candidate, choose
@@ -16,8 +15,8 @@ from exactsweep.formats.layouts.found import (
     FoundLayout,
     NestingInstance,
     make_layouts,
+    write_rings,
 )
-from exactsweep.formats.layouts.nest_svg import read_nest, write_rings
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.parsing import parse_candidates
@@ -27,8 +26,6 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
-
-Instance = tuple[NestingInstance, Fraction | None]
 
 
 class LayoutOptions(Options, total=False):
@@ -125,7 +122,7 @@ def _take_options(
     return instance, container, Reading(tolerance, **options)
 
 
-def _parse_instance(text: str | None, reading: Reading) -> Instance | None:
+def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | None:
     if text is None:
         return None
     found = _read_instance(JsonNode(parse_json(text)), reading)
@@ -135,7 +132,7 @@ def _parse_instance(text: str | None, reading: Reading) -> Instance | None:
 
 
 def _parse(
-    text: str, known: Instance | None, container: str | None, reading: Reading
+    text: str, known: NestingInstance | None, container: str | None, reading: Reading
 ) -> list[FoundLayout]:
     first = text.lstrip()[:1]
     if container is None and first == "{":
@@ -144,39 +141,31 @@ def _parse(
             return found
     if container is None and first == "<" and reading.unit is None:
         from exactsweep.formats.curved.xml import parse_xml
+        from exactsweep.formats.layouts.nest_svg import read_nest
 
-        nest = read_nest(parse_xml(text), reading, known[0].containers if known else {})
+        nest = read_nest(parse_xml(text), reading, known.containers if known else {})
         if nest is not None:
             drawn, sheets = nest
-            if known is None:
-                return make_layouts(sheets, drawn)
-            return make_layouts(sheets, known[0], _compare_parts(drawn, known[0]))
+            notes = _compare_parts(drawn, known) if known else []
+            return make_layouts(sheets, known or drawn, notes)
     if known is not None:
         raise FormatError("not a solution to an instance")
     return [_draw_layout(text, container, reading)]
 
 
-def _read_json(document: JsonNode, known: Instance | None, reading: Reading) -> list[FoundLayout]:
+def _read_json(
+    document: JsonNode, known: NestingInstance | None, reading: Reading
+) -> list[FoundLayout]:
     """Read a document; the result is empty if no nesting program writes such documents."""
     if all(map(document.has, ("container", "parts", "placements"))):
         return [FoundLayout("", _with_counts(document))]
-    instance, height = known or _read_instance(document, reading) or (None, None)
-    kind = None if instance is None else instance.kind
+    instance = known or _read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_solution":
-        if instance is None or kind != "cgshop":
-            raise FormatError(
-                "a solution without its polygons, which its instance has (--instance)"
-            )
-        return make_layouts(cgshop.read_sheets(document, instance), instance)
+        return cgshop.read_solution(document, instance)
     if document.has("bins") and not document.has("items"):
-        if instance is None or kind != "packingsolver":
-            instance, sheets = packingsolver.read_drawn(document)
-            return make_layouts(sheets, instance)
-        return make_layouts(packingsolver.read_sheets(document, instance), instance)
+        return packingsolver.read_solution(document, instance)
     if any(map(document.has, ("solution", "placed_items", "layout", "layouts"))):
-        if instance is None or kind != "jagua":
-            raise FormatError("a solution without its items, which its instance has (--instance)")
-        return make_layouts(jagua.read_sheets(document, instance, height), instance)
+        return jagua.read_solution(document, instance)
     if instance is not None:
         raise FormatError("an instance without a solution: nothing is placed")
     return []
@@ -192,15 +181,12 @@ def _with_counts(document: JsonNode) -> Data:
     return {**document.value, "parts": parts}
 
 
-def _read_instance(document: JsonNode, reading: Reading) -> Instance | None:
-    """Read an instance, and the height of its strip, if it has one."""
+def _read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
     if document.has("item_types"):
-        return packingsolver.read_instance(document, reading), None
+        return packingsolver.read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_instance":
-        return cgshop.read_instance(document), None
-    if document.has("items"):
-        return jagua.read_instance(document), jagua.find_height(document)
-    return None
+        return cgshop.read_instance(document)
+    return jagua.read_instance(document) if document.has("items") else None
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:

@@ -190,7 +190,7 @@ def enlarge_faults(
             drawn.append(f'<circle class="mark" cx="{x:.1f}" cy="{y:.1f}" r="4"/>')
         drawn.append(f'<rect class="frame" x=".5" y=".5" width="{SIDE - 1}" height="{SIDE - 1}"/>')
         named = " and ".join(map(str, fault.placements))
-        caption = f"{fault.kind}, {named}; {approximate(2 * near)} wide"
+        caption = f"{fault.kind}, {named}; the picture is {approximate(2 * near)} wide"
         found.append(Enlarged(number, caption, "".join(drawn)))
     return found
 

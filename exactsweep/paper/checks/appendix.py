@@ -19,12 +19,13 @@ from exactsweep.paper.checks.touching import (
     list_moments,
     touches_are_right,
 )
-from exactsweep.paper.claim import Effort, Evidence, find_first_failure
+from exactsweep.paper.claim import Effort, Evidence, weigh
 from exactsweep.paper.counting import CountedList, PairFamily, make_counted, watch_operations
 from exactsweep.paper.functions import (
     clip,
     evaluate,
     find_common_points,
+    list_edges,
     look_up,
     reaches,
     take_bottom,
@@ -94,7 +95,7 @@ def find_passing_events(effort: Effort) -> Evidence:
 
 def _parallel_edges(pair: SweepPair) -> str:
     ring = pair.generatrix
-    edges = list(pairwise([*ring, ring[0]]))
+    edges = list_edges(ring)
     for k, ((px, py), (qx, qy)) in enumerate(edges):
         for (rx, ry), (sx, sy) in edges[:k]:
             if (qx - px) * (sy - ry) == (qy - py) * (sx - rx):
@@ -271,8 +272,7 @@ def lower_envelope_cm_is_right(pair: SweepPair) -> str:
 
 def count_operations(effort: Effort) -> Evidence:
     """Count the operations of LowerEnvelope_CM."""
-    growth = tuple(_envelope_growth(family, effort) for family in (cm_hard, cm_undercut))
-    return Evidence("", find_first_failure(g.failure for g in growth), growth=growth)
+    return weigh("", *(_envelope_growth(family, effort) for family in (cm_hard, cm_undercut)))
 
 
 def _watch_slots(partial: Envelope) -> Envelope:

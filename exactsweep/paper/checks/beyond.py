@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import pairwise, product
+from itertools import product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import (
@@ -20,6 +20,7 @@ from exactsweep.numbers.point import Fit, Vertex
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
+from exactsweep.paper.functions import list_edges
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
 
@@ -92,7 +93,7 @@ def find_contact_segments(pair: SweepPair) -> Iterator[Segment]:
         around = [moving[-1], *moving, moving[0]]
         for before, at, after in zip(around, around[1:], around[2:], strict=False):
             into, out = minus(at, before), minus(after, at)
-            for p, q in pairwise([*still, still[0]]):
+            for p, q in list_edges(still):
                 way = minus(q, p)
                 turns = cross(into, out), cross(into, way), cross(way, out)
                 if turns[0] > 0 and min(turns) >= 0:
@@ -109,8 +110,7 @@ def boundary_is_contact(pair: SweepPair) -> str:
     if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
         return f"{len(known)} contact segments"
     for loop in (found.exterior, *found.holes):
-        corners = loop.vertices
-        for edge in pairwise([*corners, corners[0]]):
+        for edge in list_edges(loop.vertices):
             if not _lies_on(edge, known):
                 return f"off all contact segments: {_show([edge])}"
     for p, q in found.exact_fits:

@@ -11,7 +11,7 @@ from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.beyond import no_fit_is_the_definition
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
 from exactsweep.paper.costs import STEPS
 from exactsweep.paper.counting import PairFamily, operations
 from exactsweep.paper.functions import tell_difference
@@ -39,11 +39,6 @@ def _grow(
     return grow(what, family.__name__, bound[0], sizes, beside)
 
 
-def _beside_bounds(*growth: Growth, failure: str = "", tried: str = "Counts.") -> Evidence:
-    failure = failure or find_first_failure(series.failure for series in growth)
-    return Evidence(tried, failure, growth=growth)
-
-
 def count_holes(effort: Effort) -> Evidence:
     """Count the holes of no-fit polygons of forks, and compare a small one with the definition."""
 
@@ -66,7 +61,7 @@ def count_holes(effort: Effort) -> Evidence:
     )
     failure = no_fit_is_the_definition(SweepPair(*forks(18, 18))) or find_first_failure(few)
     tried = "A family of forks, one of them compared with the definition."
-    return _beside_bounds(*growth, failure=failure, tried=tried)
+    return weigh(tried, *growth, failure=failure)
 
 
 def count_contact_segments(effort: Effort) -> Evidence:
@@ -81,7 +76,7 @@ def count_contact_segments(effort: Effort) -> Evidence:
         _grow(what, stretches, mm, PAIRS, double(16, last)),
     ]
     most = max(point.ratio for series in growth for point in series.points)
-    return _beside_bounds(*growth, failure=f"{most:.2g} times 2mn" if most > 1 else "")
+    return weigh("Counts.", *growth, failure=f"{most:.2g} times 2mn" if most > 1 else "")
 
 
 def count_trajectory(effort: Effort) -> Evidence:
@@ -92,9 +87,8 @@ def count_trajectory(effort: Effort) -> Evidence:
 
     last, what = 2 if effort.quick else 3, "edges of the trajectory"
     sizes = [(6 + (6 << k), 6 + (6 << k)) for k in range(1, last + 1)]
-    return _beside_bounds(
-        _grow(what, edges, forks, MN, sizes), _grow(what, edges, mm, MN, double(16, last + 1))
-    )
+    tried = (forks, sizes), (mm, double(16, last + 1))
+    return weigh("Counts.", *(_grow(what, edges, family, MN, sizes) for family, sizes in tried))
 
 
 def count_convolution(effort: Effort) -> Evidence:
@@ -123,7 +117,8 @@ def count_convolution(effort: Effort) -> Evidence:
     summed = beyond(sum_by_parts, "the sum of T and G by convex parts", of_path=True)
     swept = beyond(lambda chains: literal.sweep_outer_cm(*chains), "SweepO_CM", of_path=False)
     chains = SweepPair(*cm_hard(32, 32)).chains
-    found = _beside_bounds(
+    found = weigh(
+        "Counts; both to the letter.",
         summed,
         swept,
         _grow(what, stretches, cm_hard, MN, sizes),
@@ -131,7 +126,6 @@ def count_convolution(effort: Effort) -> Evidence:
         failure=tell_difference(
             "the sum of T and G", literal.find_outer(chains), literal.sweep_outer_cm(*chains)
         ),
-        tried="Counts; both to the letter.",
     )
     last, beside = summed.points[-1], swept.points[-1]
     against = Counterexample(

@@ -22,6 +22,7 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.functions import (
     find_common_points,
+    list_edges,
     look_up,
     reaches,
     take_bottom,
@@ -30,7 +31,7 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.pairs import SweepPair, draw_pairs
 from exactsweep.paper.tiny import is_convex, search, search_grid
 from exactsweep.procedures.chain import split
-from exactsweep.procedures.lower_sweep import LowerSweep
+from exactsweep.procedures.monotone import LowerSweep
 
 KINDS = ("CC", "CM", "MM")
 
@@ -41,9 +42,8 @@ CAVE = SweepPair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 
 
 def like_chains_stay_apart(pair: SweepPair) -> str:
     """From end to end of the trajectory, no two top chains have a point in common, nor bottoms."""
-    corners = look_up(pair).trajectory
     (g_bottom, g_top), (d_bottom, d_top) = map(split, pair)
-    for (px, py), (qx, qy) in pairwise([*corners, corners[0]]):
+    for (px, py), (qx, qy) in list_edges(look_up(pair).trajectory):
         for tx, ty in ((px, py), ((px + qx) / 2, (py + qy) / 2)):
             for g, d in ((g_bottom, d_bottom), (g_top[::-1], d_top[::-1])):
                 placed = [(x + tx, y + ty) for x, y in g]

@@ -14,7 +14,6 @@ from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
 from exactsweep.paper.laws import Trial
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, reverse
 
@@ -80,31 +79,22 @@ def right_turns_are_edges(pair: SweepPair) -> str:
     return "" if len(parts) == len(chain) - 1 else f"it has {len(parts)} convex parts"
 
 
-def find_bulging_chain(effort: Effort) -> Evidence:
-    """Look for a D_b that a straight edge makes convex, and Lemma 3.1 fails for it."""
-
-    def fails(pair: SweepPair) -> str:
-        directrix = pair.chains.directrix
-        try:
-            closed = Polygon(directrix)
-        except PolygonError:
-            return ""
-        if not closed.is_convex or not trajectory_by_slope(pair):
-            return ""
-        return "D_b, closed by an edge, is convex; the merge by slope is not the trajectory"
-
-    return search_grid(2, 8, is_convex, is_any, fails)
+def closed_chains_merge(pair: SweepPair) -> str:
+    """Lemma 3.1 holds for every D_b that a straight edge makes convex."""
+    try:
+        closed = Polygon(pair.chains.directrix)
+    except PolygonError:
+        return ""
+    if not closed.is_convex or not trajectory_by_slope(pair):
+        return ""
+    return "D_b, closed by an edge, is convex; the merge by slope is not the trajectory"
 
 
-def find_clockwise_failure(effort: Effort) -> Evidence:
-    """Look for a pair whose edges, sorted by slopes that grow clockwise, are no trajectory."""
-
-    def fails(pair: SweepPair) -> str:
-        if merge_all(pair, sign=-1) == take_bottom(look_up(pair).trajectory):
-            return ""
-        return "sorted by slopes that grow clockwise, the edges do not make the trajectory"
-
-    return search_grid(2, 7, is_convex, is_convex, fails)
+def clockwise_slopes_merge(pair: SweepPair) -> str:
+    """The edges, sorted by slopes that grow clockwise, are the trajectory."""
+    if merge_all(pair, sign=-1) == take_bottom(look_up(pair).trajectory):
+        return ""
+    return "sorted by slopes that grow clockwise, the edges do not make the trajectory"
 
 
 def trajectory_by_slope(pair: SweepPair) -> str:
@@ -130,10 +120,8 @@ def inner_cc_is_right(pair: SweepPair) -> str:
     """SweepI_CC returns D_b, which is the inner boundary of the definition."""
     top, _, directrix = pair.chains
     expected = take_bottom(look_up(pair).inner)
-    found = sweep_inner_cc(top, directrix)
-    return tell_difference("SweepI_CC", found, expected) or tell_difference(
-        "D_b", directrix, expected
-    )
+    found = tell_difference("SweepI_CC", sweep_inner_cc(top, directrix), expected)
+    return found or tell_difference("D_b", directrix, expected)
 
 
 def outer_by_slope(pair: SweepPair) -> str:

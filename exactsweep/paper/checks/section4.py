@@ -14,14 +14,16 @@ from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.touching import contacts_are_right
-from exactsweep.paper.claim import Effort, Evidence
+from exactsweep.paper.claim import Effort, Evidence, find_first_failure
+from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
 from exactsweep.paper.functions import (
     evaluate,
+    has_wrong_inner_loop,
     look_up,
     reaches,
+    returns,
     sample_between,
     take_bottom,
-    tell_difference,
 )
 from exactsweep.paper.laws import Trial
 from exactsweep.paper.pairs import SweepPair
@@ -55,26 +57,9 @@ def sub_trajectories_suffice(pair: SweepPair) -> str:
     )
 
 
-def trajectory_cm_is_right(pair: SweepPair) -> str:
-    """Trajectory_CM returns the trajectory of the definition."""
-    top, _, directrix = pair.chains
-    expected = take_bottom(look_up(pair).trajectory)
-    return tell_difference("Trajectory_CM", trajectory_cm(top, directrix), expected)
-
-
-def outer_cm_is_right(pair: SweepPair) -> str:
-    """SweepO_CM returns the outer boundary of the definition."""
-    return tell_difference(
-        "SweepO_CM", sweep_outer_cm(*pair.chains), take_bottom(look_up(pair).outer)
-    )
-
-
-def inner_cm_is_right(pair: SweepPair) -> str:
-    """SweepI_CM returns the inner boundary of the definition."""
-    top, _, directrix = pair.chains
-    return tell_difference(
-        "SweepI_CM", sweep_inner_cm(top, directrix), take_bottom(look_up(pair).inner)
-    )
+trajectory_cm_is_right = returns("Trajectory_CM", "trajectory", run_trajectory_cm)
+outer_cm_is_right = returns("SweepO_CM", "outer", run_outer_cm)
+inner_cm_is_right = returns("SweepI_CM", "inner", run_inner_cm)
 
 
 def is_monotone(name: str, chain: Iterable[Vertex], *, strictly: bool) -> str:
@@ -106,8 +91,8 @@ def inner_is_monotone(pair: SweepPair) -> str:
 def few_undercuts(pair: SweepPair) -> str:
     """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    if s.inner.vertices != look_up(pair).inner:
-        return "the inner loop is not that of the definition"
+    if failure := has_wrong_inner_loop(s, pair):
+        return failure
     lower = [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
     if len(lower) >= len(find_convex_parts(directrix)):
         return f"{len(lower)} undercuts of {len(find_convex_parts(directrix))} convex parts"
@@ -118,11 +103,15 @@ def few_undercuts(pair: SweepPair) -> str:
 def bottom_chains_have_two_forms(pair: SweepPair) -> str:
     """Decide whether all undercuts have the form that goes with what closes them."""
     s = sweep(*pair)
-    if s.inner.vertices != look_up(pair).inner:
-        return "the inner loop is not that of the definition"
-    for undercut in s.undercuts:
-        if failure := _form(undercut, pair):
-            return failure
+    failures = (_form(undercut, pair) for undercut in s.undercuts)
+    return find_first_failure(failures) or undercuts_fill_the_inner_loop(pair)
+
+
+def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
+    """The undercuts are apart, and make up the difference between the inner loop and D."""
+    s = sweep(*pair)
+    if failure := has_wrong_inner_loop(s, pair):
+        return failure
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
         return "the undercuts do not make up the difference between the inner loop and D"
     return ""
@@ -177,8 +166,8 @@ def labels_name_the_extremes(pair: SweepPair) -> str:
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
-    if s.inner.vertices != look_up(pair).inner:
-        return "the inner loop is not that of the definition"
+    if failure := has_wrong_inner_loop(s, pair):
+        return failure
     features, corners = Features(s), s.trajectory.vertices
     for undercut in s.undercuts:
         spots = set()

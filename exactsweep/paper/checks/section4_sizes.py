@@ -11,12 +11,12 @@ from exactsweep.paper.claim import (
     Effort,
     Evidence,
     Table,
-    find_first_failure,
+    weigh,
 )
 from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
 from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom
-from exactsweep.paper.growth import MN, Growth, double
+from exactsweep.paper.growth import MN, double
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts
@@ -48,26 +48,18 @@ def sizes_are_bounded(pair: SweepPair) -> str:
 def count_outer_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the trajectory and of the outer boundary over deep teeth."""
     sizes = _sizes(effort)
-    return _show_attained(
+    return weigh(
+        "",
         grow_vertices("trajectory", run_trajectory_cm, cm_hard, MN, sizes),
         grow_vertices("outer boundary", run_outer_cm, cm_hard, MN, sizes),
+        attained=True,
     )
 
 
 def count_inner_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the inner boundary over close teeth."""
-    return _show_attained(
-        grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort))
-    )
-
-
-def _show_attained(*growth: Growth) -> Evidence:
-    """Families on which a bound holds and the order is attained."""
-    falling = (
-        "" if g.is_attained else f"{g.what} on {g.family} fall behind {g.bound}" for g in growth
-    )
-    failure = find_first_failure(g.failure for g in growth) or find_first_failure(falling)
-    return Evidence("", failure, growth=growth)
+    growth = grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort))
+    return weigh("", growth, attained=True)
 
 
 def _sizes(effort: Effort) -> list[tuple[int, int]]:

@@ -14,10 +14,14 @@ from exactsweep.numbers.point import Edge, Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Evidence
+from exactsweep.paper.costs import run_trajectory_mm
 from exactsweep.paper.functions import (
     clip,
+    has_wrong_inner_loop,
     keep_corners,
+    list_edges,
     look_up,
+    returns,
     take_bottom,
     tell_difference,
     write_chain,
@@ -36,11 +40,7 @@ NARROW = SweepPair(
 )
 
 
-def trajectory_mm_is_right(pair: SweepPair) -> str:
-    """Trajectory_MM returns the trajectory of the definition."""
-    top, _, directrix = pair.chains
-    expected = take_bottom(look_up(pair).trajectory)
-    return tell_difference("Trajectory_MM", trajectory_mm(top, directrix), expected)
+trajectory_mm_is_right = returns("Trajectory_MM", "trajectory", run_trajectory_mm)
 
 
 def sub_trajectories_suffice(pair: SweepPair) -> str:
@@ -109,11 +109,6 @@ def inner_to_the_letter(pair: SweepPair) -> str:
     )
 
 
-def find_inner_to_the_letter(effort: Effort) -> Evidence:
-    """Look for a pair of which Trajectory_MM along the inside of T is not the inner boundary."""
-    return search_grid(2, 6, is_convex, is_convex, inner_to_the_letter)
-
-
 def sweep_mm_is_right(pair: SweepPair) -> str:
     """Sweep_MM, as corrected, returns both boundaries of the definition."""
     loops = look_up(pair)
@@ -151,19 +146,22 @@ def trajectory_is_monotone(pair: SweepPair) -> str:
 def local_width(pair: SweepPair) -> str:
     """Across an edge of a convex D, the outer loop is as far from it as G is wide."""
     s = sweep(*pair)
-    corners = s.inner.vertices
-    for p, q in pairwise([*corners, corners[0]]):
+    for p, q in list_edges(s.inner):
         normal = q.y - p.y, p.x - q.x
         reach, own = (_greatest(normal, loop) for loop in (s.outer, s.inner))
-        back = normal[0] * -1, normal[1] * -1
-        width = _greatest(normal, s.generatrix) + _greatest(back, s.generatrix)
-        if reach - own != width:
+        if reach - own != _measure_width(normal, s.generatrix):
             return f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the area is not as wide as G"
     return ""
 
 
 def _greatest(normal: tuple[Fraction, Fraction], polygon: Iterable[Point]) -> Fraction:
     return max(normal[0] * x + normal[1] * y for x, y in polygon)
+
+
+def _measure_width(normal: tuple[Fraction, Fraction], polygon: Iterable[Point]) -> Fraction:
+    """The width of a polygon along a vector, in units of the vector's length."""
+    heights = [normal[0] * x + normal[1] * y for x, y in polygon]
+    return max(heights) - min(heights)
 
 
 def find_missing_edge(effort: Effort) -> Evidence:
@@ -199,10 +197,10 @@ def find_missing_edge(effort: Effort) -> Evidence:
 def edges_are_near(pair: SweepPair) -> str:
     """Two edges that G draws along one edge of T, nearer to one another than G is wide across."""
     s = sweep(*pair)
-    if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in _edges(polygon)):
+    if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in list_edges(polygon)):
         return ""
-    loops = [[make_segment(edge) for edge in _edges(loop)] for loop in (s.inner, s.outer)]
-    for p, q in _edges(s.trajectory):
+    loops = [[make_segment(edge) for edge in list_edges(loop)] for loop in (s.inner, s.outer)]
+    for p, q in list_edges(s.trajectory):
         normal = q.y - p.y, p.x - q.x
         heights = []
         for loop in loops:
@@ -212,7 +210,7 @@ def edges_are_near(pair: SweepPair) -> str:
                 if any(_shares(((p.x + x, p.y + y), (q.x + x, q.y + y)), edge) for edge in loop)
             ]
             heights.append(drawn)
-        width = _greatest(normal, s.generatrix) + _greatest((-normal[0], -normal[1]), s.generatrix)
+        width = _measure_width(normal, s.generatrix)
         if heights[0] and heights[1] and max(heights[1]) - min(heights[0]) < width:
             return (
                 f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges are there, and apart by "
@@ -222,11 +220,6 @@ def edges_are_near(pair: SweepPair) -> str:
     return ""
 
 
-def _edges(polygon: Iterable[Point]) -> list[tuple[Point, Point]]:
-    corners = [*polygon]
-    return list(pairwise([*corners, corners[0]]))
-
-
 def _shares(edge: Edge, other: Segment) -> bool:
     one = make_segment(edge)
     return one[:2] == other[:2] and one.shares_piece(other)
@@ -234,15 +227,14 @@ def _shares(edge: Edge, other: Segment) -> bool:
 
 def _slopes(polygon: Polygon) -> set[Fraction]:
     """The slopes of the edges of a polygon without vertical ones."""
-    corners = polygon.vertices
-    return {(q.y - p.y) / (q.x - p.x) for p, q in pairwise([*corners, corners[0]])}
+    return {(q.y - p.y) / (q.x - p.x) for p, q in list_edges(polygon)}
 
 
 def outside_of_the_inner_loop(pair: SweepPair) -> str:
     """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
     s = sweep(*pair)
-    if s.inner.vertices != look_up(pair).inner:
-        return "the inner loop is not that of the definition"
+    if failure := has_wrong_inner_loop(s, pair):
+        return failure
     again = sweep(s.generatrix, s.inner).trajectory
     return "" if again == s.trajectory else "the trajectory around the inner loop is another one"
 
@@ -293,9 +285,9 @@ def outer_loop_reaches_by_the_width(pair: SweepPair) -> str:
     s, expected = sweep(*pair), look_up(pair).outer
     if s.outer.vertices != expected:
         return "the outer loop is not that of the definition"
-    for p, q in _edges(s.directrix):
+    for p, q in list_edges(s.directrix):
         normal = q.y - p.y, p.x - q.x
-        width = _greatest(normal, s.generatrix) + _greatest((-normal[0], -normal[1]), s.generatrix)
+        width = _measure_width(normal, s.generatrix)
         if _greatest(normal, s.outer) - _greatest(normal, s.directrix) != width:
             return f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the outer loop is not as far away"
     return ""

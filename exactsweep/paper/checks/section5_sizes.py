@@ -30,6 +30,7 @@ from exactsweep.paper.claim import (
     Evidence,
     Table,
     find_first_failure,
+    weigh,
 )
 from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
@@ -98,13 +99,12 @@ def fill_windows(effort: Effort) -> Evidence:
     )
     rates = [float(row[3]) for _, row in results]
     rising = "" if rates == sorted(rates) else "the pieces for each segment do not rise"
-    growth = (
-        grow_vertices("trajectory", whole_trajectory, mm, MN, sizes_from(effort)),
-        grow_vertices("trajectory", whole_trajectory, figure10, MN, sizes_from(effort)),
+    growth = tuple(
+        grow_vertices("trajectory", whole_trajectory, family, MN, sizes_from(effort))
+        for family in (mm, figure10)
     )
     failure = find_first_failure(text for text, _ in results) or rising
-    failure = failure or find_first_failure(g.failure for g in growth)
-    failure = failure or trajectory_mm_is_right(OUTGROWING)
+    failure = failure or weigh("", *growth).failure or trajectory_mm_is_right(OUTGROWING)
     failure = failure or sub_trajectories_suffice(OUTGROWING)
     return replace(found, failure=failure, tables=(table,), growth=growth)
 

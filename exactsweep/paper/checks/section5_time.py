@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from itertools import pairwise, product
@@ -21,7 +20,7 @@ from exactsweep.paper.checks.section5_sizes import (
     sizes_from,
     whole_trajectory,
 )
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
 from exactsweep.paper.costs import STEPS
 from exactsweep.paper.counting import (
     PairFamily,
@@ -39,12 +38,11 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.growth import MN, MN2, SUM_LOG, Bound, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm_inner import inner_mm
+from exactsweep.procedures.mm import inner_mm
 
 
 def count_one_merge(effort: Effort) -> Evidence:
@@ -83,21 +81,19 @@ def _tiny_chains() -> list[list[Vertex]]:
     return straight + bends
 
 
-def find_growing_level(effort: Effort) -> Evidence:
-    """Look for sub-trajectories with a larger envelope than all of them; count the operations."""
-    found = search_grid(3, 8, is_bent, is_bent, outgrows_its_parts)
-    growth = tuple(_envelope_growth(family, effort) for family in (figure10, mm))
-    return replace(found, failure=find_first_failure(g.failure for g in growth), growth=growth)
+def count_levels(effort: Effort) -> Evidence:
+    """Count the operations of merging envelopes."""
+    return weigh("", *(_envelope_growth(family, effort) for family in (figure10, mm)))
 
 
 def count_halves(effort: Effort) -> Evidence:
     """Count the operations of merging by halves, by the kernel and to the letter."""
-    growth = (
+    return weigh(
+        "Counts.",
         _envelope_growth(mm, effort),
         _envelope_growth(figure10, effort),
         _envelope_growth(figure10, effort, to_the_letter=True),
     )
-    return Evidence("Counts.", find_first_failure(g.failure for g in growth), growth=growth)
 
 
 def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool = False) -> Growth:
@@ -154,14 +150,8 @@ def count_step_2(effort: Effort) -> Evidence:
         return [p for top in tops for p in literal.trajectory_cm(top, chains.directrix)]
 
     sizes = double(32, 2 if effort.quick else 4)
-    growth = tuple(
-        grow_operations("step 2", step_2, family, MN, sizes) for family in (figure10, mm)
-    )
-    return Evidence(
-        "Counts of the step to the letter.",
-        find_first_failure(g.failure for g in growth),
-        growth=growth,
-    )
+    counts = (grow_operations("step 2", step_2, family, MN, sizes) for family in (figure10, mm))
+    return weigh("Counts of the step to the letter.", *counts)
 
 
 def count_glance(effort: Effort) -> Evidence:
@@ -182,10 +172,8 @@ def count_glance(effort: Effort) -> Evidence:
         grow_operations("merging by turns", merge_by_turns, cm_hard, bounds[0], sizes),
         grow_operations("merging by halves", merge_by_halves, cm_hard, bounds[1], sizes, STEPS),
     )
-    failure = find_first_failure(g.failure for g in growth)
-    if growth[0].exponent() < 1.7:
-        failure = failure or "merging by turns takes less than order m²"
-    return Evidence("Counts to the letter.", failure, growth=growth)
+    fast = "" if growth[0].exponent() >= 1.7 else "merging by turns takes less than order m²"
+    return weigh("Counts to the letter.", *growth, failure=fast)
 
 
 def _sub_trajectories(chains: Chains) -> list[list[Vertex]]:

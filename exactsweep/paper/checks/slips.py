@@ -3,64 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from exactsweep.corpus.generator.growing import cm_undercut, wide
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
-from exactsweep.paper.claim import Counterexample, Effort, Evidence
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, weigh
 from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, write_chain
 from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.literal import split_at_reflex
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.paper.tiny import is_any, is_convex, search_grid
+from exactsweep.paper.tiny import is_any, search_grid
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 
 
-def find_whole_trajectory(effort: Effort) -> Evidence:
-    """Look for a partial trajectory that shares more than a segment with all of T(G_t, D_b)."""
-
-    def fails(pair: SweepPair) -> str:
-        top, _, directrix = pair.chains
-        parts = split_at_reflex(directrix)
-        partial = literal.trajectory_cm(
-            top, [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
-        )
-        whole = take_bottom(look_up(pair).trajectory)
-        failure, _ = meetings(partial, whole)
-        return failure and f"T_(i-1) and T(G_t, D_b): {failure}"
-
-    return search_grid(2, 7, is_convex, is_any, fails)
+def partial_meets_whole(pair: SweepPair) -> str:
+    """The partial trajectory meets all of T(G_t, D_b) in a point or a segment."""
+    top, _, directrix = pair.chains
+    parts = split_at_reflex(directrix)
+    partial = literal.trajectory_cm(
+        top, [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
+    )
+    whole = take_bottom(look_up(pair).trajectory)
+    failure, _ = meetings(partial, whole)
+    return failure and f"T_(i-1) and T(G_t, D_b): {failure}"
 
 
-def find_open_output(effort: Effort) -> Evidence:
-    """Look for a pair of which Trajectory_CC does not return T(G, D)."""
+def output_is_closed(pair: SweepPair) -> str:
+    """Trajectory_CC returns T(G, D)."""
+    found = keep_corners(literal.trajectory_cc(pair.chains.top, pair.chains.directrix))
+    whole = look_up(pair).trajectory
+    if len(found) - 1 == len(whole):
+        return ""
+    return f"a chain of {len(found) - 1} edges comes out, and T(G, D) has {len(whole)}"
 
-    def fails(pair: SweepPair) -> str:
-        found = keep_corners(literal.trajectory_cc(pair.chains.top, pair.chains.directrix))
-        whole = look_up(pair).trajectory
-        if len(found) - 1 == len(whole):
-            return ""
-        return f"a chain of {len(found) - 1} edges comes out, and T(G, D) has {len(whole)}"
 
-    return search_grid(2, 6, is_convex, is_convex, fails)
+def inner_is_ready_before(pair: SweepPair) -> str:
+    """Before step 3 of SweepI_CM the list L is the inner boundary."""
+    if take_bottom(look_up(pair).inner) == take_bottom(pair.directrix):
+        return ""
+    return "after step 2 the list L is still D_b, and not the inner boundary"
 
 
 def count_step_3(effort: Effort) -> Evidence:
-    """Count the operations of SweepI_CM beyond the trajectory; find a pair that needs step 3."""
-
-    def needed(pair: SweepPair) -> str:
-        loops = look_up(pair)
-        if take_bottom(loops.inner) == take_bottom(pair.directrix):
-            return ""
-        return "after step 2 the list L is still D_b, and not the inner boundary"
-
-    found = search_grid(2, 8, is_convex, is_any, needed)
-    growth = grow_beyond_trajectory(effort)
-    return replace(found, failure=growth.failure, growth=(growth,))
+    """Count the operations of SweepI_CM beyond the trajectory."""
+    return weigh("", grow_beyond_trajectory(effort))
 
 
 def grow_beyond_trajectory(effort: Effort) -> Growth:
@@ -77,16 +66,12 @@ def grow_beyond_trajectory(effort: Effort) -> Growth:
     return grow("operations of step 3", "cm_undercut", "mn", sizes, count)
 
 
-def find_boundary_off_trajectory(effort: Effort) -> Evidence:
-    """Look for a pair whose partial outer boundary is no trajectory."""
-
-    def fails(pair: SweepPair) -> str:
-        loops = look_up(pair)
-        if take_bottom(loops.outer) == take_bottom(loops.trajectory):
-            return ""
-        return "S_1, an outer boundary, is not where a point of G goes"
-
-    return search_grid(2, 6, is_convex, is_convex, fails)
+def boundary_is_trajectory(pair: SweepPair) -> str:
+    """The partial outer boundary is a trajectory."""
+    loops = look_up(pair)
+    if take_bottom(loops.outer) == take_bottom(loops.trajectory):
+        return ""
+    return "S_1, an outer boundary, is not where a point of G goes"
 
 
 def find_loops_apart(effort: Effort) -> Evidence:
@@ -103,19 +88,15 @@ def find_loops_apart(effort: Effort) -> Evidence:
     return search_grid(2, 7, is_any, is_any, fails)
 
 
-def find_generatrix_not_inverted(effort: Effort) -> Evidence:
-    """Look for a pair whose T(G_b, T(G_t, D_b)) is not its outer boundary, wherever it lies."""
-
-    def fails(pair: SweepPair) -> str:
-        top, bottom, directrix = pair.chains
-        path = literal.trajectory_mm(top, directrix)
-        found = keep_corners(literal.trajectory_mm(bottom[::-1], path))
-        expected = take_bottom(look_up(pair).outer)
-        if _shape(found) == _shape(expected):
-            return ""
-        return f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, and not the outer boundary, moved"
-
-    return search_grid(2, 7, is_any, is_any, fails)
+def generatrix_sweeps_again(pair: SweepPair) -> str:
+    """T(G_b, T(G_t, D_b)) is the outer boundary, wherever it lies."""
+    top, bottom, directrix = pair.chains
+    path = literal.trajectory_mm(top, directrix)
+    found = keep_corners(literal.trajectory_mm(bottom[::-1], path))
+    expected = take_bottom(look_up(pair).outer)
+    if _shape(found) == _shape(expected):
+        return ""
+    return f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, and not the outer boundary, moved"
 
 
 def _shape(chain: Sequence[Vertex]) -> list[Vertex]:
@@ -123,26 +104,18 @@ def _shape(chain: Sequence[Vertex]) -> list[Vertex]:
     return [(p - x, q - y) for p, q in chain]
 
 
-def find_part_without_number(effort: Effort) -> Evidence:
-    """Look for a CM pair with a D_2 and no G_2."""
-
-    def fails(pair: SweepPair) -> str:
-        top, _, directrix = pair.chains
-        parts, others = len(split_at_reflex(directrix)), len(split_at_reflex(inverse(top)))
-        return f"D_b has {parts} convex parts, G_t {others}: no G_2" if parts > others else ""
-
-    return search_grid(2, 7, is_convex, is_any, fails)
+def parts_have_numbers(pair: SweepPair) -> str:
+    """There is a G_i for each D_i."""
+    top, _, directrix = pair.chains
+    parts, others = len(split_at_reflex(directrix)), len(split_at_reflex(inverse(top)))
+    return f"D_b has {parts} convex parts, G_t {others}: no G_2" if parts > others else ""
 
 
-def find_other_size(effort: Effort) -> Evidence:
-    """Look for a pair whose trajectory and outer loop together have not mn vertices."""
-
-    def fails(pair: SweepPair) -> str:
-        (n, m), loops = map(len, pair), look_up(pair)
-        size = len(loops.trajectory) + len(loops.outer)
-        return f"{size} vertices are written for m = {m} and n = {n}" if size != m * n else ""
-
-    return search_grid(2, 6, is_convex, is_any, fails)
+def output_has_mn_vertices(pair: SweepPair) -> str:
+    """Trajectory and outer loop together have mn vertices."""
+    (n, m), loops = map(len, pair), look_up(pair)
+    size = len(loops.trajectory) + len(loops.outer)
+    return f"{size} vertices are written for m = {m} and n = {n}" if size != m * n else ""
 
 
 def count_calls(effort: Effort) -> Evidence:

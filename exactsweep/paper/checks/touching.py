@@ -9,7 +9,7 @@ from exactsweep import Point, Polygon, Sweep
 from exactsweep.evidence.steps import Step
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.point import Vertex
-from exactsweep.paper.functions import look_up
+from exactsweep.paper.functions import list_edges, look_up
 from exactsweep.paper.pairs import SweepPair
 
 
@@ -20,7 +20,7 @@ def contacts_are_right(s: Sweep) -> str:
     corners = s.trajectory.vertices
     if corners != look_up(pair).trajectory:
         return "the trajectory is not that of the definition"
-    for k, (start, end) in enumerate(pairwise([*corners, corners[0]])):
+    for k, (start, end) in enumerate(list_edges(corners)):
         now = {c for t in list_moments(s, start, end) for c in list_lasting(g, d, t)}
         for t, listed, expected in (
             (start, s.vertex_contacts[k], list_touching(g, d, start)),

@@ -17,9 +17,9 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.geometry.vectors import is_on_segment
+from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Table, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
-from exactsweep.paper.functions import look_up
 from exactsweep.paper.growth import MN2, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
@@ -74,21 +74,8 @@ def run_inner(chains: Chains) -> list[tuple[object, object]]:
 def proved_case(family: PairFamily, m: int, n: int) -> str:
     """Compare one pair of a family with the definition, and prove its certificate."""
     pair = SweepPair(*family(m, n))
-    s = sweep(*pair)
-    if s.inner.vertices != look_up(pair).inner:
-        return "the inner loop is wrong"
-    verdict = verify(s.certificate())
+    verdict = verify(sweep(*pair).certificate())
     return undercuts_fill_the_inner_loop(pair) or ("" if verdict.proved else verdict.reason)
-
-
-def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
-    """The undercuts are apart, and make up the difference between the inner loop and D."""
-    s = sweep(*pair)
-    if s.inner.vertices != look_up(pair).inner:
-        return "the inner loop is not that of the definition"
-    if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
-        return "the undercuts do not make up the difference between the inner loop and D"
-    return ""
 
 
 def undercuts_are_closed(pair: SweepPair) -> str:

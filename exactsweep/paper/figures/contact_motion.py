@@ -2,36 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from exactsweep.canvas import style
-from exactsweep.canvas.style import Look
-from exactsweep.draw import ContactStretch, cut_trajectory, place_generatrix
+from exactsweep.draw import cut_trajectory
 from exactsweep.draw.features import Features
-from exactsweep.numbers.point import Point, Rational, Vertex
-from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
-from exactsweep.paper.figures.sheet import (
-    BOLD,
-    PAGE,
-    PLACED,
-    SMALL,
-    Extent,
-    Margins,
-    Sheet,
-    find_half_way,
-    find_middle,
-)
+from exactsweep.evidence.contact import Contact
+from exactsweep.numbers.point import Point
+from exactsweep.paper.figures.figure import PaperFigure, find_middle, list_loops, place, take_half
 from exactsweep.paper.figures.undercuts import find_undercut, sweep_examples
 from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-LEFT = Look(style.BLUE, 2.6, order=5)
-RIGHT = Look(style.RED, 1.6, dash=(0, (4, 1.2)), order=5.1)
-LEFT_HALF = Look("none", 0, fill=f"{style.YELLOW}40", order=0)
 
 
 class Frozen(NamedTuple):
@@ -42,111 +22,60 @@ class Frozen(NamedTuple):
     right: Point
 
 
-def _at(s: Sweep, stretch: ContactStretch, at: Point) -> Frozen:
-    """The contact at a position on a stretch, by the events that last there."""
-    spots = [p for c in stretch.contacts for p in Features(s).spot(c, at)]
+def _freeze(s: Sweep, contacts: tuple[Contact, ...], at: Point) -> Frozen:
+    spots = [p for c in contacts for p in Features(s).spot(c, at)]
     return Frozen(at, min(spots), max(spots))
 
 
-def motion() -> list[Frozen]:
-    """The ends of the contact along the lower sweep of Figure 7b, at both ends of each stretch."""
+def compute() -> PaperFigure:
+    """Compute the figure: the lower sweep of Figure 7b, stopped where G closes the undercut."""
     s = sweep_examples()[1]
-    return [
-        _at(s, stretch, at)
+    # The ends of the contact at both ends of each stretch.
+    path = [
+        _freeze(s, stretch.contacts, at)
         for stretch in cut_trajectory(s)
         if stretch.start.x < stretch.end.x
         for at in (stretch.start, stretch.end)
     ]
-
-
-def freeze() -> Frozen:
-    """Half-way along the segment of positions at which G closes the undercut of Figure 7b."""
-    s = sweep_examples()[1]
-    first, last = find_undercut(s).positions
-    at = find_half_way(first, last)
-    spots = [p for c in s.contacts_at(at) for p in Features(s).spot(c, at)]
-    return Frozen(at, min(spots), max(spots))
-
-
-def list_facts() -> Facts:
-    """List the figure's statements."""
-    found = freeze()
-    path = motion()
-    return [
-        ("p_l and p_r at the position drawn", f"{_text(found.left)}, {_text(found.right)}"),
-        ("positions compared", str(len(path))),
-        ("p_l goes from, to", f"{path[0].left.x}, {path[-1].left.x}"),
-        ("p_r goes from, to", f"{path[0].right.x}, {path[-1].right.x}"),
-    ]
-
-
-def _text(p: Point) -> str:
-    return f"({p.x}, {p.y})"
-
-
-def find_failures() -> Iterator[str]:
-    """List the statements that fail."""
-    s = sweep_examples()[1]
-    yield from loops_differ(s)
-    path = motion()
-    yield from overlaps(s, [moment.at for moment in path])
-    for name in ("left", "right"):
-        xs = [getattr(moment, name).x for moment in path]
-        yield differ(f"the {name} end moves to the right only", xs, sorted(xs))
-
-
-def draw() -> Figure:
-    """The picture."""
-    s, found = sweep_examples()[1], freeze()
-    ring = place_generatrix(s, found.at).vertices
-    path = motion()
-    first, travelled = path[0].at.x, path[-1].at.x - path[0].at.x
-    width = s.directrix.bounding_box[1].x
-    low, high = min(y for _, y in ring) - 1, max(y for _, y in s.directrix.vertices)
-    left = min(x for x, _ in ring) - 2
-    boxes = [
-        Extent.around(s.directrix.vertices, ring, [(left, low), (left, high)], title="(a)"),
-        Extent((0, 0), (travelled + 1, width + 1), "(b)", Margins(18, 20, 2, 2)),
-    ]
-    with Sheet([boxes], PAGE) as sheet:
-        picture, chart = sheet.panels
-        picture.area(_left_half(found, ring, (left, low), high), LEFT_HALF)
-        picture.area(s.directrix.vertices, style.DIRECTRIX)
-        picture.area(ring, PLACED)
-        picture.line(_border(found, ring, low, high), BOLD)
-        picture.dots([found.left, found.right])
-        picture.label(found.left, "$p_l$", 9, -8)
-        picture.label(found.right, "$p_r$", 3, -9)
-        picture.label(min(ring), "$v_l$", -9)
-        picture.label((6, 6), "$D$")
-        bottom = split(s.directrix.vertices)[0]
-        picture.label(find_middle(*bottom[:2]), "$D_b^l$", -9, -7)
-        picture.label(find_middle(*bottom[-2:]), "$D_b^r$", 13, -5)
-        picture.label(find_middle(min(ring), max(ring)), "$G$", 0, -8)
-        chart.arrow((0, 0), (travelled + 1, 0))
-        chart.arrow((0, 0), (0, width + 1))
-        chart.line([(m.at.x - first, m.left.x) for m in path], LEFT)
-        chart.line([(m.at.x - first, m.right.x) for m in path], RIGHT)
-        for x in sorted({p.x for m in path for p in (m.left, m.right)}):
-            chart.label((0, x), str(x), -4, ha="right", size=SMALL)
-        chart.label((travelled / 2, 0), "distance that $G$ has travelled", 0, -8)
-        chart.label((0, width), "$x$ on $D_b$", 6, 6, ha="left")
-        start, end = (p.x - first for p in find_undercut(s).positions)
-        chart.label(((start + end) / 2, found.left.x), "$p_l$", 0, -8)
-        chart.label(((start + end) / 2, found.right.x), "$p_r$", 0, 8)
-    return sheet.figure
-
-
-def _border(found: Frozen, ring: Sequence[Vertex], low: Rational, high: Rational) -> list[Vertex]:
-    """The ray up from p_l, the chain of G_t from there to v_l, and the ray down from v_l."""
-    top = split(ring)[1]
-    passed = [p for p in top if p[0] < found.left.x]
-    return [(found.left.x, high), found.left, *passed, (passed[-1][0], low)]
-
-
-def _left_half(
-    found: Frozen, ring: Sequence[Vertex], corner: Vertex, high: Rational
-) -> list[Vertex]:
-    """The part of the picture that is left of the border."""
-    left, low = corner
-    return [(left, low), (left, high), *_border(found, ring, low, high)]
+    one, other = find_undercut(s).positions
+    at = find_middle(one, other)
+    found = _freeze(s, tuple(s.contacts_at(at)), at)
+    lefts, rights = [moment.left.x for moment in path], [moment.right.x for moment in path]
+    ticks = sorted({*lefts, *rights})
+    (ring,), first = place(s, [at]), path[0].at.x
+    travelled, wide = path[-1].at.x - first, s.directrix.bounding_box[1].x
+    low, high = min(y for _, y in ring) - 1, s.directrix.bounding_box[1].y
+    edge = min(x for x, _ in ring) - 2
+    # The ray up from p_l, the chain of G_t from there to v_l, and the ray down from v_l.
+    passed = [p for p in split(ring)[1] if p[0] < found.left.x]
+    border = [(found.left.x, high), found.left, *passed, (passed[-1][0], low)]
+    middle = (one.x + other.x) / 2 - first
+    return PaperFigure(
+        facts=[
+            (
+                "p_l and p_r at the position drawn",
+                ", ".join(f"({p.x}, {p.y})" for p in (found.left, found.right)),
+            ),
+            ("positions compared", len(path)),
+            ("p_l goes from, to", f"{lefts[0]}, {lefts[-1]}"),
+            ("p_r goes from, to", f"{rights[0]}, {rights[-1]}"),
+        ],
+        laws=[
+            ("the left end moves to the right only", lefts, sorted(lefts)),
+            ("the right end moves to the right only", rights, sorted(rights)),
+        ],
+        shapes=list_loops(s)
+        | {"placed": ring, "first": min(ring), "name": find_middle(min(ring), max(ring))}
+        | {"bottom": take_half(s).directrix, "border": border, "frame": [(edge, low), (edge, high)]}
+        | {"half": [(edge, low), (edge, high), *border], "left": found.left, "right": found.right}
+        | {"axes": [[(0, 0), (travelled + 1, 0)], [(0, 0), (0, wide + 1)]]}
+        | {"chart": [(0, 0), (travelled + 1, wide + 1)], "high": (0, wide)}
+        | {
+            f"b_{name}": [(m.at.x - first, x) for m, x in zip(path, xs, strict=True)]
+            for name, xs in (("lefts", lefts), ("rights", rights))
+        }
+        | {"ticks": [(0, x) for x in ticks], "along": (travelled / 2, 0)}
+        | {"stop_left": (middle, found.left.x), "stop_right": (middle, found.right.x)},
+        words={"ticks": [str(x) for x in ticks]},
+        sweeps=[(s, [moment.at for moment in path])],
+    )

@@ -1,50 +1,66 @@
-"""A figure of the paper: its drawing, its statements, and the checks of these."""
+"""A figure of the paper as a value: its statements, its laws, and the shapes that it shows.
+
+Each module of a figure has a function `compute`, which returns a PaperFigure. `drawings.toml` says
+how the shapes are drawn and where labels stand; `drawing` draws every figure by it.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from importlib import import_module
-from typing import TYPE_CHECKING, Protocol, cast
+from typing import Any, NamedTuple, cast
 
 from exactsweep.check import classify, reference_loops
-from exactsweep.numbers.point import Vertex
+from exactsweep.draw import place_generatrix
+from exactsweep.numbers.point import Loop, Point, Vertex
 from exactsweep.paper.claim import Evidence, Table, find_first_failure
+from exactsweep.procedures.chain import split
+from exactsweep.procedures.monotone import LowerSweep
 from exactsweep.sweep import Sweep
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
-Facts = Sequence[tuple[str, str]]
+class PaperFigure(NamedTuple):
+    """A figure of the paper, computed.
 
+    Attributes:
+        facts: the figure's statements, pairs of a name and a value.
+        laws: triples of a name, a value, and the value that the definition or another way gives.
+        shapes: points, chains and lists of chains by name; "a_name" belongs to panel a alone.
+        words: computed words of titles and labels, likewise.
+        sweeps: the sweeps drawn, each with the positions in which G is drawn.
+    """
 
-class PaperFigure(Protocol):
-    """The interface of the module of a figure."""
-
-    def list_facts(self) -> Facts:
-        """List the figure's statements: pairs of a name and a computed value."""
+    facts: Sequence[tuple[str, object]]
+    laws: Sequence[tuple[str, object, object]]
+    shapes: Mapping[str, Sequence[Any]]
+    words: Mapping[str, Sequence[str]] = {}
+    sweeps: Sequence[tuple[Sweep, Iterable[Vertex]]] = ()
 
     def find_failures(self) -> Iterator[str]:
-        """Texts, empty where a fact is borne out by the definition or by another way."""
-
-    def draw(self) -> Figure:
-        """Make the Figure of matplotlib."""
+        """Describe the laws that fail, loops that are wrong, and positions without contact."""
+        for s, positions in self.sweeps:
+            yield from _compare_loops(s)
+            yield from _compare_positions(s, positions)
+        for name, found, expected in self.laws:
+            if found != expected:
+                yield f"{name}: {found}, not {expected}"
 
 
 def load(name: str) -> PaperFigure:
-    """The module of a figure by its name."""
-    return cast(PaperFigure, import_module(f"exactsweep.paper.figures.{name}"))
+    """Compute the figure of a module of this folder."""
+    return cast(PaperFigure, import_module(f"exactsweep.paper.figures.{name}").compute())
 
 
 def check_figure(name: str, against: str) -> Evidence:
     """Compare a figure's statement with another way to derive it, which a sentence describes."""
     figure = load(name)
-    rows = [list(fact) for fact in figure.list_facts()]
+    rows = [[what, str(value)] for what, value in figure.facts]
     table = Table("What the figure states", ("what", "value"), rows)
     return Evidence(against, find_first_failure(figure.find_failures()), tables=(table,))
 
 
-def loops_differ(s: Sweep) -> Iterator[str]:
-    """Say which loops of a sweep are not those of the definition."""
+def _compare_loops(s: Sweep) -> Iterator[str]:
     expected = reference_loops(s.generatrix, s.directrix)
     x, y = s.reference
     loops = {
@@ -53,21 +69,62 @@ def loops_differ(s: Sweep) -> Iterator[str]:
         "outer loop": (s.outer, expected.outer),
     }
     for name, (found, right) in loops.items():
-        yield "" if found.vertices == right else f"the {name} is not that of the definition"
+        if found.vertices != right:
+            yield f"the {name} is not that of the definition"
 
 
-def overlaps(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
-    """Say at which drawn positions of the reference point G does not touch D without overlap."""
+def _compare_positions(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
     for x, y in positions:
         t = x - s.reference.x, y - s.reference.y
         found = classify(s.directrix, s.generatrix, t).verdict
-        yield "" if found == "CONTACT" else f"at ({x}, {y}) G is {found}"
+        if found != "CONTACT":
+            yield f"at ({x}, {y}) G is {found}"
 
 
-def differ(name: str, found: object, expected: object) -> str:
-    """Describe the difference of a fact from its expected value; empty if there is none.
+def take_half(s: Sweep) -> LowerSweep:
+    """The lower half of a sweep."""
+    bottom, top = split(s.generatrix.vertices)
+    return LowerSweep(s.kind, top, bottom, split(s.directrix.vertices)[0])
 
-    >>> differ("edges", 15, 16)
-    'edges: 15, not 16'
+
+def list_loops(s: Sweep, panel: str = "") -> dict[str, Sequence[Any]]:
+    """The shapes of a sweep by name: D, the three loops, the undercuts."""
+    return {
+        f"{panel}directrix": s.directrix.vertices,
+        f"{panel}trajectory": s.trajectory.vertices,
+        f"{panel}inner": s.inner.vertices,
+        f"{panel}outer": s.outer.vertices,
+        f"{panel}undercuts": [u.polygon.vertices for u in s.undercuts],
+    }
+
+
+def place(s: Sweep, positions: Iterable[Point]) -> list[Loop]:
+    """G with its reference point at each of some positions."""
+    return [place_generatrix(s, position).vertices for position in positions]
+
+
+def write_list(values: Iterable[object]) -> str:
+    """Values on one line.
+
+    >>> write_list([1, 2])
+    '1, 2'
     """
-    return "" if found == expected else f"{name}: {found}, not {expected}"
+    return ", ".join(map(str, values))
+
+
+def find_middle(p: Vertex, q: Vertex, *, share: Fraction = Fraction(1, 2)) -> Point:
+    """A point of the segment p q, the middle unless another share is named.
+
+    >>> find_middle((0, 0), (2, 4)) == (1, 2)
+    True
+    """
+    return Point(p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]))
+
+
+def shift(points: Iterable[Vertex], by: Vertex) -> list[Vertex]:
+    """Points moved by a vector.
+
+    >>> shift([(0, 0)], (1, 2))
+    [(1, 2)]
+    """
+    return [(x + by[0], y + by[1]) for x, y in points]

@@ -3,42 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import Any
 
-from exactsweep.canvas import style
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
-from exactsweep.draw import place_generatrix
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Edge
-from exactsweep.paper.figures.figure import Facts, differ, loops_differ
-from exactsweep.paper.figures.sheet import (
-    OUTER,
-    PAGE,
-    PLACED,
-    SMALL,
-    SMALL_DOT,
-    THIN,
-    BarePicture,
-    Extent,
-    Margins,
-    Sheet,
-    find_middle,
-)
+from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.paper.figures.figure import PaperFigure, find_middle, list_loops, place, take_half
 from exactsweep.paper.functions import take_bottom
-from exactsweep.procedures.chain import split
-from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.sweep import Sweep, sweep
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 # Two peaks above a round tip of four edges between steep flanks, in units of 1/4 and 1/20.
 PEAKS = [(80, 0), (60, 80), (40, 0), (20, 80), (0, 0)]
 TIP = [(25, -120), (33, -135), (40, -142), (47, -135), (55, -120)]
 SIZES = ((2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8))
+COLUMNS = (3, 10, 16)
 
 
 def sweep_example(teeth: int) -> Sweep:
@@ -49,104 +28,64 @@ def sweep_example(teeth: int) -> Sweep:
     return sweep(g, d)
 
 
-def count_sizes(s: Sweep) -> tuple[int, int, int]:
+def _count_sizes(s: Sweep) -> tuple[int, int, int]:
     """m_b, n_t and n_b, counted."""
-    g_bottom, g_top = split(s.generatrix.vertices)
-    return len(split(s.directrix.vertices)[0]) - 1, len(g_top) - 1, len(g_bottom) - 1
+    half = take_half(s)
+    return len(half.directrix) - 1, len(half.top) - 1, len(half.bottom) - 1
 
 
-def list_outer_edges(s: Sweep) -> list[Edge]:
-    """The edges of the outer boundary of the lower sweep."""
-    return list(pairwise(take_bottom(s.outer.vertices)))
-
-
-def measure() -> tuple[tuple[tuple[int, int, int], int], ...]:
-    """Sizes in the family of `bumps`, and the edges of its outer boundary."""
-    return tuple((size, len(list_outer_edges(sweep(*bumps(*size))))) for size in SIZES)
-
-
-def list_facts() -> Facts:
-    """List the figure's statements."""
-    rows = [
-        (f"({letter}) (m_b, n_t, n_b): edges", f"{count_sizes(s)}: {len(list_outer_edges(s))}")
-        for letter, s in (("a", sweep_example(1)), ("b", sweep_example(2)))
-    ]
-    return [
-        *rows,
-        *(
-            (f"family, {size}: edges, formula of the paper", f"{edges}, {printed_count(*size)}")
-            for size, edges in measure()
-        ),
-    ]
-
-
-def find_failures() -> Iterator[str]:
-    """List the statements that fail."""
-    for s in (sweep_example(1), sweep_example(2)):
-        yield from loops_differ(s)
-        yield differ(
-            f"edges for {count_sizes(s)}", len(list_outer_edges(s)), edges_of_bumps(*count_sizes(s))
-        )
-    yield differ("sizes", count_sizes(sweep_example(1)), (2, 4, 6))
-    yield differ("edges", len(list_outer_edges(sweep_example(1))), printed_count(2, 4, 6))
-    for size, edges in measure():
-        g, d = (Polygon(ring) for ring in bumps(*size))
-        (bottom, top), (directrix, _) = split(g.vertices), split(d.vertices)
-        lower = LowerSweep("MM", top, bottom, directrix)
-        yield differ(f"edges for {size}", edges, len(lower.outer) - 1)
-        yield differ(f"edges for {size}", edges, edges_of_bumps(*size))
-
-
-def draw() -> Figure:
-    """The picture."""
-    first, second = sweep_example(1), sweep_example(2)
-    boxes = [[_box(first, "a"), Extent((0, 0), (18, 18), "(c)")], [_box(second, "b")]]
-    with Sheet(boxes, PAGE) as sheet:
-        a, table, b = sheet.panels
-        for panel, s in ((a, first), (b, second)):
-            _draw_pair(panel, s)
-        _number(a, list_outer_edges(first))
-        _draw_table(table)
-    return sheet.figure
-
-
-def _box(s: Sweep, letter: str) -> Extent:
-    lower, title = take_bottom(s.outer.vertices), f"({letter}) {len(list_outer_edges(s))} edges"
-    return Extent.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 18, 4, 2))
-
-
-def _draw_pair(panel: BarePicture, s: Sweep) -> None:
-    """D, G where a peak of it is under a tooth, and the edges of the outer boundary."""
-    place = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
-    panel.area(s.directrix.vertices, style.DIRECTRIX)
-    panel.area(place_generatrix(s, place).vertices, PLACED)
-    panel.lines(list_outer_edges(s), replace(OUTER, order=5))
-    panel.dots(take_bottom(s.outer.vertices), SMALL_DOT)
-    panel.label((10, -2), "$D$")
-    panel.label((place.x + 10, place.y), "$G$", 0, -12)
-
-
-def _number(panel: BarePicture, edges: Sequence[Edge]) -> None:
-    """Number edges below them, but above them where the chain turns right."""
-    vectors = [(q[0] - p[0], q[1] - p[1]) for p, q in edges]
+def _place_numbers(edges: Sequence[Edge]) -> Iterator[Vertex]:
+    """The offset of each edge's number: below, but above where the chain turns right."""
+    vectors = [(Fraction(q[0] - p[0]), Fraction(q[1] - p[1])) for p, q in edges]
     right = [dx * ny < dy * nx for (dx, dy), (nx, ny) in pairwise(vectors)]
-    for k, (edge, (dx, dy)) in enumerate(zip(edges, vectors, strict=True)):
+    for k, (dx, dy) in enumerate(vectors):
         if any(right[max(k - 1, 0) : k + 1]):
-            panel.label(find_middle(*edge), str(k + 1), -5 if dy > 0 else 5, 8, size=SMALL)
+            yield (-5 if dy > 0 else 5), 8
         else:
-            shift = 7 * float(dy) / (float(dx) + abs(float(dy)))
             # Numbers of two digits on neighbouring short edges stand on two levels.
-            low = -14 if k >= 9 and k % 2 and dx < 3 else -7
-            panel.label(find_middle(*edge), str(k + 1), shift, low, size=SMALL)
+            yield 7 * dy / (dx + abs(dy)), -14 if k >= 9 and k % 2 and dx < 3 else -7
 
 
-def _draw_table(panel: BarePicture) -> None:
-    """The counts of the family."""
-    columns = [(3, "$(m_b, n_t, n_b)$"), (10, "formula"), (16, "edges")]
-    for x, head in columns:
-        panel.label((x, 16), head, size=SMALL)
-    panel.line([(-1, Fraction(29, 2)), (19, Fraction(29, 2))], THIN)
-    for row, (size, edges) in enumerate(measure(), 1):
-        cells = str(size), str(printed_count(*size)), str(edges)
-        for (x, _), cell in zip(columns, cells, strict=True):
-            panel.label((x, 16 - Fraction(5, 2) * row), cell, 0, -3, size=SMALL)
+def compute() -> PaperFigure:
+    """Compute the figure."""
+    facts: list[tuple[str, object]] = []
+    laws: list[tuple[str, object, object]] = []
+    shapes: dict[str, Sequence[Any]] = {}
+    words: dict[str, Sequence[str]] = {}
+    pairs = {"a": sweep_example(1), "b": sweep_example(2)}
+    for letter, s in pairs.items():
+        size, lower = _count_sizes(s), take_bottom(s.outer.vertices)
+        edges = list(pairwise(lower))
+        facts.append((f"({letter}) (m_b, n_t, n_b): edges", f"{size}: {len(edges)}"))
+        laws.append((f"edges for {size}", len(edges), edges_of_bumps(*size)))
+        # G is drawn where a peak of it is under a tooth.
+        at = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
+        shapes |= list_loops(s, f"{letter}_") | {
+            f"{letter}_placed": place(s, [at]),
+            f"{letter}_name": (at.x + 10, at.y),
+            f"{letter}_edges": edges,
+            f"{letter}_lower": lower,
+            f"{letter}_middles": [find_middle(*edge) for edge in edges],
+            f"{letter}_offsets": list(_place_numbers(edges)),
+        }
+        words[f"{letter}_title"] = [f"({letter}) {len(edges)} edges"]
+        words[f"{letter}_numbers"] = [str(k + 1) for k in range(len(edges))]
+    laws += [
+        ("sizes", _count_sizes(pairs["a"]), (2, 4, 6)),
+        ("edges", len(shapes["a_edges"]), printed_count(2, 4, 6)),
+    ]
+    cells: list[str] = []
+    for size in SIZES:
+        s = sweep(*bumps(*size))
+        found = len(take_bottom(s.outer.vertices)) - 1
+        facts.append(
+            (f"family, {size}: edges, formula of the paper", f"{found}, {printed_count(*size)}")
+        )
+        laws.append((f"edges for {size}", found, len(take_half(s).outer) - 1))
+        laws.append((f"edges for {size}", found, edges_of_bumps(*size)))
+        cells += [str(size), str(printed_count(*size)), str(found)]
+    rows = range(1, len(SIZES) + 1)
+    shapes["cells"] = [(x, 16 - Fraction(5, 2) * row) for row in rows for x in COLUMNS]
+    return PaperFigure(
+        facts, laws, shapes, words | {"cells": cells}, [(s, []) for s in pairs.values()]
+    )

@@ -4,27 +4,22 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from importlib.resources import files
 from itertools import combinations
 from pkgutil import resolve_name
 from types import CodeType, FrameType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from exactsweep.canvas import style
-from exactsweep.canvas.style import Look
 from exactsweep.corpus.generator import growing
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper import literal
-from exactsweep.paper.figures.figure import Facts, differ
+from exactsweep.paper.figures.figure import PaperFigure
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
-from exactsweep.paper.figures.sheet import PAGE, Extent, Sheet
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures import cc, cm, mm
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 _DATA = json.loads(
     files("exactsweep.paper.figures").joinpath("procedures.json").read_text(encoding="utf-8")
@@ -37,53 +32,25 @@ KERNEL: dict[str, tuple[Callable[..., Any], Vertex]] = {
     name: (resolve_name(code), (x, y)) for name, (code, x, y) in _DATA["kernel"].items()
 }
 """Functions of the kernel by their names, and the middles of their boxes."""
+LITERAL: dict[str, str] = _DATA["literal"]
+"""Functions of `literal` by the names of procedures."""
 MADE: list[tuple[str, str]] = [(one, other) for one, other in _DATA["made"]]
 """The calls among these."""
-PROCEDURE = Look(style.BLUE, 1.0, fill="#56b4e940", order=4)
 HIGH = 16
 ROOM = 6
 """The height of a box, and the least distance of two, in points."""
 
 
-def list_facts() -> Facts:
-    """List the figure's statements."""
-    return [
-        ("(a) procedures, calls", f"{len(PLACES)}, {len(PRINTED)}"),
-        ("(b) functions, calls", f"{len(KERNEL)}, {len(MADE)}"),
-    ]
-
-
-def find_failures() -> Iterator[str]:
-    """List the statements that fail."""
-    called = {name for call in PRINTED for name in call}
-    expected = set(PRINTED) - {("SweepI_CM", "Trajectory_CM")}
-    yield differ("calls to the letter", watch_literal(), expected)
-    yield differ("procedures that neither call nor are called", set(PLACES) - called, {"SweepI_CC"})
-    yield differ("calls of the kernel", watch_kernel(), set(MADE))
-    for title, places, calls in _graphs():
-        yield from _drawn_wrong(title, places, calls)
-
-
-def _graphs() -> tuple[tuple[str, Mapping[str, Vertex], Sequence[tuple[str, str]]], ...]:
-    """Title, middles of boxes, and calls, of both parts."""
-    ours = {name: place for name, (_, place) in KERNEL.items()}
-    return ("(a) as printed", PLACES, PRINTED), ("(b) in the kernel", ours, MADE)
-
-
-def _drawn_wrong(
-    title: str, places: Mapping[str, Vertex], calls: Sequence[tuple[str, str]]
-) -> Iterator[str]:
-    """Say which boxes are nearer than an arrow needs, and which arrows do not run as the call."""
+def _find_narrow(places: Mapping[str, Vertex]) -> list[str]:
+    """Find boxes that are nearer to each other than an arrow needs."""
     rims = {name: _rim(name, place) for name, place in places.items()}
+    found = []
     for one, other in combinations(rims, 2):
         (left, low), (right, high) = rims[one][0], rims[one][2]
         (start, bottom), (end, top) = rims[other][0], rims[other][2]
-        gap = max(start - right, left - end, bottom - high, low - top)
-        yield "" if gap >= ROOM else f"{title}: {one} and {other} are {gap} points apart"
-    for one, other in calls:
-        (x, y), (tail_x, tail_y), (head_x, head_y) = places[one], *_draw_call(places, one, other)
-        tail, head = ((a - x) ** 2 + (b - y) ** 2 for a, b in ((tail_x, tail_y), (head_x, head_y)))
-        yield "" if tail < head else f"{title}: the arrow from {one} to {other} runs backwards"
+        if max(start - right, left - end, bottom - high, low - top) < ROOM:
+            found.append(f"{one} and {other}")
+    return found
 
 
 def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vertex, Vertex]:
@@ -92,15 +59,15 @@ def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vert
     return _leave(start, _rim(one, start), end), _leave(end, _rim(other, end), start)
 
 
-def watch_calls(words: Mapping[CodeType, str], run: Callable[[], object]) -> set[tuple[str, str]]:
-    """Record which of some functions runs inside which, others between them left out."""
+def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> set[tuple[str, str]]:
+    """Record which of some functions runs directly inside which other, ignoring all the rest."""
     inside: list[str] = []
     found: set[tuple[str, str]] = set()
 
     def watch(frame: FrameType, event: str, argument: object) -> None:
         name = words.get(frame.f_code)
         if name and event == "call":
-            found.update((outer, name) for outer in inside[-1:])
+            found.update((outer, name) for outer in inside[-1:] if outer != name)
             inside.append(name)
         elif name and event == "return":
             inside.pop()
@@ -108,7 +75,8 @@ def watch_calls(words: Mapping[CodeType, str], run: Callable[[], object]) -> set
     before = sys.getprofile()
     sys.setprofile(watch)
     try:
-        run()
+        for run in runs:
+            run()
     finally:
         sys.setprofile(before)
     return found
@@ -116,57 +84,54 @@ def watch_calls(words: Mapping[CodeType, str], run: Callable[[], object]) -> set
 
 def watch_literal() -> set[tuple[str, str]]:
     """The calls that the procedures to the letter make, for a pair of which all are needed."""
-    words = {
-        literal.trajectory_cc.__code__: "Trajectory_CC",
-        literal.sweep_outer_cc.__code__: "SweepO_CC",
-        literal.trajectory_cm.__code__: "Trajectory_CM",
-        literal.sweep_outer_cm.__code__: "SweepO_CM",
-        literal.lower_envelope_cm.__code__: "LowerEnvelope_CM",
-        literal.trajectory_mm.__code__: "Trajectory_MM",
-        literal.lower_envelope_mm.__code__: "LowerEnvelope_MM",
-        literal.sweep_mm.__code__: "Sweep_MM",
-    }
+    words = {getattr(literal, code).__code__: name for name, code in LITERAL.items()}
     chains = SweepPair(GENERATRIX, DIRECTRIX).chains
-
-    def run() -> None:
-        literal.sweep_mm(*chains)
-        literal.sweep_outer_cm(*chains)
-
-    return {(one, other) for one, other in watch_calls(words, run) if one != other}
+    runs = partial(literal.sweep_mm, *chains), partial(literal.sweep_outer_cm, *chains)
+    return watch_calls(words, *runs)
 
 
 def watch_kernel() -> set[tuple[str, str]]:
     """The calls that the kernel makes, for a pair of each class."""
     words = {function.__code__: name for name, (function, _) in KERNEL.items()}
-    convex, toothed = (
-        SweepPair(*growing.cc(8, 8)).chains,
-        SweepPair(*growing.cm_undercut(16, 8)).chains,
+    convex = SweepPair(*growing.cc(8, 8)).chains
+    toothed = SweepPair(*growing.cm_undercut(16, 8)).chains
+    return watch_calls(
+        words,
+        partial(mm.sweep_mm, *SweepPair(GENERATRIX, DIRECTRIX).chains),
+        partial(cm.sweep_inner_cm, toothed.top, toothed.directrix),
+        partial(cm.sweep_outer_cm, *toothed),
+        partial(cc.sweep_inner_cc, convex.top, convex.directrix),
+        partial(cc.sweep_outer_cc, *convex),
     )
 
-    def run() -> None:
-        mm.sweep_mm(*SweepPair(GENERATRIX, DIRECTRIX).chains)
-        cm.sweep_inner_cm(toothed.top, toothed.directrix)
-        cm.sweep_outer_cm(*toothed)
-        cc.sweep_inner_cc(convex.top, convex.directrix)
-        cc.sweep_outer_cc(*convex)
 
-    return {(one, other) for one, other in watch_calls(words, run) if one != other}
-
-
-def draw() -> Figure:
-    """The picture."""
-    boxes = [
-        [Extent.around(*(_rim(*box) for box in places.items()), title=title)]
-        for title, places, _ in _graphs()
+def compute() -> PaperFigure:
+    """Compute the figure."""
+    called = {name for call in PRINTED for name in call}
+    to_the_letter = set(PRINTED) - {("SweepI_CM", "Trajectory_CM")}
+    ours = {name: place for name, (_, place) in KERNEL.items()}
+    shapes: dict[str, Sequence[Any]] = {}
+    laws: list[tuple[str, object, object]] = [
+        ("calls to the letter", watch_literal(), to_the_letter),
+        ("procedures that neither call nor are called", set(PLACES) - called, {"SweepI_CC"}),
+        ("calls of the kernel", watch_kernel(), set(MADE)),
     ]
-    with Sheet(boxes, PAGE) as sheet:
-        for panel, (_, places, calls) in zip(sheet.panels, _graphs(), strict=True):
-            for call in calls:
-                panel.arrow(*_draw_call(places, *call))
-            for name, place in places.items():
-                panel.area(_rim(name, place), PROCEDURE)
-                panel.label(place, name, size=8)
-    return sheet.figure
+    for letter, places, calls in (("a", PLACES, PRINTED), ("b", ours, MADE)):
+        laws.append((f"({letter}) boxes too near", _find_narrow(places), []))
+        shapes |= {
+            f"{letter}_calls": [_draw_call(places, *call) for call in calls],
+            f"{letter}_boxes": [_rim(*box) for box in places.items()],
+            f"{letter}_middles": list(places.values()),
+        }
+    return PaperFigure(
+        facts=[
+            ("(a) procedures, calls", f"{len(PLACES)}, {len(PRINTED)}"),
+            ("(b) functions, calls", f"{len(KERNEL)}, {len(MADE)}"),
+        ],
+        laws=laws,
+        shapes=shapes,
+        words={"a_names": list(PLACES), "b_names": list(KERNEL)},
+    )
 
 
 def _rim(name: str, place: Vertex) -> list[Vertex]:

@@ -2,36 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
-from exactsweep.canvas import style
-from exactsweep.draw import place_generatrix
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Point, Rational, Vertex
-from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
-from exactsweep.paper.figures.sheet import (
-    BOLD,
-    GHOST,
-    PLACED,
-    SMALL,
-    SMALL_DOT,
-    TRAJECTORY,
-    WIDE,
-    BarePicture,
-    Extent,
-    Sheet,
+from exactsweep.paper.figures.figure import (
+    PaperFigure,
     find_middle,
+    list_loops,
+    place,
     shift,
+    take_half,
 )
 from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import inverse, split
+from exactsweep.procedures.chain import inverse
 from exactsweep.sweep import Sweep, sweep
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 GENERATRIX = [(0, 0), (2, -1), (5, -2), (6, 1), (3, 3), (2, 3)]
 DIRECTRIX = [(0, 5), (2, 1), (4, -1), (8, -2), (10, -1), (7, 6)]
@@ -59,12 +47,11 @@ def sweep_example() -> Sweep:
 
 def list_edges() -> dict[Owner, list[Move]]:
     """The edges of D_b, of reversed G_t and of G_b, each from left to right."""
-    s = sweep_example()
-    g_bottom, g_top = split(s.generatrix.vertices)
+    half = take_half(sweep_example())
     chains: dict[Owner, list[Vertex]] = {
-        "D_b": split(s.directrix.vertices)[0],
-        "G_t": inverse(g_top),
-        "G_b": g_bottom,
+        "D_b": half.directrix,
+        "G_t": inverse(half.top),
+        "G_b": half.bottom,
     }
     return {
         owner: [Move(owner, (q[0] - p[0], q[1] - p[1])) for p, q in pairwise(chain)]
@@ -78,101 +65,64 @@ def sort_by_slope(*owners: Owner) -> list[Move]:
     return sorted((move for owner in owners for move in found[owner]), key=lambda m: m.slope)
 
 
-def lay(start: Vertex, moves: Sequence[Move]) -> list[Vertex]:
+def lay(start: Vertex, moves: Sequence[Move]) -> list[Point]:
     """Edges laid end to end."""
-    path = [start]
+    path = [Point(Fraction(start[0]), Fraction(start[1]))]
     for move in moves:
-        path += shift([move.by], path[-1])
+        path.append(Point(path[-1].x + move.by[0], path[-1].y + move.by[1]))
     return path
 
 
-def find_stations() -> list[Vertex]:
+def find_stations() -> list[Point]:
     """The path of the right end of G, from the left end of D_b on, by Lemma 3.1."""
-    return lay(split(sweep_example().directrix.vertices)[0][0], sort_by_slope("D_b", "G_t"))
+    return lay(take_half(sweep_example()).directrix[0], sort_by_slope("D_b", "G_t"))
 
 
-def _find_upcoming(step: int) -> tuple[Move, Move]:
-    """The next edges of D_b and of reversed G_t before a move."""
-    done = sort_by_slope("D_b", "G_t")[:step]
-    waiting = [
-        [m for m in moves if m not in done] for o, moves in list_edges().items() if o != "G_b"
-    ]
-    return waiting[0][0], waiting[1][0]
-
-
-def write_slope(value: Rational) -> str:
+def write_slope(move: Move) -> str:
     """A slope, with a true minus sign."""
-    return format_fraction(Fraction(value)).replace("-", "\N{MINUS SIGN}")
+    return format_fraction(Fraction(move.slope)).replace("-", "\N{MINUS SIGN}")
 
 
-def list_facts() -> Facts:
-    """List the figure's statements."""
-    rows = []
-    for step in range(STEPS):
-        ours, theirs = _find_upcoming(step)
-        taken = sort_by_slope("D_b", "G_t")[step]
-        rows.append(
+def compute() -> PaperFigure:
+    """Compute the figure."""
+    s, path, order = sweep_example(), find_stations(), sort_by_slope("D_b", "G_t")
+    half = take_half(s)
+    facts: list[tuple[str, object]] = []
+    laws: list[tuple[str, object, object]] = [
+        ("trajectory", shift(trajectory_cc(half.top, half.directrix), s.reference), path)
+    ]
+    shapes: dict[str, Sequence[Any]] = list_loops(s)
+    words: dict[str, Sequence[str]] = {}
+    for step, letter in enumerate("abcd"):
+        taken, done = order[step], order[:step]
+        # The next edges of D_b and of reversed G_t, from the vertex of D_b that G's vertex is at.
+        ours, theirs = (
+            next(move for move in list_edges()[owner] if move not in done)
+            for owner in ("D_b", "G_t")
+        )
+        x, y = lay(half.directrix[0], [move for move in done if move.owner == "D_b"])[-1]
+        on_d = [(x, y), (x + ours.by[0], y + ours.by[1])]
+        on_g = [(x, y), (x - theirs.by[0], y - theirs.by[1])]
+        placed, moved = place(s, path[step : step + 2])
+        facts.append(
             (
-                f"({'abcd'[step]}) slopes ahead on D_b and on G_t",
+                f"({letter}) slopes ahead on D_b and on G_t",
                 f"{ours.slope}, {theirs.slope}: {taken.owner} is next",
             )
         )
-    return [*rows, ("edges of the trajectory", str(len(find_stations()) - 1))]
-
-
-def find_failures() -> Iterator[str]:
-    """List the statements that fail."""
-    s = sweep_example()
-    yield from loops_differ(s)
-    yield from overlaps(s, [Point(Fraction(x), Fraction(y)) for x, y in find_stations()])
-    half = [split(p.vertices) for p in (s.generatrix, s.directrix)]
-    yield differ(
-        "trajectory", shift(trajectory_cc(half[0][1], half[1][0]), s.reference), find_stations()
-    )
-    for step in range(STEPS):
-        first = min(_find_upcoming(step), key=lambda move: move.slope)
-        yield differ(f"edge taken in step {step}", sort_by_slope("D_b", "G_t")[step], first)
-        contacts = [c.event for c in s.contacts_at(find_stations()[step])]
-        yield differ(f"contacts before step {step}", contacts, ["VV"])
-
-
-def draw() -> Figure:
-    """The picture."""
-    s = sweep_example()
-    path = [Point(Fraction(x), Fraction(y)) for x, y in find_stations()]
-    placed = [place_generatrix(s, place).vertices for place in path[: STEPS + 1]]
-    across = [(x, 0) for ring in placed for x, _ in ring]
-    boxes = [
-        Extent.around(s.directrix.vertices, across, *placed[k : k + 2], title=f"({'abcd'[k]})")
-        for k in range(STEPS)
-    ]
-    with Sheet([boxes[:2], boxes[2:]], WIDE) as sheet:
-        for step, panel in enumerate(sheet.panels):
-            panel.area(s.directrix.vertices, style.DIRECTRIX)
-            panel.area(placed[step + 1], GHOST)
-            panel.area(placed[step], PLACED)
-            panel.line(path[: step + 1], TRAJECTORY)
-            panel.dots([path[step]], SMALL_DOT)
-            panel.label((6, 3), "$D$")
-            panel.label(path[step], "$G$", -38, -4)
-            _show_step(panel, step)
-    return sheet.figure
-
-
-def _show_step(panel: BarePicture, step: int) -> None:
-    """Mark the vertices that have met, the edge along which G goes on, and both slopes."""
-    ours, theirs = _find_upcoming(step)
-    x, y = _find_meeting(step)
-    on_d = (x, y), (x + ours.by[0], y + ours.by[1])
-    on_g = (x, y), (x - theirs.by[0], y - theirs.by[1])
-    edge = on_d if sort_by_slope("D_b", "G_t")[step] == ours else on_g
-    panel.line(edge, BOLD)
-    panel.dots([(x, y)])
-    panel.label(find_middle(*on_d), write_slope(ours.slope), 3, 6, ha="left", size=SMALL)
-    panel.label(find_middle(*on_g), write_slope(theirs.slope), -7, -9, size=SMALL)
-
-
-def _find_meeting(step: int) -> Vertex:
-    """The vertex of D_b at which G's vertex is before a move."""
-    done = [move for move in sort_by_slope("D_b", "G_t")[:step] if move.owner == "D_b"]
-    return lay(split(sweep_example().directrix.vertices)[0][0], done)[-1]
+        first = min(ours, theirs, key=lambda move: move.slope)
+        laws.append((f"edge taken in step {step}", taken, first))
+        contacts = [c.event for c in s.contacts_at(path[step])]
+        laws.append((f"contacts before step {step}", contacts, ["VV"]))
+        shapes |= {
+            f"{letter}_placed": placed,
+            f"{letter}_moved": moved,
+            f"{letter}_path": path[: step + 1],
+            f"{letter}_met": [(x, y)],
+            f"{letter}_edge": on_d if taken == ours else on_g,
+            f"{letter}_middles": [find_middle(*on_d), find_middle(*on_g)],
+        }
+        words |= {f"{letter}_ours": [write_slope(ours)], f"{letter}_theirs": [write_slope(theirs)]}
+    shapes["across"] = [(x, 0) for ring in place(s, path[: STEPS + 1]) for x, _ in ring]
+    facts.append(("edges of the trajectory", len(path) - 1))
+    return PaperFigure(facts, laws, shapes, words, [(s, path)])

@@ -1,0 +1,13 @@
+"""Pictures, figures and exports are what the golden files say; goldens/__main__.py writes these."""
+
+from pathlib import Path
+
+import pytest
+
+from goldens.texts import TEXTS
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_texts_are_golden(name: str) -> None:
+    expected = Path(__file__).with_name(f"{name}.txt").read_text(encoding="utf-8")
+    assert "".join(f"{line}\n" for line in TEXTS[name]()) == expected

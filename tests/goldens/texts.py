@@ -1,0 +1,268 @@
+"""The contents of the golden files: pictures, figures and exports as text, by name.
+
+No text depends on fonts, on a layout that matplotlib computes, or on the way a float is written.
+"""
+
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import asdict
+from hashlib import sha256
+from itertools import islice
+from typing import Any
+
+from command import EXAMPLE
+from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
+
+from exactsweep import (
+    InnerFit,
+    NoFitPolygon,
+    Region,
+    inner_fit_polygon,
+    no_fit_polygon,
+    sweep,
+)
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate
+from exactsweep.corpus.case_json import case_to_line
+from exactsweep.corpus.describe import describe
+from exactsweep.corpus.export import cases_to_geojson, cases_to_svg, cases_to_wkt
+from exactsweep.corpus.generator.growing import bowls, bumps, ceilings, forks, needles, rim, wide
+from exactsweep.draw import (
+    Picture,
+    Scale,
+    draw_chains,
+    draw_sub_trajectories,
+    make_figure,
+    plot_positions,
+    plot_sweep,
+)
+from exactsweep.draw.stretches import cut_trajectory
+from exactsweep.numbers.point import Vertex
+from exactsweep.paper.claim import Effort, Finding, reproduce
+from exactsweep.paper.data import as_json
+from exactsweep.paper.figures.drawing import draw_figure
+from exactsweep.paper.figures.figure import load
+from exactsweep.paper.ledger import CLAIMS
+from exactsweep.paper.pairs import LARGE
+from exactsweep.procedures.cc import trajectory_cc
+from exactsweep.procedures.chain import find_convex_parts, split
+from exactsweep.procedures.cm import trajectory_cm
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
+ROOM = [(0, 0), (5, 0), (5, 6), (3, 6), (3, 4), (4, 4), (4, 1), (1, 1), (1, 4), (2, 4), (2, 6)]
+# Holes in which the square has room, just slides, and just fits.
+PLATE = Region(
+    [(0, 0), (9, 0), (9, 5), (0, 5)],
+    [
+        [(1, 1), (4, 1), (4, 3), (1, 3)],
+        [(5, 1), (6, 1), (6, 4), (5, 4)],
+        [(7, 2), (8, 2), (8, 3), (7, 3)],
+    ],
+)
+UNEQUAL = sweep(
+    [(0, 0), (1, 0), (1, 1), ("1/2", 2), (0, 1)],
+    [(0, 0), (1000, 0), (1000, 600), (600, 600), (599, 598), (598, 600), (0, 600)],
+)
+FLAT = sweep(
+    [(0, 0), (30, 0), (30, "1/20"), (0, "1/10")],
+    [(0, 0), (100, 0), (100, "1/5"), (60, "1/5"), (50, "1/20"), (40, "1/5"), (0, "1/5")],
+)
+FAR = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
+CAVE = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8), (8, 2), (2, 2), (2, 8), (3, 8), (3, 10)]
+SWEEPS = {
+    "example": EXAMPLE,
+    "slot": sweep(SQUARE, SLOT),
+    "plate": sweep(SQUARE, PLATE),
+    "cave": sweep(SQUARE, [*CAVE, (0, 10)]),
+    "unequal": UNEQUAL,
+    "flat": FLAT,
+    "far": FAR,
+}
+POSITIONS: dict[str, NoFitPolygon | InnerFit] = {
+    "no fit": no_fit_polygon(PLATE, SQUARE),
+    "door": no_fit_polygon([*ROOM, (0, 6)], SQUARE),
+    "inner fit": inner_fit_polygon(PLATE, SQUARE),
+    "channel": inner_fit_polygon([(0, 0), (5, 0), (5, 1), (0, 1)], SQUARE),
+    "none": inner_fit_polygon(SQUARE, PLATE),
+}
+CASES = [
+    *("fits-square", "worked-roof", "caves-open-thirds", "holes-hole-at-the-rim"),
+    *("holes-as-large", "containers-too-low", "gen-fractions-3-1"),
+]
+SIZES = ("vertices", "edges", "holes", "undercuts")
+"""The units of growth that depend on the pairs alone."""
+FIGURES = ("minkowski", "lower_bound", "local_width", "chains", "contact_motion")
+
+
+def write_number(value: float) -> str:
+    """A number of a picture in nine digits, without the sign of zero."""
+    return f"{value + 0.0:.9g}"
+
+
+def write_points(points: Any) -> str:
+    """Points of a picture."""
+    return " ".join(",".join(write_number(float(c)) for c in point) for point in points)
+
+
+def list_artists(axes: Axes) -> Iterator[str]:
+    """Describe what is on an Axes, a line for each thing."""
+    labels = axes.get_title(), axes.get_title(loc="right"), axes.get_xlabel(), axes.get_ylabel()
+    yield f"axes {' | '.join(labels)}, aspect {axes.get_aspect()}"
+    for line in axes.lines:
+        marks = line.get_marker(), line.get_markersize(), line.get_markerfacecolor()
+        yield f"line {line.get_label()}, {line.get_color()}, {line.get_linewidth()}, {marks}"
+        yield f"  {line.get_zorder()}: {write_points(line.get_xydata())}"
+    for patch in axes.patches:
+        colors = (to_hex(c, True) for c in (patch.get_facecolor(), patch.get_edgecolor()))
+        yield f"area {patch.get_label()}, {', '.join(colors)}, {patch.get_hatch()}"
+        yield f"  {patch.get_zorder()}: {write_points(patch.get_path().vertices)}"
+    for text in axes.texts:
+        place: Any = getattr(text, "xyann", None)
+        yield f"text {text.get_text()!r} at {write_points([getattr(text, 'xy', (0, 0))])}"
+        how = text.get_horizontalalignment(), text.get_fontsize()
+        yield f"  {place and write_points([place])}, {how}"
+    if legend := axes.get_legend():
+        yield f"legend {[text.get_text() for text in legend.get_texts()]}"
+    for child in axes.child_axes:
+        if isinstance(child, Axes):
+            yield f"detail {write_points([child.get_xlim(), child.get_ylim()])}"
+            yield from list_artists(child)
+
+
+def list_looks() -> Iterator[str]:
+    """All looks and colours of the style."""
+    for name, value in vars(style).items():
+        looks = value if isinstance(value, dict) else {"": value}
+        if name.isupper() and name != "_SETTINGS":
+            shown = {k: asdict(v) if isinstance(v, Look) else v for k, v in looks.items()}
+            yield f"{name} {shown}"
+    yield from (f"chain {k} {asdict(style.choose_chain_look(k))}" for k in range(8))
+
+
+def list_pictures() -> Iterator[str]:
+    """Pictures of sweeps and of positions."""
+    for name, s in SWEEPS.items():
+        yield f"== {name}"
+        yield from list_artists(plot_sweep(s, make_figure().axes[0]))
+        yield from (_write(stretch) for stretch in cut_trajectory(s))
+    for name, found in POSITIONS.items():
+        yield f"== {name}"
+        yield from list_artists(plot_positions(found, make_figure().axes[0]))
+    valley: list[Vertex] = [(0, 0), (3, 3), (5, 0), (8, 2)]
+    parts = find_convex_parts(valley)
+    top = split(EXAMPLE.generatrix.vertices)[1]
+    chains = [trajectory_cc(top, part) for part in parts]
+    picture = Picture(make_figure().axes[0], Scale.of(valley, *chains))
+    draw_chains(picture, {f"D_{k}": part for k, part in enumerate(parts, 1)})
+    draw_sub_trajectories(picture, chains, list(trajectory_cm(top, valley)))
+    picture.text(valley[1], "reflex")
+    picture.legend()
+    yield "== chains"
+    yield from list_artists(picture.axes)
+
+
+def list_images() -> Iterator[str]:
+    """Images and tables of notebooks."""
+    yield EXAMPLE.directrix._repr_html_()
+    for name, s in SWEEPS.items():
+        yield f"== {name}\n{s._repr_html_()}"
+    for name, found in POSITIONS.items():
+        yield f"== {name}\n{found._repr_html_()}"
+
+
+def list_figures() -> Iterator[str]:
+    """The figures of the paper: what they state and show."""
+    for claim in CLAIMS:
+        if claim.figure:
+            figure = load(claim.figure)
+            yield f"== {claim.name}"
+            yield from (f"{name}: {value}" for name, value in figure.facts)
+            yield from (f"law {name}: {_write(value)}" for name, value, _ in figure.laws)
+            yield from (f"{name} = {_write(shape)}" for name, shape in figure.shapes.items())
+            yield from (f"{name} = {list(words)}" for name, words in figure.words.items())
+    for name in FIGURES:
+        made = draw_figure(name, load(name))
+        yield f"== {name} {write_points([made.get_size_inches()])}"
+        for axes in made.axes:
+            yield write_points(axes.get_position().get_points())
+            yield from list_artists(axes)
+        yield f"{[text.get_text() for text in made.texts]}"
+
+
+def _write(value: Any) -> str:
+    """Nested points in one line; sets in order."""
+    if isinstance(value, set | frozenset):
+        value = sorted(value)
+    if isinstance(value, tuple | list):
+        return f"({' '.join(map(_write, value))})"
+    return str(value)
+
+
+def list_exports() -> Iterator[str]:
+    """Cases of the corpus in the formats of other programs, and in words."""
+    shown = [find_case(id) for id in CASES]
+    yield from cases_to_wkt(shown)
+    yield from cases_to_geojson(shown)
+    yield from cases_to_svg(shown)
+    yield from (describe(name) for name in (*CASES, "huge", "fits", "convex", "combs"))
+
+
+def list_growing() -> Iterator[str]:
+    """The pairs of the growing families at two sizes."""
+    for make in (*LARGE["CC"], *LARGE["CM"], *LARGE["MM"], needles, ceilings, wide, bowls, rim):
+        for sizes in ((14, 16), (20, 12)):
+            yield f"{make.__name__} {sizes} {make(*sizes)}"
+    yield from (f"forks {forks(m, n)}" for m, n in ((18, 18), (18, 24)))
+    yield from (f"bumps {bumps(*sizes)}" for sizes in ((2, 4, 6), (4, 6, 4)))
+
+
+def list_generated() -> Iterator[str]:
+    """The digests of generated inputs, family by family, and three families' cases in full.
+
+    The first three cases of seed 7 must never change, nor must any other: ids keep their meaning.
+    """
+    parts = "id", "directrix", "generatrix", "reference", "directrix_holes", "generatrix_holes"
+    for family in FAMILIES:
+        for start, end in ((0, 3), (3, 9)):
+            drawn = [case_to_json(case) for case in islice(generate(family, 7), start, end)]
+            found = [[case[part] for part in parts if part in case] for case in drawn]
+            yield f"{family} {start} {end} {sha256(repr(found).encode()).hexdigest()[:12]}"
+    for id in ("gen-convex-7-0", "gen-container-7-1", "gen-plate-7-2"):
+        yield case_to_line(find_case(id)).rstrip()
+
+
+def show_row(row: Finding) -> dict[str, Any]:
+    """Return the findings of a row of the ledger without counts of operations and times."""
+    (found,) = as_json([row], Effort(seed=2, quick=True))["claims"]
+    shown = {name: value for name, value in found.items() if name not in ("seconds", "code")}
+    for name in ("words", "correction", "proof", "kernel", "chosen"):
+        shown[name] = bool(shown[name])
+    shown["growth"] = [g for g in shown["growth"] if g["what"].split()[0] in SIZES]
+    shown["tables"] = [t for t in shown["tables"] if "Exponents" not in t["caption"]]
+    if {"counted", "measured"} & {*row.claim.evidence}:
+        del shown["tried"]
+        for case in shown["counterexamples"]:
+            del case["text"]
+    plain: dict[str, Any] = json.loads(json.dumps(shown))
+    return plain
+
+
+def list_rows() -> Iterator[str]:
+    """The findings of a quick run of the ledger."""
+    for row in reproduce(CLAIMS, Effort(seed=2, quick=True)):
+        yield json.dumps({row.claim.name: show_row(row)}, ensure_ascii=False)
+
+
+TEXTS: dict[str, Callable[[], Iterator[str]]] = {
+    "looks": list_looks,
+    "pictures": list_pictures,
+    "images": list_images,
+    "figures": list_figures,
+    "exports": list_exports,
+    "generated": list_generated,
+    "growing": list_growing,
+}
+"""The texts that `test_goldens.py` makes again; `tests/paper/test_paper.py` compares the rows."""

@@ -1,0 +1,100 @@
+"""`python -m tests.transcripts [NAME]...`: run transcripts, and write their output anew.
+
+A transcript is a text file in a folder `transcripts`. A line of it that begins with "$ " is a
+command of a shell: exactsweep, cat, echo or python, perhaps with `<<< TEXT`, `< FILE` or `> FILE`.
+Below it stands, indented, what the command wrote: lines of standard error after "! ", and the
+exit code after "= ", unless it is 0. All other lines are comments. Dots stand for the common point
+of an overlap.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import click
+
+# As in tests that pytest sets up.
+sys.path.insert(0, str(Path(__file__).parent / "support"))
+
+from command import run
+from judged import IMPLEMENTATIONS
+
+TESTS = Path(__file__).parent
+_INDENT = "    "
+_SIGNS = ("<<<", "<", ">")
+_WRONG_USAGE = 2
+_COMMON_POINT = re.compile(r"(OVERLAP, point )\(.*?\)")
+"""A point in both interiors, of which any is as good as another one."""
+
+
+def list_transcripts(folder: str = "*") -> list[Path]:
+    """List the transcripts of a folder of tests, or of all."""
+    return sorted(TESTS.glob(f"{folder}/transcripts/*.txt"))
+
+
+def replay(transcript: str) -> str:
+    """Run the commands of a transcript in the working directory, and return what it should be."""
+    lines: list[str] = []
+    for line in transcript.splitlines():
+        if line.startswith("$ "):
+            lines += [line, *(f"{_INDENT}{said}".rstrip() for said in _run_line(line[2:]))]
+        elif line and not line.startswith(_INDENT):
+            lines += [*([""] if lines and lines[-1][:2] != "# " else []), line]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _run_line(line: str) -> Iterator[str]:
+    """Run a command; yield the lines that it writes."""
+    words = shlex.split(line)
+    redirected: dict[str, str] = {}
+    while len(words) > 2 and words[-2] in _SIGNS:
+        *words, sign, text = words
+        redirected[sign] = text
+    stdin = redirected.get("<<<")
+    if "<" in redirected:
+        stdin = Path(redirected["<"]).read_text()
+    code, errors = 0, ""
+    match words:
+        case ["echo", *texts]:
+            text = "".join(f"{one}\n" for one in texts)
+        case ["cat", *files]:
+            text = "".join(Path(file).read_text() for file in files)
+        case [_, *arguments]:
+            programs = {"python": sys.executable, "faulty.py": str(IMPLEMENTATIONS / "faulty.py")}
+            done = run(*(programs.get(one, one) for one in arguments), stdin=stdin)
+            code, text, errors = done.exit_code, done.stdout, done.stderr
+    if ">" in redirected:
+        Path(redirected[">"]).write_text(text)
+        text = ""
+    yield from _COMMON_POINT.sub(r"\1...", text).splitlines()
+    if code == _WRONG_USAGE:
+        # The lines before are click's.
+        errors = errors[errors.index("Error: ") :]
+    yield from (f"! {said}" for said in errors.splitlines())
+    if code:
+        yield f"= {code}"
+
+
+@click.command()
+@click.argument("names", nargs=-1)
+def main(names: tuple[str, ...]) -> None:
+    """Write all transcripts anew, or those of these names; `git diff` shows what changed."""
+    for path in list_transcripts():
+        if names and path.stem not in names:
+            continue
+        before = Path.cwd()
+        with TemporaryDirectory() as folder:
+            os.chdir(folder)
+            path.write_text(replay(path.read_text(encoding="utf-8")), encoding="utf-8")
+            os.chdir(before)
+        click.echo(f"{path.parent.parent.name}/{path.stem}")
+
+
+if __name__ == "__main__":
+    main()
