@@ -296,8 +296,6 @@ def test_sweeps_and_their_loops_tell_about_themselves() -> None:
 
 
 # Notches, seen from the side: no line across both arms meets them in one piece.
-LYING = [(0, 0), (2, 1), (0, 2), (3, 2), (3, 0)]
-STANDING = [(y, x) for x, y in LYING]
 
 
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))

@@ -4,6 +4,7 @@ Dots stand for any text.
 """
 
 import re
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,13 @@ import pytest
 import exactsweep
 from exactsweep import ExactSweepError
 from exactsweep.check import classify
+from exactsweep.numbers.number import to_fraction
 
 NAMES: dict[str, Any] = {
     **vars(exactsweep),
     "classify": classify,
+    "to_fraction": to_fraction,
+    "Decimal": Decimal,
     "SQUARE": [(0, 0), (9, 0), (9, 9), (0, 9)],
     "SMALL": [(1, 1), (3, 1), (3, 3), (1, 3)],
     # Monotone to all directions near the X axis, and near the Y axis.
