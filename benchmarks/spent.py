@@ -19,9 +19,8 @@ from rich.table import Table
 from benchmarks.families import FAMILIES
 from exactsweep import Polygon, sweep
 from exactsweep.evidence.sweep import Sweep
-from exactsweep.procedures.collector import pause_collector
-from exactsweep.procedures.lower_sweep import LowerSweep
-from exactsweep.procedures.monotone import MonotoneSolution
+from exactsweep.procedures.monotone import LowerSweep, MonotoneSolution
+from exactsweep.procedures.solution import pause_collector
 
 PAIRS = (("mm", 16), ("stair", 16), ("cm", 64))
 COUNTED = ("instructions", "calls", "objects", "Fractions", "products", "comparisons")

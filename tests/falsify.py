@@ -1,9 +1,10 @@
 """Falsify certificates, and see that the checker refuses them: `python -m tests.falsify`.
 
 Changes of one place, mixtures of two certificates about related pairs, and an adversary who moves
-loops and has the finder fill in a proof for them. With --prove, certificates of random pairs and of
-the corpus are proved by the file alone, in processes that cannot see the package. With --weaken,
-single lines of the checker are weakened, and a test has to notice each.
+loops and has the finder fill in a proof for them. With --layouts, certificates of layouts instead.
+With --prove, certificates of random pairs and of the corpus are proved by the file alone, in
+processes that cannot see the package. With --weaken, single lines of the checker are weakened, and
+a test has to notice each.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ import os
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from itertools import islice
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
@@ -34,6 +35,7 @@ from exactsweep.evidence.proof import add_proof
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from families import random_pair
+from layout_adversary import draw_layouts, is_true_layout, refill
 from shape_families import random_shapes
 
 Certificate = dict[str, Any]
@@ -133,12 +135,13 @@ def change(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
     return f"{where}: left out", put(certificate, path, None)
 
 
-def mix(one: Certificate, other: Certificate, rng: Random) -> tuple[str, Certificate]:
-    """Take some entries from another certificate."""
+def mix(one: Any, other: Any, rng: Random) -> Any:
+    """Take some entries of an object, and of objects in it, from another one."""
+    if not (type(one) is type(other) is dict):
+        return other
     keys = [key for key in one if key in other and one[key] != other[key] and key not in UNREAD]
-    taken = {key: other[key] for key in keys if rng.random() < 0.4}
-    proof = {key: rng.choice([one, other])["proof"].get(key, []) for key in one["proof"]}
-    return "mixture", {**one, **taken, "proof": rng.choice([one["proof"], proof])}
+    taken = {key: mix(one[key], other[key], rng) for key in keys if rng.random() < 0.4}
+    return {**one, **taken}
 
 
 def reroute(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
@@ -195,22 +198,38 @@ def is_same_claim(one: Certificate, other: Certificate) -> bool:
     return bool(normal(one) == normal(other))
 
 
-def falsify(rng: Random, pairs: int, changes: int) -> tuple[Counter[str], list[Any]]:
+class Family(NamedTuple):
+    """Certificates of one kind.
+
+    Attributes:
+        draw: draws certificates of related questions, with all evidence.
+        adversary: changes the claim of one, and finds evidence for it.
+        is_true: decides whether a changed claim is true, or one of the known ones.
+    """
+
+    draw: Callable[[Random], Iterable[Certificate]]
+    adversary: Callable[[Certificate, Random], tuple[str, Certificate]]
+    is_true: Callable[[Certificate, list[Certificate]], bool]
+
+
+def falsify(
+    rng: Random, pairs: int, changes: int, family: Family
+) -> tuple[Counter[str], list[Any]]:
     """Count what was tried, and list what was proved though it claims something else."""
+    draw, adversary, is_true = family
     tried: Counter[str] = Counter()
     missed = []
     for _ in range(pairs):
-        claims = list(draw(rng))
-        known = [add_proof(claim) for claim in claims]
-        for n in range(changes):
+        known = list(draw(rng))
+        for n in range(changes if known else 0):
             one = known[n % len(known)]
             same = [c for c in known if c.get("claim") == one.get("claim") and c is not one]
             share = rng.random()
             try:
                 if share < 0.2:
-                    name, changed = reroute(one, rng)
+                    name, changed = adversary(one, rng)
                 elif share < 0.4 and same:
-                    name, changed = mix(one, same[0], rng)
+                    name, changed = "mixture", mix(one, same[0], rng)
                 else:
                     name, changed = change(one, rng)
             except Exception:  # whatever keeps the finder from ending with a proof
@@ -221,13 +240,15 @@ def falsify(rng: Random, pairs: int, changes: int) -> tuple[Counter[str], list[A
                 prove(changed)
             except Refused:
                 continue
-            if not any(is_same_claim(changed, c) for c in known) and not is_true(changed):
+            if not is_true(changed, known):
                 missed.append((name, changed))
     return tried, missed
 
 
-def is_true(certificate: Certificate) -> bool:
-    """Decide whether the kernel gives the same answer for the polygons of a changed certificate."""
+def is_true(certificate: Certificate, known: list[Certificate]) -> bool:
+    """Decide whether a claim is known, or the kernel gives the same answer for its polygons."""
+    if any(is_same_claim(certificate, c) for c in known):
+        return True
     names = ("part", "container") if "part" in certificate else ("generatrix", "directrix")
     g, d = (read_region(certificate[name]) for name in names)
     claim = certificate.get("claim")
@@ -241,6 +262,10 @@ def is_true(certificate: Certificate) -> bool:
         }
         true = sweep(g, d, **options).certificate()
     return is_same_claim(certificate, json.loads(json.dumps(true)))
+
+
+SHAPES = Family(lambda rng: map(add_proof, draw(rng)), reroute, is_true)
+LAYOUTS = Family(draw_layouts, refill, is_true_layout)
 
 
 def read_region(item: Any) -> Any:
@@ -319,12 +344,20 @@ def _pass(tests: tuple[str, ...], folder: str) -> bool:
 )
 @click.option("--changes", default=100, show_default=True, help="How many changes of each pair.")
 @click.option("--seed", default=1, show_default=True)
+@click.option("--layouts", is_flag=True, help="Certificates of layouts.")
 @click.option("--prove", "proved", is_flag=True, help="Prove certificates, unchanged, instead.")
 @click.option("--corpus", is_flag=True, help="Those of the corpus, with --prove.")
 @click.option("--weaken", "weakened", is_flag=True, help="Weaken lines of the checker instead.")
 @click.option("--every", default=1, show_default=True, help="With --weaken: each one of so many.")
 def main(
-    pairs: int, changes: int, seed: int, proved: bool, corpus: bool, weakened: bool, every: int
+    pairs: int,
+    changes: int,
+    seed: int,
+    layouts: bool,
+    proved: bool,
+    corpus: bool,
+    weakened: bool,
+    every: int,
 ) -> None:
     """Falsify certificates, and count what the checker refuses."""
     if weakened:
@@ -340,7 +373,7 @@ def main(
             click.echo(f"{count - failed} of {count} proved", err=True)
         click.echo(f"{count - failed} of {count} proved")
         sys.exit(bool(failed))
-    tried, missed = falsify(rng, pairs, changes)
+    tried, missed = falsify(rng, pairs, changes, LAYOUTS if layouts else SHAPES)
     for name, number in sorted(tried.items()):
         click.echo(f"{number:7}  {name}")
     click.echo(f"{tried.total()} tried, {len(missed)} false ones proved")

@@ -18,7 +18,7 @@ from exactsweep.formats import read_polygon
 from exactsweep.paper.claim import Effort, reproduce
 from exactsweep.paper.ledger import find
 from exactsweep.paper.report import render_row
-from exactsweep.procedures import lower_sweep
+from exactsweep.procedures import monotone
 
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 Step = tuple[str, str]
@@ -48,7 +48,7 @@ class Here:
 
 def make_trajectory(folder: Path) -> object:
     # As if these were never swept before.
-    lower_sweep._keep.cache_clear()
+    monotone._keep.cache_clear()
     return sweep(HOUSE, BLOCK).trajectory
 
 

@@ -13,7 +13,7 @@ import exactsweep
 from benchmarks.clock import REPEATS
 from benchmarks.peers.worker import Loop
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.procedures import lower_sweep
+from exactsweep.procedures import monotone
 
 Outline = Ring | exactsweep.Polygon
 
@@ -49,7 +49,7 @@ def first(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     ]
 
     def run() -> list[Loop]:
-        lower_sweep._keep.cache_clear()
+        monotone._keep.cache_clear()
         return [exactsweep.sweep(*pairs.pop()).trajectory.vertices]
 
     return run
@@ -60,7 +60,7 @@ def text(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     given = [[(str(x), str(y)) for x, y in ring] for ring in (generatrix, directrix)]
 
     def run() -> list[Loop]:
-        lower_sweep._keep.cache_clear()
+        monotone._keep.cache_clear()
         return [exactsweep.sweep(*map(exactsweep.Polygon, given)).trajectory.vertices]
 
     return run

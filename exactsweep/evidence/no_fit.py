@@ -18,7 +18,7 @@ from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures import ss
-from exactsweep.procedures.made_once import made_once
+from exactsweep.procedures.solution import made_once
 from exactsweep.words import write_pair
 
 

@@ -30,7 +30,7 @@ from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import abridge, format_fraction
 from exactsweep.numbers.point import Edge, Fit, Point, Vertex
-from exactsweep.procedures.made_once import made_once
+from exactsweep.procedures.solution import made_once
 from exactsweep.words import write_vector
 
 

@@ -92,12 +92,13 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
     names = [f"subpath {k}" for k in range(len(rings))]
     parents = nest([_simple(ring, name) for ring, name in zip(rings, names, strict=True)], names)
     # For each ring, the winding number just inside, and the innermost exterior there.
-    inside, exterior = [0] * len(rings), [0] * len(rings)
+    inside: dict[int, int] = {}
+    exterior: dict[int, int] = {}
     holes = []
     for k in _from_outside(parents):
         parent = parents[k]
         outside = 0 if parent is None else inside[parent]
-        turn = 1 if even_odd or find_doubled_area(rings[k]) > 0 else -1
+        turn = 1 if find_doubled_area(rings[k]) > 0 else -1
         inside[k] = (outside + turn) % 2 if even_odd else outside + turn
         exterior[k] = k if parent is None or not outside else exterior[parent]
         if outside and not inside[k]:

@@ -17,9 +17,8 @@ from exactsweep.geometry.region import Region
 from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures import ss
 from exactsweep.procedures.free_positions import Free
-from exactsweep.procedures.made_once import made_once
-from exactsweep.procedures.mouths import find_mouths
-from exactsweep.procedures.solution import Solution
+from exactsweep.procedures.pockets import find_mouths
+from exactsweep.procedures.solution import Solution, made_once
 
 
 class ShapeSolution(Solution):
@@ -110,4 +109,4 @@ class ShapeSolution(Solution):
     def pockets(self) -> list[list[list[Vertex]]]:
         """The regions between D and the inner loop, along the inner loop; no holes of D."""
         inner = [self.frame.enter_point(vertex) for vertex in self.inner]
-        return [[bottom, top[1:-1]] for bottom, top in find_mouths(inner, self.directrix[0])]
+        return [[bottom, top[-2:0:-1]] for bottom, top in find_mouths(inner, self.directrix[0])]

@@ -20,7 +20,7 @@ from typing import Any, TypeVar
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import divide_exactly, negate
 from exactsweep.numbers.point import Edge, Rational, Vertex
-from exactsweep.procedures.made_once import made_once
+from exactsweep.procedures.solution import made_once
 
 T = TypeVar("T")
 

@@ -12,17 +12,45 @@ monotone and general simple polygons", Discrete & Computational Geometry 35, 200
 envelope of N segments can have more than a constant times N pieces (A. Wiernik and M. Sharir 1988,
 see `lower_envelope`). Lemma 5.5: the inner boundary can have order m n^2 edges, not O(m n): near a
 needle of D_b it has a corner for every pair of a peak and a valley of G_t.
+
+For the inner boundary the directrix is the complement of the lower trajectory's upper side, turned
+by half a turn. Its convex parts are the concave runs of T. Their vertices are usually crossings,
+not on the lattice. But a sweep of a part moves its edges, pieces of lattice edges, by vertices of
+G, and G's edges by the vertices of the part. So integer lines and breaks n/d suffice.
+
+Where G touches D_b the inner loop is D_b itself, and the trajectory shows where G touches D_b. Let
+an edge of the trajectory come from part i of G_t and part j of D_b. If D_j has an edge of the same
+slope, a vertex of G slides along that edge, or an edge of G lies on it, and G touches all points
+passed. Otherwise an edge of G slides over the vertex of D_j between whose edges its slope lies
+(Table 1: VE, EE, EV).
+
+The inner boundary R(x) = max over u of T(u) + G_t(x - u) (Lemma 5.3) is nowhere above D_b, since
+T(u) <= D_b(x) - G_t(x - u). It equals D_b(x) where this holds with equality, that is, where G
+touches D. So only the gaps between touched points need a computation of R.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, pairwise, repeat
+from typing import cast
 
-from exactsweep.numbers.point import Vertex
-from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.convex_part import measure_unit, split_chain, split_parts
-from exactsweep.procedures.envelope import Envelope
-from exactsweep.procedures.mm_inner import inner_mm
+from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.procedures.chain import complement, find_convex_parts, inverse, take_corners
+from exactsweep.procedures.convex_part import (
+    count_flatter,
+    measure_unit,
+    split_chain,
+    split_envelope,
+    split_parts,
+)
+from exactsweep.procedures.envelope import (
+    Break,
+    Envelope,
+    Span,
+    precedes,
+    value,
+)
 from exactsweep.procedures.part_pairs import sweep_pairs
 
 
@@ -96,3 +124,118 @@ def outer_mm(generatrix_bottom: Sequence[Vertex], trajectory: Envelope) -> Envel
     (-1, -1) (3, -1)
     """
     return trajectory_mm(inverse(generatrix_bottom), trajectory)
+
+
+FEW_EDGES = 8
+"""The number of pieces up to which a walk is faster than a search."""
+
+
+def take_inside(trajectory: Envelope) -> Envelope:
+    """Return the inverse of the complement of a lower trajectory, edges as lines. Cost: O(t)."""
+    return Envelope(
+        [(-n, d) for n, d in reversed(trajectory.breaks)],
+        [(dx, dy, -c, None, source) for dx, dy, c, _, source in reversed(trajectory.pieces)],
+    )
+
+
+def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[Span]:
+    """Find the x-ranges of D_b between points that G touches, left to right.
+
+    Args:
+        trajectory: T(G_t, D_b), `sources` as `trajectory_mm` numbers them.
+        parts: the convex parts of D_b.
+
+    Returns:
+        list of open x-ranges, none of them empty.
+
+    Cost: O(t log m + m) for t edges of T, and a sort of the touched ranges of each edge of D_b.
+
+    >>> from exactsweep.procedures.mm import trajectory_mm
+    >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
+    >>> trajectory = trajectory_mm([(1, 0), (0, 0)], notch)
+    >>> (left, right), = find_gaps(trajectory, find_convex_parts(notch))
+    >>> value(left), value(right)
+    (Fraction(5, 2), Fraction(7, 2))
+    """
+    touched: list[list[list[Span]]] = [[[] for _ in part[1:]] for part in parts]
+    last, v, turn = -1, 0, cast(Rational, 0)
+    points, spans = parts[0], touched[0]
+    breaks = trajectory.breaks
+    for k, (dx, dy, _, start, source) in enumerate(trajectory.pieces):
+        if source != last:
+            last, part = source, source % len(parts)
+            points, spans = parts[part], touched[part]
+            v = count_flatter(points, dx, dy) if len(spans) > FEW_EDGES else 0
+        # Edges from one source become steeper.
+        while v < len(spans):
+            (left, y), (right, z) = points[v], points[v + 1]
+            turn = (z - y) * dx - (right - left) * dy
+            if turn >= 0:
+                break
+            v += 1
+        if v == len(spans) or turn > 0:
+            at = points[v][0], 1
+            spans[v - (v == len(spans))].append((at, at))
+            continue
+        # At u, the vertex or edge of G is over D from u - g_right to u - g_left.
+        x, _ = cast(Vertex, start)
+        (n, d), g_right = breaks[k], x + dx - right
+        (m, e), g_left = breaks[k + 1], x - left
+        spans[v].append(
+            (
+                (left, 1) if n <= (left + g_right) * d else (n - g_right * d, d),
+                (right, 1) if m >= (right + g_left) * e else (m - g_left * e, e),
+            )
+        )
+    found: list[Span] = []
+    reach: Break = (parts[0][0][0], 1)
+    for of_edge in chain.from_iterable(touched):
+        if len(of_edge) > 1 and any(precedes(b[0], a[0]) for a, b in pairwise(of_edge)):
+            of_edge.sort(key=lambda span: value(span[0]))
+        for begin, end in of_edge:
+            (n, d), (m, e), (o, f) = reach, begin, end
+            if n * e < m * d:
+                found.append((reach, begin))
+            if n * f < o * d:
+                reach = end
+    return found
+
+
+def close_gaps(floor: Envelope, closed: Envelope, gaps: Iterable[Span]) -> Envelope:
+    """Replace an envelope by another one over gaps, which ascend. Cost: O(n)."""
+    joined = Envelope([floor.breaks[0]], [])
+    for left, right in gaps:
+        joined.take_between(floor, joined.breaks[-1], left)
+        joined.take_between(closed, left, right)
+    joined.take_between(floor, joined.breaks[-1], floor.breaks[-1])
+    return joined
+
+
+def inner_mm(
+    generatrix_top: Sequence[Vertex], trajectory: Envelope, directrix: Sequence[Vertex]
+) -> list[Vertex]:
+    """Inner boundary: I(G) slides along the inside of T (Lemma 5.3).
+
+    After half a turn, G_t slides along the bottom chain of the inverse of T's complement. Where G
+    touches D_b the boundary is D_b itself, so the function sweeps the gaps only (see `find_gaps`).
+    This is the faster algorithm that the paper mentions after Corollary 5.8.
+
+    Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
+    overlaps a gap; all t of them at worst.
+    """
+    parts = find_convex_parts(directrix)
+    open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(find_gaps(trajectory, parts))]
+    if not open_spans:
+        return take_corners(directrix)
+    inside, reversed_top = take_inside(trajectory), inverse(generatrix_top)
+    unit = measure_unit(reversed_top, inside)
+    chains, slots = split_chain(reversed_top, unit), list(split_envelope(inside, unit))
+
+    def guess() -> Iterator[tuple[int, int]]:
+        # The part of G_t that draws the trajectory probably reaches deepest into the next gap.
+        owners = chain.from_iterable(repeat(k, len(slot.edges)) for k, slot in enumerate(slots))
+        return ((source // len(parts), k) for source, k in zip(inside.sources, owners, strict=True))
+
+    floor = Envelope.of(inverse(complement(directrix)))
+    closed = sweep_pairs(chains, slots, open_spans, guess)
+    return inverse(complement(list(close_gaps(floor, closed, open_spans))))

@@ -1,15 +1,55 @@
-"""The record of the results of the procedures for a pair (G, D) of any shape."""
+"""The record of the results of the procedures for a pair (G, D) of any shape, and its making."""
 
 from __future__ import annotations
 
-from typing import Literal
+import gc
+from functools import cached_property
+from typing import Any, Literal, Self, TypeVar, overload
 
 from exactsweep.geometry.frame import Frame
 from exactsweep.numbers.point import Fit, Point, Vertex
-from exactsweep.procedures.made_once import made_once
 
 Kind = Literal["CC", "CM", "MM", "SS"]
 """The classes of the paper, and "SS" for polygons of any shape."""
+
+
+T_co = TypeVar("T_co", covariant=True)
+
+
+class made_once(cached_property[T_co]):  # noqa: N801
+    """`functools.cached_property` without the lock that it takes before Python 3.12.
+
+    The lock costs 1 µs each time, which is a fifteenth of a small trajectory.
+    """
+
+    @overload
+    def __get__(self, instance: None, owner: type[Any] | None = None) -> Self: ...
+
+    @overload
+    def __get__(self, instance: object, owner: type[Any] | None = None) -> T_co: ...
+
+    def __get__(self, instance: object, owner: type[Any] | None = None) -> Self | T_co:
+        if instance is None:
+            return self
+        assert self.attrname is not None
+        value = instance.__dict__[self.attrname] = self.func(instance)
+        return value
+
+
+class pause_collector:  # noqa: N801
+    """Disable the garbage collector in a `with` block that makes many objects.
+
+    The collector searches all objects for cycles whenever their number has grown by some share. The
+    kernel makes no cycles, but with 100,000 vertices the searches take half of the time.
+    """
+
+    def __enter__(self) -> None:
+        self.runs = gc.isenabled()
+        gc.disable()
+
+    def __exit__(self, *error: object) -> None:
+        if self.runs:
+            gc.enable()
 
 
 class Solution:

@@ -17,13 +17,13 @@ from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.collector import pause_collector
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
 from exactsweep.procedures.free_positions import Free, find_free_positions
 from exactsweep.procedures.leeway import find_leeway, frame_outside
 from exactsweep.procedures.obstacles import Obstacles
+from exactsweep.procedures.solution import pause_collector
 
 
 class FreeRegions(NamedTuple):

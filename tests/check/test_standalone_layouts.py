@@ -339,6 +339,10 @@ def test_edges_of_two_rings_clash_only_where_they_cross() -> None:
     crossing = copy.deepcopy(touching)
     crossing["layout"]["parts"][0]["holes"] = [[["1", "-1"], *hole[1:]]]
     assert prove(crossing)
+    # Moves are read although no pieces are there to be moved.
+    for move in (None, [], ["1"], ["1", "one"]):
+        crossing["layout"]["placements"][0]["move"] = move
+        assert refusal(crossing)
 
 
 def test_a_valid_layout_has_pieces_of_all_shapes() -> None:

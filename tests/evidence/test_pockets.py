@@ -7,10 +7,8 @@ import pytest
 
 from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.chain import split, take_corners
-from exactsweep.procedures.mm import trajectory_mm
-from exactsweep.procedures.mm_inner import inner_mm
-from exactsweep.procedures.mouths import find_mouths
-from exactsweep.procedures.pockets import Pocket, find_pockets
+from exactsweep.procedures.mm import inner_mm, trajectory_mm
+from exactsweep.procedures.pockets import Pocket, find_mouths, find_pockets
 
 Chain = list[Vertex]
 
@@ -31,7 +29,7 @@ def test_pockets_are_the_undercuts_of_a_shape(family: str) -> None:
         inner = inner_mm(top, trajectory_mm(top, directrix), directrix)
         mouths = find_mouths(under_lid(inner), under_lid(directrix))
         pockets = find_pockets(inner, directrix)
-        assert pockets == [Pocket(bottom, way[::-1]) for bottom, way in mouths]
+        assert pockets == mouths
         found += len(pockets)
     assert found > 15
 

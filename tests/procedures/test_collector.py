@@ -7,11 +7,9 @@ import pytest
 
 from exactsweep import sweep
 from exactsweep.evidence.sweep import Sweep
-from exactsweep.procedures.collector import pause_collector
 from exactsweep.procedures.envelope import Envelope
-from exactsweep.procedures.lower_sweep import LowerSweep
-from exactsweep.procedures.made_once import made_once
-from exactsweep.procedures.monotone import MonotoneSolution
+from exactsweep.procedures.monotone import LowerSweep, MonotoneSolution
+from exactsweep.procedures.solution import made_once, pause_collector
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 

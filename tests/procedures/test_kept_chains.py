@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon, sweep
 from exactsweep.geometry.frame import Frame
-from exactsweep.procedures import convex_part, lower_sweep
-from exactsweep.procedures.lower_sweep import KEPT_POLYGONS, KEPT_VERTICES, split_polygon
+from exactsweep.procedures import convex_part, monotone
+from exactsweep.procedures.monotone import KEPT_POLYGONS, KEPT_VERTICES, split_polygon
 
 SCALES = [Fraction(1), Fraction(1, 3), Fraction(1, 7), Fraction(1000), Fraction(10**9 + 7, 2)]
 NOTCH = Polygon([(0, 0), (6, 0), (6, 3), (4, 3), (3, 1), (2, 3), (0, 3)])
@@ -74,7 +74,7 @@ def test_the_answer_is_that_of_the_same_direction_and_lattice() -> None:
 
 @pytest.fixture(autouse=True)
 def _nothing_kept() -> None:
-    lower_sweep._keep.cache_clear()
+    monotone._keep.cache_clear()
 
 
 @pytest.fixture
@@ -92,7 +92,7 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
         monkeypatch.setattr(module, name, counting)
 
     watch(convex_part, "split_by_slope")
-    watch(lower_sweep, "split")
+    watch(monotone, "split")
     return calls
 
 

@@ -12,8 +12,7 @@ from exactsweep.procedures import part_pairs
 from exactsweep.procedures.chain import find_convex_parts, list_graph_edges, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm
 from exactsweep.procedures.envelope import value
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
-from exactsweep.procedures.mm_inner import find_gaps
+from exactsweep.procedures.mm import find_gaps, sweep_mm, trajectory_mm
 
 Choice = Callable[[list[Fraction]], Fraction]  # min or max
 

@@ -12,7 +12,6 @@ from exactsweep.procedures import (
     convex_part,
     lower_envelope,
     mm,
-    mm_inner,
     part_pairs,
 )
 from exactsweep.procedures.envelope import Envelope
@@ -145,7 +144,7 @@ def mirror_instead(right: Procedure) -> Procedure:
 
 @sabotage(
     "Sweep_MM, inner loop: D_b returned",
-    mm_inner.inner_mm,
+    mm.inner_mm,
     "Sweep_MM",
     "Corollary 5.4",
     "Lemma 5.5",
@@ -251,7 +250,7 @@ def leave_as_it_is(right: Procedure) -> Procedure:
 
 @sabotage(
     "Sweep_MM, inner loop: the last gap that G leaves is forgotten",
-    mm_inner.find_gaps,
+    mm.find_gaps,
     "Sweep_MM",
     "A faster inner loop",
     "Lemma 5.5",

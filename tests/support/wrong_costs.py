@@ -7,7 +7,7 @@ from typing import Any
 from sabotage import Procedure, sabotage
 
 from exactsweep.paper import literal
-from exactsweep.procedures import cc, chain, cm, lower_envelope, mm, mm_inner
+from exactsweep.procedures import cc, chain, cm, lower_envelope, mm
 from exactsweep.procedures.envelope import Envelope, precedes
 
 
@@ -128,7 +128,7 @@ def merge_by_turns(right: Procedure) -> Procedure:
 
 @sabotage(
     "Sweep_MM, inner loop: right, but all of T's inside is swept",
-    mm_inner.inner_mm,
+    mm.inner_mm,
     "A faster inner loop",
 )
 def sweep_all_again(right: Procedure) -> Procedure:

@@ -6,7 +6,7 @@ from typing import Any
 
 from sabotage import Procedure, sabotage
 
-from exactsweep.procedures import cc, cm, mm, mm_inner
+from exactsweep.procedures import cc, cm, mm
 from exactsweep.procedures.envelope import Envelope
 
 
@@ -83,7 +83,7 @@ def forget_ninth(right: Procedure) -> Procedure:
     )
 
 
-@sabotage("Sweep_MM, inner loop: narrow gaps are taken for touched", mm_inner.find_gaps, "Sweep_MM")
+@sabotage("Sweep_MM, inner loop: narrow gaps are taken for touched", mm.find_gaps, "Sweep_MM")
 def skip_narrow(right: Procedure) -> Procedure:
     def find_gaps(trajectory: Any, parts: Any) -> Any:
         width = parts[-1][-1][0] - parts[0][0][0]
@@ -98,7 +98,7 @@ def skip_narrow(right: Procedure) -> Procedure:
 
 @sabotage(
     "Sweep_MM, inner loop: gaps after the fifth are taken for touched",
-    mm_inner.find_gaps,
+    mm.find_gaps,
     "Sweep_MM",
     "Lemma 5.5",
 )
@@ -108,7 +108,7 @@ def stop_at_fifth(right: Procedure) -> Procedure:
 
 @sabotage(
     "Sweep_MM, inner loop: a corner is lost where there are 60 or more",
-    mm_inner.inner_mm,
+    mm.inner_mm,
     "Sweep_MM",
     "Lemma 5.5",
 )

@@ -31,7 +31,7 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.pairs import SweepPair, draw_pairs
 from exactsweep.paper.tiny import is_convex, search, search_grid
 from exactsweep.procedures.chain import split
-from exactsweep.procedures.lower_sweep import LowerSweep
+from exactsweep.procedures.monotone import LowerSweep
 
 KINDS = ("CC", "CM", "MM")
 

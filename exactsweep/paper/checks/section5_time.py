@@ -41,7 +41,7 @@ from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm_inner import inner_mm
+from exactsweep.procedures.mm import inner_mm
 
 
 def count_one_merge(effort: Effort) -> Evidence:

@@ -9,8 +9,8 @@ from exactsweep.paper.figures.figure import PaperFigure, list_loops, place, shif
 from exactsweep.paper.figures.minkowski import sweep_example
 from exactsweep.paper.functions import clip, keep_corners, take_bottom
 from exactsweep.procedures.chain import complement, inverse
-from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.procedures.mm import trajectory_mm
+from exactsweep.procedures.monotone import LowerSweep
 
 
 def _find_top_chain(half: LowerSweep) -> list[Vertex]:

@@ -16,7 +16,7 @@ from exactsweep.draw import place_generatrix
 from exactsweep.numbers.point import Loop, Point, Vertex
 from exactsweep.paper.claim import Evidence, Table, find_first_failure
 from exactsweep.procedures.chain import split
-from exactsweep.procedures.lower_sweep import LowerSweep
+from exactsweep.procedures.monotone import LowerSweep
 from exactsweep.sweep import Sweep
 
 
