@@ -8,7 +8,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import asdict, replace
 from fractions import Fraction
 from hashlib import sha256
+from importlib import import_module
 from itertools import islice
+from pkgutil import walk_packages
 from typing import Any
 from unittest.mock import patch
 
@@ -27,7 +29,7 @@ from exactsweep import (
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.canvas.window import Window
-from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate
+from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate, generator
 from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.describe import describe
 from exactsweep.corpus.export import cases_to_geojson, cases_to_svg, cases_to_wkt
@@ -43,7 +45,7 @@ from exactsweep.draw import (
 )
 from exactsweep.draw.stretches import cut_trajectory
 from exactsweep.numbers.point import Vertex
-from exactsweep.paper import report
+from exactsweep.paper import checks, figures, report
 from exactsweep.paper.claim import Effort, Finding, reproduce, weigh
 from exactsweep.paper.costs import COSTS
 from exactsweep.paper.data import as_json
@@ -108,6 +110,7 @@ BOXES: list[tuple[Vertex, Vertex]] = [
     *(((123_456, 1), (123_500, 2)), ((1000, 0), (1001, 1)), ((1001, 0), (1002, 1))),
     *(((0, 0), (10**4, 10**3)), ((0, 0), (9999, 10)), ((Fraction(1, 3), 0), (E9, 10**12))),
 ]
+VALUES = Fraction, tuple, list, Region
 FIGURES = ("minkowski", "lower_bound", "local_width", "chains", "contact_motion")
 
 
@@ -207,7 +210,9 @@ def list_figures() -> Iterator[str]:
 
 
 def _write(value: Any) -> str:
-    """Nested points in one line; sets in order."""
+    """Nested points in one line; sets in order; a bound by its value."""
+    if callable(value):
+        return f"{value(24, 40):.6g}"
     if isinstance(value, set | frozenset):
         value = sorted(value)
     if isinstance(value, tuple | list):
@@ -278,6 +283,17 @@ def list_report() -> Iterator[str]:
         yield f"{called} {limits} {cost.bound[1](24, 40):.6g}"
 
 
+def list_examples() -> Iterator[str]:
+    """The examples by which the ledger argues, and the choices of the generator, each once."""
+    seen = set()
+    for room in (generator, checks, figures):
+        for module in sorted(m.name for m in walk_packages(room.__path__, f"{room.__name__}.")):
+            for name, value in sorted(vars(import_module(module)).items()):
+                if name.isupper() and isinstance(value, VALUES) and id(value) not in seen:
+                    seen.add(id(value))
+                    yield f"{module}.{name} {_write(value)}"
+
+
 def show_row(row: Finding) -> dict[str, Any]:
     """Return the findings of a row of the ledger without counts of operations and times."""
     (found,) = as_json([row], Effort(seed=2, quick=True))["claims"]
@@ -307,6 +323,7 @@ TEXTS: dict[str, Callable[[], Iterator[str]]] = {
     "figures": list_figures,
     "exports": list_exports,
     "generated": list_generated,
+    "examples": list_examples,
     "growing": list_growing,
     "report": list_report,
     "scales": list_scales,
