@@ -1,9 +1,10 @@
 """Falsify certificates, and see that the checker refuses them: `python -m tests.falsify`.
 
 Changes of one place, mixtures of two certificates about related pairs, and an adversary who moves
-loops and has the finder fill in a proof for them. With --prove, certificates of random pairs and of
-the corpus are proved by the file alone, in processes that cannot see the package. With --weaken,
-single lines of the checker are weakened, and a test has to notice each.
+loops and has the finder fill in a proof for them. With --layouts, certificates of layouts instead.
+With --prove, certificates of random pairs and of the corpus are proved by the file alone, in
+processes that cannot see the package. With --weaken, single lines of the checker are weakened, and
+a test has to notice each.
 """
 
 from __future__ import annotations
@@ -15,25 +16,28 @@ import os
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from itertools import islice
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
-from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import standalone
 from exactsweep.check.standalone import Refused, prove
 from exactsweep.corpus import cases
 from exactsweep.evidence.proof import add_proof
 
 # The tests import one another by bare names, as pytest sets them up.
+sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from families import random_pair
+from layout_adversary import draw_layouts, is_true_layout, refill
+from producer import certificate_of
 from shape_families import random_shapes
 
 Certificate = dict[str, Any]
@@ -54,9 +58,12 @@ for line in open(sys.argv[2], encoding="utf-8"):
 print(failed)
 """
 
-# Reasons for people, which the checker does not read; and what has no order or no meaning.
-UNREAD = ("contacts", "inner_drawn", "outer_drawn")
-TESTS = ("tests/check/test_standalone.py", "tests/check/test_standalone_layouts.py")
+# Evidence that may be listed in more than one way.
+EVIDENCE = ("inner_drawn", "outer_drawn", "proof")
+TESTS = tuple(
+    f"tests/check/test_{name}.py"
+    for name in ("monotone", "standalone", "standalone_layouts", "verify", "certificate_reading")
+)
 ANSWERS = ("exterior", "holes", "exact_fits", "inner", "outer", "unswept", "area", "trajectory")
 
 
@@ -95,10 +102,10 @@ def draw_classes(rng: Random, pairs: int) -> Iterator[Certificate]:
 
 
 def list_places(item: Any, path: Place = ()) -> list[Place]:
-    """List all places of a certificate that are read."""
+    """List all places of a certificate."""
     entries = item.items() if type(item) is dict else enumerate(item) if type(item) is list else ()
     below = [found for key, value in entries for found in list_places(value, (*path, key))]
-    return [path, *below] if path[:1] not in [(key,) for key in UNREAD] else []
+    return [path, *below]
 
 
 def get(item: Any, path: Place) -> Any:
@@ -133,12 +140,13 @@ def change(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
     return f"{where}: left out", put(certificate, path, None)
 
 
-def mix(one: Certificate, other: Certificate, rng: Random) -> tuple[str, Certificate]:
-    """Take some entries from another certificate."""
-    keys = [key for key in one if key in other and one[key] != other[key] and key not in UNREAD]
-    taken = {key: other[key] for key in keys if rng.random() < 0.4}
-    proof = {key: rng.choice([one, other])["proof"].get(key, []) for key in one["proof"]}
-    return "mixture", {**one, **taken, "proof": rng.choice([one["proof"], proof])}
+def mix(one: Any, other: Any, rng: Random) -> Any:
+    """Take some entries of an object, and of objects in it, from another one."""
+    if not (type(one) is type(other) is dict):
+        return other
+    keys = [key for key in one if key in other and one[key] != other[key]]
+    taken = {key: mix(one[key], other[key], rng) for key in keys if rng.random() < 0.4}
+    return {**one, **taken}
 
 
 def reroute(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
@@ -166,6 +174,14 @@ def reroute(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
         loops = [changed["outer"], changed["inner"], *changed.get("unswept", [])]
         areas = [standalone.double_area(standalone.ring(e)) for e in loops if len(e) > 2]
         changed["area"] = str((areas[0] - sum(areas[1:])) / 2)
+    if "claim" not in changed:
+        g, d = (Polygon(changed[key]) for key in ("generatrix", "directrix"))
+        t, inner, outer = (
+            tuple(Point(*map(Fraction, p)) for p in changed[key])
+            for key in ("trajectory", "inner", "outer")
+        )
+        found = certificate_of(g, d, (t, inner, outer))
+        changed |= {key: found[key] for key in ("contacts", "inner_drawn", "outer_drawn")}
     return f"rerouted: {kind}", add_proof({k: v for k, v in changed.items() if k != "proof"})
 
 
@@ -183,7 +199,7 @@ def is_same_claim(one: Certificate, other: Certificate) -> bool:
 
     def normal(item: Any, key: Any = "") -> Any:
         if type(item) is dict:
-            kept = {k: v for k, v in item.items() if k not in (*UNREAD, "proof")}
+            kept = {k: v for k, v in item.items() if k not in EVIDENCE}
             return {k: normal([] if v is None else v, k) for k, v in kept.items()}
         if type(item) is list and (key in ("holes", "unswept", "regions", "exact_fits")):
             ordered = [sorted(map(str, e)) if key == "exact_fits" else normal(e) for e in item]
@@ -195,22 +211,38 @@ def is_same_claim(one: Certificate, other: Certificate) -> bool:
     return bool(normal(one) == normal(other))
 
 
-def falsify(rng: Random, pairs: int, changes: int) -> tuple[Counter[str], list[Any]]:
+class Family(NamedTuple):
+    """Certificates of one kind.
+
+    Attributes:
+        draw: draws certificates of related questions, with all evidence.
+        adversary: changes the claim of one, and finds evidence for it.
+        is_true: decides whether a changed claim is true, or one of the known ones.
+    """
+
+    draw: Callable[[Random], Iterable[Certificate]]
+    adversary: Callable[[Certificate, Random], tuple[str, Certificate]]
+    is_true: Callable[[Certificate, list[Certificate]], bool]
+
+
+def falsify(
+    rng: Random, pairs: int, changes: int, family: Family
+) -> tuple[Counter[str], list[Any]]:
     """Count what was tried, and list what was proved though it claims something else."""
+    draw, adversary, is_true = family
     tried: Counter[str] = Counter()
     missed = []
     for _ in range(pairs):
-        claims = list(draw(rng))
-        known = [add_proof(claim) for claim in claims]
-        for n in range(changes):
+        known = list(draw(rng))
+        for n in range(changes if known else 0):
             one = known[n % len(known)]
             same = [c for c in known if c.get("claim") == one.get("claim") and c is not one]
             share = rng.random()
             try:
                 if share < 0.2:
-                    name, changed = reroute(one, rng)
+                    name, changed = adversary(one, rng)
                 elif share < 0.4 and same:
-                    name, changed = mix(one, same[0], rng)
+                    name, changed = "mixture", mix(one, same[0], rng)
                 else:
                     name, changed = change(one, rng)
             except Exception:  # whatever keeps the finder from ending with a proof
@@ -221,13 +253,15 @@ def falsify(rng: Random, pairs: int, changes: int) -> tuple[Counter[str], list[A
                 prove(changed)
             except Refused:
                 continue
-            if not any(is_same_claim(changed, c) for c in known) and not is_true(changed):
+            if not is_true(changed, known):
                 missed.append((name, changed))
     return tried, missed
 
 
-def is_true(certificate: Certificate) -> bool:
-    """Decide whether the kernel gives the same answer for the polygons of a changed certificate."""
+def is_true(certificate: Certificate, known: list[Certificate]) -> bool:
+    """Decide whether a claim is known, or the kernel gives the same answer for its polygons."""
+    if any(is_same_claim(certificate, c) for c in known):
+        return True
     names = ("part", "container") if "part" in certificate else ("generatrix", "directrix")
     g, d = (read_region(certificate[name]) for name in names)
     claim = certificate.get("claim")
@@ -241,6 +275,10 @@ def is_true(certificate: Certificate) -> bool:
         }
         true = sweep(g, d, **options).certificate()
     return is_same_claim(certificate, json.loads(json.dumps(true)))
+
+
+SHAPES = Family(lambda rng: map(add_proof, draw(rng)), reroute, is_true)
+LAYOUTS = Family(draw_layouts, refill, is_true_layout)
 
 
 def read_region(item: Any) -> Any:
@@ -272,13 +310,14 @@ def list_corpus() -> Iterator[Certificate]:
 
 def list_weakened(source: str) -> Iterator[tuple[int, str]]:
     """List the sources in which one condition of the checker always holds, with the line."""
-    tree = ast.parse(source)
-    for call in ast.walk(tree):
-        if isinstance(call, ast.Call) and ast.unparse(call.func) == "need":
-            lines = source.splitlines()
-            first, last = call.lineno - 1, (call.end_lineno or call.lineno) - 1
-            indent = lines[first][: call.col_offset]
-            yield call.lineno, "\n".join([*lines[:first], f"{indent}pass", *lines[last + 1 :], ""])
+    lines = source.splitlines()
+    for node in ast.walk(ast.parse(source)):
+        is_need = isinstance(node, ast.Call) and ast.unparse(node.func) == "need"
+        if is_need or (isinstance(node, ast.Raise) and "Refused(" in ast.unparse(node)):
+            assert isinstance(node, (ast.Call, ast.Raise))
+            first, last = node.lineno - 1, (node.end_lineno or node.lineno) - 1
+            indent = lines[first][: node.col_offset]
+            yield node.lineno, "\n".join([*lines[:first], f"{indent}pass", *lines[last + 1 :], ""])
 
 
 def weaken(tests: tuple[str, ...], every: int) -> tuple[int, list[str]]:
@@ -319,12 +358,20 @@ def _pass(tests: tuple[str, ...], folder: str) -> bool:
 )
 @click.option("--changes", default=100, show_default=True, help="How many changes of each pair.")
 @click.option("--seed", default=1, show_default=True)
+@click.option("--layouts", is_flag=True, help="Certificates of layouts.")
 @click.option("--prove", "proved", is_flag=True, help="Prove certificates, unchanged, instead.")
 @click.option("--corpus", is_flag=True, help="Those of the corpus, with --prove.")
 @click.option("--weaken", "weakened", is_flag=True, help="Weaken lines of the checker instead.")
 @click.option("--every", default=1, show_default=True, help="With --weaken: each one of so many.")
 def main(
-    pairs: int, changes: int, seed: int, proved: bool, corpus: bool, weakened: bool, every: int
+    pairs: int,
+    changes: int,
+    seed: int,
+    layouts: bool,
+    proved: bool,
+    corpus: bool,
+    weakened: bool,
+    every: int,
 ) -> None:
     """Falsify certificates, and count what the checker refuses."""
     if weakened:
@@ -340,7 +387,7 @@ def main(
             click.echo(f"{count - failed} of {count} proved", err=True)
         click.echo(f"{count - failed} of {count} proved")
         sys.exit(bool(failed))
-    tried, missed = falsify(rng, pairs, changes)
+    tried, missed = falsify(rng, pairs, changes, LAYOUTS if layouts else SHAPES)
     for name, number in sorted(tried.items()):
         click.echo(f"{number:7}  {name}")
     click.echo(f"{tried.total()} tried, {len(missed)} false ones proved")

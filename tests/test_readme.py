@@ -147,7 +147,7 @@ def test_the_counts_of_claims_and_cases_hold() -> None:
 
 @pytest.mark.long
 def test_the_campaigns_begin() -> None:
-    names = re.findall(r"python -m (tests\.\w+)", TEXTS["tests/README.md"])
+    names = {*re.findall(r"python -m (tests\.\w+)", TEXTS["tests/README.md"])}
     assert len(names) >= 4
     for name in names:
         done = shell(f"cd '{ROOT}' && '{sys.executable}' -m {name} --help")

@@ -65,14 +65,14 @@ class Cluster:
         self.connection = self.client.scheduler_comm
         self.pool = self.client.get_executor(pure=False)
 
-    def submit(self, chunk: Chunk) -> _RecordsOfCluster:
+    def submit(self, chunk: Chunk) -> RecordsOfCluster:
         """Compute a chunk in some process.
 
         Raises:
             CancelledError: the scheduler is gone.
         """
         try:
-            return _RecordsOfCluster(self.pool.submit(_compute, chunk, self.name), self)
+            return RecordsOfCluster(self.pool.submit(_compute, chunk, self.name), self)
         except self.closed:
             raise CancelledError from None
 
@@ -99,13 +99,14 @@ def _require_address(address: str) -> None:
         raise BatchError(f"no Dask scheduler at {quote(address)}: not as in tcp://host:8786")
 
 
-class _RecordsOfCluster:
+class RecordsOfCluster:
     """A result of a chunk that is still to come."""
 
     def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:
         self.future, self.cluster = future, cluster
 
     def result(self) -> Sequence[bytes]:
+        """Wait for the records; raises CancelledError if the scheduler is gone."""
         # Dask never settles the futures of results that it was fetching when the scheduler went.
         while not wait([self.future], _LOOK).done:
             if self.cluster.is_gone():

@@ -130,10 +130,9 @@ def take_listed_pairs(
 
 
 def _require_known(what: str) -> Quantities:
-    for known in QUANTITIES:
-        if what == known:
-            return known
-    raise BatchError(f"{quote(what)} is none of {', '.join(QUANTITIES)}")
+    if what not in QUANTITIES:
+        raise BatchError(f"{quote(what)} is none of {', '.join(QUANTITIES)}")
+    return what
 
 
 def _parts(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple
 
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
@@ -13,6 +13,14 @@ from exactsweep.batch.output import Output
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future
+
+    from exactsweep.batch.cluster import Cluster, RecordsOfCluster
+    from exactsweep.batch.local import LocalProcesses
+
+    Processes = LocalProcesses | Cluster
 
 # Chunks under way at a time, for each process: enough to keep all busy while one is slow.
 _CHUNKS_AHEAD = 8
@@ -35,26 +43,6 @@ class Counts(NamedTuple):
     pairs: int
     refused: int
     resumed: int
-
-
-class PendingRecords(Protocol):
-    """The records of a chunk, once they are computed."""
-
-    def result(self) -> Sequence[bytes]:
-        """Wait for it, and return it."""
-
-
-class Processes(Protocol):
-    """The interface of anything that computes chunks."""
-
-    count: int
-    lost: tuple[type[BaseException], ...]
-
-    def submit(self, chunk: Chunk) -> PendingRecords:
-        """Compute a chunk in some process."""
-
-    def close(self) -> None:
-        """End all processes."""
 
 
 @tells_arguments
@@ -128,13 +116,10 @@ def _start_processes(work: Work, workers: int | None, scheduler: str | None) -> 
     return Cluster(work, scheduler, workers or count_cores())
 
 
-_Pending = tuple[Chunk, PendingRecords]
-
-
 def _take_in_order(
     chunks: Iterator[Chunk], processes: Processes, work: Work
 ) -> Iterator[Sequence[bytes]]:
-    pending: deque[_Pending] = deque()
+    pending: deque[tuple[Chunk, Future[Sequence[bytes]] | RecordsOfCluster]] = deque()
     for chunk in chunks:
         pending.append((chunk, processes.submit(chunk)))
         if len(pending) >= _CHUNKS_AHEAD * processes.count:
@@ -144,7 +129,10 @@ def _take_in_order(
 
 
 def _take_result(
-    chunk: Chunk, answer: PendingRecords, processes: Processes, work: Work
+    chunk: Chunk,
+    answer: Future[Sequence[bytes]] | RecordsOfCluster,
+    processes: Processes,
+    work: Work,
 ) -> Sequence[bytes]:
     try:
         return answer.result()

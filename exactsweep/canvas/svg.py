@@ -31,7 +31,8 @@ def write_svg(shapes: Iterable[Shape], title: str) -> str:
     """Write shapes as one SVG image on a white ground.
 
     Args:
-        shapes: the shapes in drawing order; points have Fraction coordinates.
+        shapes: the shapes in drawing order; points have Fraction coordinates. One without loops is
+            left out.
         title: the title of the picture.
 
     Returns:
@@ -42,7 +43,7 @@ def write_svg(shapes: Iterable[Shape], title: str) -> str:
 
     Cost: linear in the number of points.
     """
-    drawn = [Shape([list(loop) for loop in s.loops], s.look, s.closed) for s in shapes]
+    drawn = [Shape([list(loop) for loop in s.loops], s.look, s.closed) for s in shapes if s.loops]
     points = chain.from_iterable(chain.from_iterable(shape.loops for shape in drawn))
     window = Window.around(points, _WIDTH, _HEIGHT, _MARGIN)
     return (

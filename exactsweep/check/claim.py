@@ -23,20 +23,20 @@ from itertools import zip_longest
 from typing import Any
 
 from exactsweep.check import standalone
-from exactsweep.check.area import check_area
-from exactsweep.check.certificate import (
-    CertificateError,
-    check_keys,
-    flaw,
-    read_list,
-    read_loop,
-    read_number,
-)
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.check.no_fit import find_inner_fit, find_no_fit, find_swept
 from exactsweep.check.shape import Outlines
 from exactsweep.check.size import Budget
-from exactsweep.check.standalone import Node, Refused, Work
+from exactsweep.check.standalone import (
+    Node,
+    Refused,
+    Work,
+    fields,
+    items,
+    least_first,
+    place,
+    under,
+)
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Loop, Point
 
@@ -55,14 +55,15 @@ def prove_claim(certificate: dict[str, Any], max_steps: int) -> None:
     """Prove a certificate that has the key `claim`.
 
     Raises:
-        CertificateError: the first thing that is wrong, with a witness.
+        Refused: the first thing that is wrong, with a witness.
 
     Cost: that of `reference_no_fit`, `reference_inner_fit` and `reference_swept`.
     """
+    standalone.check_format(certificate)
     claim = certificate["claim"]
     if type(claim) is not str or claim not in _KEYS:
-        raise CertificateError(f"claim is not {', '.join(_KEYS)}")
-    check_keys(certificate, ("claim", *_KEYS[claim]))
+        raise Refused(f"claim is not {', '.join(_KEYS)}")
+    fields(certificate, " ".join(_KEYS[claim]), "format version claim proof")
     budget = Budget(max_steps)
     names = _KEYS[claim][:2]
     d, g = shapes = [_read_shape(certificate[name], name) for name in names]
@@ -77,10 +78,10 @@ def prove_claim(certificate: dict[str, Any], max_steps: int) -> None:
 
 
 def _read_shape(item: Any, name: str) -> Outlines:
-    if type(item) is not dict or item.keys() != {"exterior", "holes"}:
-        raise flaw(name, "not an object of exterior and holes")
-    exterior = read_loop(item["exterior"], (name, ".exterior"))
-    return exterior, *read_list(item["holes"], (name, ".holes"), read_loop)
+    exterior, holes = under(name, lambda shape: fields(shape, "exterior holes"), item)
+    rings = [exterior, *under(f"{name}.holes", items, holes)]
+    read = [under(f"{name}, ring {k}", least_first, ring) for k, ring in enumerate(rings)]
+    return tuple(tuple(Point(*place(p)) for p in ring) for ring in read)
 
 
 def _check_shape(name: str, shape: Outlines, work: Work) -> None:
@@ -89,9 +90,9 @@ def _check_shape(name: str, shape: Outlines, work: Work) -> None:
     try:
         standalone.check_shape(rings, work)
     except Refused as refused:
-        raise CertificateError(f"{name}: {refused}", shape[0][0]) from None
+        raise Refused(f"{name}: {refused}", shape[0][0]) from None
     if [*map(standalone.outline, rings)] != rings or [*shape[1:]] != sorted(shape[1:]):
-        raise CertificateError(f"{name}: not canonical, or its holes are not sorted")
+        raise Refused(f"{name}: not canonical, or its holes are not sorted")
 
 
 def _take_all_pairs(d: Outlines, g: Outlines, budget: Budget) -> None:
@@ -111,13 +112,14 @@ def _find_no_fit(
     if certificate["claim"] == "no_fit":
         return
     if len(d) == len(g) == 1 and has_shared_direction([d[0], g[0]]):
-        raise CertificateError("kind: there is a shared direction, so it is not SS")
+        raise Refused("kind: there is a shared direction, so it is not SS")
     yield "kind", "SS"
     _take_all_pairs((no_fit.exterior,), g, budget)
     swept = find_swept(d, g, no_fit.exterior, budget)
     yield from swept._asdict().items()
     outer, *inside = map(_enter, (swept.outer, swept.inner, *swept.unswept))
-    check_area(read_number(certificate["area"], "area"), outer, inside)
+    loops = [outer, *(points[::-1] for points in inside)]
+    standalone.check_area(certificate["area"], loops, Work(standalone.MAX_STEPS))
 
 
 def _find_inner_fit(
@@ -146,25 +148,25 @@ def _write(item: Any) -> Any:
 
 
 def _compare(name: str, claimed: Any, true: Any) -> None:
-    """Raise CertificateError for the first entry of a list that differs."""
+    """Raise Refused for the first entry of a list that differs."""
     if claimed == true:
         return
     if type(claimed) is not list or type(true) is not list:
-        raise CertificateError(f"{name}: not {true if type(true) is str else 'a list'}")
+        raise Refused(f"{name}: not {true if type(true) is str else 'a list'}")
     k, invented, missed = _find_difference(claimed, true)
     witness = _find_witness(invented, missed)
     if invented is not None:
-        raise CertificateError(f"{name}[{k}]: not in the answer", witness)
+        raise Refused(f"{name}[{k}]: not in the answer", witness)
     if missed is not None:
-        raise CertificateError(f"{name}: one is missing", witness)
-    raise CertificateError(f"{name}: not in order, or one is listed twice")
+        raise Refused(f"{name}: one is missing", witness)
+    raise Refused(f"{name}: not in order, or one is listed twice")
 
 
 def _find_difference(claimed: list[Any], true: list[Any]) -> tuple[int, Any, Any]:
     """Find where lists differ first: the entries, unless they are elsewhere, too."""
-    pairs = enumerate(zip_longest(claimed, true))
+    pairs = enumerate(zip_longest(claimed, true, fillvalue=()))
     k, (one, other) = next((k, pair) for k, pair in pairs if pair[0] != pair[1])
-    return k, None if one in true else one, None if other in claimed else other
+    return k, None if one in (*true, ()) else one, None if other in (*claimed, ()) else other
 
 
 def _find_witness(claimed: Any, true: Any) -> Point | None:
@@ -173,7 +175,7 @@ def _find_witness(claimed: Any, true: Any) -> Point | None:
     for _ in range(2):
         for item in entries:
             try:
-                return Point(*standalone.place(standalone.point(item)))
+                return Point(*place(standalone.point(item)))
             except Refused:
                 continue
         one, other = (item if type(item) is list else [] for item in entries)

@@ -10,7 +10,7 @@ from math import lcm
 from typing import Any
 
 from exactsweep.check.cone import divide
-from exactsweep.check.size import find_common_scale
+from exactsweep.check.standalone import find_scale, node
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import divide_exactly
 from exactsweep.numbers.point import Loop, Point, Vertex
@@ -34,8 +34,8 @@ def list_edges(shape: Iterable[LatticeRing]) -> list[tuple[Vertex, Vertex]]:
 
 
 def scale_shapes(shapes: Sequence[Outlines]) -> tuple[int, list[LatticeShape]]:
-    """Scale shapes by the `find_common_scale` of all their vertices."""
-    scale = find_common_scale([p for shape in shapes for ring in shape for p in ring])
+    """Scale shapes by the `find_scale` of all their vertices."""
+    scale = find_scale([node(*p) for shape in shapes for ring in shape for p in ring])
     return scale, [_scale_shape(shape, scale) for shape in shapes]
 
 

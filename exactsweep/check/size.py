@@ -1,44 +1,27 @@
 """Certificates too large to be checked.
 
-The checker refuses work that is known to take too long before it begins. For polygons of any shape,
-the known work is that of comparing every edge with every other one. The rest depends on the number
-of pieces that meet; the checker counts it against the same budget as it goes.
+The checker refuses work that is known to take too long before it begins: to read all numbers and,
+for polygons of any shape, to compare every edge with every other one. The rest depends on what
+meets; the checker counts it against the same budget as it goes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import chain
-from math import isqrt, lcm
+from math import isqrt
 from typing import Any
 
-from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import Node
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.check.standalone import Refused
+from exactsweep.numbers.point import Vertex
 
 _LEVELS = 8
-
-# Bits of a common denominator that are worth while, and times that it may be as long as the longest
-# denominator: of unrelated ones of 150 digits each point by itself is checked 35 times as fast.
-_SHORT, _FEW = 256, 2
 
 # Digits that are more than one step to read.
 _LONG = 100
 
 # These lists describe edges by words and indices; their strings are not read as numbers.
 _WITHOUT_NUMBERS = ("contacts", "inner_drawn", "outer_drawn")
-
-
-def find_common_scale(points: Collection[Point]) -> int:
-    """The least common denominator; 1 if it is far longer than each of them, and so of no use."""
-    longest = max(c.denominator for point in points for c in point).bit_length()
-    most = max(_SHORT, _FEW * longest)
-    scale = 1
-    for x, y in points:
-        scale = lcm(scale, x.denominator, y.denominator)
-        if scale.bit_length() > most:
-            return 1
-    return scale
 
 
 class Budget:
@@ -58,15 +41,13 @@ class Budget:
         """Take steps on numbers of so many bits.
 
         Raises:
-            CertificateError: that is more than is left.
+            Refused: that is more than is left.
         """
         if self.left is None:
             return
         self.left -= steps * _weight(bits)
         if self.left < 0:
-            raise CertificateError(
-                f"too large: to check it would take more than {self._most} steps"
-            )
+            raise Refused(f"too large: to check it would take more than {self._most} steps")
 
 
 UNLIMITED = Budget()
@@ -79,22 +60,8 @@ def measure_bits(points: Iterable[Vertex]) -> int:
     return bits if all(d == 1 for _, d in ratios) else 32 * bits
 
 
-def check_size(loops: Collection[Sequence[Node]], steps: int, max_steps: int) -> None:
-    """Raise CertificateError if so many steps, and the loops themselves, are more than allowed."""
-    Budget(max_steps).take(measure_size(loops, steps))
-
-
-def measure_size(loops: Collection[Sequence[Node]], steps: int) -> int:
-    """Sum up so many steps on the numbers of loops, and on the loops themselves."""
-    columns = [column for nodes in loops for column in zip(*nodes, strict=True)]
-    bits = max(n.bit_length() for column in columns for n in (min(column), max(column)))
-    work = (steps + sum(map(len, loops))) * _weight(bits)
-    # The area comes over the product of all denominators.
-    return work + max(_weight(2 * sum(w.bit_length() for _, _, w in nodes)) for nodes in loops)
-
-
 def check_reading(certificate: Any, max_steps: int) -> None:
-    """Raise CertificateError if to read its numbers takes more steps than are allowed."""
+    """Raise Refused if to read its numbers takes more steps than are allowed."""
     Budget(max_steps).take(reading_steps(certificate))
 
 

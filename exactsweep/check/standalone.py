@@ -33,10 +33,54 @@ ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y 
    which is connected; then it is 0 on O and left of each loop, -1 right of it: off L, O is where W
    is 0. Each region is a shape by (1), and no loop passes its interior, where its own rings make W
    -1: so regions are the components of the rest, and are written in one way only.
-5. Sweeps. T, the trajectory, is the exterior of 3. T + G is the closure of the sums of the edges of
-   T and pieces of G. The union of these is connected: T + G_j is, and along a cut of G two of them
-   meet, at an edge of T that is not parallel to the cut. So 3 serves again, with the edges of T for
-   the pieces of D, and slits, positions between sums, for fits. The inner loop is the one around D.
+5. Sweeps of any shape. T, the trajectory, is the exterior of 3. T + G is the closure of the sums of
+   the edges of T and pieces of G. The union of these is connected: T + G_j is, and along a cut of G
+   two of them meet, at an edge of T that is not parallel to the cut. So 3 serves again, with the
+   edges of T for the pieces of D, and slits, positions between sums, for fits. The inner loop is
+   the one around D.
+6. Sweeps with a shared direction, turned to be x. P = D + H is bounded by the trajectory T, P + G
+   by the outer loop, E, the points p with p + H in P, by the inner loop. All five loops are simple
+   and weakly monotone to x: each line square to x meets a loop's region in one piece. It meets P
+   and P + G in one piece, for sections of sums are sums of sections, and E, for E is common to all
+   P - h. A loop is simple if its lower chain is below its upper one, from both sides of each jump.
+   (a) T is in P: its edges are covered by contacts, sums of a feature of D and one of H. So its
+       region is in P, and P is in its region by (e).
+   (b) The outer loop is the same with T and G for D and H. For T + G is P + G less the inside of E,
+       the swept area: p is in T + G if p + H, which is connected, meets T, so unless p + H avoids P
+       or is inside P.
+   (c) The region Q of the inner loop is in E, for Q + H is in P by (e). Its edges are covered by
+       sums t + g with t on T. None is inside E, or t would be inside P. The inside of E is
+       connected, as its sections lead to D, which is in E. It meets Q, as Q is in E, but not the
+       edges of Q, so it is in Q.
+   (d) Contacts are listed, all of them. Where a sum of two features is along an edge of T, D moved
+       by any point of H is left of it, and so is H moved by any of D. So the features are two edges
+       of its direction, or such an edge and a convex corner whose edges have this direction
+       between.
+   (e) Lemma. Let A, B and Q be regions of loops. A corner of a lower chain has the slopes of the
+       lines through it that the chain near it is not below: from minus infinity at its first
+       corner, to infinity at its last. It is convex if it has more than one. If
+       - a + b is in Q for all corners a of A and b of B that have more than one slope in common,
+         and
+       - at each concave corner of Q, in the limit from a side on which the boundary of Q goes on
+         without a vertical edge, A + B is not below it,
+       for lower chains and, turned by half a turn, upper ones, then A + B is in Q.
+       Proof for lower halves: Q is above its chain q, A + B above s(x) = min A(u) + B(x - u). A
+       convex corner of s is a sum a + b, and s is nowhere above A moved by b or B moved by a, which
+       pass there: so a and b have all slopes that a + b has, and it is in Q. Ends of s and bottoms
+       of its vertical edges are convex, so they are in Q, and s is over no x beyond Q. Suppose q -
+       s is positive somewhere. Take its greatest one-sided limit, at x from a side i.
+       - s jumps or ends at x. If i is the lower side, the bottom is in Q, so q jumps, too, with i
+         on its higher side, where the corner is concave. If i is the higher side of s, q jumps by
+         as much to the same side, or q - s would be greater on the other side. Both are ruled out.
+       - Only q jumps. The limit is greatest on its higher side, where the corner is concave.
+       - Neither jumps. By the first condition s is not convex at x, by the second q is not concave.
+         So q - s is convex near x and greatest there, hence constant. So it is at the next corner,
+         too, and at last at the end of s, which was ruled out.
+   (f) Exact fits. The lower chains of D and H leave G free to slide up at x as far as the least
+       A(u) + B(x - u) inside intervals, past both one-sided limits of s at x. Where A and B both
+       jump, each limit of s counts one pair of values more: after both fell, or before both rise.
+       To be less, each needs such a pair: so x is a sum of two falls and of two rises, ends
+       included.
 """
 
 from __future__ import annotations
@@ -44,50 +88,67 @@ from __future__ import annotations
 import json
 import re
 import sys
+from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
-from itertools import chain, pairwise
+from functools import cmp_to_key
+from itertools import chain, islice, pairwise
 from math import gcd, lcm
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
-FORMAT, VERSION, MAX_DIGITS, MAX_STEPS = "exactsweep certificate", 2, 20_000, 10**8
+FORMAT, VERSION, MAX_DIGITS, MAX_STEPS = "exactsweep certificate", 2, 10**6, 10**8
 PI = Fraction(  # cut off after 99 decimals
     31415926535897932384626433832795028841971693993751 * 10**50
     + 5820974944592307816406286208998628034825342117067,
     10**99,
 )
 BOX = (1, 0), (0, 1), (-1, 0), (0, -1)
+NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
 NONE, ALL, NOWHERE = Fraction(0), (Fraction(-1), Fraction(2)), (Fraction(2), Fraction(-1))
 
+Rational = Fraction | int
 Node = tuple[int, int, int]
 Grid = tuple[int, int, int, int]
 Ring = list[Node]
 Edge = tuple[Node, Node]
 Span = tuple[Fraction, Fraction]
+Extent = tuple[Rational, Rational]
+Corner = tuple[int, Node, Node, Node]
+Contact = tuple[str, int, int]
+T = TypeVar("T")
 
 
 class Refused(Exception):  # noqa: N818
-    """The first reason for which a certificate is not proved."""
+    """The first reason for which a certificate is not proved, and perhaps a point that shows it."""
+
+    def __init__(self, reason: str, witness: Span | None = None) -> None:
+        super().__init__(reason)
+        self.witness = witness
 
 
 class Work:
-    """The budget of steps that is left, and the scale of the boxes."""
+    """The budget of steps that is left, how many one takes, and the scale of the boxes."""
 
     def __init__(self, steps: int) -> None:
-        self.left, self.scale = steps, 1
+        self.left, self.weight, self.scale = steps, 1, 1
 
     def take(self, steps: int) -> None:
         """Take steps, or refuse the certificate."""
-        self.left -= steps
+        self.left -= steps * self.weight
         need(self.left >= 0, "too large: to check it would take too many steps")
 
     def fit(self, rings: list[Ring]) -> None:
         """Choose a scale for shapes like these."""
         xs = [Fraction(x, w) for points in rings for x, _, w in points]
         self.scale = int(2**30 / (max(xs) - min(xs) or 1)) + 1
+
+    def weigh(self, bits: int) -> None:
+        """Choose how many steps one on numbers of so many bits takes."""
+        words = 1 + bits // 64
+        self.weight = words + words * words // 1000
 
 
 def need(condition: bool, reason: str) -> None:
@@ -98,8 +159,10 @@ def need(condition: bool, reason: str) -> None:
 
 def fields(item: Any, names: str, optional: str = "") -> list[Any]:
     """Take an object apart by its keys; those that may be left out come as None."""
-    known, keys = f"{names} {optional}".split(), {*item} if type(item) is dict else {None}
-    need({*names.split()} <= keys <= {*known}, f"not an object with {names}")
+    need(type(item) is dict, f"not an object with {names}")
+    known, missing = f"{names} {optional}".split(), sorted({*names.split()} - item.keys())
+    need(not missing, f"keys are missing: {', '.join(missing)}")
+    need(item.keys() <= {*known}, "there are unknown keys")
     return [item.get(name) for name in known]
 
 
@@ -109,23 +172,32 @@ def items(item: Any, length: int | None = None) -> list[Any]:
     return list(item)
 
 
+def under(name: str, read: Callable[..., T], *given: Any) -> T:
+    """Read what is under a key, or name that in the reason."""
+    try:
+        return read(*given)
+    except Refused as refused:
+        raise Refused(f"{name}: {refused}") from None
+
+
 def integer(item: Any, low: int, end: int) -> int:
     """Require an int from low on and below end."""
     need(type(item) is int and low <= item < end, "not an int in its range")
     return int(item)
 
 
-def number(item: Any) -> Fraction:
+def number(item: Any) -> Rational:
     """Read a rational in lowest terms from a string; Decimal reads what is too long for int."""
-    need(type(item) is str and len(item) <= MAX_DIGITS, "not a number in a string, or a long one")
-    written = re.fullmatch("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?", item) and item != "-0"
-    need(bool(written), "not a number")
-    above, below = (int(Decimal(text)) for text in [*item.split("/"), "1"][:2])
-    need(gcd(above, below) == 1 and not item.endswith("/1"), "a number not in lowest terms")
+    is_short = type(item) is str and len(item) <= MAX_DIGITS
+    need(is_short and item != "-0" and bool(NUMBER.fullmatch(item)), "not a number in a string")
+    if "/" not in item:
+        return int(item) if len(item) < 600 else int(Decimal(item))
+    above, below = (int(Decimal(text)) for text in item.split("/"))
+    need(gcd(above, below) == 1 < below, "a number not in lowest terms")
     return Fraction(above, below)
 
 
-def node(x: Fraction, y: Fraction) -> Node:
+def node(x: Rational, y: Rational) -> Node:
     """Return a point, in short ints."""
     w = lcm(x.denominator, y.denominator)
     return x.numerator * (w // x.denominator), y.numerator * (w // y.denominator), w
@@ -139,6 +211,33 @@ def point(item: Any) -> Node:
 def read_fits(item: Any) -> list[Edge]:
     """Read pairs of points."""
     return [(point(p), point(q)) for p, q in (items(fit, 2) for fit in items(item))]
+
+
+def read_contacts(item: Any) -> list[Contact]:
+    """Read contacts: features, edges or vertices, of the generatrix and of the directrix."""
+    entries = [items(entry, 3) for entry in items(item)]
+    need(all(kind in ("EV", "VE", "EE") for kind, *_ in entries), "not EV, VE or EE")
+    return [(kind, integer(i, 0, 10**9), integer(j, 0, 10**9)) for kind, i, j in entries]
+
+
+def least_first(item: Any) -> Ring:
+    """Read a list of at least three points, the least one first."""
+    points = [*map(point, items(item))]
+    x, y, w = points[0] if len(points) > 2 else (0, 0, 0)
+    need(w > 0, "fewer than three points")
+    least = all((x * v, y * v) <= (s * w, t * w) for s, t, v in points)
+    need(least, "not canonical, the least point is not the first")
+    return points
+
+
+def find_scale(points: Ring) -> int:
+    """Return the least common denominator, or 1 if it is of no use, far longer than each."""
+    scale, longest = 1, max(w.bit_length() for _, _, w in points)
+    for _, _, w in points:
+        scale = lcm(scale, w)
+        if scale.bit_length() > max(256, 2 * longest):
+            return 1
+    return scale
 
 
 def drop_repeated(points: Ring) -> Ring:
@@ -160,11 +259,16 @@ def shape(item: Any, optional: str = "") -> list[Ring]:
     return [one[::-1] if (double_area(one) > 0) == bool(k) else one for k, one in enumerate(rings)]
 
 
+def reduce(a: int, b: int, c: int) -> Node:
+    """Return a line, or a point, in short ints."""
+    d = gcd(c, a, b) or 1
+    return a // d, b // d, c // d
+
+
 def line(p: Node, q: Node) -> Node:
     """Return the line from one point to another, in short ints."""
     a, b, c = p[1] * q[2] - q[1] * p[2], q[0] * p[2] - p[0] * q[2], p[0] * q[1] - q[0] * p[1]
-    d = gcd(a, b, c) or 1
-    return a // d, b // d, c // d
+    return reduce(a, b, c)
 
 
 def side(of: Node, p: Node) -> int:
@@ -505,8 +609,8 @@ def winding(known: list[Edge], p: Node) -> int:
     return found
 
 
-def count(rings: list[Ring]) -> int:
-    """Count vertices."""
+def count(rings: Sequence[Sequence[Any]]) -> int:
+    """Count the entries of lists."""
     return sum(map(len, rings))
 
 
@@ -516,7 +620,7 @@ def middle(points: Ring) -> Node:
     return x, y, 3 * w
 
 
-def frame(left: Fraction, low: Fraction, right: Fraction, high: Fraction) -> Ring:
+def frame(left: Rational, low: Rational, right: Rational, high: Rational) -> Ring:
     """Return a rectangle."""
     need(left < right and low < high, "frame: not the ends of a rectangle")
     return [node(left, low), node(right, low), node(right, high), node(left, high)]
@@ -527,18 +631,6 @@ def find_positions(outer: Ring, h: list[Ring]) -> Ring:
     xs, ys = zip(*(place(p) for p in chain.from_iterable(h)), strict=True)
     (left, low), (right, high) = place(outer[0]), place(outer[2])
     return frame(left + max(xs), low + max(ys), right + min(xs), high + min(ys))
-
-
-def check_kind(kind: Any, d: Ring, g: Ring, direction: list[Any]) -> None:
-    """Refuse a wrong kind, or a direction to which the two are not monotone."""
-    convex = is_convex(g) + (is_convex(g) and is_convex(d))
-    x, y = (number(str(n) if type(n) is int else n) for n in direction)
-    need(kind == ("MM", "CM", "CC")[convex], "kind: another one")
-    primitive = x.denominator == 1 == y.denominator and gcd(x.numerator, y.numerator) == 1
-    need(primitive and (x > 0 or (x == 0 and y > 0)), "direction: not primitive")
-    for points in (d, g):
-        signs = [s > 0 for s in (x * u + y * v for u, v in ways(points)) if s]
-        need(sum(signs[k - 1] != one for k, one in enumerate(signs)) == 2, "direction: not shared")
 
 
 def prove_no_fit(c: dict[str, Any], work: Work) -> str:
@@ -579,36 +671,442 @@ def prove_inner_fit(c: dict[str, Any], work: Work) -> str:
 
 
 def prove_sweep(c: dict[str, Any], work: Work) -> str:
-    """Prove a sweep by (5)."""
-    head, kind, at = "inner outer area exact_fits proof", c.get("kind"), (0, 0, 1)
-    if "claim" in c:
-        names = f"directrix generatrix exterior holes unswept {head}"
-        d, g, t, holes, unswept, *rest = fields(c, names, "format version claim kind")
-        d, g = shape(d), shape(g)
-        need(kind == "SS", "kind: not SS")
-    else:
-        names = f"directrix generatrix trajectory reference direction {head}"
-        lists = "contacts inner_drawn outer_drawn"
-        d, g, t, reference, direction, *rest = fields(c, names, f"format version kind {lists}")
-        d, g, at, holes, unswept = [ring(d)], [ring(g)], turn([point(reference)])[0], [], []
-        check_kind(kind, d[0], g[0], items(direction, 2))
-    inner, outer, area, fits, proof = rest[:5]
+    """Prove a sweep by (5), or by (6) if it has a shared direction."""
+    if "claim" not in c:
+        return Monotone(c, work).prove()
+    names = "directrix generatrix exterior holes unswept inner outer area kind exact_fits proof"
+    d, g, t, holes, unswept, inner, outer, area, kind, fits, proof = fields(
+        c, names, "format version claim"
+    )[:11]
+    need(kind == "SS", "kind: not SS")
     first, second, listed, swept, slits = fields(proof, "directrix generatrix sums swept slits")
+    d, g = shape(d), shape(g)
     work.fit(d + g)
     t, inner, outer = (loop(e, work) for e in (t, inner, outer))
-    t = [node(*place(add(p, at))) for p in t]
-    fits = [(add(p, at), add(q, at)) for p, q in read_fits(fits)]
     holes, unswept = ([loop(hole, work)[::-1] for hole in items(e)] for e in (holes, unswept))
     still, moving = solid(d, first, work), solid(g, second, work)
-    prove_positions(Sums(still, [*map(turn, moving)], work), [t, *holes], fits, listed)
+    sums = Sums(still, [*map(turn, moving)], work)
+    prove_positions(sums, [t, *holes], read_fits(fits), listed)
     loops = [outer, inner[::-1], *unswept]
     sums = Sums([*map(list, edges(t))], moving, work)
     prove_positions(sums, loops, read_fits(slits), swept)
     need(winding(edges(inner), middle(still[0])) == 1, "inner: not the loop around the directrix")
-    left = sum(map(double_area, loops), NONE)
-    need(left == 2 * number(area), "area: not that between the loops")
+    check_area(area, loops, work)
+    return describe(kind, count(g), count(d), t, inner, outer, area)
+
+
+def describe(kind: str, g: int, d: int, t: Ring, inner: Ring, outer: Ring, area: str) -> str:
+    """Describe a sweep that is proved; the area as written, for str refuses long ints."""
     answer = f"trajectory {len(t)}, inner {len(inner)}, outer {len(outer)}, area {area}"
-    return f"{kind} sweep of {count(g)} around {count(d)} vertices, {answer}"
+    return f"{kind} sweep of {g} around {d} vertices, {answer}"
+
+
+def check_area(area: Any, loops: list[Ring], work: Work, unit: int = 1) -> None:
+    """Refuse an area unless it is that of loops, those that are clockwise counted off."""
+    terms: dict[int, int] = defaultdict(int)
+    for p, q in chain.from_iterable(map(edges, loops)):
+        terms[p[2] * q[2]] += p[0] * q[1] - q[0] * p[1]
+    work.weigh(sum(w.bit_length() for w in terms))
+    work.take(1)
+    parts = [*terms.items()]
+    while len(parts) > 1:
+        both = zip(parts[::2], parts[1::2], strict=False)
+        parts = [(v * w, m * w + n * v) for (v, m), (w, n) in both] + parts[len(parts) & ~1 :]
+    ((w, n),), found = parts, under("area", number, area)
+    need(
+        n * found.denominator == 2 * unit * found.numerator * w, "area: not that between the loops"
+    )
+
+
+class LowerChain(NamedTuple):
+    """A lower chain, from left to right, or an upper one turned by half a turn.
+
+    Convex corners are in runs, along which slopes grow, with the lines before and after each;
+    concave ones have the side, 1 or -1, on which the chain goes on from them without a jump.
+    """
+
+    edges: list[tuple[Node, Node, Node]]
+    floors: list[int]
+    jumps: bool
+    runs: list[list[Corner]]
+    concave: list[tuple[int, Node, int]]
+
+    def reach(self, p: Node) -> int:
+        """Return the number of the first edge that ends above a point or right of it."""
+        (x, _, w), floors, ends = p, self.floors, self.edges
+        low = bisect_left(floors, x // w)
+        high = bisect_right(floors, x // w, low)
+        return bisect_left(ends, 0, low, high, key=lambda e: e[1][0] * w - x * e[1][2])
+
+    def holds(self, p: Node) -> bool:
+        """Return whether a point is on the chain or above it; at a jump the lower edge decides."""
+        k = self.reach(p)
+        near = [of for q, _, of in self.edges[k : k + 2] if order(q, p) <= 0]
+        return any(side(of, p) >= 0 for of in near)
+
+    def list_jumps(self) -> tuple[list[Fraction], list[Fraction]]:
+        """List where the chain falls, at last from infinity, and where it rises."""
+        falls, rises = [place(self.edges[0][0])[0]], [place(self.edges[-1][1])[0]]
+        for (_, p, _), (q, _, _) in pairwise(self.edges if self.jumps else []):
+            rise = q[1] * p[2] - p[1] * q[2]
+            (falls if rise < 0 else rises if rise else []).append(place(p)[0])
+        return falls, rises
+
+
+class MonotoneLoop(NamedTuple):
+    """A loop that is monotone to x, its lines, and its two chains."""
+
+    points: Ring
+    lines: list[Node]
+    chains: tuple[LowerChain, LowerChain]
+    is_convex: bool
+
+    def turned(self) -> MonotoneLoop:
+        """Return it turned by half a turn about the origin, numbered as before."""
+        lines = [(-a, -b, c) for a, b, c in self.lines]
+        return MonotoneLoop(turn(self.points), lines, self.chains[::-1], self.is_convex)
+
+    def feature(self, item: Any) -> tuple[str, int]:
+        """Read a feature."""
+        kind, k = item if type(item) is list and len(item) == 2 else ("", -1)
+        there = kind in ("vertex", "edge") and type(k) is int and 0 <= k < len(self.points)
+        need(there, "neither a vertex nor an edge")
+        return kind, k
+
+    def ends(self, kind: str, k: int) -> Ring:
+        """Return the ends of a feature: a vertex, or the edge that begins there."""
+        points = self.points
+        return [points[k], points[k + 1 - len(points)]] if kind in ("edge", "E") else [points[k]]
+
+
+def lower_chain(points: Ring, lines: list[Node], start: int, end: int) -> LowerChain:
+    """Return the chain from one corner to another, without vertical edges at its end."""
+    size = len(points)
+    last = (end - start) % size
+    while lines[(start + last - 1) % size][1] == 0:
+        last -= 1
+    runs: list[list[Corner]] = [[]]
+    edges, concave, before = [], [], (1, 0, 0)
+    for n in range(last + 1):
+        k = (start + n) % size
+        after = lines[k] if n < last else (-1, 0, 0)
+        if before[0] * after[1] > before[1] * after[0]:
+            runs[-1].append((k, points[k], before, after))
+        else:
+            concave.append((k, points[k], 1 if after[1] else -1))
+            runs.append([])
+        if n < last and after[1]:
+            edges.append((points[k], points[(k + 1) % size], after))
+        before = after
+    floors, runs = [x // w for _, (x, _, w), _ in edges], [run for run in runs if run]
+    return LowerChain(edges, floors, len(edges) < last, runs, concave)
+
+
+def order(p: Node, q: Node) -> int:
+    """Return a number below 0 if a point is left of another, above 0 if it is right of it."""
+    return p[0] * q[2] - q[0] * p[2]
+
+
+def heights(
+    one: LowerChain, other: LowerChain, p: Node, tie: int, work: Work
+) -> list[tuple[int, int]]:
+    """List A(u) + B(x - u) - y for p = (x, y) at both ends of all u along which it is linear.
+
+    The tie is 1 for the limit from the right of x, -1 from the left, 0 for what both share.
+    """
+    one, other = (one, other) if len(one.edges) >= len(other.edges) else (other, one)
+    x, y, w = p
+    # B turned about p is a chain, too: A + B passes below p where A passes below that.
+    below = [
+        (
+            (x * rw - rx * w, y * rw - ry * w, rw * w),
+            (x * lw - lx * w, y * lw - ly * w, lw * w),
+            (a * w, b * w, -a * x - b * y - c * w),
+        )
+        for (lx, ly, lw), (rx, ry, rw), (a, b, c) in reversed(other.edges)
+    ]
+    above, found, jumps = one.edges, list[tuple[int, int]](), one.jumps or other.jumps
+    i, j = one.reach(below[0][0]), 0
+    first = i
+    while i < len(above) and (order(above[i][1], below[0][0]) or -tie) <= 0:
+        i += 1
+    while j < len(below) and (order(below[j][1], above[0][0]) or tie) <= 0:
+        j += 1
+    while i < len(above) and j < len(below):
+        (q, r, (a, b, c)), (s, t, (d, e, f)) = above[i], below[j]
+        if jumps or not found:
+            if order(q, s) >= 0:
+                found.append((side((d, e, f), q), e * q[2]))
+            else:
+                found.append((-side((a, b, c), s), b * s[2]))
+        at = r[0] * t[2] - t[0] * r[2]
+        if at <= 0:
+            found.append((d * r[0] + e * r[1] + f * r[2], e * r[2]))
+        else:
+            found.append((-(a * t[0] + b * t[1] + c * t[2]), b * t[2]))
+        at = at or -tie
+        i += at <= 0
+        j += at >= 0
+    work.take(len(below) + i - first)
+    return found
+
+
+def meeting(one: LowerChain, other: LowerChain, work: Work) -> Iterator[tuple[int, int, Node]]:
+    """List convex corners, one of each chain, that share more than one slope, and their sum."""
+
+    def is_below(before: Node, after: Node) -> bool:
+        return before[0] * after[1] > before[1] * after[0] or before[1] == after[1] == 0
+
+    work.take(len(one.runs) * count(other.runs) + len(other.runs) * count(one.runs))
+    for run in one.runs:
+        for others in other.runs:
+            start = 0
+            for k, p, before, after in run:
+                while start < len(others) and not is_below(before, others[start][3]):
+                    start += 1
+                for m, q, first, _ in islice(others, start, None):
+                    if not is_below(first, after):
+                        break
+                    yield k, m, add(p, q)
+
+
+def by_angle(u: Node, v: Node) -> int:
+    """Compare two directions, counter-clockwise from straight down."""
+    return (u < (0, 0)) - (v < (0, 0)) or u[1] * v[0] - u[0] * v[1]
+
+
+def touching(d: MonotoneLoop, h: MonotoneLoop, work: Work) -> Iterator[tuple[Contact, Node]]:
+    """List features of D and H whose sum may be on the boundary of D + H, and the line of it.
+
+    They are edges of one direction, or an edge and a convex corner between whose edges it is.
+    """
+    ways = [[reduce(a, b, 0) for a, b, _ in of.lines] for of in (d, h)]
+    turned = sorted(dict.fromkeys(chain.from_iterable(ways)), key=cmp_to_key(by_angle))
+    ranks = {way: k for k, way in enumerate(turned)}
+    of_d, of_h = [[ranks[way] for way in found] for found in ways]
+    for one, other, known, turns in ((h, d, of_h, of_d), (d, h, of_d, of_h)):
+        along: defaultdict[int, list[int]] = defaultdict(list)
+        for k, rank in enumerate(known):
+            along[rank].append(k)
+        for m, (x, y, w) in enumerate(other.points):
+            before, after = turns[m - 1], turns[m]
+            (a, b, _), (c, e, _) = other.lines[m - 1], other.lines[m]
+            facing = range(before + 1, after + len(ranks) * (after < before))
+            if a * e <= b * c:
+                facing = range(0)
+            work.take(len(facing))
+            found = chain.from_iterable(along.get(n % len(ranks), ()) for n in facing)
+            contacts = [(k, ("EV", k, m) if one is h else ("VE", m, k)) for k in found]
+            contacts += [(k, ("EE", k, m)) for k in (along.get(after, ()) if one is h else ())]
+            work.take(len(contacts))
+            for k, contact in contacts:
+                a, b, c = one.lines[k]
+                yield contact, reduce(a * w, b * w, c * w - a * x - b * y)
+
+
+def extent(of: Node, points: Ring, others: Sequence[Node] = ((0, 0, 1),)) -> Extent:
+    """Return the ends of sums along a line, by x or y; in wrong order if one is off."""
+    a, b, c = of
+    found = list[Rational]()
+    for x, y, w in points:
+        for u, v, z in others:
+            n, m, unit = x * z + u * w, y * z + v * w, w * z
+            if a * n + b * m + c * unit:
+                return 1, 0
+            at = n if b else m
+            found.append(at if unit == 1 else Fraction(at, unit))
+    return min(found), max(found)
+
+
+class Monotone:
+    """A sweep of polygons with a shared direction, as its certificate has it, proved by (6).
+
+    Its points are turned so that the direction is x, and multiplied by a common denominator.
+    """
+
+    def __init__(self, c: dict[str, Any], work: Work) -> None:
+        names = ["generatrix", "directrix", "trajectory", "inner", "outer"]
+        head = "contacts inner_drawn outer_drawn exact_fits kind direction reference area"
+        values = fields(c, f"{head} {' '.join(names)}", "format version")
+        *self.evidence, fits, self.kind, way, reference, self.area = values[:8]
+        loops = [under(name, least_first, e) for name, e in zip(names, values[8:13], strict=True)]
+        at = turn([under("reference", point, reference)])[0]
+        loops[2] = [add(p, at) for p in loops[2]]
+        self.fits = [(add(p, at), add(q, at)) for p, q in under("exact_fits", read_fits, fits)]
+        x, y = (n if type(n) is int else under("direction", number, n) for n in items(way, 2))
+        need(all(type(n) is int or len(n) > 4300 for n in way), "direction: not a pair of ints")
+        primitive = x.denominator == 1 == y.denominator and gcd(int(x), int(y)) == 1
+        need(primitive and (x > 0 or (x, y) == (0, 1)), "direction: not primitive")
+        self.work, self.way, self.scale = work, (int(x), int(y)), find_scale(loops[0] + loops[1])
+        loops = [[*map(self.enter, points)] for points in loops]
+        work.weigh(max(n.bit_length() for p in chain.from_iterable(loops) for n in p))
+        self.g, self.d, self.t, self.inner, self.outer = map(self.read, names, loops)
+
+    def enter(self, p: Node) -> Node:
+        """Turn and multiply a point."""
+        (a, b), (x, y, w), scale = self.way, p, self.scale
+        return reduce(scale * (a * x + b * y), scale * (a * y - b * x), w)
+
+    def leave(self, p: Node, sign: int = 1) -> Span:
+        """Return where a point is in the plane, or with the sign -1 one of an upper chain."""
+        (a, b), (x, y) = self.way, place(p)
+        unit = sign * self.scale * (a * a + b * b)
+        return (a * x - b * y) / unit, (b * x + a * y) / unit
+
+    def leave_line(self, of: Node, one: Extent, other: Extent) -> Span:
+        """Return where a line is in the middle of what two extents have in common."""
+        (a, b, c), middle = of, Fraction(max(one[0], other[0]) + min(one[1], other[1])) / 2
+        n, w = middle.as_integer_ratio()
+        return self.leave((n * b, -a * n - c * w, w * b) if b else (-c * w, n * a, w * a))
+
+    def read(self, name: str, points: Ring) -> MonotoneLoop:
+        """Return a ring as a loop, unless it has a straight angle, turns back or meets itself."""
+        lines = [line(p, q) for p, q in edges(points)]
+        self.work.take(len(lines))
+        turns = [lines[k - 1][0] * b - lines[k - 1][1] * a for k, (a, b, _) in enumerate(lines)]
+        if 0 in turns:
+            k = turns.index(0)
+            raise Refused(f"{name}: not canonical, no turn at vertex {k}", self.leave(points[k]))
+        ahead = [(k, b > 0) for k, (_, b, _) in enumerate(lines) if b]
+        back = [k for n, (k, is_ahead) in enumerate(ahead) if is_ahead != ahead[n - 1][1]]
+        if len(back) > 2:
+            reason = f"{name}: not monotone to the direction, it turns back at vertex {back[-1]}"
+            raise Refused(reason, self.leave(points[back[-1]]))
+        start, end = back if lines[back[0]][1] > 0 else back[::-1]
+        upper = turn(points), [(-a, -b, c) for a, b, c in lines], end, start
+        chains = lower_chain(points, lines, start, end), lower_chain(*upper)
+        # Left turns alone go around once, for x turns back only twice.
+        is_convex = min(turns) > 0
+        for tie in () if is_convex else (-1, 1):
+            first, *gaps, last = (n for n, _ in heights(*chains, (0, 0, 1), tie, self.work))
+            apart = max(first, last) <= 0 and max(gaps, default=-1) < 0
+            need(apart, f"{name}: not simple and counter-clockwise")
+        return MonotoneLoop(points, lines, chains, is_convex)
+
+    def prove(self) -> str:
+        """Prove the sweep, and describe it."""
+        g, d, t, inner, outer, h = self.g, self.d, self.t, self.inner, self.outer, self.g.turned()
+        kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
+        need(self.kind == kind, f"kind: it is {kind}")
+        contacts, inner_drawn, outer_drawn = self.evidence
+        self.prove_contacts(h, contacts)
+        self.prove_held(
+            *(t, d, h),
+            "trajectory: the contact of directrix vertex {} and generatrix vertex {} is outside",
+            "trajectory: G overlaps D at vertex {} or beside it",
+        )
+        self.prove_fits(h)
+        self.prove_drawn("outer_drawn", outer, outer_drawn)
+        self.prove_held(
+            *(outer, t, g),
+            "outer: with G at trajectory vertex {} its vertex {} is outside",
+            "outer: vertex {}, or the boundary beside it, is inside the area swept",
+        )
+        self.prove_drawn("inner_drawn", inner, inner_drawn)
+        self.prove_held(
+            *(t, inner, h),
+            "inner: at vertex {} generatrix vertex {} can be put, and G is free of D",
+            "inner: at trajectory vertex {}, or beside it, G cuts into the region inside",
+        )
+        unit = self.scale**2 * (self.way[0] ** 2 + self.way[1] ** 2)
+        check_area(self.area, [outer.points, inner.points[::-1]], self.work, unit)
+        sizes = len(g.points), len(d.points)
+        return describe(kind, *sizes, t.points, inner.points, outer.points, self.area)
+
+    def prove_held(
+        self, held: MonotoneLoop, one: MonotoneLoop, other: MonotoneLoop, outside: str, inside: str
+    ) -> None:
+        """Prove that a loop has the sum of two others within it."""
+        halves = zip((1, -1), held.chains, one.chains, other.chains, strict=True)
+        for sign, half, a, b in halves:
+            for k, m, p in meeting(a, b, self.work):
+                if not half.holds(p):
+                    raise Refused(outside.format(k, m), self.leave(p, sign))
+            for k, p, tie in half.concave:
+                if any(n < 0 for n, _ in heights(a, b, p, tie, self.work)):
+                    raise Refused(inside.format(k), self.leave(p, sign))
+
+    def prove_contacts(self, h: MonotoneLoop, listed: Any) -> None:
+        """Prove that the contacts of each edge of the trajectory are listed and cover it."""
+        t, d = self.t, self.d
+        sides = [extent(of, t.ends("edge", k)) for k, of in enumerate(t.lines)]
+        along: dict[Node, list[tuple[Extent, int]]] = defaultdict(list)
+        for k, of in enumerate(t.lines):
+            along[of].append((sides[k], k))
+        for row in along.values():
+            row.sort()
+        found: list[dict[Contact, Extent]] = [{} for _ in sides]
+        for contact, of in touching(d, h, self.work):
+            if of in along:
+                kind, i, j = contact
+                piece = extent(of, h.ends(kind[0], i), d.ends(kind[1], j))
+                first = bisect_right(along[of], piece[0], key=lambda entry: entry[0][1])
+                for (low, _), k in islice(along[of], first, None):
+                    if low >= piece[1]:
+                        break
+                    found[k][contact] = piece
+        for k, entries in enumerate(under("contacts", items, listed, len(sides))):
+            of, known = t.lines[k], under(f"contacts[{k}]", read_contacts, entries)
+            if known != sorted(found[k]):
+                for contact in sorted(found[k].keys() - known):
+                    at = self.leave_line(of, sides[k], found[k][contact])
+                    raise Refused("contacts[{}]: {} ({}, {}) is missing".format(k, *contact), at)
+                raise Refused(f"contacts[{k}]: one that is not along the edge, or not in order")
+            self.prove_covered(("contacts", k), of, sides[k], [*found[k].values()])
+
+    def prove_drawn(self, name: str, drawn: MonotoneLoop, listed: Any) -> None:
+        """Prove that the features listed for each edge of a loop draw it, all of it."""
+        for k, entries in enumerate(under(name, items, listed, len(drawn.lines))):
+            features = under(f"{name}[{k}]", self.read_drawings, entries)
+            of, edge = drawn.lines[k], extent(drawn.lines[k], drawn.ends("edge", k))
+            pieces = [extent(of, self.t.ends(*p), self.g.ends(*q)) for p, q in features]
+            self.prove_covered((name, k), of, edge, pieces)
+
+    def read_drawings(self, item: Any) -> list[tuple[tuple[str, int], tuple[str, int]]]:
+        """Read features: positions on the trajectory, and what draws there."""
+        pairs = [items(entry, 2) for entry in items(item)]
+        found = [(self.t.feature(p), self.g.feature(q)) for p, q in pairs]
+        need(len({*found}) == len(found), "a drawing is there twice")
+        return found
+
+    def prove_covered(
+        self, place: tuple[str, int], of: Node, edge: Extent, pieces: list[Extent]
+    ) -> None:
+        """Prove that pieces of a line, each along a part of an edge, cover it."""
+        reach, end = edge
+        for low, high in sorted(pieces):
+            if not (edge[0] < high > low < end):
+                raise Refused("{}[{}]: a drawing is not along the edge".format(*place))
+            if low > reach:
+                break
+            reach = max(reach, high)
+        if reach < end:
+            gap = reach, min([end, *(low for low, _ in pieces if low > reach)])
+            reason = "{}[{}]: nothing that is listed draws all of the edge".format(*place)
+            raise Refused(reason, self.leave_line(of, gap, gap))
+
+    def prove_fits(self, h: MonotoneLoop) -> None:
+        """Prove that the exact fits are those between sums of jumps, and in their order."""
+        found = []
+        for sign, one, other in zip((1, -1), self.d.chains, h.chains, strict=True):
+            (falls, rises), (others, more) = one.list_jumps(), other.list_jumps()
+            self.work.take(len(falls) * len(others) + len(rises) * len(more))
+            for x in {a + b for a in falls for b in others} & {a + b for a in rises for b in more}:
+                at = x.numerator, 0, x.denominator
+                left, right, inside = (
+                    min(Fraction(*y) for y in heights(one, other, at, tie, self.work))
+                    for tie in (-1, 1, 0)
+                )
+                hanging, end = (self.leave(node(x, y), sign) for y in (max(left, right), inside))
+                found += [(hanging, end)] if max(left, right) < inside else []
+        listed = [(place(p), place(q)) for p, q in self.fits]
+        for k, fit in enumerate(listed):
+            if fit not in found:
+                raise Refused(f"exact_fits[{k}]: not an exact fit, from end to end", fit[1])
+        for fit in found:
+            if fit not in listed:
+                raise Refused("exact_fits: one is missing", fit[1])
+        need(listed == sorted(found), "exact_fits: not sorted, or one is listed twice")
 
 
 class Placed(NamedTuple):
@@ -705,9 +1203,12 @@ class Layout:
             error = NONE if type(turn) is tuple else far * turn_error(to, turn)
             need(error > 0 or turn == to, "turns: not the turn of the placement")
             self.facts.append((k, turn, bool(mirrored)))
-            self.put([move_ring(e, to, bool(mirrored), point(move)) for e in pieces[k]], error)
+            by = point(move)
+            self.put([move_ring(e, to, bool(mirrored), by) for e in pieces[k]], error)
         # All that is outside comes last, for its number is -1.
         within = shape(container)
+        if outside is None:
+            check_shape(within, work)
         self.put([] if outside is None else solid(within, outside, work, self.frame), NONE)
 
     def put(self, pieces: list[Ring], error: Fraction) -> None:
@@ -719,15 +1220,15 @@ class Layout:
     def prove(self) -> str:
         """Prove the claim, and describe it."""
         found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
+        rules = chain.from_iterable(self.check_rules(k).items() for k in range(len(self.ids)))
+        broken = [kind for kind, holds in rules if holds]
         if not self.valid:
             need(self.faults != [] == self.apart, "faults: none, or normals beside them")
             for fault in self.faults:
                 self.prove_fault(fault)
             return f"{found}, not valid: {len(self.faults)} faults"
         need(self.faults == [], "faults: of a valid layout")
-        for k in range(len(self.ids)):
-            broken = [kind for kind, holds in self.check_rules(k).items() if holds]
-            need(broken == [], f"a part breaks rules: {broken}")
+        need(broken == [], f"a part breaks rules: {broken}")
         self.prove_apart()
         # As written: str refuses long ints.
         return f"{found}, valid, spacing {self.gaps[0]}, margin {self.gaps[1]}"
@@ -845,18 +1346,23 @@ def read_given(text: str) -> list[Ring]:
     return [[node(*map(Fraction, items(p, 2))) for p in points] for points in rings]
 
 
+def check_format(certificate: Any) -> None:
+    """Refuse a certificate of another format."""
+    need(type(certificate) is dict, "a certificate is an object")
+    version = certificate.get("version")
+    need(certificate.get("format") == FORMAT, f"format: not {FORMAT!r}")
+    need(type(version) is int and version == VERSION, f"version: not {VERSION}")
+
+
 def prove(certificate: Any, max_steps: int = MAX_STEPS) -> str:
     """Prove a certificate, as `json.loads` gives it, and describe the proved claim.
 
     Raises:
         Refused: it is not proved; the first reason.
     """
-    work = Work(max_steps)
-    need(type(certificate) is dict, "a certificate is an object")
-    kind, claim, version = (certificate.get(key) for key in ("kind", "claim", "version"))
-    need(certificate.get("format") == FORMAT, f"format: not {FORMAT!r}")
+    check_format(certificate)
     need(type(max_steps) is int, "max_steps: not an int")
-    need(type(version) is int and version == VERSION, f"version: not {VERSION}")
+    work, kind, claim = Work(max_steps), certificate.get("kind"), certificate.get("claim")
     if kind == "layout":
         return Layout(certificate, work).prove()
     provers = {"no_fit": prove_no_fit, "inner_fit": prove_inner_fit, "sweep": prove_sweep}

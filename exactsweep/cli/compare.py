@@ -55,8 +55,8 @@ def compare_command(
     """  # noqa: D301
     from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import describe
-    from exactsweep.conform.run.cases import read_case, read_result
     from exactsweep.conform.run.outcome import compare_in_time
+    from exactsweep.conform.run.pairs import read_case, read_result
     from exactsweep.conform.run.tally import fails
 
     if case == result == "-":

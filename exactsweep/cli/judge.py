@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 import click
 
 from exactsweep.cli.options import takes_file
@@ -28,18 +30,23 @@ def judge_command(path: str | None, reports: Reports) -> None:
       exactsweep judge --cases cases.jsonl
     """
     from exactsweep.conform.run.cases import open_standard_input, read_cases, require_distinct
-    from exactsweep.conform.run.stream import Stream, finder
-    from exactsweep.corpus import find_case
+    from exactsweep.conform.run.stream import Stream
+    from exactsweep.corpus import Case, find_case
+    from exactsweep.corpus.names import require_known
 
     if path == "-":
         raise click.UsageError("Standard input is for the answers; give the cases as a file.")
     stream = Stream(open_standard_input())
     run = reports.begin(stream.hello)
-    cases = None if path is None else {case.id: case for case in require_distinct(read_cases(path))}
+    cases = (
+        {case.id: case for case in require_distinct(read_cases(path))} if path is not None else {}
+    )
+
+    def find(id: str) -> Case:
+        return find_case(id) if path is None else cases[require_known(id, cases, "case")]
+
     try:
-        for outcome in stream.outcomes(find_case if cases is None else finder(cases)):
-            run.add(outcome)
-        for outcome in stream.unanswered(() if cases is None else cases.values()):
+        for outcome in chain(stream.outcomes(find), stream.unanswered(cases.values())):
             run.add(outcome)
     except KeyboardInterrupt:
         run.interrupted = True

@@ -110,16 +110,17 @@ def _middle(shape: AnyPolygon) -> Point:
     return Point((low.x + high.x) / 2, (low.y + high.y) / 2)
 
 
-def draw_details(
+def draw_with_details(
     picture: Picture, details: Sequence[Detail], paint: Callable[[Picture], None]
 ) -> None:
-    """Draw details below a picture, each to scale, and their frames in the picture.
+    """Draw a picture, details below it, each to scale, their frames in the picture, and a legend.
 
     Args:
         picture: a Picture.
         details: the details.
         paint: a function that draws the whole content on another Picture.
     """
+    paint(picture)
     for k, detail in enumerate(details):
         low, high = detail.corners
         # Convert a share of the width to a share of the height.
@@ -138,3 +139,4 @@ def draw_details(
         axes.set_title(f"{name}, to scale", fontsize="small")
     if details:
         picture.reserve(_BELOW + _WIDTH)
+    picture.legend()

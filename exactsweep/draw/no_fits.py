@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
 from exactsweep.draw.figure import require_matplotlib
-from exactsweep.draw.insets import draw_details, find_details
+from exactsweep.draw.insets import draw_with_details, find_details
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.sweeps import (
     draw_exact_fits,
@@ -16,6 +16,7 @@ from exactsweep.draw.sweeps import (
     draw_shape,
     find_shift,
     make_axes,
+    move_to_anchor,
     part_fits,
     place_generatrix,
     read_positions,
@@ -130,7 +131,7 @@ def plot_positions(
     by = find_shift(shown)
     placed = [place_generatrix(shown, place) for place in places]
     paths = [loop.translated(by).vertices for loop in shown.loops]
-    fits = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in shown.exact_fits]
+    fits = [move_to_anchor(fit, shown) for fit in shown.exact_fits]
 
     def paint(picture: Picture) -> None:
         draw_shape(picture, shown.directrix, style.DIRECTRIX, fixed)
@@ -145,10 +146,7 @@ def plot_positions(
 
     drawn = [shown.directrix.vertices, *paths, *fits, *(g.vertices for g in placed)]
     everything = [point for points in drawn for point in points]
-    picture = Picture(axes, Scale.of(everything), y_down=y_down)
-    paint(picture)
     spots = [point for fit in fits for point in fit] or [g.vertices[0] for g in placed]
     details = find_details(everything, shown.directrix, placed or [shown.generatrix], spots)
-    draw_details(picture, details, paint)
-    picture.legend()
+    draw_with_details(Picture(axes, Scale.of(everything), y_down=y_down), details, paint)
     return axes

@@ -10,14 +10,15 @@ from exactsweep.canvas import style
 from exactsweep.canvas.svg import Shape, put_beside, write_svg
 from exactsweep.draw.no_fits import Positions
 from exactsweep.draw.sweeps import (
+    Moving,
     choose_telling_positions,
     find_shift,
+    move_to_anchor,
     part_fits,
     place_generatrix,
     trace_anchor,
 )
 from exactsweep.numbers.number import abridge
-from exactsweep.numbers.point import Point
 from exactsweep.words import CLASSES, write_pair, write_size
 
 if TYPE_CHECKING:
@@ -42,18 +43,18 @@ def draw_sweep(s: Sweep) -> str:
         Shape([inner, *unswept], style.INNER),
         *(Shape(list(rings), style.GENERATRIX) for rings in placed),
         Shape([trace_anchor(s).vertices], style.TRAJECTORY),
-        *_fit_shapes(s.exact_fits, find_shift(s)),
+        *_fit_shapes(s.exact_fits, s),
     ]
     title = f"{s.kind} sweep of {len(s.generatrix)} around {len(s.directrix)} vertices"
-    return write_svg([shape for shape in shapes if shape.loops], title)
+    return write_svg(shapes, title)
 
 
-def _fit_shapes(fits: Iterable[Fit], by: Point) -> list[Shape]:
-    """Make the shapes of exact fits, moved by a vector."""
+def _fit_shapes(fits: Iterable[Fit], s: Moving) -> list[Shape]:
+    """Make the shapes of exact fits."""
     segments, points = part_fits(fits)
-    lines = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in segments]
+    lines = [move_to_anchor(fit, s) for fit in segments]
     # A line without length and with round ends is a dot.
-    dots = [[Point(p.x + by.x, p.y + by.y)] * 2 for p in points]
+    dots = [move_to_anchor((p, p), s) for p in points]
     return [
         Shape(lines, style.EXACT_FIT, closed=False),
         Shape(dots, replace(style.POINT_FIT, width=8), closed=False),
@@ -77,15 +78,12 @@ def draw_positions(found: NoFitPolygon | InnerFit) -> str:
             Shape(list(place_generatrix(shown, place).rings), style.GENERATRIX)
             for place in shown.choose_positions()
         ),
-        *_fit_shapes(shown.exact_fits, by),
+        *_fit_shapes(shown.exact_fits, shown),
     ]
     g, d = len(shown.generatrix), len(shown.directrix)
-    title = (
-        f"inner fit of {g} in {d} vertices"
-        if shown.exterior is None
-        else f"no-fit polygon of {g} around {d} vertices"
-    )
-    return write_svg([shape for shape in shapes if shape.loops], title)
+    words = "inner fit of {} in {} vertices", "no-fit polygon of {} around {} vertices"
+    title = words[shown.exterior is not None].format(g, d)
+    return write_svg(shapes, title)
 
 
 def show_positions(found: NoFitPolygon | InnerFit) -> str:

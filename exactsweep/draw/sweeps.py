@@ -11,7 +11,7 @@ from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
 from exactsweep.draw.features import Ends, Features
 from exactsweep.draw.figure import require_matplotlib
-from exactsweep.draw.insets import draw_details, find_details
+from exactsweep.draw.insets import draw_with_details, find_details
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import cut_trajectory
 from exactsweep.geometry.point_set import is_on
@@ -97,13 +97,9 @@ def plot_sweep(
         draw_spots(picture, spots)
 
     shown = [*s.outer.vertices, *trace_anchor(s).vertices, *(v for g in placed for v in g.vertices)]
-    picture = Picture(axes, Scale.of(shown), y_down=y_down)
-    paint(picture)
     touching = [spot[0] for several in spots.values() for spot in several]
-    draw_details(
-        picture, find_details(shown, s.directrix, placed or [s.generatrix], touching), paint
-    )
-    picture.legend()
+    details = find_details(shown, s.directrix, placed or [s.generatrix], touching)
+    draw_with_details(Picture(axes, Scale.of(shown), y_down=y_down), details, paint)
     return axes
 
 
@@ -232,12 +228,11 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
 @tells_arguments
 def draw_trajectory(picture: Picture, s: Sweep) -> None:
     """Draw the path of the anchor, each stretch in the style of its contact event."""
-    dx, dy = find_shift(s)
     of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
     chains: dict[str, list[list[Point]]] = {}
     last = None
     for stretch in cut_trajectory(s):
-        start, end = (Point(p.x + dx, p.y + dy) for p in (stretch.start, stretch.end))
+        start, end = move_to_anchor((stretch.start, stretch.end), s)
         if stretch.event != last:
             chains.setdefault(stretch.event, []).append([start])
         chains[stretch.event][-1].append(end)
@@ -267,16 +262,18 @@ def draw_exact_fits(
     segments, points = part_fits(fits)
     if segments:
         look = style.MANY_EXACT_FITS if len(segments) > _MANY else style.EXACT_FIT
-        picture.lines([_move(fit, s) for fit in segments], look, "exact fit")
+        picture.lines([move_to_anchor(fit, s) for fit in segments], look, "exact fit")
     if 0 < len(segments) <= _MANY:
         hanging = [
             [p]
             for p in dict.fromkeys(p for fit in segments for p in fit)
             if any(is_on(p, loop.vertices) for loop in loops)
         ]
-        picture.lines([_move(end, s) for end in hanging], style.HANGING_END)
+        picture.lines([move_to_anchor(end, s) for end in hanging], style.HANGING_END)
     if points:
-        picture.lines([_move([p], s) for p in points], style.POINT_FIT, "exact fit, one position")
+        picture.lines(
+            [move_to_anchor([p], s) for p in points], style.POINT_FIT, "exact fit, one position"
+        )
 
 
 def part_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
@@ -285,7 +282,7 @@ def part_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
     return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
 
 
-def _move(points: Iterable[Point], s: Moving) -> list[Point]:
+def move_to_anchor(points: Iterable[Point], s: Moving) -> list[Point]:
     """Convert positions of the reference point to positions of the anchor."""
     dx, dy = find_shift(s)
     return [Point(p.x + dx, p.y + dy) for p in points]
@@ -299,7 +296,7 @@ def draw_generatrix(
     dots = []
     for position in positions:
         draw_shape(picture, place_generatrix(s, position), style.GENERATRIX, label)
-        dots.append(_move([position], s))
+        dots.append(move_to_anchor([position], s))
     if dots:
         picture.lines(dots, style.REFERENCE, name_anchor(s))
 

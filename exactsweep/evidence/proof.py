@@ -23,7 +23,6 @@ from exactsweep.check.standalone import (
     Span,
     Sums,
     Work,
-    add,
     edges,
     line,
     node,
@@ -46,7 +45,8 @@ def add_proof(certificate: dict[str, Any]) -> dict[str, Any]:
         certificate: of a sweep, a no-fit polygon or an inner fit, without a proof.
 
     Returns:
-        A new dict. If the answer is wrong, it is not proved.
+        A new dict. If the answer is wrong, it is not proved. The certificate of a sweep of polygons
+        with a shared direction needs no proof and gets none.
 
     Cost: O(k log k) sums of pieces, with k those that are near edges of the answer.
 
@@ -56,8 +56,10 @@ def add_proof(certificate: dict[str, Any]) -> dict[str, Any]:
         >>> standalone.prove(add_proof(sweep(square, square).certificate()))
         'CC sweep of 4 around 4 vertices, trajectory 4, inner 4, outer 4, area 8'
     """
-    claim = certificate.get("claim", "sweep")
-    return {**certificate, "proof": _PROVERS[claim](certificate, Work(standalone.MAX_STEPS))}
+    if "claim" not in certificate:
+        return dict(certificate)
+    prover = _PROVERS[certificate["claim"]]
+    return {**certificate, "proof": prover(certificate, Work(standalone.MAX_STEPS))}
 
 
 def _prove_no_fit(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
@@ -108,21 +110,13 @@ def _prove_inner_fit(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
 
 
 def _prove_sweep(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
-    is_any = "claim" in certificate
-    d, g = (
-        shape(certificate[key]) if is_any else [ring(certificate[key])]
-        for key in ("directrix", "generatrix")
-    )
+    d, g = (shape(certificate[key]) for key in ("directrix", "generatrix"))
     work.fit(d + g)
     still, moving = _cut(d), _cut(g)
-    back = (0, 0, 1) if is_any else turn([standalone.point(certificate["reference"])])[0]
-    trajectory = ring(certificate["exterior" if is_any else "trajectory"])
-    trajectory = [node(*place(add(p, back))) for p in trajectory]
-    fits = [
-        (add(p, back), add(q, back)) for p, q in standalone.read_fits(certificate["exact_fits"])
-    ]
+    trajectory = ring(certificate["exterior"])
+    fits = standalone.read_fits(certificate["exact_fits"])
     holes, unswept = (
-        [ring(hole)[::-1] for hole in certificate.get(key, [])] for key in ("holes", "unswept")
+        [ring(hole)[::-1] for hole in certificate[key]] for key in ("holes", "unswept")
     )
     inner, outer = (ring(certificate[key]) for key in ("inner", "outer"))
     first = _Finder(Sums(still, [*map(turn, moving)], work), [trajectory, *holes], fits)

@@ -7,7 +7,7 @@ from functools import partial
 from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
-from exactsweep.formats.error import FormatError, OrnamentError
+from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
@@ -84,12 +84,12 @@ class Candidate(NamedTuple):
         ornament: bool = False,
     ) -> Self:
         """Make a candidate that raises FormatError, for a drawn element that is not a polygon."""
-        is_ornament, fault = ornament or isinstance(reason, OrnamentError), str(reason)
+        fault = str(reason)
 
         def vertices() -> NoReturn:
             raise FormatError(fault)
 
-        return cls("", vertices, name, layer, fault=fault, ornament=is_ornament)
+        return cls("", vertices, name, layer, fault=fault, ornament=ornament)
 
     @classmethod
     def of_rings(

@@ -49,9 +49,8 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
         raise FormatError("the polygon is empty")
     if geometry.has_z:
         raise FormatError("Z coordinates cannot be swept")
-    if kind == "Polygon" and len(geometry.interiors):
-        return Region(geometry.exterior.coords, [ring.coords for ring in geometry.interiors])
-    return Polygon((geometry.exterior if kind == "Polygon" else geometry).coords)
+    found = Region(geometry)
+    return found if found.holes else found.exterior
 
 
 @tells_arguments

@@ -55,7 +55,7 @@ def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:
             if right <= low.x:
                 active.remove(size)
             elif bottom < high.y and low.y < top:
-                outer, inner = (j, k) if size > sizes[k] else (k, j)
+                inner, outer = (-number for _, number in sorted((size, sizes[k])))
                 if _is_around(rings[outer], rings[inner], (names[outer], names[inner])):
                     # A larger ring around this one is around the ring, too. A larger ring that
                     # crosses the ring also crosses this one, so the loop has met it already.
@@ -92,12 +92,13 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
     names = [f"subpath {k}" for k in range(len(rings))]
     parents = nest([_simple(ring, name) for ring, name in zip(rings, names, strict=True)], names)
     # For each ring, the winding number just inside, and the innermost exterior there.
-    inside, exterior = [0] * len(rings), [0] * len(rings)
+    inside: dict[int, int] = {}
+    exterior: dict[int, int] = {}
     holes = []
     for k in _from_outside(parents):
         parent = parents[k]
         outside = 0 if parent is None else inside[parent]
-        turn = 1 if even_odd or find_doubled_area(rings[k]) > 0 else -1
+        turn = 1 if find_doubled_area(rings[k]) > 0 else -1
         inside[k] = (outside + turn) % 2 if even_odd else outside + turn
         exterior[k] = k if parent is None or not outside else exterior[parent]
         if outside and not inside[k]:

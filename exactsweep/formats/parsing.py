@@ -54,9 +54,8 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     reading.scale(None)
     if first in "[{":
         return _read_json(text, reading.notes)
-    is_table = csv.is_csv(text)
-    require_text(text, csv.count_vertices(text) if is_table else text.count(","))
-    if is_table:
+    require_text(text, _count_vertices(text))
+    if csv.is_csv(text):
         return csv.parse_csv(text)
     if first.isalpha():
         return parse_wkt(text)
@@ -83,10 +82,12 @@ def measure_written(text: str) -> int:
         return max(measure_text(text, text.count(",")), ELEMENT * text.count("<"))
     if DXF_SIGN.match(text):
         return max(measure_text(text, 0), ENTITY * sum(1 for _ in _ENTITY.finditer(text)))
-    if first in "[{":
-        return measure_text(text, count_vertices(text))
-    is_table = csv.is_csv(text)
-    return measure_text(text, csv.count_vertices(text) if is_table else text.count(","))
+    return measure_text(text, count_vertices(text) if first in "[{" else _count_vertices(text))
+
+
+def _count_vertices(text: str) -> int:
+    """Count the possible vertices of CSV or WKT."""
+    return csv.count_vertices(text) if csv.is_csv(text) else text.count(",")
 
 
 def _read_json(text: str, notes: dict[str, None]) -> Sequence[Candidate]:

@@ -140,24 +140,26 @@ def write_wkt_points(name: str, points: Sequence[Point]) -> str:
 def _geojson(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
     features = []
     for rows, (_, name, _) in zip(_rows(regions, "GeoJSON"), regions, strict=True):
-        rings = (", ".join(f"[{x}, {y}]" for x, y in [*row, row[0]]) for row in rows)
-        listed = ", ".join(f"[{ring}]" for ring in rings)
+        rings = [_positions([*row, row[0]]) for row in rows]
         identity = "" if name is None else f'"id": {json.dumps(name)}, '
-        features.append(
-            f'{{"type": "Feature", {identity}"properties": {{}}, '
-            f'"geometry": {{"type": "Polygon", "coordinates": [{listed}]}}}}'
-        )
+        features.append(_FEATURE % (identity, "", "Polygon", f"[{', '.join(rings)}]"))
     for row in _fit_rows(fits, "GeoJSON"):
-        points = [f"[{x}, {y}]" for x, y in row]
-        kind, at = ("LineString", f"[{', '.join(points)}]") if points[1:] else ("Point", points[0])
-        features.append(
-            '{"type": "Feature", "properties": {"exact fit": true}, '
-            f'"geometry": {{"type": "{kind}", "coordinates": {at}}}}}'
-        )
+        positions = _positions(row)
+        at = ("LineString", positions) if row[1:] else ("Point", positions[1:-1])
+        features.append(_FEATURE % ("", '"exact fit": true', *at))
     if len(features) == 1:
         return f"{features[0]}\n"
     listed = ",\n  ".join(features)
     return f'{{"type": "FeatureCollection", "features": [\n  {listed}\n]}}\n'
+
+
+_FEATURE = (
+    '{"type": "Feature", %s"properties": {%s}, "geometry": {"type": "%s", "coordinates": %s}}'
+)
+
+
+def _positions(row: _Decimals) -> str:
+    return f"[{', '.join(f'[{x}, {y}]' for x, y in row)}]"
 
 
 def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:

@@ -7,24 +7,17 @@ together, m alone and n alone: of m = n, a term m² where mn is claimed does not
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import partial
+from importlib.resources import files
+from itertools import product
 from typing import Any
 
-from exactsweep.corpus.generator.growing import (
-    bowls,
-    cc,
-    cm_hard,
-    cm_undercut,
-    figure10,
-    mm,
-    needles,
-    wide,
-)
+from exactsweep.corpus.generator import growing
 from exactsweep.paper import literal
 from exactsweep.paper.claim import Effort, Evidence, Table, find_first_failure
-from exactsweep.paper.counting import PairFamily, grow_bytes, grow_operations, grow_seconds
+from exactsweep.paper.counting import PairFamily, grow_pairs
 from exactsweep.paper.functions import keep_corners
 from exactsweep.paper.growth import LIMITS, M_PLUS_N, MN, MN2_LOG, MN_LOG, Bound, Growth
 from exactsweep.paper.pairs import Chains, SweepPair
@@ -36,9 +29,6 @@ DOUBLINGS, QUICK, AGAIN = 5, 3, 3
 UNITS = ("operations", "seconds", "bytes")
 
 Procedure = Callable[[Chains], Iterable[Any]]
-
-LINEAR, PLANAR = 0.03, 0.1
-"""The most that the exponent of bytes may exceed that of m + n, or of mn in a CM sweep."""
 
 STEPS = 0.2
 """The most that the exponent of an MM sweep's counts may exceed that of the bound.
@@ -92,15 +82,9 @@ class Cost:
         """Count the doublings; a linear procedure is never too slow for all sizes."""
         return quick if effort.quick and self.bound is not M_PLUS_N else DOUBLINGS
 
-    def count(self, effort: Effort) -> Growth:
-        """Count operations."""
-        sizes = self.sizes(self.first, self._doublings(effort, QUICK))
-        return grow_operations(self.procedure, self.run, self.family, self.bound, sizes, self.limit)
-
-    def weigh(self, effort: Effort) -> Growth:
-        """Measure bytes."""
-        sizes = self.sizes(self.first, self._doublings(effort, 2))
-        return grow_bytes(self.procedure, self.run, self.family, self.bound, sizes, self.slack)
+    def grow(self, unit: str, sizes: Iterable[tuple[int, int]], limit: float = 1.08) -> Growth:
+        """Count or measure the procedure over some sizes."""
+        return grow_pairs(unit, self.procedure, self.run, self.family, self.bound, sizes, limit)
 
     def compare(self) -> str:
         """Say where the output at the three least sizes is not that of Sweep_MM to the letter.
@@ -118,18 +102,18 @@ class Cost:
     def time(self) -> Growth:
         """Measure seconds; again, if they are beyond the bound, since a processor may be busy."""
         sizes = self.sizes(self.timed, DOUBLINGS)
-        series = grow_seconds(self.procedure, self.run, self.family, self.bound, sizes)
+        series = self.grow("seconds", sizes)
         for _ in range(AGAIN):
             if series.is_flat:
                 break
-            once_more = grow_seconds(self.procedure, self.run, self.family, self.bound, sizes)
-            series = series.least(once_more)
+            series = series.least(self.grow("seconds", sizes))
         return series
 
     def measure(self, effort: Effort) -> Iterator[Growth]:
         """All of these; seconds only where it has not to be quick."""
-        yield self.count(effort)
-        yield self.weigh(effort)
+        sizes = self.sizes(self.first, self._doublings(effort, QUICK))
+        yield self.grow("operations", sizes, self.limit)
+        yield self.grow("bytes", self.sizes(self.first, self._doublings(effort, 2)), self.slack)
         if not effort.quick:
             yield self.time()
 
@@ -154,52 +138,33 @@ def run_trajectory_mm(c: Chains) -> Iterable[Any]:
     return trajectory_mm(c.top, c.directrix)
 
 
+RUNS: dict[str, tuple[Procedure, Procedure]] = {
+    "Trajectory_CC": (lambda c: trajectory_cc(c.top, c.directrix), literal.find_trajectory),
+    "SweepI_CC": (lambda c: sweep_inner_cc(c.top, c.directrix), literal.find_inner),
+    "SweepO_CC": (lambda c: sweep_outer_cc(*c), literal.find_outer),
+    "Trajectory_CM": (run_trajectory_cm, literal.find_trajectory),
+    "SweepI_CM": (run_inner_cm, literal.find_inner),
+    "SweepO_CM": (run_outer_cm, literal.find_outer),
+    "Trajectory_MM": (run_trajectory_mm, literal.find_trajectory),
+    "Trajectory_MM to the letter": (literal.find_trajectory, literal.find_trajectory),
+    "Sweep_MM, outer loop": (lambda c: sweep_mm(*c)[1], literal.find_outer),
+    "Sweep_MM, inner loop": (lambda c: sweep_mm(*c)[0], literal.find_inner),
+}
+"""Each procedure, and the same to the letter."""
+BOUNDS = {bound[0]: bound for bound in (M_PLUS_N, MN, MN_LOG, MN2_LOG)}
+
+
 def _list_costs() -> Iterator[Cost]:
-    run: Procedure
-    path, inner, outer = literal.find_trajectory, literal.find_inner, literal.find_outer
-    row = "Corollary 3.4"
-    for procedure, run, letter in (
-        ("Trajectory_CC", lambda c: trajectory_cc(c.top, c.directrix), path),
-        ("SweepI_CC", lambda c: sweep_inner_cc(c.top, c.directrix), inner),
-        ("SweepO_CC", lambda c: sweep_outer_cc(*c), outer),
-    ):
-        one = partial(Cost, row, procedure, run, letter, M_PLUS_N, cc, slack=LINEAR)
-        yield one("mn", 32, 1024, limit=1.02)
-        yield one("m", 32, 1024)
-        yield one("n", 32, 1024)
-    for row, procedure, run, letter, family in (
-        ("Corollary 4.5", "Trajectory_CM", run_trajectory_cm, path, cm_hard),
-        ("Corollary 4.5", "SweepO_CM", run_outer_cm, outer, cm_hard),
-        ("Corollary 4.6", "SweepI_CM", run_inner_cm, inner, cm_undercut),
-    ):
-        one = partial(Cost, row, procedure, run, letter, MN, slack=PLANAR, family=family)
-        yield one(varied="mn", first=8, timed=16)
-        yield one(varied="m", first=32, timed=128)
-        yield one(varied="n", first=32, timed=128)
-        yield one(varied="m", first=32, timed=128, family=bowls)
-    row = "Corollary 4.5"
-    yield Cost(row, "Trajectory_CM", run_trajectory_cm, path, MN, wide, "m", 64, 128, slack=PLANAR)
-    row, procedure = "Corollary 5.7", "Trajectory_MM"
-    one = partial(Cost, row, procedure, run_trajectory_mm, path, MN_LOG, limit=STEPS)
-    yield one(figure10, "mn", 16, 16)
-    yield one(figure10, "m", 32, 32)
-    yield one(figure10, "n", 32, 32)
-    yield one(mm, "mn", 16, 16)
-    yield one(bowls, "m", 32, 32, limit=1.08)
-    yield one(bowls, "n", 32, 32, limit=1.08)
-    one = partial(Cost, row, f"{procedure} to the letter", path, path, MN_LOG, figure10)
-    yield one("m", 32, 32)
-    yield one("n", 16, 16)
-    row, procedure, run = "Corollary 5.8", "Sweep_MM, outer loop", lambda c: sweep_mm(*c)[1]
-    one = partial(Cost, row, procedure, run, outer, MN2_LOG, figure10, limit=STEPS)
-    yield one("mn", 4, 4)
-    yield one("m", 32, 32, 8)
-    yield one("n", 8, 8, 8)
-    procedure, run = "Sweep_MM, inner loop", lambda c: sweep_mm(*c)[0]
-    one = partial(Cost, row, procedure, run, inner, MN2_LOG, limit=STEPS)
-    yield one(needles, "m", 16, 16, 8)
-    yield one(needles, "n", 8, 8, 8)
-    yield one(mm, "mn", 8, 8)
+    """Read costs.toml."""
+    text = files("exactsweep.paper").joinpath("costs.toml").read_text(encoding="utf-8")
+    for group in tomllib.loads(text)["cost"]:
+        row, procedures, bound, every = (
+            group.pop(name) for name in ("row", "procedures", "bound", "series")
+        )
+        for procedure, series in product(procedures, every):
+            further = group | series
+            family: PairFamily = getattr(growing, further.pop("family"))
+            yield Cost(row, procedure, *RUNS[procedure], BOUNDS[bound], family, **further)
 
 
 COSTS = tuple(_list_costs())

@@ -16,7 +16,7 @@ from time import process_time
 from typing import Any, Protocol
 
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.paper.growth import LIMITS, Bound, Growth, grow
+from exactsweep.paper.growth import Bound, Growth, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 
 
@@ -161,86 +161,68 @@ def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
     return tally.total + out
 
 
-def grow_operations(
-    procedure: str,
-    run: Callable[[Chains], Iterable[Any]],
-    family: PairFamily,
-    bound: Bound,
-    sizes: Iterable[tuple[int, int]],
-    limit: float = 1.08,
-) -> Growth:
-    """Count the operations of a procedure beside a bound in m and n."""
-    what = f"operations of {procedure}"
-    return _grow(what, lambda chains: operations(run, chains), family, bound, sizes, limit)
+def vertices(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
+    """Count the vertices that come out."""
+    return sum(1 for _ in run(chains))
 
 
-def grow_vertices(
-    what: str,
-    run: Callable[[Chains], Iterable[Any]],
-    family: PairFamily,
-    bound: Bound,
-    sizes: Iterable[tuple[int, int]],
-) -> Growth:
-    """Count the vertices that come out beside a bound in m and n."""
-    return _grow(f"vertices of {what}", lambda c: sum(1 for _ in run(c)), family, bound, sizes)
-
-
-def grow_seconds(
-    procedure: str,
-    run: Callable[[Chains], Any],
-    family: PairFamily,
-    bound: Bound,
-    sizes: Iterable[tuple[int, int]],
-) -> Growth:
+def seconds(run: Callable[[Chains], Any], chains: Chains) -> float:
     """Measure the processor's time, the least of three runs or of as many as take 0.2 seconds."""
-
-    def seconds(chains: Chains) -> float:
-        times: list[float] = []
-        while len(times) < 3 or (sum(times) < 0.2 and len(times) < 50):
-            start = process_time()
-            run(chains)
-            times.append(process_time() - start)
-        return min(times)
-
-    return _grow(f"seconds of {procedure}", seconds, family, bound, sizes)
+    times: list[float] = []
+    while len(times) < 3 or (sum(times) < 0.2 and len(times) < 50):
+        start = process_time()
+        run(chains)
+        times.append(process_time() - start)
+    return min(times)
 
 
-def grow_bytes(
+def peak(run: Callable[[Chains], Any], chains: Chains) -> float:
+    """Measure the peak of the memory that a procedure takes beside its input, in bytes."""
+    # A full collection empties the lists of free objects, which are not traced when reused; it
+    # need not look at what is there already.
+    gc.freeze()
+    gc.collect()
+    gc.unfreeze()
+    tracemalloc.start()
+    try:
+        before = tracemalloc.get_traced_memory()[0]
+        run(chains)
+        return tracemalloc.get_traced_memory()[1] - before
+    finally:
+        tracemalloc.stop()
+
+
+COUNTERS: dict[str, Callable[[Callable[[Chains], Any], Chains], float]] = {
+    "operations": operations,
+    "vertices": vertices,
+    "seconds": seconds,
+    "bytes": peak,
+}
+"""Each quantity that grows, with the function that counts or measures it."""
+
+
+def grow_pairs(
+    unit: str,
     procedure: str,
-    run: Callable[[Chains], Any],
-    family: PairFamily,
-    bound: Bound,
-    sizes: Iterable[tuple[int, int]],
-    limit: float = LIMITS["bytes"],
-) -> Growth:
-    """Measure the peak of the memory that a procedure takes beside its input."""
-
-    def peak(chains: Chains) -> float:
-        # A full collection empties the lists of free objects, which are not traced when reused; it
-        # need not look at what is there already.
-        gc.freeze()
-        gc.collect()
-        gc.unfreeze()
-        tracemalloc.start()
-        try:
-            before = tracemalloc.get_traced_memory()[0]
-            run(chains)
-            return tracemalloc.get_traced_memory()[1] - before
-        finally:
-            tracemalloc.stop()
-
-    return _grow(f"bytes of {procedure}", peak, family, bound, sizes, limit)
-
-
-def _grow(
-    what: str,
-    count: Callable[[Chains], float],
+    run: Callable[[Chains], Iterable[Any]],
     family: PairFamily,
     bound: Bound,
     sizes: Iterable[tuple[int, int]],
     limit: float = 1.08,
 ) -> Growth:
-    def beside(m: int, n: int) -> tuple[float, float]:
-        return count(SweepPair(*family(m, n)).chains), bound[1](m, n)
+    """Count or measure a procedure on a family of pairs beside a bound in m and n.
 
-    return grow(what, family.__name__, bound[0], sizes, beside, limit)
+    Args:
+        unit: a key of COUNTERS.
+        procedure: its name.
+        run: calls it.
+        family: the pairs.
+        bound: the bound.
+        sizes: pairs (m, n).
+        limit: see `Growth`.
+    """
+
+    def beside(m: int, n: int) -> tuple[float, float]:
+        return COUNTERS[unit](run, SweepPair(*family(m, n)).chains), bound[1](m, n)
+
+    return grow(f"{unit} of {procedure}", family.__name__, bound[0], sizes, beside, limit)

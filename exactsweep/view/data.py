@@ -9,19 +9,19 @@ too. Features that touch only at a stop are found by the page itself when G is t
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactsweep.draw import ContactStretch, DrawError, Scale
 from exactsweep.draw.no_fits import Positions
 from exactsweep.draw.stretches import cut_loops
-from exactsweep.draw.sweeps import Moving, find_anchor, find_shift, name_anchor, trace_anchor
+from exactsweep.draw.sweeps import Moving, find_anchor, move_to_anchor, name_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.point import Fit, Point
 from exactsweep.text.results import list_numbers
 from exactsweep.view.meetings import find_meetings
 from exactsweep.words import CLASSES
@@ -88,12 +88,7 @@ def track_stops(s: Sweep, listed: Sequence[Track]) -> tuple[list[list[Stop]], bo
         pieces = _cut(next(pieces_of_loops), landmarks)
         if meetings is not None:
             pieces = _cut(pieces, meetings.on_edges(track.corners))
-        found.append(
-            [
-                Stop(start, edge if start == track.corners[edge] else None, contacts)
-                for edge, start, _, contacts in pieces
-            ]
-        )
+        found.append(_read_stops(pieces, track.corners))
     return found, meetings is not None
 
 
@@ -128,44 +123,32 @@ def gather_page_data(
     tell(f"contacts along {sum(len(track.corners) for track in listed)} edges")
     found, has_meetings = track_stops(s, listed)
     number = {stop.position: k for k, stop in enumerate(found[0])}
-    holes = len(s.no_fit_holes)
-    on_loops = {stop.position for on_track in found[: holes + 1] for stop in on_track}
-
-    return gather_shapes(s, scale, names, f"Sweep of {_sizes(s)}", y_down) | {
-        "class": CLASSES[s.kind],
-        "asked": "sweep",
-        "area": format_fraction(s.area),
-        "areaName": "Swept area",
-        "hasMeetings": has_meetings,
-        "inner": show_points(scale, s.inner.vertices),
-        "outer": show_points(scale, outer),
-        "unswept": [show_points(scale, loop.vertices) for loop in s.unswept],
-        "loops": holes + 1,
-        "outside": 1,
-        "tracks": [
-            {
-                "name": track.name,
-                **show_positions(s, scale, [stop.position for stop in on_track]),
-                "vertex": [stop.vertex for stop in on_track],
-                "contacts": [stop.contacts for stop in on_track],
-            }
-            for track, on_track in zip(listed, found, strict=True)
-        ],
-        "undercuts": [
-            {
-                **show_points(scale, undercut.polygon.vertices),
-                "area": format_fraction(undercut.polygon.area),
-                "slides": undercut.intersection == "segment",
-                "extremes": [format_fraction(c) for p in undercut.extremes for c in p],
-                "stops": [number[position] for position in undercut.positions],
-            }
-            for undercut in closed
-        ],
-        "fits": [
-            {**show_positions(s, scale, fit), "hangs": [end in on_loops for end in fit]}
-            for fit in s.exact_fits
-        ],
-    }
+    stops = {track.name: on_track for track, on_track in zip(listed, found, strict=True)}
+    loops, shapes = len(s.no_fit_holes) + 1, gather_shapes(s, scale, names, "Sweep", y_down)
+    return (
+        shapes
+        | _gather_tracks(s, scale, stops, s.exact_fits, loops=loops, outside=1)
+        | {
+            "class": CLASSES[s.kind],
+            "asked": "sweep",
+            "area": format_fraction(s.area),
+            "areaName": "Swept area",
+            "hasMeetings": has_meetings,
+            "inner": show_points(scale, s.inner.vertices),
+            "outer": show_points(scale, outer),
+            "unswept": [show_points(scale, loop.vertices) for loop in s.unswept],
+            "undercuts": [
+                {
+                    **show_points(scale, undercut.polygon.vertices),
+                    "area": format_fraction(undercut.polygon.area),
+                    "slides": undercut.intersection == "segment",
+                    "extremes": [format_fraction(c) for p in undercut.extremes for c in p],
+                    "stops": [number[position] for position in undercut.positions],
+                }
+                for undercut in closed
+            ],
+        }
+    )
 
 
 def gather_positions(
@@ -196,30 +179,30 @@ def gather_positions(
     loops = [loop.vertices for loop in shapes.loops]
     fits = [tuple(dict.fromkeys(fit)) for fit in shapes.exact_fits]
     is_outside = shapes.exterior is not None
-    called = [f"{'hole' if is_outside else 'loop'} {k - is_outside}" for k in range(len(loops))]
-    called = [*(["the exterior"] if is_outside else []), *called[is_outside:]]
-    called += [f"exact fit {k}" for k in range(len(fits))]
-    if not called:
+    word, inside = ("hole", loops[1:]) if is_outside else ("loop", loops)
+    tracks = {f"{word} {k}": corners for k, corners in enumerate(inside)}
+    tracks |= {f"exact fit {k}": fit for k, fit in enumerate(fits)}
+    if is_outside:
+        tracks = {"the exterior": loops[0], **tracks}
+    if not tracks:
         raise DrawError("there is no position: the part does not fit")
-    shift = find_shift(shapes)
-    paths = [Point(p.x + shift.x, p.y + shift.y) for points in [*loops, *fits] for p in points]
+    paths = [p for corners in tracks.values() for p in move_to_anchor(corners, shapes)]
     scale = Scale.of(shapes.directrix.vertices, paths)
-    tracks = [*loops, *fits]
-    meetings = find_meetings(shapes, sum(map(len, tracks)), shapes.placed, inside=not is_outside)
+    meetings = find_meetings(shapes, len(paths), shapes.placed, inside=not is_outside)
     landmarks = sorted({end for fit in fits for end in fit})
-    stops = []
-    for corners in tracks:
+    stops = {}
+    for name, corners in tracks.items():
         edges = enumerate(pairwise([*corners, corners[0]]))
         pieces = _cut([ContactStretch(k, *edge, ()) for k, edge in edges], landmarks)
         if meetings is not None:
             pieces = _cut(pieces, meetings.on_edges(corners))
-        stops.append(
-            [(one.start, one.edge if one.start == corners[one.edge] else None) for one in pieces]
-        )
-    ends = {position for on_track in stops[: len(loops)] for position, _ in on_track}
-    where = "around" if is_outside else "in"
-    title = f"{'No-fit polygon' if is_outside else 'Inner fit'} of {_sizes(shapes, where)}"
-    return gather_shapes(shapes, scale, names, title, y_down, where) | {
+        stops[name] = _read_stops(pieces, corners)
+    where, title = ("around", "No-fit polygon") if is_outside else ("in", "Inner fit")
+    return {
+        **gather_shapes(shapes, scale, names, title, y_down, where),
+        **_gather_tracks(
+            shapes, scale, stops, shapes.exact_fits, loops=len(loops), outside=int(is_outside)
+        ),
         "class": "",
         "asked": "positions",
         "area": format_fraction(found.area),
@@ -228,23 +211,46 @@ def gather_positions(
         "inner": show_points(scale, []),
         "outer": show_points(scale, []),
         "unswept": [],
-        "loops": len(loops),
-        "outside": int(is_outside),
+        "undercuts": [],
+    }
+
+
+def _gather_tracks(
+    s: Moving,
+    scale: Scale,
+    stops: Mapping[str, Sequence[Stop]],
+    fits: Iterable[Fit],
+    *,
+    loops: int,
+    outside: int,
+) -> dict[str, Any]:
+    """Collect the tracks by name, loops first, and the exact fits, which may hang on these."""
+    on_loops = {stop.position for on_track in [*stops.values()][:loops] for stop in on_track}
+    return {
+        "loops": loops,
+        "outside": outside,
         "tracks": [
             {
                 "name": name,
-                **show_positions(shapes, scale, [position for position, _ in on_track]),
-                "vertex": [vertex for _, vertex in on_track],
-                "contacts": [[] for _ in on_track],
+                **show_positions(s, scale, [stop.position for stop in on_track]),
+                "vertex": [stop.vertex for stop in on_track],
+                "contacts": [stop.contacts for stop in on_track],
             }
-            for name, on_track in zip(called, stops, strict=True)
+            for name, on_track in stops.items()
         ],
-        "undercuts": [],
         "fits": [
-            {**show_positions(shapes, scale, fit), "hangs": [end in ends for end in fit]}
-            for fit in shapes.exact_fits
+            {**show_positions(s, scale, fit), "hangs": [end in on_loops for end in fit]}
+            for fit in fits
         ],
     }
+
+
+def _read_stops(pieces: Iterable[ContactStretch], corners: Sequence[Point]) -> list[Stop]:
+    """Make the stops at which stretches of a track begin."""
+    return [
+        Stop(start, edge if start == corners[edge] else None, contacts)
+        for edge, start, _, contacts in pieces
+    ]
 
 
 def gather_shapes(
@@ -256,8 +262,9 @@ def gather_shapes(
     where: str = "around",
 ) -> dict[str, Any]:
     """Collect the two shapes, the scale and the names."""
+    called = f"{title} of " if names is None else f"{f' {where} '.join(names)}: "
     return {
-        "title": title if names is None else f"{f' {where} '.join(names)}: {_sizes(s, where)}",
+        "title": f"{called}{len(s.generatrix)} {where} {len(s.directrix)} vertices",
         "names": names,
         "down": y_down,
         "axes": [
@@ -282,17 +289,11 @@ def show_points(scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
 
 def show_positions(s: Moving, scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
     """Return the places of the anchor for positions of the reference point."""
-    dx, dy = find_shift(s)
-    placed = show_points(scale, [Point(p.x + dx, p.y + dy) for p in points])
-    return {**placed, "exact": _exact(points)}
+    return {**show_points(scale, move_to_anchor(points, s)), "exact": _exact(points)}
 
 
 def _exact(points: Sequence[Point]) -> list[str]:
     return [format_fraction(c) for point in points for c in point]
-
-
-def _sizes(s: Moving, where: str = "around") -> str:
-    return f"{len(s.generatrix)} {where} {len(s.directrix)} vertices"
 
 
 def _landmarks(s: Sweep) -> list[Point]:

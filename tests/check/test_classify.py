@@ -15,7 +15,6 @@ from shapes import Cells, cell_sets
 
 from exactsweep import NumberError, Point, Polygon, PolygonError, Region
 from exactsweep.check import Classification, classify, point_in_polygon
-from exactsweep.check.cone import is_between
 from exactsweep.corpus.generator.cells import move
 from exactsweep.numbers.number import to_fraction
 
@@ -84,13 +83,17 @@ def check(d: Polygon, g: Polygon, t: tuple[object, object]) -> str:
     found = classify(d, g, t)
     moved = g.translated(t)
     assert found.verdict == verdict_by_slabs(d, moved)
-    if found.witness is None:
-        assert found.verdict == "FREE"
-    else:
-        where = 1 if found.verdict == "OVERLAP" else 0
-        assert point_in_polygon(found.witness, d) == where
-        assert point_in_polygon(found.witness, moved) == where
+    check_witness(d, g, t, found)
     return found.verdict
+
+
+def check_witness(d: object, g: object, t: tuple[object, object], found: Classification) -> None:
+    assert (found.witness is None) == (found.verdict == "FREE")
+    if found.witness is not None:
+        (x, y), (dx, dy) = found.witness, map(to_fraction, t)
+        where = 1 if found.verdict == "OVERLAP" else 0
+        assert point_in_polygon((x, y), d) == where
+        assert point_in_polygon((x - dx, y - dy), g) == where
 
 
 @st.composite
@@ -128,37 +131,33 @@ def test_polygons_apart_are_free(polygon: Polygon, t: tuple[Fraction, Fraction])
     assert classify(polygon, polygon, (high.x - low.x + abs(t[0]) + 1, t[1])).verdict == "FREE"
 
 
-@pytest.mark.parametrize(
-    ("d", "g", "t", "verdict"),
-    [
-        pytest.param(SQUARE, SQUARE, (2, 2), "CONTACT", id="corner on corner"),
-        pytest.param(SQUARE, SQUARE, (2, 1), "CONTACT", id="side along side"),
-        pytest.param(SQUARE, SQUARE, (2, Fraction(3)), "FREE", id="beyond the corner"),
-        pytest.param(SQUARE, SQUARE, (Fraction(2) - Fraction(1, 10**40), 0), "OVERLAP", id="hair"),
-        pytest.param(SQUARE, [(0, 0), (1, -1), (1, 1)], (2, 1), "CONTACT", id="tip on side"),
-        pytest.param(SQUARE, [(0, 0), (1, -1), (1, 1)], (1, 1), "OVERLAP", id="inner tip on side"),
-        pytest.param(SQUARE, [(1, 0), (2, 1), (1, 2), (0, 1)], (0, 0), "OVERLAP", id="inscribed"),
-        pytest.param(
-            [(-9, -9), (9, -9), (9, 9), (-9, 9)], SQUARE, (0, 0), "OVERLAP", id="D holds G"
-        ),
-        pytest.param(
-            SQUARE, [(-9, -9), (9, -9), (9, 9), (-9, 9)], (0, 0), "OVERLAP", id="G holds D"
-        ),
-        pytest.param(SLOT, [(0, 0), (1, 0), (1, 1), (0, 1)], (1, 1), "CONTACT", id="exact fit"),
-        pytest.param(SLOT, [(0, 0), (1, 0), (1, 9), (0, 9)], (1, 1), "CONTACT", id="plug"),
-        pytest.param(SLOT, [(0, 0), (1, 0), (1, 1), (0, 1)], (1, "1/2"), "OVERLAP", id="too deep"),
-        pytest.param(SLOT, SLOT, (1, 0), "OVERLAP", id="slots shifted"),
-        pytest.param(SPIRAL, [(0, 0), (1, 0), (1, 1), (0, 1)], (2, 1), "CONTACT", id="corridor"),
-        pytest.param(
-            SPIRAL, [(0, 0), ("1/2", 0), ("1/2", 3)], ("1/4", "1/4"), "OVERLAP", id="wall"
-        ),
-        pytest.param(
-            SPIRAL, [(0, 0), ("1/4", 0), ("1/4", "1/4")], ("5/4", "5/4"), "FREE", id="inside"
-        ),
-    ],
-)
-def test_known_verdicts(d: object, g: object, t: tuple[object, object], verdict: str) -> None:
-    assert check(Polygon(d), Polygon(g), t) == verdict  # type: ignore[arg-type]
+TIP = [(0, 0), (1, -1), (1, 1)]
+LARGE = [(-9, -9), (9, -9), (9, 9), (-9, 9)]
+UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
+KNOWN: dict[str, tuple[Any, Any, Any, str]] = {
+    "corner on corner": (SQUARE, SQUARE, (2, 2), "CONTACT"),
+    "side along side": (SQUARE, SQUARE, (2, 1), "CONTACT"),
+    "beyond the corner": (SQUARE, SQUARE, (2, Fraction(3)), "FREE"),
+    "hair": (SQUARE, SQUARE, (Fraction(2) - Fraction(1, 10**40), 0), "OVERLAP"),
+    "tip on side": (SQUARE, TIP, (2, 1), "CONTACT"),
+    "inner tip on side": (SQUARE, TIP, (1, 1), "OVERLAP"),
+    "inscribed": (SQUARE, [(1, 0), (2, 1), (1, 2), (0, 1)], (0, 0), "OVERLAP"),
+    "D holds G": (LARGE, SQUARE, (0, 0), "OVERLAP"),
+    "G holds D": (SQUARE, LARGE, (0, 0), "OVERLAP"),
+    "exact fit": (SLOT, UNIT, (1, 1), "CONTACT"),
+    "plug": (SLOT, [(0, 0), (1, 0), (1, 9), (0, 9)], (1, 1), "CONTACT"),
+    "too deep": (SLOT, UNIT, (1, "1/2"), "OVERLAP"),
+    "slots shifted": (SLOT, SLOT, (1, 0), "OVERLAP"),
+    "corridor": (SPIRAL, UNIT, (2, 1), "CONTACT"),
+    "wall": (SPIRAL, [(0, 0), ("1/2", 0), ("1/2", 3)], ("1/4", "1/4"), "OVERLAP"),
+    "inside": (SPIRAL, [(0, 0), ("1/4", 0), ("1/4", "1/4")], ("5/4", "5/4"), "FREE"),
+}
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_known_verdicts(name: str) -> None:
+    d, g, t, verdict = KNOWN[name]
+    assert check(Polygon(d), Polygon(g), t) == verdict
 
 
 def test_interlocked_combs_touch_and_then_overlap() -> None:
@@ -216,50 +215,34 @@ TWICE = Holed(box(0, 0, 8, 8), (box(2, 2, 6, 6),))
 PINCHED = Holed(box(0, 0, 4, 4), (Polygon([(0, 2), (2, 1), (3, 2), (2, 3)]),))
 
 
-@pytest.mark.parametrize(
-    ("d", "g", "t", "verdict"),
-    [
-        pytest.param(RING, box(0, 0, 1, 1), ("3/2", "3/2"), "FREE", id="G in a hole of D"),
-        pytest.param(RING, box(0, 0, 2, 2), (1, 1), "CONTACT", id="G fills a hole of D"),
-        pytest.param(RING, box(0, 0, 2, 2), (1, "11/10"), "OVERLAP", id="G too high in the hole"),
-        pytest.param(RING, box(0, 0, 9, 9), (-1, -1), "OVERLAP", id="G over all"),
-        pytest.param(box(0, 0, 1, 1), RING, ("-3/2", "-3/2"), "FREE", id="D in a hole of G"),
-        pytest.param(RING, RING, (0, 0), "OVERLAP", id="G is D"),
-        pytest.param(TWICE, RING, (2, 2), "CONTACT", id="ring that fills a ring"),
-        pytest.param(TWICE, RING, (4, 4), "OVERLAP", id="ring on a ring"),
-        pytest.param(RING, box(0, 0, 4, 4), (4, 4), "CONTACT", id="outside, corner on corner"),
-        pytest.param(
-            RING, Holed(box(0, 0, 6, 6), (box(1, 1, 5, 5),)), (-1, -1), "CONTACT", id="around"
-        ),
-        pytest.param(
-            Holed(box(0, 0, 9, 9), (box(1, 1, 8, 8),)),
-            Holed(box(0, 0, 9, 9), (box(2, 2, 7, 7),)),
-            (0, 0),
-            "OVERLAP",
-            id="one inside the other along the exterior",
-        ),
-        pytest.param(PINCHED, [(0, 0), (1, "-1/2"), (1, "1/2")], (0, 2), "CONTACT", id="pinch"),
-        pytest.param(PINCHED, [(0, 0), (-1, "-1/2"), (-1, "1/2")], (0, 2), "CONTACT", id="tips"),
-        pytest.param(PINCHED, [(0, 0), (1, 0), (1, 1)], (0, 2), "OVERLAP", id="tip beside a pinch"),
-        pytest.param(box(-9, -9, 9, 9), PINCHED, (0, 0), "OVERLAP", id="pinched inside"),
-    ],
-)
-def test_known_verdicts_with_holes(
-    d: object, g: object, t: tuple[object, object], verdict: str
-) -> None:
+WALL, THIN = (Holed(box(0, 0, 9, 9), (box(k, k, 9 - k, 9 - k),)) for k in (2, 1))
+WITH_HOLES: dict[str, tuple[Any, Any, Any, str]] = {
+    "G in a hole of D": (RING, box(0, 0, 1, 1), ("3/2", "3/2"), "FREE"),
+    "G fills a hole of D": (RING, box(0, 0, 2, 2), (1, 1), "CONTACT"),
+    "G too high in the hole": (RING, box(0, 0, 2, 2), (1, "11/10"), "OVERLAP"),
+    "G over all": (RING, box(0, 0, 9, 9), (-1, -1), "OVERLAP"),
+    "D in a hole of G": (box(0, 0, 1, 1), RING, ("-3/2", "-3/2"), "FREE"),
+    "G is D": (RING, RING, (0, 0), "OVERLAP"),
+    "ring that fills a ring": (TWICE, RING, (2, 2), "CONTACT"),
+    "ring on a ring": (TWICE, RING, (4, 4), "OVERLAP"),
+    "outside, corner on corner": (RING, box(0, 0, 4, 4), (4, 4), "CONTACT"),
+    "around": (RING, Holed(box(0, 0, 6, 6), (box(1, 1, 5, 5),)), (-1, -1), "CONTACT"),
+    "one inside the other along the exterior": (THIN, WALL, (0, 0), "OVERLAP"),
+    "pinch": (PINCHED, [(0, 0), (1, "-1/2"), (1, "1/2")], (0, 2), "CONTACT"),
+    "tips": (PINCHED, [(0, 0), (-1, "-1/2"), (-1, "1/2")], (0, 2), "CONTACT"),
+    "tip beside a pinch": (PINCHED, [(0, 0), (1, 0), (1, 1)], (0, 2), "OVERLAP"),
+    "pinched inside": (box(-9, -9, 9, 9), PINCHED, (0, 0), "OVERLAP"),
+}
+
+
+@pytest.mark.parametrize("name", WITH_HOLES)
+def test_known_verdicts_with_holes(name: str) -> None:
+    d, g, t, verdict = WITH_HOLES[name]
     found = classify(d, g, t)
     assert found.verdict == verdict
     check_witness(d, g, t, found)
     x, y = map(to_fraction, t)
     assert classify(g, d, (-x, -y)).verdict == verdict
-
-
-def check_witness(d: object, g: object, t: tuple[object, object], found: Classification) -> None:
-    if found.witness is not None:
-        (x, y), (dx, dy) = found.witness, map(to_fraction, t)
-        where = 1 if found.verdict == "OVERLAP" else 0
-        assert point_in_polygon((x, y), d) == where
-        assert point_in_polygon((x - dx, y - dy), g) == where
 
 
 @patient
@@ -277,12 +260,6 @@ def test_a_position_that_is_no_pair_is_refused(position: object) -> None:
     square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     with pytest.raises(PolygonError, match=r"^the position is "):
         classify(square, square, position)  # type: ignore[arg-type]
-
-
-def test_a_segment_holds_its_ends() -> None:
-    a, b = (0, 0), (4, 2)
-    found = [p for p in [(-2, -1), a, (2, 1), (2, 2), b, (6, 3)] if is_between(p, a, b)]
-    assert found == [p for p in found if is_between(p, b, a)] == [a, (2, 1), b]
 
 
 def test_witnesses_are_inside_both() -> None:

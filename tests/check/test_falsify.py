@@ -1,16 +1,25 @@
 """A small, fixed sample of `python -m tests.falsify`."""
 
 from random import Random
+from unittest.mock import patch
 
-from falsify import falsify, list_weakened
+import pytest
+from falsify import LAYOUTS, SHAPES, Family, falsify, list_weakened
 
 from exactsweep.check import standalone
 
 
-def test_falsified_certificates_are_refused() -> None:
-    tried, missed = falsify(Random(7), 2, 20)
+@pytest.mark.parametrize("family", [SHAPES, LAYOUTS])
+def test_falsified_certificates_are_refused(family: Family) -> None:
+    tried, missed = falsify(Random(7), 2, 20, family)
     assert tried.total() == 40
     assert not missed
+
+
+def test_a_checker_of_layouts_that_believes_all_normals_is_convicted() -> None:
+    with patch.object(standalone, "are_apart", lambda *_: True):
+        _, missed = falsify(Random(5), 3, 20, LAYOUTS)
+    assert missed
 
 
 def test_conditions_are_dropped_one_at_a_time() -> None:

@@ -61,84 +61,35 @@ def interesting(answer: ReferenceNoFit) -> list[Point]:
     return points
 
 
-C = grid("####", "#..#", "#...", "#..#", "####")
+C = "####/#..#/#.../#..#/####"
 UNIT = box(0, 0, 1, 1)
 
 
-@pytest.mark.parametrize(
-    ("d", "g", "holes", "fits"),
-    [
-        pytest.param(
-            grid("###", "#.#", "###"), UNIT, [], [[("1", "1"), ("1", "1")]], id="hole of G's size"
-        ),
-        pytest.param(
-            grid("####", "#..#", "####"), UNIT, [], [[("1", "1"), ("2", "1")]], id="slot in a hole"
-        ),
-        pytest.param(
-            grid("####", "#..#", "#..#", "####"),
-            UNIT,
-            [[("1", "1"), ("2", "1"), ("2", "2"), ("1", "2")]],
-            [],
-            id="room in a hole",
-        ),
-        pytest.param(
-            grid("#.#", "#.#", "###"), UNIT, [], [[("1", "3"), ("1", "1")]], id="slot from outside"
-        ),
-        pytest.param(
-            grid("#####", "##.##", "#...#", "##.##", "#####"),
-            UNIT,
-            [],
-            [[("1", "2"), ("3", "2")], [("2", "1"), ("2", "3")]],
-            id="two slots that cross",
-        ),
-        pytest.param(
-            grid("#####", "#...#", "#...#", "#...#", "##.##"),
-            grid(".#.", "###", ".#."),
-            [],
-            [[("1", "-3"), ("1", "-2")], [("1", "0"), ("1", "1")]],
-            id="cross that reaches into a door from either side",
-        ),
-        pytest.param(
-            C,
-            box(0, 0, 1, 1),
-            [[("1", "1"), ("2", "1"), ("2", "3"), ("1", "3")]],
-            [[("2", "2"), ("4", "2")]],
-            id="cave with a door just wide enough",
-        ),
-        pytest.param(
-            C,
-            grid("#", "#"),
-            [[("1", "1"), ("2", "1"), ("2", "2"), ("1", "2")]],
-            [],
-            id="cave with a door that is too low",
-        ),
-        pytest.param(
-            grid("###", "#.#", "###"),
-            grid("#####", "#...#", "#...#", "#...#", "#####"),
-            [],
-            [[("-1", "-1"), ("-1", "-1")]],
-            id="ring around a ring of its size",
-        ),
-        pytest.param(
-            UNIT,
-            grid("####", "#..#", "#..#", "####"),
-            [[("-2", "-2"), ("-1", "-2"), ("-1", "-1"), ("-2", "-1")]],
-            [],
-            id="D inside a hole of G",
-        ),
-        pytest.param(
-            grid("####", "#..#", "#...", "####"),
-            grid("##", "#."),
-            [],
-            [[("1", "1"), ("1", "1")]],
-            id="jigsaw: only part of it goes in",
-        ),
-    ],
-)
-def test_known_answers(d: object, g: object, holes: list[Written], fits: list[Written]) -> None:
-    answer = reference_no_fit(d, g)
-    assert [written(hole) for hole in answer.holes] == holes
-    assert [written(fit) for fit in answer.exact_fits] == fits
+# The rows of D and of G; holes and exact fits, each as its vertices.
+KNOWN = {
+    "hole of G's size": ("###/#.#/###", "#", "", "1,1 1,1"),
+    "slot in a hole": ("####/#..#/####", "#", "", "1,1 2,1"),
+    "room in a hole": ("####/#..#/#..#/####", "#", "1,1 2,1 2,2 1,2", ""),
+    "slot from outside": ("#.#/#.#/###", "#", "", "1,3 1,1"),
+    "slots that cross": ("#####/##.##/#...#/##.##/#####", "#", "", "1,2 3,2; 2,1 2,3"),
+    "cross that reaches into a door from either side": (
+        *("#####/#...#/#...#/#...#/##.##", ".#./###/.#."),
+        *("", "1,-3 1,-2; 1,0 1,1"),
+    ),
+    "cave with a door just wide enough": (C, "#", "1,1 2,1 2,3 1,3", "2,2 4,2"),
+    "cave with a door that is too low": (C, "#/#", "1,1 2,1 2,2 1,2", ""),
+    "ring around a ring": ("###/#.#/###", "#####/#...#/#...#/#...#/#####", "", "-1,-1 -1,-1"),
+    "D inside a hole of G": ("#", "####/#..#/#..#/####", "-2,-2 -1,-2 -1,-1 -2,-1", ""),
+    "jigsaw: only part of it goes in": ("####/#..#/#.../####", "##/#.", "", "1,1 1,1"),
+}
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_known_answers(name: str) -> None:
+    d, g, holes, fits = KNOWN[name]
+    answer = reference_no_fit(grid(*d.split("/")), grid(*g.split("/")))
+    for found, expected in ((answer.holes, holes), (answer.exact_fits, fits)):
+        assert "; ".join(" ".join(f"{x},{y}" for x, y in points) for points in found) == expected
 
 
 def test_triangle_wedged_in_a_hole_by_its_vertices_on_edges() -> None:
@@ -169,7 +120,7 @@ def test_squares() -> None:
 
 def test_inner_loop_keeps_out_of_a_closed_cave() -> None:
     """G cannot enter, so it sweeps around, and what is inside is not swept."""
-    swept = reference_swept(C, box(0, 0, 2, 2))
+    swept = reference_swept(grid(*C.split("/")), box(0, 0, 2, 2))
     assert swept.inner == box(0, 0, 4, 5).vertices
     assert swept.unswept == ()
 
@@ -365,9 +316,9 @@ def test_containers_of_any_shape_and_place(way: tuple[int, int], wide: int, high
 
 @pytest.mark.parametrize("by", [(700, -900), (-700, 900)])
 def test_loops_swept_far_away_are_those_swept_here(by: tuple[int, int]) -> None:
-    u = Fraction(by[0]), Fraction(by[1])
-    g, far = [(0, 0), (2, 0), (1, 2)], C.exterior.translated(u)
-    here, there = reference_swept(C, g), reference_swept(far, g)
+    u, c = (Fraction(by[0]), Fraction(by[1])), grid(*C.split("/"))
+    g, far = [(0, 0), (2, 0), (1, 2)], c.exterior.translated(u)
+    here, there = reference_swept(c, g), reference_swept(far, g)
     loops = [[Point(p.x + u[0], p.y + u[1]) for p in loop] for loop in (here.outer, here.inner)]
     assert [[*there.outer], [*there.inner]] == loops
     assert len(there.unswept) == len(here.unswept)

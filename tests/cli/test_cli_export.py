@@ -6,6 +6,7 @@ import pytest
 from command import refusal, run
 
 from exactsweep import no_fit_polygon
+from exactsweep.cli.parts import say_left_out
 from exactsweep.formats import FORMATS, parse_regions, read_region
 from exactsweep.formats.rounding import contains
 
@@ -53,3 +54,27 @@ def test_a_rounded_no_fit_polygon_permits_no_overlap(files: dict[str, str]) -> N
         assert contains(found.region, type(plate)(exact.exterior, exact.holes))
     done = run("nfp", files["plate"], files["part"], "--to", "wkt", "--round", "1")
     assert done.stderr.endswith("; it may permit an overlap (--round-outward does not)\n")
+
+
+@pytest.mark.parametrize(
+    ("number", "last"), [(1, "0"), (100, "99"), (101, "1 more"), (103, "3 more")]
+)
+def test_at_most_a_hundred_omissions_are_listed(
+    number: int, last: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    say_left_out([*map(str, range(number))])
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[:100] == [f"left out: {k}" for k in range(min(number, 100))]
+    assert lines[-1] == f"left out: {last}"
+
+
+def test_a_limit_is_said_of_outputs_that_commands_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("exactsweep.cli.output.find_needed_mib", lambda size: size)
+    sizes = []
+    for options in (("--json",), ("--wkt",), ("--to", "csv"), ("--certificate",)):
+        said = run("sweep", *options).stderr
+        start = "standard output: large; commands read it with --max-mib "
+        assert said.startswith(start)
+        sizes.append(int(said.removeprefix(start)))
+    assert len(set(sizes)) == 4
+    assert run("sweep").stderr == ""

@@ -1,9 +1,9 @@
-"""The output of commands, word for word; `python -m tests.golden` writes it anew."""
+"""The output of commands, word for word; `python -m tests.transcripts` writes it anew."""
 
 from pathlib import Path
 
 import pytest
-from golden import list_transcripts, replay
+from transcripts import list_transcripts, replay
 
 
 @pytest.mark.parametrize("path", list_transcripts("conform"), ids=lambda path: path.stem)

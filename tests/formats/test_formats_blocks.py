@@ -87,10 +87,10 @@ def test_joined_ends_are_moved_no_farther_than_allowed(polygon: Polygon, random:
     lines = []
     for k, (a, b) in enumerate(zip(ring, [*ring[1:], ring[0]], strict=True)):
         ends = off(a), off(b)
-        lines.append(OpenLine(k, str(k), ends, lambda ends=ends: ends))  # type: ignore[misc]
+        lines.append(OpenLine(str(k), ends, lambda ends=ends: ends, order=k))  # type: ignore[misc]
     random.shuffle(lines)  # type: ignore[attr-defined]
     reach = 9 * step
-    ((_, candidate),) = join(lines, None, Reading(join=reach))
+    ((_, candidate),) = join(lines, Reading(join=reach))
     found = candidate.vertices()
     assert len(found) == len(ring)
     for point in ring:
@@ -124,9 +124,9 @@ def test_joining_takes_a_number_of_steps_in_proportion(ends: object) -> None:
         for k in range(size):
             a, b, c, d = map(Counted, ends(k))  # type: ignore[operator]
             both = Point(a, b), Point(c, d)  # type: ignore[arg-type]
-            lines.append(OpenLine(k, "", both, both.__iter__))  # type: ignore[arg-type]
+            lines.append(OpenLine("", both, both.__iter__, order=k))  # type: ignore[arg-type]
         Counted.hashes = 0
-        list(join(lines, None, Reading()))
+        list(join(lines, Reading()))
         counts.append(Counted.hashes)
     assert counts[1] < 10 * counts[0]
 

@@ -114,6 +114,7 @@ def test_names_that_are_no_utf_8_are_named() -> None:
 
 def test_a_table_counts_for_its_lines() -> None:
     assert measure_written("id,x,y\na,0,0\na,1,0\na,0,1\n") == 4 * 16
+    assert measure_written("x,y\n0,0\n1,0\n0,1\n") == 4 * 16
 
 
 @pytest.mark.parametrize(

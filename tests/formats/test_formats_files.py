@@ -182,6 +182,11 @@ def test_arrays_that_are_no_polygons_are_refused() -> None:
         from_numpy(numpy.full((3, 2), math.nan))
     with pytest.raises(FormatError, match="dtype 'int8': not 'object', 'int64' or 'float64'"):
         to_numpy(TRIANGLE, "int8")
+    for x in ("1/2", 2**63, -(2**63) - 1):
+        with pytest.raises(FormatError, match=r"^vertex \d: .* is not an int64$"):
+            to_numpy(Polygon([(0, 0), (x, 0), (0, 1)]), "int64")
+    ends = Polygon([(-(2**63), 0), (2**63 - 1, 0), (0, 1)])
+    assert to_numpy(ends, "int64").tolist() == [[int(x), int(y)] for x, y in ends.vertices]
     with pytest.raises(FormatError, match="is beyond all floats"):
         to_shapely(Polygon([(0, 0), ("1e999", 0), (0, 1)]), nearest=True)
 

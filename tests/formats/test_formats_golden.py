@@ -6,17 +6,28 @@ file as a program to write the outcomes anew, then read what changed.
 
 import json
 from collections.abc import Callable
+from functools import partial
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from exactsweep.formats import FORMATS, NamedRegion, format_polygons, parse_polygon, parse_regions
+from exactsweep.formats import (
+    FORMATS,
+    NamedRegion,
+    format_polygons,
+    parse_polygon,
+    parse_regions,
+    round_regions,
+)
 from exactsweep.formats.layouts import parse_layouts
+from exactsweep.formats.rounding import Side
 from exactsweep.geometry.region import AnyPolygon, Region
 
 FILE = Path(__file__).parent / "golden.json"
 WRITTEN = (*FORMATS, "json decimals")
+SIDES: tuple[Side, ...] = ("closest", "outward", "inward")
 CASES: list[dict[str, Any]] = json.loads(FILE.read_text(encoding="utf-8"))
 
 
@@ -26,7 +37,10 @@ def find_outcome(case: dict[str, Any]) -> object:
     if case.get("as") == "layout":
         return attempt(lambda: json.loads(json.dumps(parse_layouts(text, **options))))
     if case.get("as") == "written":
-        return {form: attempt(lambda: write(text, form, options)) for form in WRITTEN}  # noqa: B023
+        return {form: attempt(partial(write, text, form, options)) for form in WRITTEN}
+    if case.get("as") == "rounded":
+        ways = product((0, 1), SIDES)
+        return [attempt(partial(round_all, text, *way)) for way in ways]
     one = attempt(lambda: show(parse_polygon(text, case.get("choice"), **options)))
     every = one if "choice" in case else attempt(lambda: list_contents(text, options))
     return one if one == every else [one, every]
@@ -49,6 +63,11 @@ def list_contents(text: str, options: dict[str, Any]) -> dict[str, object]:
     unit = None if found.coordinates.unit is None else str(found.coordinates.unit)
     told = {"left_out": found.left_out, "notes": found.notes, "unit": unit}
     return {"parts": parts, **{name: value for name, value in told.items() if value}}
+
+
+def round_all(text: str, places: int, side: Side) -> list[str]:
+    found, changes = round_regions(parse_regions(text), places, lambda region: side)
+    return [*(show(part.region) for part in found), *map(str, changes)]
 
 
 def write(text: str, form: str, options: dict[str, Any]) -> str:

@@ -126,14 +126,6 @@ def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
     return any(cross(first, v) >= 0 and cross(v, last) >= 0 for v in (u, (-u[0], -u[1])))
 
 
-@given(own.convex_polygons())
-@examples(30)
-def test_convex_is_monotone_to_all(polygon: Polygon) -> None:
-    found = find_monotone_directions(polygon)
-    assert str(found) == "all directions"
-    assert all(u in found for u in trials(polygon))
-
-
 @given(own.simple_polygons(), own.simple_polygons())
 @often
 def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
@@ -175,22 +167,6 @@ def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
 )
 def test_ranges_worked_by_hand(vertices: Any, text: str) -> None:
     assert str(find_monotone_directions(Polygon(vertices))) == text
-
-
-def test_strict_is_preferred_to_weak_and_small_to_large() -> None:
-    # (0, 1) is shared, but perpendicular to edges. Of the slopes beyond 2, (1, 3) and (1, -3)
-    # are the simplest.
-    assert choose_direction(Polygon(NOTCHED), Polygon(UNIT)) == (1, -3)
-    # Beyond 2/3; (1, -1) comes before (1, 1).
-    shallow = Polygon([(0, 0), (6, 0), (4, 3), (6, 6), (0, 6)])
-    assert choose_direction(shallow, Polygon(UNIT)) == (1, -1)
-    # Four points, along X and Y, that go to (2, 1) and (2, -1).
-    points = [(1, -1), (5, 0), (1, 1), (0, 5), (-1, 1), (-5, 0), (-1, -1), (0, -5)]
-    star = Polygon([(x + y, 2 * x - 2 * y) for x, y in points])
-    assert choose_direction(star, Polygon(UNIT)) == (2, -1)
-    # To (1, 2) and (1, -2).
-    star = Polygon([(2 * x + 2 * y, x - y) for x, y in points])
-    assert choose_direction(star, Polygon(UNIT)) == (1, -2)
 
 
 def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:

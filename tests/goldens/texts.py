@@ -5,10 +5,14 @@ No text depends on fonts, on a layout that matplotlib computes, or on the way a 
 
 import json
 from collections.abc import Callable, Iterator
-from dataclasses import asdict
+from dataclasses import asdict, replace
+from fractions import Fraction
 from hashlib import sha256
+from importlib import import_module
 from itertools import islice
+from pkgutil import walk_packages
 from typing import Any
+from unittest.mock import patch
 
 from command import EXAMPLE
 from matplotlib.axes import Axes
@@ -24,10 +28,12 @@ from exactsweep import (
 )
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
-from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate
+from exactsweep.canvas.window import Window
+from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate, generator
 from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.describe import describe
 from exactsweep.corpus.export import cases_to_geojson, cases_to_svg, cases_to_wkt
+from exactsweep.corpus.generator.growing import bowls, bumps, ceilings, forks, needles, rim, wide
 from exactsweep.draw import (
     Picture,
     Scale,
@@ -39,10 +45,15 @@ from exactsweep.draw import (
 )
 from exactsweep.draw.stretches import cut_trajectory
 from exactsweep.numbers.point import Vertex
-from exactsweep.paper.claim import Effort, Finding, reproduce
+from exactsweep.paper import checks, figures, report
+from exactsweep.paper.claim import Effort, Finding, reproduce, weigh
+from exactsweep.paper.costs import COSTS
+from exactsweep.paper.data import as_json
 from exactsweep.paper.figures.drawing import draw_figure
 from exactsweep.paper.figures.figure import load
-from exactsweep.paper.ledger import CLAIMS
+from exactsweep.paper.growth import Growth, Size
+from exactsweep.paper.ledger import CLAIMS, find
+from exactsweep.paper.pairs import LARGE
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import trajectory_cm
@@ -89,6 +100,17 @@ CASES = [
     *("fits-square", "worked-roof", "caves-open-thirds", "holes-hole-at-the-rim"),
     *("holes-as-large", "containers-too-low", "gen-fractions-3-1"),
 ]
+SIZES = ("vertices", "edges", "holes", "undercuts")
+"""The units of growth that depend on the pairs alone."""
+E9 = 10**9
+BOXES: list[tuple[Vertex, Vertex]] = [
+    *(((0, 0), (8, 5)), ((-3, 2), (-1, 50)), ((0, 0), (12, 1)), ((0, 0), (13, 1))),
+    *(((0, 0), (1, 13)), ((E9, E9), (E9 + 7, E9 + 3)), ((-E9 - 9, 5), (-E9, 6))),
+    *(((0, 0), (Fraction(1, 300), Fraction(1, 700))), ((5, 5), (5, 5)), ((0, 7), (9, 7))),
+    *(((123_456, 1), (123_500, 2)), ((1000, 0), (1001, 1)), ((1001, 0), (1002, 1))),
+    *(((0, 0), (10**4, 10**3)), ((0, 0), (9999, 10)), ((Fraction(1, 3), 0), (E9, 10**12))),
+]
+VALUES = Fraction, tuple, list, Region
 FIGURES = ("minkowski", "lower_bound", "local_width", "chains", "contact_motion")
 
 
@@ -110,14 +132,15 @@ def list_artists(axes: Axes) -> Iterator[str]:
         marks = line.get_marker(), line.get_markersize(), line.get_markerfacecolor()
         yield f"line {line.get_label()}, {line.get_color()}, {line.get_linewidth()}, {marks}"
         yield f"  {line.get_zorder()}: {write_points(line.get_xydata())}"
-    for patch in axes.patches:
-        colors = (to_hex(c, True) for c in (patch.get_facecolor(), patch.get_edgecolor()))
-        yield f"area {patch.get_label()}, {', '.join(colors)}, {patch.get_hatch()}"
-        yield f"  {patch.get_zorder()}: {write_points(patch.get_path().vertices)}"
+    for area in axes.patches:
+        colors = (to_hex(c, True) for c in (area.get_facecolor(), area.get_edgecolor()))
+        yield f"area {area.get_label()}, {', '.join(colors)}, {area.get_hatch()}"
+        yield f"  {area.get_zorder()}: {write_points(area.get_path().vertices)}"
     for text in axes.texts:
         place: Any = getattr(text, "xyann", None)
         yield f"text {text.get_text()!r} at {write_points([getattr(text, 'xy', (0, 0))])}"
-        yield f"  {place and write_points([place])}, {text.get_horizontalalignment()}, {text.get_fontsize()}"
+        how = text.get_horizontalalignment(), text.get_fontsize()
+        yield f"  {place and write_points([place])}, {how}"
     if legend := axes.get_legend():
         yield f"legend {[text.get_text() for text in legend.get_texts()]}"
     for child in axes.child_axes:
@@ -187,7 +210,9 @@ def list_figures() -> Iterator[str]:
 
 
 def _write(value: Any) -> str:
-    """Nested points in one line; sets in order."""
+    """Nested points in one line; sets in order; a bound by its value."""
+    if callable(value):
+        return f"{value(24, 40):.6g}"
     if isinstance(value, set | frozenset):
         value = sorted(value)
     if isinstance(value, tuple | list):
@@ -202,6 +227,15 @@ def list_exports() -> Iterator[str]:
     yield from cases_to_geojson(shown)
     yield from cases_to_svg(shown)
     yield from (describe(name) for name in (*CASES, "huge", "fits", "convex", "combs"))
+
+
+def list_growing() -> Iterator[str]:
+    """The pairs of the growing families at two sizes."""
+    for make in (*LARGE["CC"], *LARGE["CM"], *LARGE["MM"], needles, ceilings, wide, bowls, rim):
+        for sizes in ((14, 16), (20, 12)):
+            yield f"{make.__name__} {sizes} {make(*sizes)}"
+    yield from (f"forks {forks(m, n)}" for m, n in ((18, 18), (18, 24)))
+    yield from (f"bumps {bumps(*sizes)}" for sizes in ((2, 4, 6), (4, 6, 4)))
 
 
 def list_generated() -> Iterator[str]:
@@ -219,18 +253,61 @@ def list_generated() -> Iterator[str]:
         yield case_to_line(find_case(id)).rstrip()
 
 
+def list_scales() -> Iterator[str]:
+    """Scales and windows of boxes small, large, far off, flat and high."""
+    for low, high in BOXES:
+        scale, window = Scale.of([low, high]), Window.around([low, high], 130, 90, 7)
+        labels = scale.x.label("x"), scale.y.label("y")
+        yield f"{low} {high}: {_write(scale)}, {labels}, {window.is_true}, {window.longest}"
+        yield f"  {scale.place(high)}, {_write(window)}: {window.place(low)}, {window.place(high)}"
+
+
+def list_report() -> Iterator[str]:
+    """A report of some rows, as at no time on no machine; the costs; a counterexample, drawn."""
+    names = ("Definition 1.1", "Lemma 5.3", "Trajectory_CC", "Slope")
+    rows = [row._replace(seconds=1.25) for row in reproduce(map(find, names), Effort(quick=True))]
+    points = tuple(Size(8 << k, 16, 100 << 2 * k, 8 << k) for k in range(3))
+    counts = [Growth(f"{unit} of P", "ints", "m", points) for unit in ("operations", "bytes")]
+    claim = replace(find("Corollary 3.4"), name="Corollary 0")
+    rows.append(Finding(claim, weigh("Counts.", *counts), 0.5))
+    nowhere = {"exactsweep": "0", "seed": 1, "quick": True, "packages": {"sympy": "1"}}
+    nowhere |= dict.fromkeys(("commit", "python", "system", "processor", "date"), "any")
+    with patch.object(report, "describe_environment", lambda effort: nowhere):
+        yield report.render("report.md", rows, Effort(quick=True), {}, {})
+        html = report.render("report.html", rows, Effort(quick=True), {}, {})
+    yield html[html.index("<body") :]
+    yield report.count_verdicts(rows)
+    for cost in COSTS:
+        called = cost.row, cost.procedure, cost.bound[0], cost.family.__name__, cost.varied
+        limits = cost.timed, cost.fixed, cost.limit, cost.slack, cost.sizes(cost.first, 2)
+        yield f"{called} {limits} {cost.bound[1](24, 40):.6g}"
+
+
+def list_examples() -> Iterator[str]:
+    """The examples by which the ledger argues, and the choices of the generator, each once."""
+    seen = set()
+    for room in (generator, checks, figures):
+        for module in sorted(m.name for m in walk_packages(room.__path__, f"{room.__name__}.")):
+            for name, value in sorted(vars(import_module(module)).items()):
+                if name.isupper() and isinstance(value, VALUES) and id(value) not in seen:
+                    seen.add(id(value))
+                    yield f"{module}.{name} {_write(value)}"
+
+
 def show_row(row: Finding) -> dict[str, Any]:
     """Return the findings of a row of the ledger without counts of operations and times."""
-    found = row.evidence
+    (found,) = as_json([row], Effort(seed=2, quick=True))["claims"]
+    shown = {name: value for name, value in found.items() if name not in ("seconds", "code")}
+    for name in ("words", "correction", "proof", "kernel", "chosen"):
+        shown[name] = bool(shown[name])
+    shown["growth"] = [g for g in shown["growth"] if g["what"].split()[0] in SIZES]
+    shown["tables"] = [t for t in shown["tables"] if "Exponents" not in t["caption"]]
     if {"counted", "measured"} & {*row.claim.evidence}:
-        return {"sampled": found.sampled, "searched": found.searched}
-    return {
-        "tried": found.tried,
-        "sampled": found.sampled,
-        "searched": found.searched,
-        "cases": _write(found.cases),
-        "tables": _write(found.tables),
-    }
+        del shown["tried"]
+        for case in shown["counterexamples"]:
+            del case["text"]
+    plain: dict[str, Any] = json.loads(json.dumps(shown))
+    return plain
 
 
 def list_rows() -> Iterator[str]:
@@ -246,5 +323,9 @@ TEXTS: dict[str, Callable[[], Iterator[str]]] = {
     "figures": list_figures,
     "exports": list_exports,
     "generated": list_generated,
+    "examples": list_examples,
+    "growing": list_growing,
+    "report": list_report,
+    "scales": list_scales,
 }
 """The texts that `test_goldens.py` makes again; `tests/paper/test_paper.py` compares the rows."""

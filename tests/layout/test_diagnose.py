@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from math import pi
 from typing import Any
 
@@ -10,6 +11,7 @@ import pytest
 
 from exactsweep.layout import Layout, judge_layout
 from exactsweep.layout.diagnose import diagnose
+from exactsweep.numbers.point import Rational
 
 L = [("0", "0"), ("3", "0"), ("3", "1"), ("1", "1"), ("1", "2"), ("0", "2")]
 # Four L of 3 by 2 in a box of 8 by 4 with room between them: turn and lower left corner of each,
@@ -38,12 +40,6 @@ def test_the_layout_itself_is_valid() -> None:
     judgement = judge_layout(layout([place(turn, *at) for turn, at in PLACED]))
     assert judgement.valid
     assert diagnose(judgement) == []
-
-
-def about_the_first_vertex(turn: str, x: int, y: int) -> dict[str, Any]:
-    # The first vertex of the part that is judged is (1, 1): it turns about itself.
-    u, v = {"0": (1, 1), "90": (-1, 1), "180": (-1, -1), "270": (1, -1)}[turn]
-    return place(turn, x + u - 1, y + v - 1)
 
 
 def lower_left(turn: str, x: int, y: int) -> dict[str, Any]:
@@ -85,13 +81,32 @@ def test_radians_are_named(digits: int) -> None:
     assert diagnose(judgement)[0].startswith("with turns in radians, 0 of ")
 
 
-def test_another_center_is_named() -> None:
-    shifted = [*L[3:], *L[:3]]
-    placed = [about_the_first_vertex(turn, *at) for turn, at in PLACED]
-    judgement = judge_layout(layout(placed, shifted))
+COSINE_AND_SINE = {"0": (1, 0), "90": (0, 1), "180": (-1, 0), "270": (0, -1)}
+CENTERS: dict[str, tuple[Rational, Rational]] = {
+    "the centroid": (Fraction(5, 4), Fraction(3, 4)),
+    "the center of the box": (Fraction(3, 2), 1),
+    "the lower left corner of the box": (0, 0),
+    "the first vertex": (1, 1),
+}
+
+
+@pytest.mark.parametrize("said", ["turns about {}", "moves that say where {} is"])
+@pytest.mark.parametrize("center", CENTERS)
+def test_another_center_is_named(center: str, said: str) -> None:
+    # The part is L moved by (-1, -4), from its fourth vertex on.
+    part = [(int(x) - 1, int(y) - 4) for x, y in [*L[3:], *L[:3]]]
+    u, v = CENTERS[center][0] - 1, CENTERS[center][1] - 4
+    placed = []
+    for turn, (x, y) in PLACED:
+        c, s = COSINE_AND_SINE[turn]
+        # L at (x, y) turns about its origin, R (u + 1, v + 4) from where the center is.
+        at = x + c * (u + 1) - s * (v + 4), y + s * (u + 1) + c * (v + 4)
+        back = (u, v) if said.startswith("turns") else (0, 0)
+        placed.append(place(turn, at[0] - back[0], at[1] - back[1]))
+    judgement = judge_layout(layout(placed, part))
     assert not judgement.valid
     notes = diagnose(judgement)
-    assert any(note.startswith("with turns about the first vertex, 0 of ") for note in notes), notes
+    assert any(note.startswith(f"with {said.format(center)}, 0 of ") for note in notes), notes
 
 
 def test_a_single_overlap_is_no_convention() -> None:

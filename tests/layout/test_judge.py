@@ -5,11 +5,11 @@ from typing import Any
 
 import pytest
 from known_layouts import FAULTY, SHEET, TILE, TRIANGLE, VALID
-from layouts import box, lay, put
+from layouts import box, image, lay, put
 
 from exactsweep import Point
 from exactsweep.corpus import layout_cases
-from exactsweep.layout import Judgement, Layout, judge_layout
+from exactsweep.layout import Judgement, judge_layout
 
 
 def kinds(judgement: Judgement) -> list[tuple[str, tuple[int, ...]]]:
@@ -18,23 +18,6 @@ def kinds(judgement: Judgement) -> list[tuple[str, tuple[int, ...]]]:
 
 def point(x: Any, y: Any) -> Point:
     return Point(Fraction(x), Fraction(y))
-
-
-def image(layout: Layout, factor: Fraction, x: Fraction, y: Fraction) -> Layout:
-    """A layout, scaled and then moved as a whole."""
-    data = layout.to_json()
-
-    def scale(points: list[list[str]], x: Any = 0, y: Any = 0) -> list[list[Fraction]]:
-        return [[factor * Fraction(px) + x, factor * Fraction(py) + y] for px, py in points]
-
-    for shape, by in (data["container"], (x, y)), *((part, (0, 0)) for part in data["parts"]):
-        shape["exterior"] = scale(shape["exterior"], *by)
-        shape["holes"] = [scale(hole, *by) for hole in shape["holes"]]
-    for placement in data["placements"]:
-        (placement["move"],) = scale([placement["move"]], x, y)
-    for gap in ("spacing", "margin"):
-        data[gap] = factor * Fraction(data[gap])
-    return Layout.from_json(data)
 
 
 LAYOUTS = VALID | {name: layout for name, (layout, _) in FAULTY.items()}

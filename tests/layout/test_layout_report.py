@@ -10,6 +10,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 import pytest
+from layouts import image
 
 from exactsweep.corpus import find_layout_case, layout_cases
 from exactsweep.layout import Judgement, Layout, judge_layout
@@ -102,6 +103,7 @@ def test_long_lists_are_cut_and_sorted() -> None:
     assert text.endswith("... 10 more (--all)\n")
     assert text.count("overlap ") == 30
     assert report_layout(judgement, ranked, everything=True).count("deep") == 40
+    assert "more" not in report_layout(many(30))
 
 
 def test_json_is_exact() -> None:
@@ -160,6 +162,14 @@ def test_every_case_is_drawn(case: Any) -> None:
     page = write_layout_page(judgement, ranked, case.title)
     assert "nan" not in page
     assert (' class="valid"' in page) == case.expected["valid"]
+
+
+@pytest.mark.parametrize("case", [*layout_cases()], ids=lambda case: case.id)
+def test_faults_of_a_layout_elsewhere_are_enlarged_alike(case: Any) -> None:
+    """By whole numbers, so that corners of the picture remain on a lattice."""
+    here, there = map(judge_layout, (case.layout, image(case.layout, Fraction(1), 1000, -777)))
+    panels, others = (enlarge_faults(j, rank_faults(j)) for j in (here, there))
+    assert [panel.svg for panel in others] == [panel.svg for panel in panels]
 
 
 def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:

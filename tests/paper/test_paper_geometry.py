@@ -35,6 +35,7 @@ from exactsweep.paper.functions import (
     clip,
     evaluate,
     find_common_points,
+    reaches,
     sample_between,
     take_bottom,
 )
@@ -128,6 +129,7 @@ def test_chains_are_evaluated_and_cut() -> None:
     assert list(sample_between([(0, 0), (8, 0)])) == [3]
     assert find_common_points([(0, 0), (2, 2), (4, 0)], [(1, 0), (2, 2), (6, 1)]) == [2]
     assert find_common_points([(0, 0), (2, 2)], [(3, 0), (4, 2)]) == []
+    assert [reaches([(0, 0), (2, 2)], Fraction(x)) for x in range(3)] == [False, True, False]
     with pytest.raises(ValueError, match="does not reach 5"):
         evaluate(chain, Fraction(5))
 

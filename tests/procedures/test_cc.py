@@ -168,25 +168,6 @@ def test_slopes_of_ints_over_fractions_are_told_apart() -> None:
     assert list(trajectory_mm(inverse(one), Envelope.of(other))) == merged
 
 
-def test_parallel_edges_become_one() -> None:
-    r"""G's flat top along D's flat bottom is one edge of length 1 + 2: an EE contact.
-
-    ::
-
-        \__/   and   __   give   \____/
-    """
-    top: list[Vertex] = [(1, 1), (0, 1)]
-    bottom: list[Vertex] = [(0, 1), (1, 0), (3, 0), (4, 1)]
-    assert trajectory_cc(top, bottom) == [(-1, 0), (0, -1), (3, -1), (4, 0)]
-
-
 def test_a_chain_that_is_not_convex_is_refused() -> None:
     with pytest.raises(ChainError, match="convex"):
         take_whole([(0, 0), (1, 2), (2, 0)], 4)
-
-
-def test_a_single_point_only_moves_the_other_chain() -> None:
-    chain = [(0, 0), (2, 0), (3, 4)]
-    moved = [(1, 2), (3, 2), (4, 6)]
-    assert merge_by_slope([(1, 2)], chain) == merge_by_slope(chain, [(1, 2)]) == moved
-    assert merge_by_slope([(1, 2)], [(0, 0)]) == [(1, 2)]

@@ -1,9 +1,11 @@
 """Layouts by hand, written as short as can be."""
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 from exactsweep.layout import Layout
+from exactsweep.numbers.point import Rational
 
 Ring = Sequence[Sequence[Any]]
 
@@ -40,3 +42,20 @@ def lay(
             **gaps,
         }
     )
+
+
+def image(layout: Layout, factor: Fraction, x: Rational, y: Rational) -> Layout:
+    """A layout, scaled and then moved as a whole."""
+    data = layout.to_json()
+
+    def scale(points: list[list[str]], x: Any = 0, y: Any = 0) -> list[list[Fraction]]:
+        return [[factor * Fraction(px) + x, factor * Fraction(py) + y] for px, py in points]
+
+    for shape, by in (data["container"], (x, y)), *((part, (0, 0)) for part in data["parts"]):
+        shape["exterior"] = scale(shape["exterior"], *by)
+        shape["holes"] = [scale(hole, *by) for hole in shape["holes"]]
+    for placement in data["placements"]:
+        (placement["move"],) = scale([placement["move"]], x, y)
+    for gap in ("spacing", "margin"):
+        data[gap] = factor * Fraction(data[gap])
+    return Layout.from_json(data)

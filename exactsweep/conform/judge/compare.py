@@ -16,12 +16,8 @@ from exactsweep.conform.judge.boundary import (
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.distance import bound_distance, match_rings
 from exactsweep.conform.judge.fits import (
-    FITS_OF,
-    INSIDE,
-    NAME,
     find_rounded_fit,
     judge_fits,
-    list_exact_fits,
     trace_whiskers,
 )
 from exactsweep.conform.judge.region import (
@@ -44,7 +40,15 @@ from exactsweep.conform.judge.verdict import (
     read_number,
     read_segments,
 )
-from exactsweep.conform.judge.witness import LOOP_NAMES, find_witness, list_exact_rings
+from exactsweep.conform.judge.witness import (
+    FITS_OF,
+    INSIDE,
+    LOOP_NAMES,
+    NAME,
+    find_witness,
+    list_exact_fits,
+    list_exact_rings,
+)
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon

@@ -15,7 +15,7 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.conform.judge.distance import match_rings
-from exactsweep.conform.judge.rounding import name_arithmetic
+from exactsweep.conform.judge.rounding import is_near, name_arithmetic
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
@@ -252,7 +252,7 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "positions relative to the lower left corner of D's box": subtract(low, d_low),
     }
     for name, point in named.items():
-        if _is_near(point, offset, rounding):
+        if is_near(point, offset, rounding):
             yield name
 
 
@@ -264,7 +264,7 @@ def _mean(ring: Sequence[Point]) -> Point:
 def _find_offset(shape: PointRings, theirs: _Answered, rounding: Fraction) -> Point | None:
     """Find the translation that makes some rings others, except for rounding."""
     low, high = _box(shape)
-    if not _is_near(subtract(high, low), subtract(theirs.high, theirs.low), 2 * rounding):
+    if not is_near(subtract(high, low), subtract(theirs.high, theirs.low), 2 * rounding):
         return None
     by = subtract(theirs.low, low)
     return by if _is_same(_map(shape, 1, 0, 0, 1, by), theirs, 2 * rounding) else None
@@ -283,16 +283,12 @@ def _box(rings: PointRings) -> tuple[Point, Point]:
     return Point(min(xs), min(ys)), Point(max(xs), max(ys))
 
 
-def _is_near(p: Point, q: Point, rounding: Fraction) -> bool:
-    return p == q or all(abs(a - b) < rounding for a, b in zip(p, q, strict=True))
-
-
 def _is_same(exact: PointRings, theirs: _Answered, rounding: Fraction) -> bool:
     """Decide whether rings are others but for rounding; boxes tell most that are not."""
     if not (exact and len(exact) == len(theirs.rings)):
         return False
     low, high = _box(exact)
-    if not (_is_near(low, theirs.low, rounding) and _is_near(high, theirs.high, rounding)):
+    if not (is_near(low, theirs.low, rounding) and is_near(high, theirs.high, rounding)):
         return False
     return _are_same(exact, theirs.rings, rounding)
 

@@ -20,17 +20,21 @@ from itertools import pairwise
 
 from exactsweep.conform.judge.boundary import are_collinear, subtract_fits
 from exactsweep.conform.judge.distance import find_close_part
+from exactsweep.conform.judge.rounding import is_near
 from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
-from exactsweep.conform.judge.witness import at_position, crossing_of, list_exact_rings, subtract
+from exactsweep.conform.judge.witness import (
+    INSIDE,
+    NAME,
+    at_position,
+    crossing_of,
+    list_exact_fits,
+    list_exact_rings,
+    subtract,
+)
 from exactsweep.corpus import Case
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.point import Fit, Loop, Point
 from exactsweep.words import count
-
-NAME = "exact_fits"
-INSIDE = "inner_exact_fits"
-FITS_OF = {"trajectory": NAME, "no_fit": NAME, "inner_fit": INSIDE}
-"""The exact fits that belong to the loops of positions."""
 
 
 def judge_fits(
@@ -106,11 +110,6 @@ def judge_fits(
     )
 
 
-def list_exact_fits(case: Case, name: str) -> Sequence[Fit]:
-    """Return the exact fits of G around D, or inside it, as the name says."""
-    return case.inner_exact_fits if name == INSIDE else case.exact_fits
-
-
 def find_rounded_fit(ring: Loop, fits: Iterable[Fit], rounding: Fraction) -> Fit | None:
     """Return a ring that is off an exact fit by less than a rounding as a segment, or None."""
     for a, b in fits:
@@ -154,11 +153,7 @@ def _take_rounded(missing: list[Fit], others: list[Fit], rounding: Fraction) -> 
 
 def _is_near(one: Fit, other: Fit, rounding: Fraction) -> bool:
     return any(
-        all(
-            abs(a - b) < rounding
-            for p, q in zip(one, ends, strict=True)
-            for a, b in zip(p, q, strict=True)
-        )
+        all(is_near(p, q, rounding) for p, q in zip(one, ends, strict=True))
         for ends in (other, other[::-1])
     )
 

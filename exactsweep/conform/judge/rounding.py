@@ -9,7 +9,6 @@ from functools import partial
 from itertools import chain
 from math import floor
 
-from exactsweep.conform.judge.fits import INSIDE, NAME, list_exact_fits
 from exactsweep.conform.judge.verdict import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
@@ -69,6 +68,11 @@ def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
     return min(claim, max(granted, MOST_CLAIMED * measure_smaller(case)))
 
 
+def is_near(p: Point, q: Point, rounding: Fraction) -> bool:
+    """Decide whether two points are equal, or closer than a rounding in x and in y."""
+    return p == q or all(abs(a - b) < rounding for a, b in zip(p, q, strict=True))
+
+
 def measure_smaller(case: Case) -> Fraction:
     """Return the greater one of width and height, of the polygon for which that is less."""
     return min(_size(case.directrix), _size(case.generatrix))
@@ -79,21 +83,15 @@ def _size(shape: AnyPolygon) -> Fraction:
     return max(high.x - low.x, high.y - low.y)
 
 
-def _find_points(case: Case, name: str) -> Iterator[Point]:
-    """Return the points of the exact answer."""
-    if name in (NAME, INSIDE):
-        return chain.from_iterable(list_exact_fits(case, name))
-    return chain.from_iterable(list_exact_rings(case, name))
-
-
 def _largest(case: Case) -> Fraction:
-    loops = (_find_points(case, name) for name in LOOPS)
+    loops = chain.from_iterable(list_exact_rings(case, name) for name in LOOPS)
     rings = (*case.directrix_rings, *case.generatrix_rings, (case.reference,))
-    return max(abs(c) for point in chain(*rings, *loops) for c in point)
+    return max(abs(c) for ring in (*rings, *loops) for point in ring for c in point)
 
 
 def _is_integer(case: Case, name: str) -> bool:
-    return all(c.denominator == 1 for point in _find_points(case, name) for c in point)
+    rings = list_exact_rings(case, name)
+    return all(c.denominator == 1 for ring in rings for point in ring for c in point)
 
 
 def _unit_in_last_place(value: Fraction) -> Fraction:

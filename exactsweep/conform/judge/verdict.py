@@ -15,6 +15,7 @@ from exactsweep.formats.size import VERTEX, require_count
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
 from exactsweep.numbers.point import Loop, Point
+from exactsweep.words import count
 
 
 class Verdict(StrEnum):
@@ -286,18 +287,9 @@ def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> Answer
         require_count(sum(len(ring) for ring, _ in rings), VERTEX, "vertices")
     except FormatError as error:
         raise AnswerError(f"{path} has {error}") from None
-    has_floats = False
-    read = []
-    for ring, place in rings:
-        points = []
-        for k, pair in enumerate(ring):
-            point, is_float = _read_pair(pair, place, k)
-            points.append(point)
-            has_floats = has_floats or is_float
-        if len(points) > 1 and points[0] == points[-1]:
-            points.pop()
-        read.append(tuple(points))
-    return AnsweredLoop(tuple(read), has_floats)
+    read = [_read_points(ring, place) for ring, place in rings]
+    opened = (p[:-1] if len(p) > 1 and p[0] == p[-1] else p for p, _ in read)
+    return AnsweredLoop(tuple(opened), any(has_floats for _, has_floats in read))
 
 
 def read_segments(value: object, path: str) -> AnsweredLoop:
@@ -309,17 +301,14 @@ def read_segments(value: object, path: str) -> AnsweredLoop:
     Raises:
         AnswerError: anything else.
     """
-    segments = []
-    has_floats = False
+    read = []
     for k, pair in enumerate(_list(value, path, "a list of segments")):
         place = f"{path}[{k}]"
         ends = _list(pair, place, "a pair of points")
         if len(ends) != 2:
-            raise AnswerError(f"{place} has {len(ends)} ends, not 2")
-        read = [_read_pair(end, place, j) for j, end in enumerate(ends)]
-        segments.append(tuple(point for point, _ in read))
-        has_floats = has_floats or any(is_float for _, is_float in read)
-    return AnsweredLoop(tuple(segments), has_floats)
+            raise AnswerError(f"{place} has {count(len(ends), 'end')}, not 2")
+        read.append(_read_points(ends, place))
+    return AnsweredLoop(tuple(p for p, _ in read), any(has_floats for _, has_floats in read))
 
 
 def read_number(value: object, path: str) -> Fraction:
@@ -334,17 +323,16 @@ def read_number(value: object, path: str) -> Fraction:
         raise AnswerError(f"{path}: {error}") from None
 
 
-def _read_pair(pair: object, path: str, k: int) -> tuple[Point, bool]:
-    if not isinstance(pair, (list, tuple)):
-        raise AnswerError(f"{path}[{k}] is {name_kind(pair)}, not a pair of numbers")
-    if len(pair) != 2:
-        raise AnswerError(f"{path}[{k}] has {len(pair)} coordinates, not 2")
-    x, y = pair
-    try:
-        point = Point(to_fraction(x), to_fraction(y))
-    except NumberError as error:
-        raise AnswerError(f"{path}[{k}]: {error}") from None
-    return point, isinstance(x, float) or isinstance(y, float)
+def _read_points(pairs: Sequence[object], path: str) -> tuple[Loop, bool]:
+    """Read points, and tell whether a coordinate is a float."""
+    points, has_floats = [], False
+    for k, pair in enumerate(pairs):
+        found = _list(pair, f"{path}[{k}]", "a pair of numbers")
+        if len(found) != 2:
+            raise AnswerError(f"{path}[{k}] has {count(len(found), 'coordinate')}, not 2")
+        points.append(Point(*(read_number(c, f"{path}[{k}]") for c in found)))
+        has_floats = has_floats or any(isinstance(c, float) for c in found)
+    return tuple(points), has_floats
 
 
 def _list(value: object, path: str, what: str) -> Sequence[object]:

@@ -28,7 +28,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.point import Fit, Point, PointRings
 from exactsweep.words import write_pair
 
 LOOP_NAMES = {
@@ -38,6 +38,11 @@ LOOP_NAMES = {
     "no_fit": "no-fit polygon",
     "inner_fit": "inner fit",
 }
+
+NAME = "exact_fits"
+INSIDE = "inner_exact_fits"
+FITS_OF = {"trajectory": NAME, "no_fit": NAME, "inner_fit": INSIDE}
+"""The exact fits that belong to the loops of positions."""
 
 _DOES = {
     "FREE": "does not touch D",
@@ -56,10 +61,12 @@ def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
     """Return the rings of an exact loop, counter-clockwise: its outer one, then its holes.
 
     Of the inner loop of any shapes the one around D comes first, and what else is unswept then;
-    of an inner fit the regions follow each other.
+    of an inner fit the regions follow each other. An exact fit is a ring of two points.
     """
     if name == "inner_fit":
         return tuple(ring for region in case.inner_regions or () for ring in region.rings)
+    if name in (NAME, INSIDE):
+        return list_exact_fits(case, name)
     loops = {
         "trajectory": (case.trajectory,),
         "inner": (case.inner, *case.unswept),
@@ -67,6 +74,11 @@ def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
         "no_fit": (case.trajectory, *case.holes),
     }
     return tuple(loop.vertices for loop in loops[name])
+
+
+def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
+    """Return the exact fits of G around D, or inside it, as the name says."""
+    return case.inner_exact_fits if name == INSIDE else case.exact_fits
 
 
 class WitnessError(ExactSweepError):

@@ -5,19 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from pathlib import Path
 from typing import BinaryIO, Self
 
 from exactsweep.conform.run.protocol import read_object
 from exactsweep.conform.run.spool import SeenNames
-from exactsweep.corpus import Case, case_from_json, cases, find_case
-from exactsweep.formats import FormatError, read_text, show_path
-from exactsweep.formats.exact_json import (
-    describe_kind,
-    parse_certificate,
-    parse_json,
-    read_vertices,
-)
+from exactsweep.corpus import Case, case_from_json, cases
+from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.size import require_size
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.limits import get_max_bytes
@@ -167,64 +160,3 @@ def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> I
             yield read(number, line.decode("utf-8-sig").strip())
         except ValueError as error:
             raise FormatError(f"{name}, line {number}: {error}") from None
-
-
-def read_case(name: str) -> Case:
-    """Read a case.
-
-    Args:
-        name: the path of a file, "-" for standard input, or the id of a case of the corpus or of
-            a generated one. The file holds a case as `case_from_json` reads it; or just a pair, an
-            object with "directrix" and "generatrix" and, if wanted, "reference", such as
-            `exactsweep sweep --json` writes.
-
-    Returns:
-        The Case; of a pair without "id", the name of the file is the id.
-
-    Raises:
-        ValueError: none of these; the message names the file.
-    """
-    if name != "-" and not Path(name).exists():
-        return find_case(name)
-    try:
-        text = read_text(name)
-        document = parse_json(text)
-        if not isinstance(document, dict):
-            raise FormatError(f"$ is {describe_kind(document)}, not an object")
-        if "expected" in document:
-            return case_from_json(parse_certificate(text))
-        return _pair(document, name)
-    except ValueError as error:
-        raise FormatError(f"{show_path(name)}: {error}") from None
-
-
-def read_result(path: str) -> object:
-    """Read an answer: JSON, in which integers are ints and other numbers binary64.
-
-    Args:
-        path: of a file, or "-" for standard input.
-
-    Returns:
-        An answer for `compare`, not checked.
-
-    Raises:
-        FormatError: not to be read, or not JSON.
-    """
-    try:
-        return parse_certificate(read_text(path))
-    except ValueError as error:
-        raise FormatError(f"{show_path(path)}: {error}") from None
-
-
-def _pair(document: dict[str, object], name: str) -> Case:
-    for part in ("directrix", "generatrix"):
-        if part not in document:
-            raise FormatError(f'$ has neither "expected", as a case has, nor "{part}"')
-    (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
-    return Case.of(
-        str(document.get("id", show_path(name))),
-        "",
-        read_vertices(document["directrix"], "$.directrix"),
-        read_vertices(document["generatrix"], "$.generatrix"),
-        reference,
-    )

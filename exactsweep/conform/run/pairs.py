@@ -6,13 +6,19 @@ import io
 import json
 from collections.abc import Iterator, Sequence
 from itertools import product
+from pathlib import Path
 from typing import BinaryIO, Unpack
 
 from exactsweep.conform.run.cases import read_lines
-from exactsweep.corpus import Case
+from exactsweep.corpus import Case, case_from_json, find_case
 from exactsweep.formats import FormatError, read_text, show_path
 from exactsweep.formats.candidate import Candidate, choose
-from exactsweep.formats.exact_json import describe_kind, parse_json, read_vertices
+from exactsweep.formats.exact_json import (
+    describe_kind,
+    parse_certificate,
+    parse_json,
+    read_vertices,
+)
 from exactsweep.formats.parsing import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
 from exactsweep.numbers.limits import get_max_bytes
@@ -56,6 +62,51 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
         raise FormatError(f"{name}: {error.strerror or error}") from None
 
 
+def read_case(name: str) -> Case:
+    """Read a case.
+
+    Args:
+        name: the path of a file, "-" for standard input, or the id of a case of the corpus or of
+            a generated one. The file holds a case as `case_from_json` reads it; or just a pair, an
+            object with "directrix" and "generatrix" and, if wanted, "reference", such as
+            `exactsweep sweep --json` writes.
+
+    Returns:
+        The Case; of a pair without "id", the name of the file is the id.
+
+    Raises:
+        ValueError: none of these; the message names the file.
+    """
+    if name != "-" and not Path(name).exists():
+        return find_case(name)
+    try:
+        text = read_text(name)
+        document = _require_object(parse_json(text))
+        if "expected" in document:
+            return case_from_json(parse_certificate(text))
+        return _make_pair(document, show_path(name))
+    except ValueError as error:
+        raise FormatError(f"{show_path(name)}: {error}") from None
+
+
+def read_result(path: str) -> object:
+    """Read an answer: JSON, in which integers are ints and other numbers binary64.
+
+    Args:
+        path: of a file, or "-" for standard input.
+
+    Returns:
+        An answer for `compare`, not checked.
+
+    Raises:
+        FormatError: not to be read, or not JSON.
+    """
+    try:
+        return parse_certificate(read_text(path))
+    except ValueError as error:
+        raise FormatError(f"{show_path(path)}: {error}") from None
+
+
 def _read(
     file: BinaryIO, path: str, tolerance: object, **options: Unpack[Options]
 ) -> Iterator[Case]:
@@ -85,16 +136,25 @@ def _is_pair(line: bytes) -> bool:
 
 
 def _read_pair(number: int, line: str) -> Case:
-    document = parse_json(line)
-    if not isinstance(document, dict):
-        raise FormatError(f"$ is {describe_kind(document)}, not an object")
+    document = _require_object(parse_json(line))
     for member in document:
         if member not in _MEMBERS:
             raise FormatError(f"$ has {quote(member)}{suggest(member, _MEMBERS)}")
+    return _make_pair(document, f"pair-{number}")
+
+
+def _require_object(document: object) -> dict[str, object]:
+    if not isinstance(document, dict):
+        raise FormatError(f"$ is {describe_kind(document)}, not an object")
+    return document
+
+
+def _make_pair(document: dict[str, object], name: str) -> Case:
+    """Make the case of a pair, whose id is the name if it has none."""
     for role in _ROLES:
         if role not in document:
             raise FormatError(f"$ has no {role}")
-    id = document.get("id", f"pair-{number}")
+    id = document.get("id", name)
     if not isinstance(id, str):
         raise FormatError(f"$.id is {describe_kind(id)}, not a string or a number")
     (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")

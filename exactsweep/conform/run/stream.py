@@ -6,7 +6,7 @@ written, with rationals, but is free to refer its trajectory to another referenc
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import BinaryIO
 
@@ -15,7 +15,7 @@ from exactsweep.conform.run.outcome import Outcome, judge_answer
 from exactsweep.conform.run.peer import Answer, read_answer
 from exactsweep.conform.run.protocol import ProtocolError, adapt, read_hello, read_object
 from exactsweep.conform.run.spool import SeenNames
-from exactsweep.corpus import Case, UnknownNameError
+from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import quote
@@ -86,18 +86,6 @@ class Stream:
         if not self._seen.add(id):
             raise ProtocolError(f"answers {quote(id)} a second time")
         return case
-
-
-def finder(cases: Mapping[str, Case]) -> Callable[[str], Case]:
-    """Return a function that finds a case among some, by its id."""
-
-    def find(id: str) -> Case:
-        try:
-            return cases[id]
-        except KeyError:
-            raise UnknownNameError(f"no case {quote(id)}") from None
-
-    return find
 
 
 def _lines(file: BinaryIO) -> Iterator[tuple[int, str]]:

@@ -50,15 +50,13 @@ class Affine(NamedTuple):
 
     def error(self, points: Iterable[Point]) -> Fraction:
         """Return how far, at most, images of points and of their hull are from the meant ones."""
-        if not self.off:
-            return Fraction(0)
         # Each coordinate is off by off * (|x| + |y| + 1); two of them, by less than twice that.
         return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
 
 
 def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fraction:
     """Return a x + b y, quickly where a number is 0, as half of those of most maps are."""
-    if b and y:
+    if b and y:  # pragma: no mutate: time alone
         return a * x + b * y if a and x else b * y
     return a * x if a and x else _ZERO
 

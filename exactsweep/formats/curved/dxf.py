@@ -5,7 +5,6 @@ Decimals are read exactly, and blocks are placed exactly wherever their angles a
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Callable, Hashable, Sequence
 from fractions import Fraction
 from functools import partial
@@ -22,7 +21,7 @@ from exactsweep.formats.curved.curves import (
 )
 from exactsweep.formats.curved.dxf_block import Blocks, PlacedEntity
 from exactsweep.formats.curved.dxf_entity import Entity, read_drawing
-from exactsweep.formats.curved.join import OpenLine, join
+from exactsweep.formats.curved.join import OpenLine, gather
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
@@ -64,29 +63,22 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     scale = reading.scale(drawing.unit)
     image = make_affine(scale, 0, 0, scale, 0, 0)
     blocks = Blocks(drawing, reading)
-    found: list[tuple[int, Candidate]] = []
-    lines: defaultdict[str, list[OpenLine]] = defaultdict(list)
-    order = 0
-    for entity in drawing.entities:
-        for placed in blocks.place(entity, image):
-            order += 1
-            place, layer = placed.place, placed.layer
-            try:
-                drawn = _read(placed, reading)
-            except ValueError as error:
-                kind = OrnamentError if isinstance(error, OrnamentError) else FormatError
-                found.append((order, Candidate.refused(kind(f"{place}: {error}"), layer=layer)))
-                continue
-            points = partial(_name_place, place, drawn.points)
-            if drawn.ends:
-                ends = drawn.ends[0], drawn.ends[1]
-                line = OpenLine(order, place, ends, points, drawn.shape, drawn.is_exact)
-                lines[layer].append(line)
-            else:
-                found.append((order, Candidate(place, points, layer=layer)))
-    for layer, loose in lines.items():
-        found += join(loose, layer, reading)
-    return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
+    placed = (one for entity in drawing.entities for one in blocks.place(entity, image))
+    return gather((_draw(one, reading) for one in placed), reading)
+
+
+def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
+    place, layer = placed.place, placed.layer
+    try:
+        drawn = _read(placed, reading)
+    except ValueError as error:
+        is_ornament = isinstance(error, OrnamentError)
+        return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
+    points = partial(_name_place, place, drawn.points)
+    if not drawn.ends:
+        return Candidate(place, points, layer=layer)
+    ends = drawn.ends[0], drawn.ends[1]
+    return OpenLine(place, ends, points, drawn.shape, drawn.is_exact, layer=layer)
 
 
 def _read(placed: PlacedEntity, reading: Reading) -> _Drawn:

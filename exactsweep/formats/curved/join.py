@@ -21,22 +21,24 @@ class OpenLine(NamedTuple):
     """An open line.
 
     Attributes:
-        order: where in the file it starts; lines are joined in this order.
         place: what and where it is, for messages.
         ends: its first and its last point.
         points: reads all of its points, from the first to the last.
         shape: what tells it from others with the same ends; () for a straight one.
         is_exact: whether its ends are those that are meant, not just close to them.
         name: its id, or None.
+        layer: its layer, or None.
+        order: where in the file it starts; lines are joined in this order.
     """
 
-    order: int
     place: str
     ends: tuple[Point, Point]
     points: Callable[[], Sequence[Point]]
     shape: Hashable = ()
     is_exact: bool = True
     name: str | None = None
+    layer: str | None = None
+    order: int = 0
 
 
 class _Joined(NamedTuple):
@@ -50,9 +52,21 @@ class _Joined(NamedTuple):
         return [first, *self.line.points()[1:-1], last]
 
 
-def join(
-    lines: Sequence[OpenLine], layer: str | None, reading: Reading
-) -> Iterator[tuple[int, Candidate]]:
+def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Candidate]:
+    """List what a file draws, in order, with the open lines of each layer joined."""
+    found: list[tuple[int, Candidate]] = []
+    lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
+    for order, one in enumerate(drawn):
+        if isinstance(one, OpenLine):
+            lines[one.layer].append(one._replace(order=order))
+        else:
+            found.append((order, one))
+    for loose in lines.values():
+        found += join(loose, reading)
+    return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
+
+
+def join(lines: Sequence[OpenLine], reading: Reading) -> Iterator[tuple[int, Candidate]]:
     """Join lines whose ends are equal, or close to each other where that is allowed.
 
     Each end is moved to the closest joint within reach, or becomes one itself: first those that are
@@ -62,7 +76,6 @@ def join(
 
     Args:
         lines: open lines of one layer, in order.
-        layer: its name.
         reading: has the distances.
 
     Yields:
@@ -72,6 +85,7 @@ def join(
 
     Cost: linear.
     """
+    layer = lines[0].layer
     joints = Joints(reading.join or Fraction(0))
     exact = {end: joints.find(end) for line in lines if line.is_exact for end in line.ends}
     if reading.tolerance is not None:

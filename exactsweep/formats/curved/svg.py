@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 from exactsweep.formats.candidate import Candidate, require_few_faults
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
-from exactsweep.formats.curved.join import OpenLine, join
+from exactsweep.formats.curved.join import OpenLine, gather
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, name_kind
@@ -81,23 +80,20 @@ def read_svg(root: Element, reading: Reading) -> list[Candidate]:
     placed = PlacedElement(root, None, reading, style=style)
     # That there is no unit concerns all of the file.
     _ = placed.unit if reading.unit is None else placed.matrix
-    found: list[tuple[int, Candidate]] = []
+    return gather(_draw(document.shapes(placed, 0), reading), reading)
+
+
+def _draw(shapes: Iterator[PlacedElement], reading: Reading) -> Iterator[Candidate | OpenLine]:
     faults = 0
-    lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
-    for order, shape in enumerate(document.shapes(placed, 0)):
-        parts = _read(shape, order, reading)
+    for shape in shapes:
+        parts = _read(shape, reading)
         # That there are too many concerns all of the file.
         reading.allow_vertices(0)
         for drawn in parts:
-            if isinstance(drawn, OpenLine):
-                lines[shape.layer].append(drawn)
-            else:
-                found.append((order, drawn))
-                faults += bool(drawn.fault)
+            if isinstance(drawn, Candidate) and drawn.fault:
+                faults += 1
                 require_few_faults(faults, drawn.fault)
-    for layer, loose in lines.items():
-        found += join(loose, layer, reading)
-    return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
+            yield drawn
 
 
 class _Document:
@@ -166,26 +162,26 @@ class _Document:
             yield from self._drawn(drawn, depth)
 
 
-def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate | OpenLine]:
+def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     """Read what a shape draws: regions, and open lines."""
     name, layer = _name(shape), shape.layer
     try:
         matrix = shape.matrix
-        try:
-            found = _SHAPES[name_kind(shape.element)](shape, matrix, reading)
-            closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
-            opened = [points for points in found if points[0] != points[-1]]
-            # The Polygon itself checks a single ring later.
-            regions = [[0]] if len(closed) == 1 else []
-            if len(closed) > 1:
-                regions = find_regions(closed, even_odd=shape.is_even_odd)
-        except ValueError as error:
-            kind = OrnamentError if isinstance(error, OrnamentError) else FormatError
-            raise kind(f"{shape.place}: {error}") from None
-        if not regions and not opened:
-            raise OrnamentError(f"{shape.place}: fewer than three vertices")
     except FormatError as error:
-        return [Candidate.refused(error, name, layer)]
+        return [Candidate.refused(str(error), name, layer)]
+    try:
+        found = _SHAPES[name_kind(shape.element)](shape, matrix, reading)
+        closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
+        opened = [points for points in found if points[0] != points[-1]]
+        # The Polygon itself checks a single ring later.
+        regions = [[0]] if len(closed) == 1 else []
+        if len(closed) > 1:
+            regions = find_regions(closed, even_odd=shape.is_even_odd)
+        if not regions and not opened:
+            raise OrnamentError("fewer than three vertices")
+    except ValueError as error:
+        is_ornament = isinstance(error, OrnamentError)
+        return [Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)]
     drawn: list[Candidate | OpenLine] = []
     for region in regions:
         readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
@@ -194,7 +190,7 @@ def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate 
         shaped = tuple(points) if len(points) > 2 else ()
         ends = points[0], points[-1]
         exact = not matrix.off
-        line = OpenLine(order, shape.place, ends, partial(list, points), shaped, exact, name)
+        line = OpenLine(shape.place, ends, partial(list, points), shaped, exact, name, layer)
         drawn.append(line)
     return drawn
 
@@ -278,10 +274,6 @@ def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[lis
     return [flatten_arc(ORIGIN, start, start, True, image, reading)]
 
 
-def _path(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
-    return read_path(shape.element.get("d", ""), matrix, reading)
-
-
 def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
     raise FormatError("draws nothing that is in the file, or itself")
 
@@ -293,7 +285,7 @@ _SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Poin
     "circle": _ellipse,
     "ellipse": _ellipse,
     "line": _line,
-    "path": _path,
+    "path": lambda shape, *how: read_path(shape.element.get("d", ""), *how),
     # One whose target is not there.
     "use": _refuse_shape,
 }

@@ -14,7 +14,7 @@ from exactsweep.paper.claim import (
     weigh,
 )
 from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
-from exactsweep.paper.counting import grow_vertices
+from exactsweep.paper.counting import grow_pairs
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom
 from exactsweep.paper.growth import MN, double
 from exactsweep.paper.pairs import SweepPair
@@ -50,15 +50,15 @@ def count_outer_vertices(effort: Effort) -> Evidence:
     sizes = _sizes(effort)
     return weigh(
         "",
-        grow_vertices("trajectory", run_trajectory_cm, cm_hard, MN, sizes),
-        grow_vertices("outer boundary", run_outer_cm, cm_hard, MN, sizes),
+        grow_pairs("vertices", "trajectory", run_trajectory_cm, cm_hard, MN, sizes),
+        grow_pairs("vertices", "outer boundary", run_outer_cm, cm_hard, MN, sizes),
         attained=True,
     )
 
 
 def count_inner_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the inner boundary over close teeth."""
-    growth = grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort))
+    growth = grow_pairs("vertices", "inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort))
     return weigh("", growth, attained=True)
 
 

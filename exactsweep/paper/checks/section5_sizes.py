@@ -32,7 +32,7 @@ from exactsweep.paper.claim import (
     find_first_failure,
     weigh,
 )
-from exactsweep.paper.counting import grow_vertices
+from exactsweep.paper.counting import grow_pairs
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
 from exactsweep.paper.growth import MN, MN2, double
 from exactsweep.paper.pairs import Chains, SweepPair
@@ -100,7 +100,7 @@ def fill_windows(effort: Effort) -> Evidence:
     rates = [float(row[3]) for _, row in results]
     rising = "" if rates == sorted(rates) else "the pieces for each segment do not rise"
     growth = tuple(
-        grow_vertices("trajectory", whole_trajectory, family, MN, sizes_from(effort))
+        grow_pairs("vertices", "trajectory", whole_trajectory, family, MN, sizes_from(effort))
         for family in (mm, figure10)
     )
     failure = find_first_failure(text for text, _ in results) or rising
@@ -181,7 +181,9 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
         m_b, n_t, n_b = sizes
         counts = printed_count(*sizes), m_b * n_t * n_b, outer_edges(pair)
         rows.append([str(sizes), *map(str, counts)])
-    growth = grow_vertices("outer boundary", outer_boundary, figure10, MN2, sizes_from(effort))
+    growth = grow_pairs(
+        "vertices", "outer boundary", outer_boundary, figure10, MN2, sizes_from(effort)
+    )
     fallen = "" if growth.is_attained else "the outer boundary falls behind mn²"
     failure, against, beyond = beyond_mn2()
     records = Table(

@@ -24,8 +24,7 @@ from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_
 from exactsweep.paper.costs import STEPS
 from exactsweep.paper.counting import (
     PairFamily,
-    grow_operations,
-    grow_vertices,
+    grow_pairs,
     make_counted,
     watch_operations,
 )
@@ -150,7 +149,9 @@ def count_step_2(effort: Effort) -> Evidence:
         return [p for top in tops for p in literal.trajectory_cm(top, chains.directrix)]
 
     sizes = double(32, 2 if effort.quick else 4)
-    counts = (grow_operations("step 2", step_2, family, MN, sizes) for family in (figure10, mm))
+    counts = (
+        grow_pairs("operations", "step 2", step_2, family, MN, sizes) for family in (figure10, mm)
+    )
     return weigh("Counts of the step to the letter.", *counts)
 
 
@@ -169,8 +170,10 @@ def count_glance(effort: Effort) -> Evidence:
         ("mn log m", lambda m, n: m * n * log2(m)),
     )
     growth = (
-        grow_operations("merging by turns", merge_by_turns, cm_hard, bounds[0], sizes),
-        grow_operations("merging by halves", merge_by_halves, cm_hard, bounds[1], sizes, STEPS),
+        grow_pairs("operations", "merging by turns", merge_by_turns, cm_hard, bounds[0], sizes),
+        grow_pairs(
+            "operations", "merging by halves", merge_by_halves, cm_hard, bounds[1], sizes, STEPS
+        ),
     )
     fast = "" if growth[0].exponent() >= 1.7 else "merging by turns takes less than order m²"
     return weigh("Counts to the letter.", *growth, failure=fast)
@@ -231,7 +234,7 @@ def _outgrows(slow: Growth, fast: Growth) -> bool:
 def count_gaps(effort: Effort) -> Evidence:
     """Count the operations of both ways to the inner boundary, and the size of the output."""
     sizes = [(16, n) for _, n in sizes_from(effort, 8)]
-    written = grow_vertices("inner boundary", inner_boundary, needles, MN2, sizes)
+    written = grow_pairs("vertices", "inner boundary", inner_boundary, needles, MN2, sizes)
     gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, sizes_from(effort))
     few = double(16, 1 if effort.quick else 3)
     again = _inner_grows("Trajectory_MM again", inner_again, MN, few)

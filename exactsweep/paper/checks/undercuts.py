@@ -19,7 +19,7 @@ from exactsweep.corpus.generator.growing import (
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Table, find_first_failure
-from exactsweep.paper.counting import PairFamily, grow_vertices
+from exactsweep.paper.counting import PairFamily, grow_pairs
 from exactsweep.paper.growth import MN2, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
@@ -32,7 +32,7 @@ def find_long_undercut(effort: Effort) -> Evidence:
     found = search_grid(3, 8, is_bent, is_bent, long_undercut)
     last = 3 if effort.quick else 5
     growth = tuple(
-        grow_vertices("inner boundary", run_inner, needles, MN2, sizes)
+        grow_pairs("vertices", "inner boundary", run_inner, needles, MN2, sizes)
         for sizes in (
             [(size, 16) for size, _ in double(16, last)],
             [(16, size) for _, size in double(8, last)],

@@ -1,0 +1,105 @@
+"""An adversary against certificates of layouts: `python -m tests.falsify --layouts`.
+
+He moves, turns or mirrors one placement, or changes a number, and has the finder fill in the pieces
+and the witnesses; where no normal parts two pieces, he writes one that comes near to it.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from fractions import Fraction
+from random import Random
+from typing import Any
+from unittest.mock import patch
+
+from random_layouts import draw_layout
+
+from exactsweep.layout import Layout, LayoutError, judge_layout
+from exactsweep.layout import certificate as finder
+from exactsweep.layout.board import Board
+from exactsweep.layout.normals import find_normal
+
+Certificate = dict[str, Any]
+MOST = 5  # placements
+
+
+def draw_layouts(rng: Random) -> Iterator[Certificate]:
+    """Draw certificates of two layouts that differ in one placement or number."""
+    layout = draw_layout(rng).layout
+    while len(layout.placements) > MOST:
+        layout = draw_layout(rng).layout
+    for data in (layout.to_json(), disturb(layout.to_json(), rng)):
+        try:
+            yield json.loads(json.dumps(judge_layout(Layout.from_json(data)).certificate()))
+        except LayoutError:  # everything is undecided
+            continue
+
+
+def disturb(data: dict[str, Any], rng: Random) -> dict[str, Any]:
+    """Change one placement of a layout, or a number."""
+    changed: dict[str, Any] = json.loads(json.dumps(data))
+    one, other = (rng.choice(changed["placements"]) for _ in range(2))
+    kind = rng.choice(["move", "move", "move", "take", "turn", "mirrored", "gap"])
+    if kind == "move":
+        part = rng.choice(changed["parts"])
+        (ax, ay), (bx, by) = (map(Fraction, rng.choice(part["exterior"])) for _ in range(2))
+        share = rng.choice([Fraction(1), Fraction(1, 2), Fraction(-1, 10**9), Fraction(1, 10**40)])
+        step = share * (ax - bx), share * (ay - by)
+        one["move"] = [str(Fraction(c) + d) for c, d in zip(one["move"], step, strict=True)]
+    elif kind == "gap":
+        name = rng.choice(["spacing", "margin"])
+        most = rng.choice([Fraction(1), Fraction(1, 10**9), Fraction(2)])
+        changed[name] = str(Fraction(changed.get(name) or 0) + most)
+    else:
+        key = {"take": "move", "turn": "turn", "mirrored": "mirrored"}[kind]
+        one[key] = not one.get(key) if kind == "mirrored" else other[key]
+    return changed
+
+
+def refill(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
+    """Disturb a layout, and let the finder write what it can: that it is valid, or old faults."""
+    board = Board(Layout.from_json(disturb(certificate["layout"], rng)))
+    faults = judge_layout(Layout.from_json(certificate["layout"])).faults
+    claimed = () if rng.random() < 0.7 else faults
+    with patch.object(finder, "find_normal", invent_normal):
+        found = finder.write_certificate(board, claimed)
+    name = "old faults" if claimed else "claimed to be valid"
+    return f"layout: {name}", json.loads(json.dumps(found))
+
+
+def invent_normal(one: Any, other: Any, distance: Fraction) -> tuple[int, int]:
+    """Find a normal, or one for which the gap is the least below what is required."""
+    found = find_normal(one, other, distance)
+    if found is not None:
+        return found
+    (ax, ay), (bx, by) = (
+        [sum(c) * len(o) for c in zip(*r, strict=True)] for r, o in ((one, other), (other, one))
+    )
+    return (bx - ax, by - ay) if (ax, ay) != (bx, by) else (1, 0)
+
+
+def is_true_layout(certificate: Certificate, _: object) -> bool:
+    """Decide whether the judge gives the same verdict, and has the faults that are listed."""
+    try:
+        judgement = judge_layout(Layout.from_json(_leave_out_null(certificate["layout"])))
+    except LayoutError:
+        return False
+    if certificate["valid"]:
+        return judgement.valid
+    pairs = {(fault.kind, frozenset(fault.placements)) for fault in judgement.faults}
+    pairs |= {("too close", on) for kind, on in pairs if kind in ("overlap", "outside")}
+    rules = {(f.kind, f.part) for f in judgement.faults}
+    return not judgement.valid and all(
+        (fault["kind"], frozenset(fault["placements"])) in pairs
+        if "placements" in fault
+        else (fault["kind"], fault["part"]) in rules
+        for fault in certificate["faults"]
+    )
+
+
+def _leave_out_null(item: Any) -> Any:
+    """The checker reads null as nothing, which the reader of layouts refuses."""
+    if type(item) is dict:
+        return {key: _leave_out_null(value) for key, value in item.items() if value is not None}
+    return [*map(_leave_out_null, item)] if type(item) is list else item
