@@ -20,11 +20,6 @@ from exactsweep.draw import (
     plot_sweep,
     save,
 )
-from exactsweep.draw.sweeps import find_anchor
-
-SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
-SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
-FIT = sweep(SQUARE, SLOT)
 
 
 @pytest.fixture(autouse=True)
@@ -66,16 +61,6 @@ def test_size_changes_labels_only(exponent: int) -> None:
     assert labels(plain) == labels(large)
     for label in labels(plain):
         assert corners(plain, label) == corners(large, label)
-
-
-def test_a_far_reference_point_leaves_the_picture_alone() -> None:
-    far = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
-    assert find_anchor(far) == EXAMPLE.reference
-    axes = picture_of(far)
-    assert "path of vertex 0 of G, VE" in labels(axes)
-    assert corners(axes, "path of vertex 0 of G, VE") == corners(
-        picture_of(EXAMPLE), "trajectory, VE"
-    )
 
 
 def test_plot_makes_a_figure_and_takes_axes() -> None:
