@@ -11,6 +11,7 @@ import pytest
 from command import EXAMPLE
 from matplotlib import pyplot
 from matplotlib.axes import Axes
+from strategies import points
 
 from exactsweep import Sweep, sweep
 from exactsweep.canvas import style
@@ -20,6 +21,7 @@ from exactsweep.draw import (
     plot_sweep,
     save,
 )
+from exactsweep.draw.sweeps import find_anchor
 
 
 @pytest.fixture(autouse=True)
@@ -61,6 +63,14 @@ def test_size_changes_labels_only(exponent: int) -> None:
     assert labels(plain) == labels(large)
     for label in labels(plain):
         assert corners(plain, label) == corners(large, label)
+
+
+def test_a_reference_point_is_far_beyond_both_sizes() -> None:
+    triangle = [(0, 0), (1, 0), (0, 1)]
+    for x, y in ((-2, 0), (3, 0), (0, -2), (0, 3)):
+        at, beyond = points((x, y), (Fraction(9 * x, 8), Fraction(9 * y, 8)))
+        assert find_anchor(sweep(triangle, triangle, reference=at)) == at
+        assert find_anchor(sweep(triangle, triangle, reference=beyond)) == points((0, 0))[0]
 
 
 def test_plot_makes_a_figure_and_takes_axes() -> None:

@@ -72,6 +72,19 @@ PLATE = Region(
         [(7, 2), (8, 2), (8, 3), (7, 3)],
     ],
 )
+# Two rooms, two slots and two holes that the square fills: one of each kind is shown.
+TWICE = Region(
+    [(0, 0), (14, 0), (14, 5), (0, 5)],
+    [
+        [(x, y), (x + wide, y), (x + wide, y + high), (x, y + high)]
+        for wide, high, corners in (
+            (2, 2, ((1, 1), (4, 1))),
+            (1, 3, ((7, 1), (9, 1))),
+            (1, 1, ((11, 1), (12, 3))),
+        )
+        for x, y in corners
+    ],
+)
 RING = Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
 WIDE = [(0, 0), (1000, 0), (1000, 600), (300, 600), (300, 100), (299, 100), (299, 600), (0, 600)]
 UNEQUAL = sweep(
@@ -82,7 +95,7 @@ FLAT = sweep(
     [(0, 0), (30, 0), (30, "1/20"), (0, "1/10")],
     [(0, 0), (100, 0), (100, "1/5"), (60, "1/5"), (50, "1/20"), (40, "1/5"), (0, "1/5")],
 )
-FAR = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
+FAR = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 3 * 10**40))
 CAVE = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8), (8, 2), (2, 2), (2, 8), (3, 8), (3, 10)]
 SWEEPS = {
     "example": EXAMPLE,
@@ -97,6 +110,7 @@ POSITIONS: dict[str, NoFitPolygon | InnerFit] = {
     "no fit": no_fit_polygon(PLATE, SQUARE),
     "door": no_fit_polygon([*ROOM, (0, 6)], SQUARE),
     "inner fit": inner_fit_polygon(PLATE, SQUARE),
+    "twice": no_fit_polygon(TWICE, SQUARE),
     "ring": no_fit_polygon(SQUARE, RING),
     "small": no_fit_polygon(WIDE, SQUARE),
     "channel": inner_fit_polygon([(0, 0), (5, 0), (5, 1), (0, 1)], SQUARE),
