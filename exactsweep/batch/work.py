@@ -75,11 +75,9 @@ class Work:
         names: Names = {}
         try:
             if isinstance(pair, int):
-                generatrix, directrix = self._parts(pair)
-                names |= {"generatrix": generatrix.name, "directrix": directrix.name}
-                result = self._result(
-                    _polygon(generatrix, "generatrix"), _polygon(directrix, "directrix")
-                )
+                parts = self._parts(pair)
+                names |= {role: part.name for role, part in parts.items()}
+                result = self._result(*(_polygon(part, role) for role, part in parts.items()))
             else:
                 with limits(**self.limits):
                     result = self._read(pair, names)
@@ -97,17 +95,14 @@ class Work:
     def lost_line(self, chunk: Chunk) -> bytes:
         """Write the record of a chunk of one pair that no process survives."""
         (pair,) = chunk.pairs
-        names: Names = {}
-        if isinstance(pair, int):
-            generatrix, directrix = self._parts(pair)
-            names = {"generatrix": generatrix.name, "directrix": directrix.name}
-        return write_error_line(
-            chunk.first, names, "the process that computed it was killed each time"
-        )
+        parts = self._parts(pair) if isinstance(pair, int) else {}
+        names: Names = {role: part.name for role, part in parts.items()}
+        reason = "the process that computed it was killed each time"
+        return write_error_line(chunk.first, names, reason)
 
-    def _parts(self, pair: int) -> tuple[Part, Part]:
+    def _parts(self, pair: int) -> dict[str, Part]:
         i, k = divmod(pair, len(self.directrices))
-        return self.generatrices[i], self.directrices[k]
+        return {"generatrix": self.generatrices[i], "directrix": self.directrices[k]}
 
     def _result(
         self, generatrix: AnyPolygon, directrix: AnyPolygon, **options: Any

@@ -94,7 +94,7 @@ def assemble(
 
 def _is_on(p: Vertex, piece: LinePiece) -> bool:
     dx, dy, c = piece.line
-    return dx * p[1] - dy * p[0] == c and piece.low <= p[piece.line.axis] <= piece.high
+    return dx * p[1] - dy * p[0] == c and piece.holds(p)
 
 
 def _find_box(piece: LinePiece) -> Rectangle:
@@ -130,8 +130,7 @@ def _find_common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
     if turn == 0:
         return None
     p = divide(c * ex - e * dx, turn), divide(c * ey - e * dy, turn)
-    on_both = all(piece.low <= p[piece.line.axis] <= piece.high for piece in (one, other))
-    return p if on_both else None
+    return p if one.holds(p) and other.holds(p) else None
 
 
 def _join(edges: Iterable[Edge], on_loops: set[Vertex]) -> Iterator[Edge]:

@@ -48,11 +48,6 @@ def find_cones(rays: Sequence[Ray]) -> list[Cone]:
     With the interior on the left of every edge, an outgoing ray opens a cone and the next ray
     counter-clockwise, an incoming one, closes it. Where rings touch there are several.
     """
-    if len(rays) == 2:
-        first, second = rays
-        return [
-            Cone(first.along, second.along) if first.outgoing else Cone(second.along, first.along)
-        ]
     turned = sorted(rays, key=lambda ray: by_turn(ray.along))
     following = zip(turned, turned[1:] + turned[:1], strict=True)
     return [Cone(ray.along, after.along) for ray, after in following if ray.outgoing]

@@ -30,18 +30,13 @@ def find_contacts_of_shapes(d: LatticeShape, g: LatticeShape) -> tuple[list[Edge
     d, g = split_where_touching(d), split_where_touching(g)
     d_cones, g_cones = _find_angles(d), _find_angles(g)
     segments = []
-    convex = _leave_out_wide(d_cones)
-    for a, b in list_edges(g):
-        wall = [_half_plane(reduce_way(subtract(b, a)))]
-        for v, cones in convex.items():
-            if not find_common_direction(cones, wall):
-                segments.append((subtract(v, a), subtract(v, b)))
-    convex = _leave_out_wide(g_cones)
-    for a, b in list_edges(d):
-        wall = [_half_plane(reduce_way(subtract(b, a)))]
-        for v, cones in convex.items():
-            if not find_common_direction(cones, wall):
-                segments.append((subtract(a, v), subtract(b, v)))
+    for walls, angles in ((g, d_cones), (d, g_cones)):
+        convex = _leave_out_wide(angles)
+        for a, b in list_edges(walls):
+            wall = [_half_plane(reduce_way(subtract(b, a)))]
+            free = [v for v, cones in convex.items() if not find_common_direction(cones, wall)]
+            ends = [(subtract(v, a), subtract(v, b)) for v in free]
+            segments += ends if walls is g else [(_back(p), _back(q)) for p, q in ends]
     points = {
         subtract(v, w)
         for v, cones in d_cones.items()

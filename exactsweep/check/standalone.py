@@ -1207,6 +1207,8 @@ class Layout:
             self.put([move_ring(e, to, bool(mirrored), by) for e in pieces[k]], error)
         # All that is outside comes last, for its number is -1.
         within = shape(container)
+        if outside is None:
+            check_shape(within, work)
         self.put([] if outside is None else solid(within, outside, work, self.frame), NONE)
 
     def put(self, pieces: list[Ring], error: Fraction) -> None:
@@ -1218,15 +1220,15 @@ class Layout:
     def prove(self) -> str:
         """Prove the claim, and describe it."""
         found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
+        rules = chain.from_iterable(self.check_rules(k).items() for k in range(len(self.ids)))
+        broken = [kind for kind, holds in rules if holds]
         if not self.valid:
             need(self.faults != [] == self.apart, "faults: none, or normals beside them")
             for fault in self.faults:
                 self.prove_fault(fault)
             return f"{found}, not valid: {len(self.faults)} faults"
         need(self.faults == [], "faults: of a valid layout")
-        for k in range(len(self.ids)):
-            broken = [kind for kind, holds in self.check_rules(k).items() if holds]
-            need(broken == [], f"a part breaks rules: {broken}")
+        need(broken == [], f"a part breaks rules: {broken}")
         self.prove_apart()
         # As written: str refuses long ints.
         return f"{found}, valid, spacing {self.gaps[0]}, margin {self.gaps[1]}"

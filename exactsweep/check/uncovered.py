@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
-from fractions import Fraction
+from collections.abc import Iterable, Iterator, Sequence
 from math import ceil, floor, lcm
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from exactsweep.check.boxes import BoxTree
 from exactsweep.check.cone import cross, divide, reduce_way, subtract
@@ -18,8 +16,6 @@ from exactsweep.numbers.point import Edge, Rational, Vertex
 
 # Steps to put a segment on its line, and to begin with it.
 _SEGMENT = 16
-
-_Coordinate = TypeVar("_Coordinate", Fraction, Rational)
 
 Interval = tuple[Rational, Rational]
 
@@ -65,18 +61,18 @@ class LinePiece(NamedTuple):
     low: Rational
     high: Rational
 
+    def holds(self, p: Vertex) -> bool:
+        """Decide whether a point of the line is on the part."""
+        return self.low <= p[self.line.axis] <= self.high
+
     @property
     def ends(self) -> Edge:
         """Both ends, the lexicographically least first."""
         return self.line.at(self.low), self.line.at(self.high)
 
 
-class _Heights(NamedTuple):
-    """Distances of the vertices of a ring to the left of a direction, on its lattice."""
-
-    low: int
-    high: int
-    values: list[int]
+_Heights = tuple[int, int, list[int]]
+"""Distances of the vertices of a ring to the left of a direction, behind the least and greatest."""
 
 
 class OpenSets:
@@ -125,7 +121,13 @@ class OpenSets:
         # Lines of one direction come together, and data on the sets for that direction are dropped
         # after them: data for all directions would need memory for all edges times all sets.
         lines = sorted(by_line, key=lambda line: line[:2])
-        spans = {line: [_to_ratios(span) for span in unite(by_line[line])] for line in lines}
+        spans: dict[LatticeLine, list[_Remnant]] = {
+            line: [
+                (low.as_integer_ratio(), high.as_integer_ratio())
+                for low, high in _unite(by_line[line])
+            ]
+            for line in lines
+        }
         pieces, points = [], set()
         way = None
         for line in lines:
@@ -165,12 +167,12 @@ class OpenSets:
             level = n * scale
             if not low * d < level < high * d:
                 continue
-            self._budget.take(3 + len(ring) // 4, length + bits)
+            self._budget.take(3 + (len(ring) + len(spans)) // 4, length + bits)
             shadow = _find_shadow(ring, scale, [d * value - level for value in values], axis)
-            if _cut_away(spans, shadow):
-                if not spans:
-                    break
-                frame = _frame(line, spans)
+            spans[:] = _cut_away(spans, *shadow)
+            if not spans:
+                break
+            frame = _frame(line, spans)
 
     def holds(self, point: Vertex) -> bool:
         """Decide whether a point is in the union."""
@@ -208,13 +210,9 @@ class OpenSets:
         return False
 
 
-def _to_ratios(span: Interval) -> _Remnant:
-    return span[0].as_integer_ratio(), span[1].as_integer_ratio()
-
-
 def _measure_heights(ring: Iterable[tuple[int, int]], line: LatticeLine) -> _Heights:
     values = [line.dx * y - line.dy * x for x, y in ring]
-    return _Heights(min(values), max(values), values)
+    return min(values), max(values), values
 
 
 def _frame(line: LatticeLine, spans: Sequence[_Remnant]) -> tuple[int, int, int, int]:
@@ -259,11 +257,9 @@ def _is_least(p: _Unreduced, q: _Unreduced) -> bool:
     return p[0] * q[1] <= q[0] * p[1]
 
 
-def unite(
-    spans: Iterable[tuple[_Coordinate, _Coordinate]],
-) -> list[tuple[_Coordinate, _Coordinate]]:
+def _unite(spans: Iterable[Interval]) -> list[Interval]:
     """The union of closed intervals."""
-    joined: list[tuple[_Coordinate, _Coordinate]] = []
+    joined: list[Interval] = []
     for low, high in sorted(spans):
         if joined and low <= joined[-1][1]:
             joined[-1] = joined[-1][0], max(high, joined[-1][1])
@@ -272,21 +268,10 @@ def unite(
     return joined
 
 
-def _cut_away(spans: list[_Remnant], shadow: _Remnant) -> bool:
-    """Take an open interval away from closed ones, which may be points.
-
-    Returns:
-        True if the range that they span has changed.
-    """
-    low, high = shadow
-    i = bisect_left(spans, True, key=lambda span: not _is_least(span[1], low))
-    j = bisect_left(spans, True, lo=i, key=lambda span: _is_least(high, span[0]))
-    if i == j:
-        return False
-    is_last = j == len(spans)
-    (start, _), (_, end) = spans[i], spans[j - 1]
-    left = [(start, low)] if _is_least(start, low) else []
-    if _is_least(high, end):
-        left.append((high, end))
-    spans[i:j] = left
-    return i == 0 or is_last
+def _cut_away(spans: Iterable[_Remnant], low: _Unreduced, high: _Unreduced) -> Iterator[_Remnant]:
+    """Take an open interval away from closed ones, which may be points."""
+    for start, end in spans:
+        if _is_least(start, low):
+            yield start, end if _is_least(end, low) else low
+        if _is_least(high, end):
+            yield start if _is_least(high, start) else high, end

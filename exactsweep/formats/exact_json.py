@@ -91,12 +91,8 @@ def describe_kind(value: object) -> str:
     >>> describe_kind(parse_json("[true]")), describe_kind(parse_json("-1"))
     ('a list', "'-1'")
     """
-    if isinstance(value, dict):
-        return "an object"
-    if isinstance(value, list):
-        return "a list"
-    if isinstance(value, str):
-        return quote(value)
+    if isinstance(value, (dict, list)):
+        return "an object" if isinstance(value, dict) else "a list"
     return json.dumps(value) if value is None or isinstance(value, bool) else quote(value)
 
 

@@ -55,7 +55,7 @@ def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:
             if right <= low.x:
                 active.remove(size)
             elif bottom < high.y and low.y < top:
-                outer, inner = (j, k) if size > sizes[k] else (k, j)
+                inner, outer = (-number for _, number in sorted((size, sizes[k])))
                 if _is_around(rings[outer], rings[inner], (names[outer], names[inner])):
                     # A larger ring around this one is around the ring, too. A larger ring that
                     # crosses the ring also crosses this one, so the loop has met it already.

@@ -233,7 +233,8 @@ def test_a_corner_on_a_wall_of_the_sum(x: int, y: int, vertex: int) -> None:
     outer, part = _loop(q.vertices), _loop(a.vertices)
     with pytest.raises(Refused, match="inside") as found:
         PROVER.prove_held(outer, part, part, "outside {} {}", "inside {}")
-    assert found.value.witness == (2 * x, 3 * y) == q.vertices[int(str(found.value)[-1])]
+    corner = Point(Fraction(2 * x), Fraction(3 * y))
+    assert found.value.witness == corner == q.vertices[int(str(found.value)[-1])]
     assert str(found.value) == f"inside {vertex}" or y < 0
 
 

@@ -27,7 +27,6 @@ from exactsweep import (
     no_fit_polygon,
     sweep,
 )
-from exactsweep.check import classify
 from exactsweep.draw import plot_positions, plot_sweep
 from exactsweep.view import InlinePage
 
@@ -80,36 +79,6 @@ def test_answers_are_equal_if_the_same_was_asked(
         assert answer != object()
     assert sweep(g, d) != no_fit_polygon(d, g)
     assert len({sweep(g, d), sweep(spelled, d)}) == 1
-
-
-@pytest.mark.parametrize(
-    ("action", "name"),
-    [
-        (lambda bad: sweep(generatrix=bad, directrix=SQUARE), "generatrix"),
-        (lambda bad: sweep(generatrix=SQUARE, directrix=bad), "directrix"),
-        (lambda bad: no_fit_polygon(stationary=bad, orbiting=SQUARE), "stationary"),
-        (lambda bad: no_fit_polygon(stationary=SQUARE, orbiting=bad), "orbiting"),
-        (lambda bad: inner_fit_polygon(container=bad, part=SQUARE), "container"),
-        (lambda bad: inner_fit_polygon(container=SQUARE, part=bad), "part"),
-        (lambda bad: classify(directrix=bad, generatrix=SQUARE, t=(0, 0)), "directrix"),
-        (lambda bad: classify(directrix=SQUARE, generatrix=bad, t=(0, 0)), "generatrix"),
-    ],
-)
-@pytest.mark.parametrize(
-    ("bad", "message"),
-    [
-        ([(0, 0), (4, 4), (4, 0), (0, 4)], "the boundary crosses itself: edges 0 and 2 cross"),
-        ([(0, 0), (1, 0), (0, "x")], "vertex 2: 'x' is not a number"),
-        (7, "int is not a sequence of vertices"),
-        (shapely.LineString([(0, 0), (1, 1)]), "a LineString is not a polygon"),
-    ],
-)
-def test_a_refusal_names_the_polygon(
-    action: Callable[[Any], Any], name: str, bad: Any, message: str
-) -> None:
-    with pytest.raises(ExactSweepError) as caught:
-        action(bad)
-    assert str(caught.value).startswith(f"{name}: {message}")
 
 
 def test_shapes_of_other_libraries_are_swept_with_their_holes() -> None:

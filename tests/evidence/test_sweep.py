@@ -9,15 +9,13 @@ import strategies as own
 from definition import find_failure
 from hypothesis import given
 from hypothesis import strategies as st
+from refusals import list_refusals, require_refused
 from small_pairs import SmallPair
 from tiers import examples
 
 from exactsweep import (
-    DirectionError,
-    NumberError,
     Point,
     Polygon,
-    PolygonError,
     Region,
     Sweep,
     sweep,
@@ -298,44 +296,8 @@ def test_sweeps_and_their_loops_tell_about_themselves() -> None:
 
 
 # Notches, seen from the side: no line across both arms meets them in one piece.
-LYING = [(0, 0), (2, 1), (0, 2), (3, 2), (3, 0)]
-STANDING = [(y, x) for x, y in LYING]
 
 
-@pytest.mark.parametrize(
-    ("arguments", "options", "error", "message"),
-    [
-        ((UNIT, [(0, 0), (1, 1)]), {}, PolygonError, "fewer than three distinct vertices"),
-        (([(0, 0), (1, 0), (True, 1)], UNIT), {}, NumberError, "vertex 2: True is a truth value"),
-        (
-            (LYING, STANDING),
-            {"direction": (1, 0)},
-            DirectionError,
-            r"^the generatrix is not monotone to \(1, 0\)",
-        ),
-        (
-            (STANDING, LYING),
-            {"direction": (2, 0)},
-            DirectionError,
-            r"^the directrix is not monotone to \(1, 0\)",
-        ),
-        ((UNIT, UNIT), {"direction": (0, 0)}, DirectionError, r"^\(0, 0\) is not a direction$"),
-        ((UNIT, UNIT), {"direction": 5}, DirectionError, "^a direction is a pair of numbers"),
-        ((UNIT, UNIT), {"direction": (1, 2, 3)}, DirectionError, "pair of exact numbers"),
-        ((UNIT, UNIT), {"direction": ("x", 1)}, DirectionError, "pair of exact numbers: 'x'"),
-        ((UNIT, UNIT), {"reference": 7}, PolygonError, "^reference is not a pair of numbers$"),
-        ((UNIT, UNIT), {"reference": (0, None)}, NumberError, "^reference: None is not"),
-        (
-            (UNIT, [(0, 0), (3, 3), (0, 6), (-3, 3), (0, 1), (2, 3), (0, 5), (1, 3)]),
-            {},
-            PolygonError,
-            "crosses itself",
-        ),
-    ],
-)
-def test_refusals_name_what_is_wrong(
-    arguments: Any, options: Any, error: type[ValueError], message: str
-) -> None:
-    assert issubclass(error, ValueError)
-    with pytest.raises(error, match=message):
-        sweep(*arguments, **options)
+@pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
+def test_refusals_name_what_is_wrong(call: str, said: str) -> None:
+    require_refused(call, said)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes, region, rings
 
-from exactsweep import NumberError, Point, Polygon, PolygonError, Region
+from exactsweep import Point, Polygon, PolygonError, Region
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.region import number_features
 from exactsweep.numbers.point import Vertex
@@ -61,47 +61,6 @@ def test_indices_count_through_the_rings_as_given() -> None:
     for k, vertex in enumerate(moved.vertices):
         x, y = given_vertices[moved.vertex_index(k)]
         assert Point(Fraction(-100 - x), Fraction(-y)) == vertex
-
-
-@pytest.mark.parametrize(
-    ("holes", "message"),
-    [
-        ([[(8, 8), (12, 8), (8, 12)]], "^hole 0, edge ., and the exterior, edge . cross$"),
-        ([[(20, 20), (21, 20), (20, 21)]], "^hole 0 is not inside the exterior$"),
-        ([SMALL, [(0, 0), (9, 0), (9, 9), (0, 9)]], "^hole 1, edge 3, and the exterior, edge 3"),
-        ([[(0, 1), (2, 1), (2, 2), (0, 2)]], "edge 3.*the exterior, edge 3 run along each other$"),
-        ([SMALL, [(2, 2), (4, 2), (4, 4), (2, 4)]], "^hole [01], edge .*, and hole [01],.* cross$"),
-        ([SMALL, [(3, 1), (4, 1), (4, 3), (3, 3)]], "run along each other$"),
-        ([[(2, 1), (6, 3), (4, 4)], [(4, 2), (5, 1), (8, 4)]], "run along each other$"),
-        ([SMALL, SMALL], "run along each other$"),
-        ([[(1, 1), (5, 1), (5, 5), (1, 5)], [(2, 2), (3, 2), (2, 3)]], "^hole 1 is inside hole 0$"),
-        ([[(2, 2), (3, 2), (2, 3)], [(1, 1), (5, 1), (5, 5), (1, 5)]], "^hole 0 is inside hole 1$"),
-        # Of equal bounds, touching in points only.
-        (
-            [[(3, 1), (5, 3), (3, 5), (1, 3)], [(1, 3), (2, 1), (4, 1), (5, 3), (4, 5), (2, 5)]],
-            "^hole 0 is inside hole 1$",
-        ),
-        (
-            [[(1, 3), (2, 1), (4, 1), (5, 3), (4, 5), (2, 5)], [(3, 2), (5, 3), (3, 4), (1, 3)]],
-            "^hole 1 is inside hole 0$",
-        ),
-        ([[(0, 4), (4, 0), (9, 5)]], "^the interior falls apart: the exterior and hole 0 touch at"),
-        (
-            [[(1, 1), (4, 4), (1, 5)], [(1, 1), (5, 1), (4, 4)]],
-            "run along each other|^the interior falls apart",
-        ),
-        (
-            [[(1, 1), (4, 4), (1, 5)], [(1, 5), (4, 8), (1, 8)], [(4, 4), (4, 8), (6, 6)]],
-            "^the interior falls apart: hole",
-        ),
-        ([[(1, 1), (2, 2), (3, 3)]], "^hole 0: zero area"),
-        ([SMALL, [(5, 5), (6, 6), (5, 6), (6, 5)]], "^hole 1: the boundary crosses itself"),
-        (7, "^int is not a sequence of holes$"),
-    ],
-)
-def test_refusals_name_rings_and_indices(holes: list[list[tuple[int, int]]], message: str) -> None:
-    with pytest.raises(PolygonError, match=message):
-        Region(SQUARE, holes)
 
 
 def refusal(*holes: list[Vertex]) -> str:
@@ -176,13 +135,6 @@ def test_rings_that_touch_are_told_in_order() -> None:
     assert refusal(first, *tiny, last).startswith(
         "the interior falls apart: hole 0 and hole 7 touch at ("
     )
-
-
-def test_refusals_of_the_exterior_and_of_numbers() -> None:
-    with pytest.raises(PolygonError, match=r"^exterior: fewer than three"):
-        Region([(0, 0), (1, 0)])
-    with pytest.raises(NumberError, match=r"^hole 0: vertex 1: nan"):
-        Region(SQUARE, [[(1, 1), (float("nan"), 1), (1, 2)]])
 
 
 @given(polyominoes(14, 5))

@@ -9,6 +9,7 @@ import pytest
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
+from refusals import list_refusals, require_refused
 
 from exactsweep.numbers.limits import (
     LimitError,
@@ -31,7 +32,6 @@ from exactsweep.numbers.number import (
 MILLION = "9" * 10**6
 NINES = "9" * 5000
 NOT_A_FRACTION = r"is not a rational number$"
-OUT_OF_GRAMMAR = r"is not a number such as 3, -7/2, 0\.125 or 1e-3$"
 
 
 class Unprintable:
@@ -90,60 +90,18 @@ def test_grammar_accepts(text: str, value: Fraction) -> None:
     assert to_fraction(text) == value
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "",
-        " 1",
-        "1 ",
-        "1\n",
-        "+1",
-        "01",
-        "-01",
-        "1_0",
-        "1.",
-        ".5",
-        "--1",
-        "1e",
-        "1e1.5",
-        "1/2/3",
-        "1/-2",
-        "1/02",
-        "1/00",
-        "1.5/2",
-        "1/2e3",
-        "0x1",
-        "nan",
-        "inf",
-        "Infinity",
-        "\u0663",
-        "1\u00b2",
-        "1,5",
-    ],
-)
-def test_grammar_refuses(text: str) -> None:
-    with pytest.raises(NumberError, match=OUT_OF_GRAMMAR):
-        to_fraction(text)
+@pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
+def test_refusals_name_what_is_no_number(call: str, said: str) -> None:
+    require_refused(call, said)
 
 
 @pytest.mark.parametrize(
     ("value", "message"),
     [
-        (True, r"^True is a truth value, not a number$"),
         (np.True_, NOT_A_FRACTION),
         (sympy.true, NOT_A_FRACTION),
-        (float("nan"), r"^nan is not a finite number$"),
-        (float("-inf"), r"^-inf is not a finite number$"),
         (np.float32("nan"), r"nan.* is not a finite number$"),
-        (Decimal("NaN"), r"is not a finite number$"),
-        (Decimal("sNaN"), r"is not a finite number$"),
-        (Decimal("-Infinity"), r"is not a finite number$"),
-        (1j, r"^1j is not a rational number$"),
         (np.complex64(1), NOT_A_FRACTION),
-        (None, r"^None is not a rational number$"),
-        (b"1", NOT_A_FRACTION),
-        ([1], r"^\[1\] is not a rational number$"),
-        (int, r"^<class 'int'> is not a number$"),
         (np.array([1, 2]), r"is not a number$"),
         (Unprintable(), r"^<Unprintable> is not a rational number$"),
         (sympy.pi, r"^pi is not a rational number$"),
@@ -156,13 +114,8 @@ def test_grammar_refuses(text: str) -> None:
         (sympy.Float("0.1", 50), r"has no exact value as a float; give it as a fraction$"),
         (gmpy2.mpfr("nan"), r"is not a finite number$"),
         (gmpy2.mpfr("1e99999999"), r"is not a finite number$"),
-        ("1/0", r"^'1/0' has a zero denominator$"),
-        ("1e999999999", r"^'1e999999999' has more than 4300 digits \(max_digits\)$"),
-        ("0e999999999", r"has more than 4300 digits"),
         ("1e" + NINES, r"has more than 5002 digits"),
         (NINES[:9] + "e" + "9" * 15, r"has more than 4300 digits"),
-        (Decimal("1e999999999"), r"has more than 4300 digits"),
-        (Decimal("1e-4300"), r"has more than 4300 digits"),
         (Decimal(NINES + "e4300"), r"has more than 5007 digits"),
         (MILLION, r"^'9{36}\.\.\. has more than 137607 digits \(max_digits\)$"),
         ("1/" + MILLION, r"has more than 137607 digits"),

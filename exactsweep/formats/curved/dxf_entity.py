@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -55,12 +54,14 @@ class Entity:
         vertices: the entities that follow it and belong to it.
     """
 
+    __slots__ = ("kind", "line", "tags", "values", "vertices")
+
     def __init__(self, tags: Tags, line: int) -> None:
         self.tags, self.line = tags, line
-        # The first value of each group.
-        self.values = dict(reversed(tags))
+        # The first value of each group after the kind.
+        self.values = dict(reversed(tags[1:]))
         self.kind = tags[0][1].strip()
-        self.vertices: list[Entity] = []
+        self.vertices: Sequence[Entity] = ()
 
     @property
     def place(self) -> str:
@@ -73,7 +74,7 @@ class Entity:
         """The name of the entity's layer."""
         return self._text(_LAYER, "0")
 
-    @cached_property
+    @property
     def size(self) -> int:
         """For how many bytes it counts: for those of its values, and as an entity."""
         own = ENTITY + sum(len(value) + _GROUP for _, value in self.tags)
@@ -279,12 +280,14 @@ def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
 def _gather(found: Iterable[Entity]) -> list[Entity]:
     """List entities, and give a POLYLINE the vertices that follow it."""
     entities: list[Entity] = []
-    polyline: Entity | None = None
+    vertices: list[Entity] | None = None
     for entity in found:
-        if entity.kind == "VERTEX" and polyline is not None:
-            polyline.vertices.append(entity)
+        if entity.kind == "VERTEX" and vertices is not None:
+            vertices.append(entity)
             continue
-        polyline = entity if entity.kind == "POLYLINE" else None
+        vertices = None
+        if entity.kind == "POLYLINE":
+            entity.vertices = vertices = []
         if entity.kind not in ("SEQEND", "ATTRIB"):
             entities.append(entity)
     return entities

@@ -274,10 +274,6 @@ def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[lis
     return [flatten_arc(ORIGIN, start, start, True, image, reading)]
 
 
-def _path(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
-    return read_path(shape.element.get("d", ""), matrix, reading)
-
-
 def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
     raise FormatError("draws nothing that is in the file, or itself")
 
@@ -289,7 +285,7 @@ _SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Poin
     "circle": _ellipse,
     "ellipse": _ellipse,
     "line": _line,
-    "path": _path,
+    "path": lambda shape, *how: read_path(shape.element.get("d", ""), *how),
     # One whose target is not there.
     "use": _refuse_shape,
 }

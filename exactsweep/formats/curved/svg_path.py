@@ -220,11 +220,9 @@ def flatten_elliptic_arc(
     zero = Fraction(0)
     image = matrix @ turn._replace(off=zero) @ Affine(rx, zero, zero, ry, zero, zero)
     half = ((end.x - start.x) ** 2 + (end.y - start.y) ** 2) / 4
-    height = zero
-    if half < 1:
-        stretch = bound_root(image.a**2 + image.b**2 + image.c**2 + image.d**2)
-        allowed = reading.allow_curve()
-        height = bound_root((1 - half) / half, ceil(8 * stretch / allowed))
+    stretch = bound_root(image.a**2 + image.b**2 + image.c**2 + image.d**2)
+    scale = ceil(8 * stretch / reading.allow_curve())
+    height = bound_root(max(1 - half, zero) / half, scale)
     if large == left:
         height = -height
     center = find_arc_center(start, end, height)
