@@ -113,7 +113,7 @@ def test_counting_changes_no_result(family: str) -> None:
 
 def test_counts_are_the_same_on_every_run() -> None:
     for cost in COSTS[9:13]:
-        first, second = (cost.count(Effort(quick=True)) for _ in range(2))
+        first, second = (next(cost.measure(Effort(quick=True))) for _ in range(2))
         assert first.points == second.points
 
 
@@ -134,8 +134,7 @@ def test_every_bound_is_tried_with_both_sizes_together_and_alone() -> None:
     "cost", COSTS, ids=lambda c: f"{c.procedure} {c.family.__name__} {c.varied}"
 )
 def test_operations_and_bytes_stay_within_the_claimed_bound(cost: Cost) -> None:
-    assert cost.count(Effort(quick=True)).failure == ""
-    assert cost.weigh(Effort(quick=True)).failure == ""
+    assert [growth.failure for growth in cost.measure(Effort(quick=True))] == ["", ""]
 
 
 def test_the_summary_has_a_verdict() -> None:

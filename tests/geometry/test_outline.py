@@ -5,10 +5,12 @@ from itertools import product
 from random import Random
 
 import families
+from small_pairs import draw_touching
 
-from exactsweep import Polygon
+from exactsweep import Polygon, Region
 from exactsweep.evidence.contact import MonotoneOutline
 from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.vectors import is_on_segment
 
 
 def test_monotone_outlines_find_what_others_do_and_each_once() -> None:
@@ -44,3 +46,21 @@ def test_features_are_counted_through_all_rings() -> None:
     assert outline.scaled(2).edges == [
         ((2 * a, 2 * b), (2 * c, 2 * d)) for (a, b), (c, d) in outline.edges
     ]
+
+
+def test_vertices_of_other_rings_inside_edges_are_found() -> None:
+    touched = 0
+    for number in range(40):
+        exterior, *holes = draw_touching(Random(number)).directrix
+        # On either side of the diagonal, so that x and y are not taken for each other.
+        shape = Region(exterior, holes).translated((2**50 * (-1) ** number, 0))
+        outline = Outline(shape.lattice()[1])
+        for k, (p, q) in enumerate(outline.edges):
+            expected = {
+                j
+                for j, v in enumerate(outline.vertices)
+                if v not in (p, q) and is_on_segment(v, p, q)
+            }
+            assert {*outline.vertices_inside(k)} == expected
+            touched += len(expected)
+    assert touched > 20

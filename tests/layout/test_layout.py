@@ -8,9 +8,10 @@ from typing import Any
 
 import jsonschema
 import pytest
+from refusals import list_refusals, require_refused
 
 from exactsweep.geometry.turn import read_turn
-from exactsweep.layout import Layout, LayoutError
+from exactsweep.layout import Layout
 
 SQUARE = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
 
@@ -87,59 +88,25 @@ def test_what_may_be_left_out() -> None:
 GONE = object()
 
 
-@pytest.mark.parametrize(
-    ("path", "value", "message"),
-    [
-        ((), [], r"the layout is \[\], not an object"),
-        (("parts",), GONE, 'the layout has no "parts"'),
-        (("parts",), {}, r"parts is \{\}, not a list"),
-        (("part",), [], "the layout has a field 'part'; it may have container, parts, place"),
-        (("container",), SQUARE, "container is .*, not an object"),
-        (("container", "exterior", 2), ["4", "0"], "container: exterior: fewer than three"),
-        (("container", "exterior", 1), ["4"], r"container.exterior\[1\] is not a pair of numbers"),
-        (
-            ("container", "holes"),
-            [SQUARE, SQUARE],
-            "container: hole 1, edge 3, and hole 0, edge 3 run along",
-        ),
-        (("parts", 1), 7, r"parts\[1\] is 7, not an object"),
-        (("parts", 1, "id"), 7, r"parts\[1\].id is 7, not a string"),
-        (("parts", 1, "id"), "tile", r"parts\[1\].id: parts\[0\] is 'tile', too"),
-        (("parts", 0, "exterior", 1, 0), "x", r"parts\[0\].exterior\[1\]: 'x' is not a number"),
-        (("parts", 0, "holes", 0, 1), "12", r"parts\[0\].holes\[0\]\[1\] is str, not a pair"),
-        (("parts", 0, "holes"), 3, r"parts\[0\].holes is 3, not a list"),
-        (("parts", 0, "demand"), -1, r"parts\[0\].demand is -1, not an integer of 0 or more"),
-        (("parts", 0, "demand"), True, r"parts\[0\].demand is True, not an integer"),
-        (("parts", 0, "demand"), "2", r"parts\[0\].demand is '2', not an integer"),
-        (("parts", 0, "turns"), "0", r"parts\[0\].turns is '0', not a list"),
-        (("parts", 0, "turns", 1), "left", r"parts\[0\].turns\[1\]: 'left' is not a number"),
-        (("parts", 0, "mirrored"), "no", r"parts\[0\].mirrored is 'no', not true or false"),
-        (("placements", 0, "part"), "sleeve", r"placements\[0\].part: no part has the id 'sleeve'"),
-        (("placements", 0, "turn"), GONE, r'placements\[0\] has no "turn"'),
-        (("placements", 0, "turn"), ["3", "4"], r"placements\[0\].turn: \(3, 4\) is not a cosine"),
-        (("placements", 0, "turn"), ["1"], r"placements\[0\].turn is not a pair of numbers"),
-        (("placements", 0, "turn"), float("nan"), r"placements\[0\].turn: nan is not a finite"),
-        (("placements", 0, "move"), "12", r"placements\[0\].move is str, not a pair of numbers"),
-        (("placements", 0, "mirrored"), 1, r"placements\[0\].mirrored is 1, not true or false"),
-        (("spacing",), "-1/2", "spacing is -1/2, less than 0"),
-        (("margin",), True, "margin: True is a truth value, not a number"),
-    ],
-)
-def test_wrong_data_are_refused_by_name(path: tuple[Any, ...], value: Any, message: str) -> None:
-    data: Any = example()
+def changed(*path: Any, to: Any = GONE) -> Any:
+    """Change one place of the example, or leave it out."""
     if not path:
-        data = value
+        return to
+    data: Any = example()
+    *way, last = path
+    place = data
+    for step in way:
+        place = place[step]
+    if to is GONE:
+        del place[last]
     else:
-        *way, last = path
-        place = data
-        for step in way:
-            place = place[step]
-        if value is GONE:
-            del place[last]
-        else:
-            place[last] = value
-    with pytest.raises(LayoutError, match=message):
-        Layout.from_json(data)
+        place[last] = to
+    return data
+
+
+@pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
+def test_wrong_data_are_refused_by_name(call: str, said: str) -> None:
+    require_refused(call, said, Layout=Layout, SQUARE=SQUARE, changed=changed)
 
 
 def test_layouts_are_immutable() -> None:

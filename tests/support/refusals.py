@@ -34,10 +34,10 @@ def list_refusals(file: str) -> list[tuple[str, str]]:
     return re.findall(r"^(\S.*)\n    (.*)$", text, re.M)
 
 
-def require_refused(call: str, said: str) -> None:
+def require_refused(call: str, said: str, **names: Any) -> None:
     """Require that a call raises the error that stands below it."""
     with pytest.raises(ExactSweepError) as caught:
-        eval(call, NAMES)
+        eval(call, NAMES | names)
     assert isinstance(caught.value, ValueError)
     pattern = re.escape(said).replace(re.escape("..."), ".*")
     assert re.fullmatch(pattern, f"{type(caught.value).__name__}: {caught.value}")
