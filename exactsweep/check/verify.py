@@ -74,7 +74,7 @@ def verify(
     Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
 
     >>> verify({"format": "exactsweep certificate"})
-    Verification(proved=False, reason="version: not 2", witness=None)
+    Verification(proved=False, reason='version: not 2', witness=None)
     """
     if type(max_steps) is not int or max_steps < 1:
         raise ExactSweepError("max_steps must be an int, at least 1")
