@@ -207,13 +207,19 @@ def test_holes_may_touch_in_points() -> None:
         ({"exterior": [["0", "0"]]}, "exterior[0]: not in the answer"),
         ({"holes": None}, "holes: not a list"),
         ({"exact_fits": [[["0", "0"]]]}, "exact_fits[0]: not in the answer"),
-        ({"exact_fits": [None]}, "exact_fits: not in order, or one is listed twice"),
     ],
 )
 def test_reason_names_the_place_in_a_claim(change: dict[str, Any], reason: str) -> None:
     result = verify({**no_fit_certificate(C, UNIT), **change})
     assert not result.proved
     assert result.reason.startswith(reason)
+
+
+@pytest.mark.parametrize("name", ["holes", "exact_fits"])
+def test_null_after_the_last_entry_of_a_list_is_refused(name: str) -> None:
+    certificate = no_fit_certificate(C, UNIT)
+    result = verify({**certificate, name: [*certificate[name], None]})
+    assert result.reason == f"{name}: not in order, or one is listed twice"
 
 
 def test_many_edges_are_refused_at_once_for_any_shape() -> None:
