@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Sequence
 from itertools import pairwise
 from math import ceil, floor, inf, lcm
 from typing import Literal, NamedTuple
@@ -25,9 +25,15 @@ from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, find_direction, lay_point, make_segment
 from exactsweep.geometry.vectors import cross, is_between, minus
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.point import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
+
+
+_Placed = list[tuple[int, Segment]]
+"""Features by number, and their pieces of lines, or their places on lines."""
+_Ways = defaultdict[tuple[Vector, bool], _Placed]
+"""Edges by their direction, and whether they run against it."""
 
 
 class Contact(NamedTuple):
@@ -95,22 +101,22 @@ def find_touching(
 
     Arguments and cost are those of `find_edge_contacts`. Returns a dict for each edge.
     """
-    lines: defaultdict[tuple[Vector, int, int], list[tuple[int, int, Segment]]] = defaultdict(list)
+    lines: defaultdict[Vector, dict[Rational, list[tuple[int, int, Segment]]]] = defaultdict(dict)
     for k, piece in enumerate(edges):
-        key = piece.direction, *piece.offset.as_integer_ratio()
-        lines[key].append((floor(piece.low), k, piece))
-    for line in lines.values():
-        line.sort()
-    longest = {key: max(ceil(p.high) - low for low, _, p in line) for key, line in lines.items()}
+        line = lines[piece.direction].setdefault(piece.offset, [])
+        line.append((floor(piece.low), k, piece))
+    longest: dict[tuple[Vector, Rational], int] = {}
+    for u, of_direction in lines.items():
+        for offset, line in of_direction.items():
+            line.sort()
+            longest[u, offset] = max(ceil(piece.high) - low for low, _, piece in line)
     found: list[dict[Contact, Segment]] = [{} for _ in edges]
 
     def note(event: Event, i: int, j: int, mine: Segment, theirs: Segment) -> None:
-        key = mine.direction, *(theirs.offset - mine.offset).as_integer_ratio()
-        line = lines.get(key)
-        if line is None:
-            return
+        u, offset = mine.direction, theirs.offset - mine.offset
+        line = lines[u][offset]
         # Ints decide quickly which pieces of the line are near.
-        first = floor(theirs.low) - ceil(mine.high) - longest[key]
+        first = floor(theirs.low) - ceil(mine.high) - longest[u, offset]
         last = ceil(theirs.high) - floor(mine.low)
         near = line[bisect_left(line, (first + 1,)) : bisect_left(line, (last,))]
         if near:
@@ -119,36 +125,65 @@ def find_touching(
                 if touching.shares_piece(piece):
                     found[k][Contact(event, i, j)] = touching
 
-    directions = {direction for direction, _, _ in lines}
-    g_along, d_along = (
-        [k for k, piece in enumerate(shape.pieces) if piece.direction in directions]
-        for shape in (generatrix, directrix)
-    )
-    parallel: defaultdict[tuple[Vector, bool], list[int]] = defaultdict(list)
-    for j in d_along:
-        parallel[directrix.pieces[j].direction, directrix.backward[j]].append(j)
-    for i in g_along:
-        mine = generatrix.pieces[i]
-        u = mine.direction
+    g_ways, d_ways = (_group_by_way(shape, lines) for shape in (generatrix, directrix))
+    for (u, backward), ours in g_ways.items():
         # Both run with their shape on the left, so facing edges have opposite directions.
-        for j in parallel[u, not generatrix.backward[i]]:
-            theirs = directrix.pieces[j]
+        for i, mine, j, theirs in _pair(ours, d_ways.get((u, not backward), []), lines[u]):
             note("EE", i, j, mine, theirs)
             # Where rings touch, a vertex may lie inside an edge.
             for k in directrix.vertices_inside(j):
                 note("EV", i, k, mine, lay_point(directrix.vertices[k], u))
             for k in generatrix.vertices_inside(i):
                 note("VE", k, j, lay_point(generatrix.vertices[k], u), theirs)
-    for i, j in find_facing(generatrix, directrix, g_along):
-        mine = generatrix.pieces[i]
-        theirs = lay_point(directrix.vertices[j], mine.direction)
-        for k in directrix.twins(j):
-            note("EV", i, k, mine, theirs)
-    for j, i in find_facing(directrix, generatrix, d_along):
-        theirs = directrix.pieces[j]
-        mine = lay_point(generatrix.vertices[i], theirs.direction)
-        for k in generatrix.twins(i):
-            note("VE", k, j, mine, theirs)
+    for u, ours, vertices in _list_facing(generatrix, directrix, g_ways):
+        for i, mine, j, theirs in _pair(ours, vertices, lines[u]):
+            note("EV", i, j, mine, theirs)
+    for u, others, vertices in _list_facing(directrix, generatrix, d_ways):
+        for i, mine, j, theirs in _pair(vertices, others, lines[u]):
+            note("VE", i, j, mine, theirs)
+    return found
+
+
+def _group_by_way(shape: Outline, directions: Container[Vector]) -> _Ways:
+    """Group the edges of some directions by direction and orientation."""
+    found: _Ways = defaultdict(list)
+    for k, (piece, backward) in enumerate(zip(shape.pieces, shape.backward, strict=True)):
+        if piece.direction in directions:
+            found[piece.direction, backward].append((k, piece))
+    return found
+
+
+def _list_facing(
+    shape: Outline, outline: Outline, ways: _Ways
+) -> Iterator[tuple[Vector, _Placed, _Placed]]:
+    """List groups of edges, each with the vertices that can touch them, on lines of the edges."""
+    facing: defaultdict[int, list[int]] = defaultdict(list)
+    for i, j in find_facing(shape, outline, [edges[0][0] for edges in ways.values()]):
+        facing[i] += outline.twins(j)
+    for (u, _), edges in ways.items():
+        at = facing[edges[0][0]]
+        yield u, edges, [(j, lay_point(outline.vertices[j], u)) for j in at]
+
+
+def _pair(
+    ours: _Placed, theirs: _Placed, lines: Collection[Rational]
+) -> Iterator[tuple[int, Segment, int, Segment]]:
+    """Find the pairs of parallel features with translations on some lines, given by offsets."""
+    (mine, others) = (_group_by_offset(features) for features in (ours, theirs))
+    if len(lines) < len(others):
+        offsets = [(a, a + line) for a in mine for line in lines if a + line in others]
+    else:
+        offsets = [(a, b) for a in mine for b in others if b - a in lines]
+    for a, b in offsets:
+        for i, one in mine[a]:
+            for j, other in others[b]:
+                yield i, one, j, other
+
+
+def _group_by_offset(features: _Placed) -> dict[Rational, _Placed]:
+    found: defaultdict[Rational, _Placed] = defaultdict(list)
+    for feature in features:
+        found[feature[1].offset].append(feature)
     return found
 
 
