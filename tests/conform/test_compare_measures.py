@@ -13,7 +13,14 @@ from tiers import examples
 
 from exactsweep import Point, Polygon
 from exactsweep.check.location import locate
-from exactsweep.conform.judge.distance import LoopEdge, Place, bound_distance, walk_together
+from exactsweep.conform.judge.distance import (
+    LoopEdge,
+    Place,
+    _find_cut,
+    _PieceEnd,
+    bound_distance,
+    walk_together,
+)
 from exactsweep.conform.judge.region import RegionError, add_areas, find_differences, find_simplest
 
 Ring = Sequence[Point]
@@ -190,6 +197,13 @@ def test_vertices_along_edges_do_not_loosen_the_bounds() -> None:
     many[50] = Point(many[50].x, tiny)
     low, high = bound_distance([SQUARE], [many])
     assert low <= tiny**2 <= high <= low * (1 + Fraction(1, 2**32))
+
+
+def test_an_edge_is_cut_where_two_others_are_equally_near() -> None:
+    # At (4, y) the distances from y = 0 and from 3 x = 4 y are y and (12 - 4 y) / 5.
+    floor, ramp = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 0), (8, 6))
+    ends = _PieceEnd(Fraction(0), floor), _PieceEnd(Fraction(1), ramp)
+    assert _find_cut(LoopEdge((4, 0), (4, 3)), *ends) == Fraction(4, 9)
 
 
 def test_an_irrational_distance_is_bounded() -> None:

@@ -15,11 +15,6 @@ from exactsweep.corpus import Case, find_case
 from exactsweep.numbers.point import ORIGIN
 
 
-def convex_hull_of_inner(case: Case) -> Verdict:
-    """An implementation that forgets undercuts."""
-    return compare(case, {"inner": case.directrix.vertices}).verdict
-
-
 def sign_wrong(case: Case) -> Verdict:
     return compare(case, {"trajectory": case.trajectory.reflected().vertices}).verdict
 
@@ -28,18 +23,6 @@ def overflowing(case: Case) -> Verdict:
     """A verdict that depends on the size of numbers alone."""
     largest = max(abs(c) for point in case.directrix_ring for c in point)
     return Verdict.WRONG if largest > 2**20 else Verdict.EXACT
-
-
-def test_an_undercut_is_shrunk_to_a_triangle_and_a_notch() -> None:
-    case = find_case("gen-notched-1-3")
-    assert convex_hull_of_inner(case) is Verdict.UNSOUND
-    small = shrink(case, convex_hull_of_inner)
-    assert convex_hull_of_inner(small) is Verdict.UNSOUND
-    # No undercut has fewer vertices than a quadrilateral with a reflex one, and a triangle.
-    assert (len(small.directrix_ring), len(small.generatrix_ring)) == (4, 3)
-    assert max(abs(c) for point in small.directrix_ring for c in point) <= 4
-    assert small.id == "gen-notched-1-3-shrunk"
-    assert small.reference == ORIGIN
 
 
 def test_a_lost_fit_is_shrunk_to_a_slot() -> None:
