@@ -54,7 +54,7 @@ from exactsweep.paper.figures.drawing import draw_figure
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.ledger import CLAIMS, find
-from exactsweep.paper.pairs import LARGE
+from exactsweep.paper.pairs import LARGE, draw_pairs
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import trajectory_cm
@@ -242,7 +242,7 @@ def _write(value: Any) -> str:
         return f"{value(24, 40):.6g}"
     if isinstance(value, set | frozenset):
         value = sorted(value)
-    if isinstance(value, tuple | list):
+    if isinstance(value, tuple | list | Iterator):
         return f"({' '.join(map(_write, value))})"
     return str(value)
 
@@ -257,10 +257,19 @@ def list_exports() -> Iterator[str]:
 
 
 def list_growing() -> Iterator[str]:
-    """The pairs of the growing families at two sizes."""
+    """The pairs of the growing families at two sizes, and pairs that the ledger draws."""
     for make in (*LARGE["CC"], *LARGE["CM"], *LARGE["MM"], needles, ceilings, wide, bowls, rim):
         for sizes in ((14, 16), (20, 12)):
             yield f"{make.__name__} {sizes} {make(*sizes)}"
+    for kind, how in (
+        ("CM", ""),
+        ("MM", "weak"),
+        ("CM", "large"),
+        ("MM", "far"),
+        ("CM", "resting"),
+    ):
+        yield f"{kind} {how} {_write(draw_pairs(Effort(1), kind, 2, how))}"
+    yield f"SS {_write(draw_pairs(Effort(1), 'SS', 2))}"
     yield from (f"forks {forks(m, n)}" for m, n in ((18, 18), (18, 24)))
     yield from (f"bumps {bumps(*sizes)}" for sizes in ((2, 4, 6), (4, 6, 4)))
 
