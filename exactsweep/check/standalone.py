@@ -213,13 +213,6 @@ def read_fits(item: Any) -> list[Edge]:
     return [(point(p), point(q)) for p, q in (items(fit, 2) for fit in items(item))]
 
 
-def read_contacts(item: Any) -> list[Contact]:
-    """Read contacts: features, edges or vertices, of the generatrix and of the directrix."""
-    entries = [items(entry, 3) for entry in items(item)]
-    need(all(kind in ("EV", "VE", "EE") for kind, *_ in entries), "not EV, VE or EE")
-    return [(kind, integer(i, 0, 10**9), integer(j, 0, 10**9)) for kind, i, j in entries]
-
-
 def least_first(item: Any) -> Ring:
     """Read a list of at least three points, the least one first."""
     points = [*map(point, items(item))]
@@ -938,7 +931,8 @@ class Monotone:
         primitive = x.denominator == 1 == y.denominator and gcd(int(x), int(y)) == 1
         need(primitive and (x > 0 or (x, y) == (0, 1)), "direction: not primitive")
         self.work, self.way, self.scale = work, (int(x), int(y)), find_scale(loops[0] + loops[1])
-        loops = [[*map(self.enter, points)] for points in loops]
+        if (self.way, self.scale) != ((1, 0), 1):
+            loops = [[*map(self.enter, points)] for points in loops]
         work.weigh(max(n.bit_length() for p in chain.from_iterable(loops) for n in p))
         self.g, self.d, self.t, self.inner, self.outer = map(self.read, names, loops)
 
@@ -1046,11 +1040,13 @@ class Monotone:
                         break
                     found[k][contact] = piece
         for k, entries in enumerate(under("contacts", items, listed, len(sides))):
-            of, known = t.lines[k], under(f"contacts[{k}]", read_contacts, entries)
-            if known != sorted(found[k]):
-                for contact in sorted(found[k].keys() - known):
-                    at = self.leave_line(of, sides[k], found[k][contact])
-                    raise Refused("contacts[{}]: {} ({}, {}) is missing".format(k, *contact), at)
+            of, true = t.lines[k], sorted(found[k])
+            same = entries == [[*contact] for contact in true]
+            if not same or not all(type(i) is type(j) is int for _, i, j in entries):
+                for kind, i, j in true:
+                    if [kind, i, j] not in items(entries):
+                        at = self.leave_line(of, sides[k], found[k][kind, i, j])
+                        raise Refused(f"contacts[{k}]: {kind} ({i}, {j}) is missing", at)
                 raise Refused(f"contacts[{k}]: one that is not along the edge, or not in order")
             self.prove_covered(("contacts", k), of, sides[k], [*found[k].values()])
 

@@ -7,6 +7,7 @@ shared direction. Where a certificate has the key `claim`, it is about polygons 
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import Any, NamedTuple
 
 from exactsweep.check.claim import prove_claim
@@ -19,7 +20,7 @@ from exactsweep.numbers.point import Point
 
 # About a microsecond each.
 _MAX_STEPS = 10**8
-_PLAIN = (str, int, float, bool, type(None), dict, list)
+_PLAIN = {str, int, float, bool, type(None), dict, list}
 
 
 class Verification(NamedTuple):
@@ -73,7 +74,7 @@ def verify(
     Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
 
     >>> verify({"format": "exactsweep certificate"})
-    Verification(proved=False, reason="version: not 2", witness=None)
+    Verification(proved=False, reason='version: not 2', witness=None)
     """
     if type(max_steps) is not int or max_steps < 1:
         raise ExactSweepError("max_steps must be an int, at least 1")
@@ -105,14 +106,16 @@ def verify(
 
 def _check_types(certificate: Any) -> None:
     """Refuse types that `json.loads` does not return: their methods could do anything."""
-    left, seen = [certificate], set()
-    while left:
-        item = left.pop()
-        if type(item) in (dict, list) and id(item) not in seen:
-            seen.add(id(item))  # a list may hold itself
-            left += [*item, *item.values()] if type(item) is dict else item
-        elif type(item) not in _PLAIN:
-            raise Refused(f"a {type(item).__name__} is not JSON")
+    level, seen = [certificate], set[int]()
+    while level:
+        for kind in {*map(type, level)} - _PLAIN:
+            raise Refused(f"a {kind.__name__} is not JSON")
+        # A list may hold itself.
+        nested = {id(item): item for item in level if type(item) in (dict, list)}
+        new = [item for key, item in nested.items() if key not in seen]
+        seen.update(nested)
+        parts = ([*item, *item.values()] if type(item) is dict else item for item in new)
+        level = [*chain.from_iterable(parts)]
 
 
 def _read_given(shape: Any) -> list[Ring]:

@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import chain, islice, pairwise
 from typing import Any, ClassVar
 
-from exactsweep.evidence.certificate import Statement, write_certificate
+from exactsweep.evidence.certificate import FORMAT, VERSION, write_direction, write_drawn
 from exactsweep.evidence.contact import (
     Contact,
     MonotoneOutline,
@@ -240,25 +240,24 @@ class Sweep(Shown):
         )
 
     def _claim(self) -> dict[str, Any]:
-        if isinstance(self.generatrix, Polygon) and isinstance(self.directrix, Polygon):
-            assert self.direction is not None
-            return write_certificate(
-                Statement(
-                    generatrix=self.generatrix,
-                    directrix=self.directrix,
-                    kind=self.kind,
-                    direction=self.direction,
-                    reference=self.reference,
-                    trajectory=self.trajectory,
-                    inner=self.inner,
-                    outer=self.outer,
-                    area=self.area,
-                    exact_fits=self.exact_fits,
-                    contacts=self._numbered_contacts,
-                    inner_drawn=self._draw(self.solution.inner, inside=True),
-                    outer_drawn=self._draw(self.solution.outer, inside=False),
-                )
-            )
+        if self.direction is not None:
+            return {
+                "format": FORMAT,
+                "version": VERSION,
+                "generatrix": write_points(self.generatrix.vertices),
+                "directrix": write_points(self.directrix.vertices),
+                "kind": self.kind,
+                "direction": write_direction(self.direction),
+                "reference": write_points([self.reference])[0],
+                "trajectory": write_points(self.trajectory.vertices),
+                "inner": write_points(self.inner.vertices),
+                "outer": write_points(self.outer.vertices),
+                "area": format_fraction(self.area),
+                "exact_fits": list(map(write_points, self.exact_fits)),
+                "contacts": [list(map(list, found)) for found in self._numbered_contacts],
+                "inner_drawn": write_drawn(self._draw(self.solution.inner, inside=True)),
+                "outer_drawn": write_drawn(self._draw(self.solution.outer, inside=False)),
+            }
         return {
             **claim_no_fit(
                 Region(self.directrix),

@@ -178,18 +178,17 @@ def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate
     ]
     names = [ring.place or "the exterior" for _, ring in rings]
     parents = nest([ring.polygon() for _, ring in rings], names)
-    depth = [0] * len(rings)
     holes: defaultdict[int, list[Candidate]] = defaultdict(list)
+    is_hole: dict[int | None, bool] = {None: True}
     for i in _from_outside(parents):
-        if (parent := parents[i]) is not None:
-            depth[i] = depth[parent] + 1
+        is_hole[i] = not is_hole[parents[i]]
     for (_, ring), parent in zip(rings, parents, strict=True):
         if parent is not None:
             holes[parent].append(ring)
     return [
         (k, ring._replace(holes=partial(tuple, holes[i])))
         for i, (k, ring) in enumerate(rings)
-        if depth[i] % 2 == 0
+        if not is_hole[i]
     ]
 
 

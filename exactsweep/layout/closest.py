@@ -67,7 +67,7 @@ def _find_best(
         a, b = share_scale(board.solid(k), board.solid(j))
         gap = find_gap(a, b, _bound(a, b) if best is None else best.square)
         if gap is not None:
-            best = NearestPair(gap.square, (k, j), gap.points)
+            best = NearestPair(gap.value, (k, j), gap.points)
     assert best is not None  # the first pair is below its bound
     return best
 

@@ -160,7 +160,7 @@ def _judge_container(board: Board) -> Iterator[Fault]:
             fixed = board.around[wall]
             found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)
-            rank = Fraction(-1) if found.gap is None else found.gap.square
+            rank = Fraction(-1) if found.gap is None else found.gap.value
             worst += ((rank, fault) for fault in faults)
         if worst:
             yield min(worst, key=lambda found: found[0])[1]

@@ -8,29 +8,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import isqrt
-from typing import NamedTuple
 
 from exactsweep.geometry.convex import IntVertex
-from exactsweep.geometry.distance import find_nearest_ends, measure_ends
+from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, measure_ends
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.solid import BoxedEdge, Solid
 from exactsweep.numbers.point import Edge, Point, Rational
 
 
-class NearestPoints(NamedTuple):
-    """The squared distance of two solids, and their nearest points.
-
-    Attributes:
-        square: the squared distance.
-        points: a point of the boundary of each.
-    """
-
-    square: Fraction
-    points: tuple[Point, Point]
-
-
-def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
+def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
     """Find the least distance of the boundaries of two solids, if its square is below a bound.
 
     Args:
@@ -39,7 +26,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
         below: the bound on the squared distance, more than 0.
 
     Returns:
-        A NearestPoints, or None.
+        A SquaredDistance, or None.
 
     Cost: O(k h) for k edges of one and h edges of the other that are within the bound of the box of
     the other solid.
@@ -85,7 +72,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
     else:
         # Solids that do not overlap touch in a vertex of one of them.
         p = q = Point(*map(Fraction, (touch(*one, *other) or [one[0]])[0]))
-    return NearestPoints(
+    return SquaredDistance(
         Fraction(n, d * scale * scale) if type(n) is int else Fraction(n) / d / scale**2,
         (a.leave(p[0] + a.x, p[1] + a.y), a.leave(q[0] + a.x, q[1] + a.y)),
     )

@@ -16,9 +16,9 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing
-from exactsweep.geometry.distance import measure_to_edge
+from exactsweep.geometry.distance import SquaredDistance, measure_to_edge
 from exactsweep.layout.meeting import Relation, meet
-from exactsweep.layout.nearest import NearestPoints, find_gap
+from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.pieces import bound_piece, find_common_point
 from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.numbers.point import Point
@@ -32,14 +32,14 @@ class PairVerdict(NamedTuple):
 
     Attributes:
         meeting: a Relation, None if it is undecided.
-        gap: the NearestPoints, if their distance is less than required.
+        gap: the SquaredDistance, if their distance is less than required.
         too_close: whether the distance is less than required; None if it is undecided.
         bits: the precision of the turns that decided.
         slack: the sum of both slacks, 0 for exact turns.
     """
 
     meeting: Relation | None
-    gap: NearestPoints | None
+    gap: SquaredDistance | None
     too_close: bool | None
     bits: int
     slack: Fraction
@@ -87,9 +87,9 @@ def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
     gap = find_gap(a, b, (spacing + slack) ** 2)
     if gap is None:
         return PairVerdict(Relation.APART, None, False, bits, slack)
-    if gap.square <= slack * slack:
+    if gap.value <= slack * slack:
         return PairVerdict(None, None, None, bits, slack)
-    is_closer = spacing > slack and gap.square < (spacing - slack) ** 2
+    is_closer = spacing > slack and gap.value < (spacing - slack) ** 2
     return PairVerdict(
         Relation.APART, gap, True if is_closer else None if spacing else False, bits, slack
     )

@@ -170,12 +170,6 @@ class Envelope:
             at = kept.take_between(self, start, end, at)
         return kept
 
-    def restrict(self, start: Rational, end: Rational) -> Envelope:
-        """Cut to the x-range from start to end, which must overlap it. Cost: O(n)."""
-        kept = self.keep([((start, 1), (end, 1))])
-        assert kept is not None
-        return kept
-
     def __iter__(self) -> Iterator[Vertex]:
         breaks, pieces = self.breaks, self.pieces
         before = pieces[0]

@@ -127,6 +127,9 @@ def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     with pytest.raises(BatchError, match=r"pipe: a pipe or a device, which cannot be read twice$"):
         take_listed_pairs(str(tmp_path / "pipe"))
+    for workers in (0, 1025):
+        with pytest.raises(BatchError, match=f"^{workers} workers: not from 1 to 1024$"):
+            run_batch(take_all_pairs([SQUARE], [SQUARE]), str(tmp_path / "out"), workers=workers)
     for output, message in {
         str(tmp_path): "Is a directory",
         "": "'': Is a directory",

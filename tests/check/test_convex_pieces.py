@@ -19,6 +19,7 @@ from exactsweep.check.convex import cut_to_convex
 from exactsweep.check.shape import bring_to_integers
 from exactsweep.check.size import UNLIMITED
 from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
+from exactsweep.geometry import convex as kernel_convex
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
 from exactsweep.numbers.point import Vertex
 
@@ -32,8 +33,11 @@ def _check_pieces(*rings: Polygon) -> int:
     pieces = cut_to_convex(shape, UNLIMITED)
     with patch.object(convex, "_NEAR", 0):  # all vertices are tried
         found = cut_to_convex(shape, UNLIMITED)
-    assert sum(map(find_doubled_area, found)) == sum(map(find_doubled_area, shape))
-    for piece in (*pieces, *found):
+    whole: Any = shape
+    others = kernel_convex.cut_to_convex(whole)
+    for cut in found, others:
+        assert sum(map(find_doubled_area, cut)) == sum(map(find_doubled_area, shape))
+    for piece in (*pieces, *found, *others):
         assert min(find_turns(piece)) > 0
         assert len({*piece}) == len(piece)
         assert {*piece} <= {p for ring in shape for p in ring}

@@ -207,6 +207,7 @@ def test_holes_may_touch_in_points() -> None:
         ({"exterior": [["0", "0"]]}, "exterior[0]: not in the answer"),
         ({"holes": None}, "holes: not a list"),
         ({"exact_fits": [[["0", "0"]]]}, "exact_fits[0]: not in the answer"),
+        ({"exact_fits": [None]}, "exact_fits: not in order, or one is listed twice"),
     ],
 )
 def test_reason_names_the_place_in_a_claim(change: dict[str, Any], reason: str) -> None:

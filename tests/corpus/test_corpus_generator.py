@@ -42,6 +42,11 @@ def test_random_numbers_are_between_their_bounds(seed: str, low: int, span: int)
     assert Prng(seed).between(low, low) == low
 
 
+def test_a_range_beyond_64_bits_takes_two_draws() -> None:
+    random = Prng("wide")
+    assert [random.between(0, 2**64) for _ in "ab"] == [14703512553011986645, 16698534356282190863]
+
+
 def test_all_numbers_are_drawn_about_equally_often() -> None:
     random = Prng("dice")
     thrown = [random.between(1, 6) for _ in range(6000)]

@@ -11,6 +11,7 @@ import pytest
 from command import EXAMPLE
 from matplotlib import pyplot
 from matplotlib.axes import Axes
+from strategies import points
 
 from exactsweep import Sweep, sweep
 from exactsweep.canvas import style
@@ -21,10 +22,6 @@ from exactsweep.draw import (
     save,
 )
 from exactsweep.draw.sweeps import find_anchor
-
-SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
-SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
-FIT = sweep(SQUARE, SLOT)
 
 
 @pytest.fixture(autouse=True)
@@ -68,14 +65,12 @@ def test_size_changes_labels_only(exponent: int) -> None:
         assert corners(plain, label) == corners(large, label)
 
 
-def test_a_far_reference_point_leaves_the_picture_alone() -> None:
-    far = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
-    assert find_anchor(far) == EXAMPLE.reference
-    axes = picture_of(far)
-    assert "path of vertex 0 of G, VE" in labels(axes)
-    assert corners(axes, "path of vertex 0 of G, VE") == corners(
-        picture_of(EXAMPLE), "trajectory, VE"
-    )
+def test_a_reference_point_is_far_beyond_both_sizes() -> None:
+    triangle = [(0, 0), (1, 0), (0, 1)]
+    for x, y in ((-2, 0), (3, 0), (0, -2), (0, 3)):
+        at, beyond = points((x, y), (Fraction(9 * x, 8), Fraction(9 * y, 8)))
+        assert find_anchor(sweep(triangle, triangle, reference=at)) == at
+        assert find_anchor(sweep(triangle, triangle, reference=beyond)) == points((0, 0))[0]
 
 
 def test_plot_makes_a_figure_and_takes_axes() -> None:

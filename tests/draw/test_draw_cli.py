@@ -49,3 +49,15 @@ def test_two_processes_write_the_same_bytes(tmp_path: Path) -> None:
     run("draw", "-o", f"{tmp_path}/a.svg")
     assert shell(f"PYTHONHASHSEED=1 exactsweep draw -o {tmp_path}/b.svg").stderr == ""
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+
+
+def test_a_sweep_of_any_shape_is_drawn(tmp_path: Path) -> None:
+    parts = tmp_path / "plate.json"
+    parts.write_text(json.dumps({"exterior": [[0, 0], [5, 0], [5, 5], [0, 5]],
+                                 "holes": [[[1, 1], [3, 1], [3, 3], [1, 3]]]}))  # fmt: skip
+    output = tmp_path / "out.png"
+    result = run(
+        "draw", "-", str(parts), "-o", str(output), stdin="[[0, 0], [1, 0], [1, 1], [0, 1]]"
+    )
+    assert (result.exit_code, result.output) == (0, "")
+    assert output.read_bytes().startswith(b"\x89PNG")

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-import numpy as np
 import pytest
 from command import EXAMPLE, run
 from hypothesis import given
@@ -17,12 +16,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from tiers import examples
 
-from exactsweep import Polygon, Sweep, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import Polygon, Sweep, sweep
 from exactsweep.canvas import style
 from exactsweep.draw import (
     choose_telling_positions,
     make_figure,
-    plot_positions,
     plot_sweep,
 )
 from exactsweep.draw.insets import find_details
@@ -101,15 +99,6 @@ def test_what_is_judged_stands_apart_from_what_is_exact() -> None:
     assert not set(style.JUDGED.values()) & set(style.LIGHT.values())
 
 
-def test_every_look_takes_the_colour_of_its_meaning() -> None:
-    looks = {**style.EVENTS, "VV": style.CONTACTS["VV"], "inner": style.INNER, "outer": style.OUTER}
-    looks |= {"undercut": style.UNDERCUT, "fit": style.EXACT_FIT, "free": style.FREE}
-    looks |= {"generatrix": style.GENERATRIX, "directrix": style.DIRECTRIX}
-    assert {name: look.color for name, look in looks.items()} == {
-        name: style.LIGHT[name] for name in looks
-    }
-
-
 def drawn(s: Sweep, **options: Any) -> Axes:
     return plot_sweep(s, make_figure().axes[0], **options)
 
@@ -118,52 +107,16 @@ def details(axes: Axes) -> list[Axes]:
     return [child for child in axes.child_axes if isinstance(child, Axes)]
 
 
-def outlines(axes: Axes, look: style.Look) -> list[Any]:
-    return [p.get_path().vertices for p in axes.patches if p.get_zorder() == look.order]
-
-
-def test_a_polygon_a_thousand_times_as_small_is_enlarged_where_it_is() -> None:
-    found = details(drawn(UNEQUAL))
-    assert [axes.get_title() for axes in found] == ["a, to scale", "b, to scale", "c, to scale"]
-    for axes in found:
-        (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-        assert right - left == pytest.approx(5) == high - low
-        middles = [outline.mean(axis=0) for outline in outlines(axes, style.GENERATRIX)]
-        assert any(left < x < right and low < y < high for x, y in middles)
-        # D, of which only a corner is seen, is cut off near the window.
-        (plate,) = outlines(axes, style.DIRECTRIX)
-        assert np.ptp(plate, axis=0).max() <= 15
-    assert not details(drawn(EXAMPLE))
-
-
 def test_the_small_one_may_be_the_directrix() -> None:
     small, big = Polygon(UNIT), Polygon(PLATE)
     assert len(details(drawn(sweep(big, small), positions=[(0, 0), (-1000, 0)]))) == 1
     assert [d.side for d in find_details(big.vertices, small, [big], [])] == [5]
 
 
-def test_flat_pairs_are_shown_to_scale_where_they_touch() -> None:
-    axes = drawn(FLAT)
-    assert axes.get_title(loc="right").startswith("not to scale")
-    found = details(axes)
-    assert len(found) == 3
-    for detail in found:
-        (left, right), (low, high) = detail.get_xlim(), detail.get_ylim()
-        assert right - left == pytest.approx(high - low) == pytest.approx(0.4)
-
-
 @pytest.mark.parametrize("exponent", [9, 5000])
 def test_no_ratio_is_too_large(exponent: int) -> None:
     big = [(x * 10**exponent, y * 10**exponent) for x, y in [(0, 0), (1, 0), (0, 1)]]
     assert drawn(sweep(UNIT, big)).get_legend() is not None
-
-
-def test_no_fits_and_inner_fits_have_details_too() -> None:
-    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    n = plot_positions(no_fit_polygon(stationary=PLATE, orbiting=square), make_figure().axes[0])
-    f = plot_positions(inner_fit_polygon(container=PLATE, part=square), make_figure().axes[0])
-    assert details(n)
-    assert details(f)
 
 
 def test_undercuts_that_are_shown_are_far_apart() -> None:

@@ -13,7 +13,7 @@ from hypothesis import given
 from strategies import pairs, simple_polygons
 from tiers import examples
 
-from exactsweep import Polygon, sweep
+from exactsweep import Polygon, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.view import make_page
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -101,3 +101,11 @@ def test_the_page_stands_in_a_frame_of_its_own() -> None:
     assert 'sandbox="allow-scripts"' in frame
     assert "height:300px" in frame
     assert repr(view) == "<InlinePage: Sweep of 5 around 7 vertices>"
+
+
+@examples(25)
+@given(simple_polygons(), simple_polygons())
+def test_every_answer_has_a_picture_in_a_notebook(d: Polygon, g: Polygon) -> None:
+    for found in (no_fit_polygon(d, g), inner_fit_polygon(d, g)):
+        assert inside(ElementTree.fromstring(found._repr_svg_()))
+        Balanced(found._repr_html_())

@@ -8,7 +8,7 @@ import pytest
 
 from exactsweep import Polygon, sweep
 from exactsweep.check import verify
-from exactsweep.evidence.certificate import _written_int
+from exactsweep.evidence.certificate import write_direction
 from exactsweep.geometry import segment
 
 
@@ -103,4 +103,4 @@ def test_one_long_edge_does_not_make_all_parallel_ones_near(
 def test_an_int_of_more_than_4300_digits_is_a_string() -> None:
     """Python reads no longer one from JSON, unless its limit is raised."""
     longest = 10**4299
-    assert (_written_int(longest), _written_int(10 * longest)) == (longest, f"1{'0' * 4300}")
+    assert write_direction((longest, 10 * longest)) == [longest, f"1{'0' * 4300}"]

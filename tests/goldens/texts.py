@@ -22,6 +22,7 @@ from exactsweep import (
     InnerFit,
     NoFitPolygon,
     Region,
+    __version__,
     inner_fit_polygon,
     no_fit_polygon,
     sweep,
@@ -57,6 +58,7 @@ from exactsweep.paper.pairs import LARGE
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import trajectory_cm
+from exactsweep.view.data import gather_page_data, gather_positions
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
@@ -70,6 +72,21 @@ PLATE = Region(
         [(7, 2), (8, 2), (8, 3), (7, 3)],
     ],
 )
+# Two rooms, two slots and two holes that the square fills: one of each kind is shown.
+TWICE = Region(
+    [(0, 0), (14, 0), (14, 5), (0, 5)],
+    [
+        [(x, y), (x + wide, y), (x + wide, y + high), (x, y + high)]
+        for wide, high, corners in (
+            (2, 2, ((1, 1), (4, 1))),
+            (1, 3, ((7, 1), (9, 1))),
+            (1, 1, ((11, 1), (12, 3))),
+        )
+        for x, y in corners
+    ],
+)
+RING = Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
+WIDE = [(0, 0), (1000, 0), (1000, 600), (300, 600), (300, 100), (299, 100), (299, 600), (0, 600)]
 UNEQUAL = sweep(
     [(0, 0), (1, 0), (1, 1), ("1/2", 2), (0, 1)],
     [(0, 0), (1000, 0), (1000, 600), (600, 600), (599, 598), (598, 600), (0, 600)],
@@ -78,7 +95,7 @@ FLAT = sweep(
     [(0, 0), (30, 0), (30, "1/20"), (0, "1/10")],
     [(0, 0), (100, 0), (100, "1/5"), (60, "1/5"), (50, "1/20"), (40, "1/5"), (0, "1/5")],
 )
-FAR = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
+FAR = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 3 * 10**40))
 CAVE = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8), (8, 2), (2, 2), (2, 8), (3, 8), (3, 10)]
 SWEEPS = {
     "example": EXAMPLE,
@@ -93,6 +110,9 @@ POSITIONS: dict[str, NoFitPolygon | InnerFit] = {
     "no fit": no_fit_polygon(PLATE, SQUARE),
     "door": no_fit_polygon([*ROOM, (0, 6)], SQUARE),
     "inner fit": inner_fit_polygon(PLATE, SQUARE),
+    "twice": no_fit_polygon(TWICE, SQUARE),
+    "ring": no_fit_polygon(SQUARE, RING),
+    "small": no_fit_polygon(WIDE, SQUARE),
     "channel": inner_fit_polygon([(0, 0), (5, 0), (5, 1), (0, 1)], SQUARE),
     "none": inner_fit_polygon(SQUARE, PLATE),
 }
@@ -190,6 +210,13 @@ def list_images() -> Iterator[str]:
         yield f"== {name}\n{found._repr_html_()}"
 
 
+def list_pages() -> Iterator[str]:
+    """The data of pages."""
+    found = {name: gather_page_data(s) for name, s in SWEEPS.items()}
+    found |= {name: gather_positions(f) for name, f in POSITIONS.items() if name != "none"}
+    yield from (f"{name} {json.dumps(data)}" for name, data in found.items())
+
+
 def list_figures() -> Iterator[str]:
     """The figures of the paper: what they state and show."""
     for claim in CLAIMS:
@@ -273,9 +300,10 @@ def list_report() -> Iterator[str]:
     nowhere = {"exactsweep": "0", "seed": 1, "quick": True, "packages": {"sympy": "1"}}
     nowhere |= dict.fromkeys(("commit", "python", "system", "processor", "date"), "any")
     with patch.object(report, "describe_environment", lambda effort: nowhere):
-        yield report.render("report.md", rows, Effort(quick=True), {}, {})
+        text = report.render("report.md", rows, Effort(quick=True), {}, {})
         html = report.render("report.html", rows, Effort(quick=True), {}, {})
-    yield html[html.index("<body") :]
+    for written in (text, html[html.index("<body") :]):
+        yield written.replace(f"version = {{{__version__}}}", "version")
     yield report.count_verdicts(rows)
     for cost in COSTS:
         called = cost.row, cost.procedure, cost.bound[0], cost.family.__name__, cost.varied
@@ -320,6 +348,7 @@ TEXTS: dict[str, Callable[[], Iterator[str]]] = {
     "looks": list_looks,
     "pictures": list_pictures,
     "images": list_images,
+    "pages": list_pages,
     "figures": list_figures,
     "exports": list_exports,
     "generated": list_generated,

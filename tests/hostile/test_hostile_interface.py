@@ -200,6 +200,11 @@ OF_SHAPES: dict[str, dict[str, Any]] = {
     "translated": {"by": (1, 1)},
     "vertex_index": {"k": 0},
 }
+OF_POSITIONS: dict[str, dict[str, Any]] = {
+    "certificate": {"proof": False},
+    "locate": {"position": (0, 0)},
+    "plot": {"y_down": False},
+}
 PLOTTED = {"axes": None, "positions": [(0, 0)], "y_down": False}
 METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
     (GENERATRIX, {**OF_SHAPES, "from_sympy": {"polygon": GENERATRIX.to_sympy()}}),
@@ -207,14 +212,15 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
     (
         EXAMPLE,
         {
+            "certificate": {"proof": False},
             "contacts_along": {"loops": [EXAMPLE.trajectory.vertices]},
             "contacts_at": {"position": (0, 0)},
             "plot": PLOTTED,
             "view": {"height": 600},
         },
     ),
-    (no_fit_polygon(UNIT, UNIT), {"locate": {"position": (0, 0)}, "plot": {"y_down": False}}),
-    (inner_fit_polygon(HOLED, UNIT), {"locate": {"position": (0, 0)}, "plot": {"y_down": False}}),
+    (no_fit_polygon(UNIT, UNIT), OF_POSITIONS),
+    (inner_fit_polygon(HOLED, UNIT), OF_POSITIONS),
 ]
 
 

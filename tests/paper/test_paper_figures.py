@@ -50,10 +50,6 @@ def facts(number: int) -> dict[str, str]:
     return {name: str(value) for name, value in figure(f"Figure {number}").facts}
 
 
-def words(made: Figure) -> list[str]:
-    return [text.get_text() for text in written(made)]
-
-
 def written(made: Figure) -> list[Text]:
     texts = [*made.texts, *(text for axes in made.axes for text in axes.texts)]
     return [text for text in texts if text.get_text()]

@@ -195,35 +195,9 @@ def test_the_ledger_is_written_as_data_that_its_schema_describes(tmp_path: Path)
     assert (tmp_path / "tables" / "exponents.csv").is_file()
 
 
-def test_every_counterexample_is_a_pair_that_can_be_swept(tmp_path: Path) -> None:
-    rows = list(reproduce(map(find, ("Lemma 5.3", "Local width")), Effort(quick=True)))
-    write_data(tmp_path, rows, Effort(quick=True))
-    paths = sorted((tmp_path / "counterexamples").iterdir())
-    assert [path.name for path in paths] == [
-        *("lemma-5-3.json", "local-width-2.json", "local-width-3.json", "local-width.json")
-    ]
-    cases = [case for row in rows for case in row.evidence.cases]
-    for path in paths:
-        result = CliRunner().invoke(main, ["sweep", f"{path}#G", f"{path}#D", "--json"])
-        assert result.exit_code == 0
-        swept = json.loads(result.output)["directrix"]
-        assert any(len(case.directrix) == len(swept) for case in cases)
-
-
 def test_the_totals_are_told() -> None:
     rows = list(reproduce(map(find, ("Slope", "Lemma 3.1")), Effort(quick=True)))
     assert count_verdicts(rows).startswith("2 rows: 1 reproduced, 1 misprint; all borne out; ")
     with mutated(MUTATIONS[0]):
         red = list(reproduce([find("Trajectory_CC")], Effort(quick=True)))
     assert "; evidence fails: Trajectory_CC; " in count_verdicts(red)
-
-
-def test_errata_come_by_weight(tmp_path: Path) -> None:
-    rows = list(
-        reproduce(map(find, ("Slope", "Total size of the parts", "Lemma 5.3")), Effort(quick=True))
-    )
-    text = write(tmp_path, rows, Effort(quick=True))[1].read_text(encoding="utf-8")
-    errata = text.split("## What is wrong, by weight")[1].split("## Kinds of evidence")[0]
-    assert re.findall(r"- \*\*(.*?)\*\*", errata) == [
-        *("Total size of the parts", "Lemma 5.3", "Slope")
-    ]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import pickle
-from collections import Counter
 from fractions import Fraction
 from typing import Any
 
@@ -15,8 +14,8 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon, sweep
 from exactsweep.geometry.frame import Frame
-from exactsweep.procedures import convex_part, monotone
-from exactsweep.procedures.monotone import KEPT_POLYGONS, KEPT_VERTICES, split_polygon
+from exactsweep.procedures import monotone
+from exactsweep.procedures.monotone import KEPT_VERTICES, split_polygon
 
 SCALES = [Fraction(1), Fraction(1, 3), Fraction(1, 7), Fraction(1000), Fraction(10**9 + 7, 2)]
 NOTCH = Polygon([(0, 0), (6, 0), (6, 3), (4, 3), (3, 1), (2, 3), (0, 3)])
@@ -77,41 +76,6 @@ def _nothing_kept() -> None:
     monotone._keep.cache_clear()
 
 
-@pytest.fixture
-def counted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
-    """Count the splits of chains into convex parts, and of polygons into chains."""
-    calls: Counter[str] = Counter()
-
-    def watch(module: Any, name: str) -> None:
-        right = getattr(module, name)
-
-        def counting(*arguments: Any) -> Any:
-            calls[name] += 1
-            return right(*arguments)
-
-        monkeypatch.setattr(module, name, counting)
-
-    watch(convex_part, "split_by_slope")
-    watch(monotone, "split")
-    return calls
-
-
-def test_a_polygon_is_split_once_for_many_others(counted: Counter[str]) -> None:
-    one = forget(NOTCH)
-    others = [Polygon([(0, 0), (5, 0), (5, 4), (3, k), (2, 4), (0, 4)]) for k in (1, 2, 3)]
-    for other in others:
-        assert sweep(one, other).trajectory
-    # Both chains of each of the four.
-    assert counted == {"split": 4, "split_by_slope": 8}
-    for _ in range(2):
-        for other in others:
-            assert sweep(one, other).trajectory
-            assert sweep(other, one).trajectory
-        # The inverse of the top chain serves either way; of who moves, that of the inverse of the
-        # bottom chain is a chain of its own.
-        assert counted == {"split": 4, "split_by_slope": 12}
-
-
 def keeps(polygon: Polygon) -> bool:
     """Decide whether a polygon that is split is not split again."""
     return split_polygon(polygon, FRAME)[0] is split_polygon(polygon, FRAME)[0]
@@ -129,16 +93,6 @@ def test_only_polygons_of_few_vertices_keep_their_chains() -> None:
 def test_an_equal_polygon_made_anew_shares_what_is_kept() -> None:
     assert split_polygon(NOTCH, FRAME)[0] is split_polygon(forget(NOTCH), FRAME)[0]
     assert split_polygon(NOTCH, FRAME) != split_polygon(NOTCH.scaled(2), FRAME)
-
-
-def test_only_the_chains_asked_for_last_are_kept() -> None:
-    """So that a list of parts takes no more memory than these, wherever the parts come from."""
-    first = split_polygon(NOTCH, FRAME)[0]
-    for k in range(KEPT_POLYGONS):
-        split_polygon(pickle.loads(pickle.dumps(BARGE.translated((k, 0)))), FRAME)
-    again = split_polygon(NOTCH, FRAME)[0]
-    assert again is not first
-    assert again == first
 
 
 def test_a_swept_polygon_is_pickled_as_one_that_was_not() -> None:

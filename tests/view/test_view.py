@@ -18,7 +18,7 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.draw import Scale
-from exactsweep.draw.sweeps import find_anchor, trace_anchor
+from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.view import make_page
 from exactsweep.view.data import find_stops, gather_page_data
@@ -133,27 +133,6 @@ def test_features_have_the_numbers_of_the_input() -> None:
     data = gather_page_data(sweep(clockwise, EXAMPLE.directrix))
     assert data["generatrix"]["vertices"] == [0, 4, 3, 2, 1]
     assert data["generatrix"]["edges"] == [4, 3, 2, 1, 0]
-
-
-def test_a_far_reference_point_leaves_the_picture_alone() -> None:
-    far = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
-    assert find_anchor(far) == EXAMPLE.reference
-    data, near = gather_page_data(far), gather_page_data(EXAMPLE)
-    assert data["path"] == "vertex 0 of G"
-    assert data["tracks"][0]["places"] == near["tracks"][0]["places"]
-    assert exact_points(data["tracks"][0]["exact"])[0] == points((10**40 - 2, -1))[0]
-
-
-def test_an_exact_fit_hangs_on_a_stop() -> None:
-    data = gather_page_data(SLOT)
-    (fit,) = data["fits"]
-    assert exact_points(fit["exact"]) == points((1, 3), (1, 1))
-    assert fit["hangs"] == [True, False]
-    assert Point(Fraction(1), Fraction(3)) in exact_points(data["tracks"][0]["exact"])
-    # There, and back; a vertex of the square is on one of the slot halfway down the longer wall.
-    way = points((1, 3), (1, 2), (1, 1), (1, 2))
-    assert exact_points(data["tracks"][1]["exact"]) == way
-    assert data["tracks"][1]["vertex"] == [0, None, 1, None]
 
 
 def test_the_page_needs_nothing_else() -> None:

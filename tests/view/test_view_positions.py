@@ -23,31 +23,11 @@ from exactsweep import (
 from exactsweep.draw import make_figure, plot_positions, save_svg
 from exactsweep.draw.no_fits import Positions
 from exactsweep.geometry.vectors import is_between
-from exactsweep.view import make_page
 from exactsweep.view.data import gather_positions
 
 PLATE = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(2, 2), (7, 2), (7, 4), (2, 4)]])
 PART = Polygon([(0, 0), (2, 0), (2, 1), (0, 1)])
 TIGHT = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
-
-
-def test_tracks_are_all_loops_and_fits() -> None:
-    around = gather_positions(no_fit_polygon(PLATE, PART))
-    assert [track["name"] for track in around["tracks"]] == ["the exterior", "hole 0"]
-    assert (around["loops"], around["outside"]) == (2, 1)
-    assert around["tracks"][1]["exact"] == ["2", "2", "5", "2", "5", "3", "2", "3"]
-    slot = gather_positions(no_fit_polygon(PLATE, TIGHT))
-    assert [track["name"] for track in slot["tracks"]] == ["the exterior", "exact fit 0"]
-    inside = gather_positions(inner_fit_polygon(PLATE, PART))
-    assert [track["name"] for track in inside["tracks"]] == [
-        "loop 0",
-        "loop 1",
-        "exact fit 0",
-        "exact fit 1",
-    ]
-    assert inside["outside"] == 0
-    assert "9" not in inside["tracks"][0]["exact"]
-    assert make_page(inner_fit_polygon(PLATE, PART)).startswith("<!doctype html>")
 
 
 def is_inside_an_edge(t: Point, loop: Polygon) -> bool:

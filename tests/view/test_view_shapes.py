@@ -9,7 +9,7 @@ from strategies import points, simple_polygons
 from tiers import examples
 
 from exactsweep import Polygon, Region, sweep
-from exactsweep.view.data import gather_page_data, list_tracks, track_stops
+from exactsweep.view.data import list_tracks, track_stops
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 # Holes in which the square has room, just slides, and just fits.
@@ -58,26 +58,6 @@ def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) 
                 continue
             here = s.contacts_at(between(stop.position, following.position))
             assert without_parts(s, here) == set(stop.contacts)
-
-
-def test_the_trajectory_the_holes_and_the_fits_are_tracks() -> None:
-    data = gather_page_data(EXAMPLE)
-    assert [track["name"] for track in data["tracks"]] == NAMES
-    assert data["loops"] == 2
-    _, hole, segment, single = list_tracks(EXAMPLE)
-    assert tuple(hole.corners) == points((2, 2), (5, 2), (5, 4), (2, 4))
-    assert tuple(segment.corners) == points((9, 2), (9, 8))
-    assert tuple(single.corners) == points((13, 3))
-    assert [fit["hangs"] for fit in data["fits"]] == [[False, False], [False, False]]
-    assert data["directrix"]["rings"] == [4, 4, 4, 4]
-    assert data["directrix"]["vertices"] == list(range(16))
-
-
-def test_what_is_not_swept_is_shown() -> None:
-    cave = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8)]
-    cave += [(8, 2), (2, 2), (2, 8), (3, 8), (3, 10), (0, 10)]
-    (hole,) = gather_page_data(sweep([(0, 0), (1, 0), (1, 1), (0, 1)], cave))["unswept"]
-    assert hole["exact"] == ["3", "3", "7", "3", "7", "7", "3", "7"]
 
 
 def test_a_shape_that_just_fits_touches_all_round(show: Open) -> None:

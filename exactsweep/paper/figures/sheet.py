@@ -34,9 +34,7 @@ class Extent(NamedTuple):
     margins: Sequence[float] = (4, 4, 4, 4)
 
     @classmethod
-    def around(
-        cls, points: Iterable[Vertex], title: str = "", margins: Sequence[float] = (4, 4, 4, 4)
-    ) -> Self:
+    def around(cls, points: Iterable[Vertex], title: str, margins: Sequence[float]) -> Self:
         """The bounding box of some points."""
         xs, ys = zip(*points, strict=True)
         return cls((min(xs), min(ys)), (max(xs), max(ys)), title, margins)
