@@ -33,7 +33,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import gcd, inf, lcm
-from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
@@ -131,14 +130,15 @@ class Stretch:
 
     def bound(self) -> tuple[int, int, int, int]:
         """Return the bounds of the stretch, rounded outwards to ints: left, right, low, high."""
-        dx, dy, c, e, (low, below), (high, above) = (
-            self.dx,
-            self.dy,
-            self.c,
-            self.e,
-            self.low,
-            self.high,
-        )
+        dx, dy, c, e = self.dx, self.dy, self.c, self.e
+        (low, below), (high, above) = self.low, self.high
+        if below == above == e == 1:
+            if dx == 0:
+                return -c, -c, low, high
+            start, end = low * dy + c, -high * dy - c
+            if dy < 0:
+                return low, high, -end // dx, -(-start // dx)
+            return low, high, start // dx, -(end // dx)
         left, right = low // below, -(-high // above)
         if dx == 0:
             return -c // e, -(c // e), left, right
@@ -188,6 +188,10 @@ class Stretch:
     def vertex(self, place: StretchPlace) -> ReducedPoint:
         """Return the point of the line at a place."""
         n, d = place
+        if d == self.e == 1 and self.dx:
+            y, rest = divmod(n * self.dy + self.c, self.dx)
+            if not rest:
+                return n, 1, y, 1
         common = gcd(n, d)
         if self.dx == 0:
             return -self.c, self.e, n // common, d // common
@@ -196,19 +200,12 @@ class Stretch:
         return n // common, d // common, y // other, unit // other
 
 
-class _RankedEdge(NamedTuple):
-    rank: int
-    number: int  # of the direction; opposite directions have the same number
-    ahead: bool  # whether the edge runs along that direction
-    offset: Rational
-    low: Rational
-    high: Rational
+_RankedEdge = tuple[int, int, bool, Rational, Rational, Rational]
+"""An edge: its rank; the number of its direction, which opposite directions share; whether the edge
+runs along that direction; dx y - dy x; its least place; its greatest place."""
 
-
-class _Convex(NamedTuple):
-    point: Vertex
-    first: int
-    last: int
+_Convex = tuple[Vertex, int, int]
+"""A convex vertex, and the ranks of the edges before and after it."""
 
 
 def find_contact_stretches(
@@ -237,8 +234,8 @@ def find_contact_stretches(
         # The edges of two turns, so that each range of directions is one slice.
         circle = 2 * len(directions)
         order = sorted(edges)
-        order += [edge._replace(rank=edge.rank + circle) for edge in order]
-        at = [edge.rank for edge in order]
+        order += [(edge[0] + circle, *edge[1:]) for edge in order]
+        at = [edge[0] for edge in order]
         for (x, y), first, last in corners:
             facing = order[bisect_left(at, first) : bisect_right(at, last)]
             if type(x) is int and type(y) is int:
@@ -259,11 +256,15 @@ def find_contact_stretches(
                 if start <= greatest and end >= least:
                     c = ratio(dx * v - dy * u + offset * unit, unit)
                     lines[k, c].append((start, end, ahead))
-    return [
-        stretch
-        for (k, c), segments in lines.items()
-        for stretch in _join_segments((*directions[k], c), segments)
-    ]
+    stretches: list[Stretch] = []
+    for (k, c), segments in lines.items():
+        line = *directions[k], c
+        if len(segments) == 1:
+            ((low, high, ahead),) = segments
+            stretches.append(Stretch(line, low, high, ahead, not ahead))
+        else:
+            stretches += _join_segments(line, segments)
+    return stretches
 
 
 class _DirectedRing:
@@ -304,13 +305,13 @@ def _list_features(
             ahead = p < q
             low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
             rank = k if ahead else k + half
-            of_ring.append(_RankedEdge(rank, k, ahead, dx * py - dy * px, low, high))
+            of_ring.append((rank, k, ahead, dx * py - dy * px, low, high))
         for i, point in enumerate(ring.vertices):
-            first, last = of_ring[i].rank, of_ring[(i + 1) % len(of_ring)].rank
+            first, last = of_ring[i][0], of_ring[(i + 1) % len(of_ring)][0]
             if last < first:
                 last += 2 * half
             if last - first < half:
-                corners.append(_Convex(point, first, last))
+                corners.append((point, first, last))
         edges += of_ring
     return edges, corners
 
@@ -319,10 +320,6 @@ def _join_segments(
     line: tuple[int, int, Rational], segments: list[tuple[Rational, Rational, bool]]
 ) -> Iterator[Stretch]:
     """Join the contact segments of one line to stretches with constant directions."""
-    if len(segments) == 1:
-        ((low, high, ahead),) = segments
-        yield Stretch(line, low, high, ahead, not ahead)
-        return
     ending: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
     starting: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
     for low, high, ahead in segments:

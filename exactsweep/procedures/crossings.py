@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from exactsweep.procedures.contact_lines import Stretch
 
-_UNITS = 2**32
+_UNIT_BITS = 32
 _NEITHER = False, False
 _DROPPED_AFTER = 8
 """After so many boxes, those that are further left are dropped together."""
@@ -72,6 +72,6 @@ def cross(first: Stretch, second: Stretch) -> None:
         # The first stretch goes from the right of the second to its left: exchange the sides.
         a_left, a_right, b_left, b_right = a_right, a_left, b_right, b_left
     twice = second.left and second.right
-    first.cuts.append((n * _UNITS // d, (n, d), b_left, b_right, twice))
+    first.cuts.append(((n << _UNIT_BITS) // d, (n, d), b_left, b_right, twice))
     twice = first.left and first.right
-    second.cuts.append((m * _UNITS // d, (m, d), a_right, a_left, twice))
+    second.cuts.append(((m << _UNIT_BITS) // d, (m, d), a_right, a_left, twice))
