@@ -14,6 +14,7 @@ from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_outp
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.reports import to_gap
+from exactsweep.cli.working import show_bar
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
 from exactsweep.formats.layouts import FoundLayout, read_layouts
@@ -196,7 +197,6 @@ def _judge_all(
     paths: Sequence[str], options: Mapping[str, Any], gaps: Mapping[str, str], workers: int | None
 ) -> Iterator[LayoutRow]:
     """Judge the layouts of several files, in processes of their own, in order."""
-    from exactsweep.cli.bar import show_bar
     from exactsweep.processes import Pool, count_cores
 
     pool = Pool(min(workers or count_cores(), len(paths)))

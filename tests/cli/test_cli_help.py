@@ -16,7 +16,7 @@ from partlist import part_list
 from rich.console import Console
 
 from exactsweep.cli import main
-from exactsweep.cli.bar import show_bar
+from exactsweep.cli.working import show_bar
 from exactsweep.formats import format_polygons
 
 
