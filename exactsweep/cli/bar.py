@@ -15,8 +15,6 @@ from rich.progress import (
 )
 from rich.text import Text
 
-from exactsweep.cli.working import PATIENCE
-
 Clock = Callable[[], float]
 Bar = tuple[Callable[[int], None], Callable[[], None]]
 
@@ -41,11 +39,14 @@ def start_bar(total: int, done: int, console: Console | None, clock: Clock) -> B
 
 @contextmanager
 def words(
-    console: Console | None = None, timer: Callable[[float, Callable[[], None]], Timer] = Timer
+    patience: float,
+    console: Console | None = None,
+    timer: Callable[[float, Callable[[], None]], Timer] = Timer,
 ) -> Iterator[Callable[[str], None]]:
-    """Show the current activity on standard error, if that is a terminal, after the first second.
+    """Show the current activity on standard error, if that is a terminal, after a while.
 
     Args:
+        patience: the seconds before.
         console: the console of the words.
         timer: starts the display later.
 
@@ -57,7 +58,7 @@ def words(
         yield lambda doing: None
         return
     status = console.status("")
-    waiting = timer(PATIENCE, status.start)
+    waiting = timer(patience, status.start)
     waiting.daemon = True
     waiting.start()
     try:

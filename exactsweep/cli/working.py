@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 
     from exactsweep.cli.bar import Bar
 
-PATIENCE = 1.0
-"""Seconds without a word."""
+_PATIENCE = 1.0
 
 
 @contextmanager
@@ -28,7 +27,7 @@ def working(doing: str) -> Iterator[Callable[[str], None]]:
         return
     from exactsweep.cli import bar
 
-    with bar.words() as tell:
+    with bar.words(_PATIENCE) as tell:
         tell(doing)
         yield tell
 
@@ -57,7 +56,7 @@ def show_bar(
         nonlocal bar
         if bar is not None:
             bar[0](done)
-        elif clock() - begun >= PATIENCE:
+        elif clock() - begun >= _PATIENCE:
             from exactsweep.cli.bar import start_bar
 
             bar = start_bar(total, done, console, clock)
