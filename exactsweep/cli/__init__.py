@@ -17,6 +17,8 @@ _NAMES = (
     *("batch", "compare", "conform", "convert", "corpus", "draw", "example", "explain", "ifp"),
     *("judge", "layout", "nfp", "reproduce", "sweep", "verify", "view"),
 )
+# Characters of a refusal by click, which repeats what is refused.
+_LONGEST = 1000
 
 
 class _Modules(Mapping[str, click.Command]):
@@ -67,9 +69,15 @@ class _Commands(click.Group):
 def _refuse_in_one_line() -> Iterator[None]:
     try:
         yield
+    except click.exceptions.NoArgsIsHelpError:
+        raise
+    except click.UsageError as error:
+        # Of click, which writes on several lines how a command is used.
+        message = error.format_message()
+        if len(message) <= _LONGEST:
+            raise
+        raise click.UsageError(f"{message[:200]}...{message[-200:]}", error.ctx) from None
     except click.ClickException as error:
-        if type(error) is not click.ClickException:
-            raise  # of click, which writes on several lines how a command is used
         raise click.ClickException(_on_one_line(error.message)) from None
     except ValueError as error:
         raise click.ClickException(_on_one_line(str(error))) from None
