@@ -110,7 +110,7 @@ def _is_blocked(p: IntVertex, q: IntVertex, walls: Sequence[_BoxedWall]) -> bool
         from_a, from_b = turn(p, q, a), turn(p, q, b)
         if (from_a > 0 < from_b) or (from_a < 0 > from_b):
             continue
-        if from_a == from_b == 0 or turn(a, b, p) * turn(a, b, q) <= 0:
+        if turn(a, b, p) * turn(a, b, q) <= 0:
             return True
     return False
 

@@ -32,13 +32,12 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import gcd, inf, lcm
-from typing import NamedTuple
+from math import gcd, lcm
 
 from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
 from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.leeway import Leeway
 
 _UNITS = 2**32
@@ -55,6 +54,9 @@ other stretch proves overlap just before the place, and just after it; whether c
 both ways along the other stretch.
 """
 
+_Line = tuple[int, int, int, int]
+"""The line dx * y - dy * x = c / e as (dx, dy, c, e)."""
+
 ReducedPoint = tuple[int, int, int, int]
 """A point of the plane by its reduced coordinates: x = n / d and y = m / e as (n, d, m, e)."""
 
@@ -68,8 +70,8 @@ class Stretch:
     as trajectories, need no Fractions.
 
     Args:
-        line: dx, dy and c / e.
-        low: the place of one end.
+        line: dx, dy, c and e.
+        low: the place of one end, in lowest terms like the other.
         high: the place of the other end.
         left: see the attribute.
         right: see the attribute.
@@ -103,16 +105,15 @@ class Stretch:
 
     def __init__(
         self,
-        line: tuple[int, int, Rational],
-        low: Rational,
-        high: Rational,
+        line: _Line,
+        low: StretchPlace,
+        high: StretchPlace,
         left: bool,
         right: bool,
     ) -> None:
-        self.dx, self.dy, c = line
-        self.c, self.e = c.as_integer_ratio()
-        self.low: StretchPlace = low.as_integer_ratio()
-        self.high: StretchPlace = high.as_integer_ratio()
+        self.dx, self.dy, self.c, self.e = line
+        self.low = low
+        self.high = high
         self.left = left
         self.right = right
         self.low_through: tuple[bool, bool] | None = None
@@ -120,10 +121,9 @@ class Stretch:
         self.low_covered = self.high_covered = False
         self.cuts: list[Cut] = []
 
-    def between(self, low: Rational, high: Rational) -> Stretch:
+    def between(self, low: StretchPlace, high: StretchPlace) -> Stretch:
         """Return the piece between two places; an end inside the stretch counts as covered."""
-        line = self.dx, self.dy, ratio(self.c, self.e)
-        piece = Stretch(line, low, high, self.left, self.right)
+        piece = Stretch((self.dx, self.dy, self.c, self.e), low, high, self.left, self.right)
         piece.low_covered = self.low_covered or piece.low != self.low
         piece.high_covered = self.high_covered or piece.high != self.high
         piece.low_through, piece.high_through = self.low_through, self.high_through
@@ -131,14 +131,15 @@ class Stretch:
 
     def bound(self) -> tuple[int, int, int, int]:
         """Return the bounds of the stretch, rounded outwards to ints: left, right, low, high."""
-        dx, dy, c, e, (low, below), (high, above) = (
-            self.dx,
-            self.dy,
-            self.c,
-            self.e,
-            self.low,
-            self.high,
-        )
+        dx, dy, c, e = self.dx, self.dy, self.c, self.e
+        (low, below), (high, above) = self.low, self.high
+        if below == above == e == 1:
+            if dx == 0:
+                return -c, -c, low, high
+            start, end = low * dy + c, -high * dy - c
+            if dy < 0:
+                return low, high, -end // dx, -(-start // dx)
+            return low, high, start // dx, -(end // dx)
         left, right = low // below, -(-high // above)
         if dx == 0:
             return -c // e, -(c // e), left, right
@@ -183,11 +184,17 @@ class Stretch:
             start, end = (first, last) if dy >= 0 else (last, first)
         if start >= end:
             return None
-        return self if (start, end) == (low, high) else self.between(start, end)
+        if (start, end) == (low, high):
+            return self
+        return self.between(start.as_integer_ratio(), end.as_integer_ratio())
 
     def vertex(self, place: StretchPlace) -> ReducedPoint:
         """Return the point of the line at a place."""
         n, d = place
+        if d == self.e == 1 and self.dx:
+            y, rest = divmod(n * self.dy + self.c, self.dx)
+            if not rest:
+                return n, 1, y, 1
         common = gcd(n, d)
         if self.dx == 0:
             return -self.c, self.e, n // common, d // common
@@ -196,19 +203,15 @@ class Stretch:
         return n // common, d // common, y // other, unit // other
 
 
-class _RankedEdge(NamedTuple):
-    rank: int
-    number: int  # of the direction; opposite directions have the same number
-    ahead: bool  # whether the edge runs along that direction
-    offset: Rational
-    low: Rational
-    high: Rational
+_RankedEdge = tuple[int, int, bool, StretchPlace, StretchPlace, StretchPlace]
+"""An edge: its rank; the number of its direction, which opposite directions share; whether the edge
+runs along that direction; dx * y - dy * x, as a reduced ratio; its least place; its greatest."""
 
+_PathPiece = tuple[StretchPlace, StretchPlace, bool]
+"""A contact segment on a line: its ends, and whether it runs along the direction of the line."""
 
-class _Convex(NamedTuple):
-    point: Vertex
-    first: int
-    last: int
+_Convex = tuple[Vertex, int, int]
+"""A convex vertex, and the ranks of the edges before and after it."""
 
 
 def find_contact_stretches(
@@ -229,41 +232,53 @@ def find_contact_stretches(
     shapes = [[_DirectedRing(ring) for ring in rings] for rings in (stationary, moving)]
     directions, ranks = _rank(u for rings in shapes for ring in rings for u in ring.directions)
     sides = [_list_features(rings, ranks, len(directions)) for rings in shapes]
-    left, right, bottom, top = leeway or (-inf, inf, -inf, inf)
-    lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
-        list
-    )
+    lines: defaultdict[tuple[int, int, int], list[_PathPiece]] = defaultdict(list)
     for (_, corners), (edges, _) in (sides, sides[::-1]):
         # The edges of two turns, so that each range of directions is one slice.
         circle = 2 * len(directions)
         order = sorted(edges)
-        order += [edge._replace(rank=edge.rank + circle) for edge in order]
-        at = [edge.rank for edge in order]
+        order += [(edge[0] + circle, *edge[1:]) for edge in order]
+        at = [edge[0] for edge in order]
         for (x, y), first, last in corners:
-            facing = order[bisect_left(at, first) : bisect_right(at, last)]
-            if type(x) is int and type(y) is int:
-                for _, k, ahead, offset, low, high in facing:
-                    dx, dy = directions[k]
-                    along, least, greatest = (x, left, right) if dx else (y, bottom, top)
-                    if low + along <= greatest and high + along >= least:
-                        c = dx * y - dy * x + offset
-                        lines[k, c].append((low + along, high + along, ahead))
-                continue
-            # `unit` times the corner is on the lattice: ints spare most of the Fractions.
+            # `unit` times the corner is on the lattice. Ints are much faster than Fractions.
             unit = lcm(x.denominator, y.denominator)
             u, v = int(unit * x), int(unit * y)
-            for _, k, ahead, offset, low, high in facing:
+            facing = order[bisect_left(at, first) : bisect_right(at, last)]
+            for _, k, ahead, (c, e), (n, d), (m, b) in facing:
                 dx, dy = directions[k]
-                along, least, greatest = (u, left, right) if dx else (v, bottom, top)
-                start, end = ratio(low * unit + along, unit), ratio(high * unit + along, unit)
-                if start <= greatest and end >= least:
-                    c = ratio(dx * v - dy * u + offset * unit, unit)
-                    lines[k, c].append((start, end, ahead))
-    return [
-        stretch
-        for (k, c), segments in lines.items()
-        for stretch in _join_segments((*directions[k], c), segments)
-    ]
+                along = u if dx else v
+                if unit == 1:
+                    c, n, m = c + (dx * v - dy * u) * e, n + along * d, m + along * b
+                else:
+                    c, n, m = (
+                        c * unit + (dx * v - dy * u) * e,
+                        n * unit + along * d,
+                        m * unit + along * b,
+                    )
+                    (c, e), (n, d), (m, b) = (
+                        _reduce(c, e * unit),
+                        _reduce(n, d * unit),
+                        _reduce(m, b * unit),
+                    )
+                if leeway:
+                    least, greatest = leeway[:2] if dx else leeway[2:]
+                    if n > greatest * d or m < least * b:
+                        continue
+                lines[k, c, e].append(((n, d), (m, b), ahead))
+    stretches: list[Stretch] = []
+    for (k, c, e), segments in lines.items():
+        line = *directions[k], c, e
+        if len(segments) == 1:
+            ((low, high, ahead),) = segments
+            stretches.append(Stretch(line, low, high, ahead, not ahead))
+        else:
+            stretches += _join_segments(line, segments)
+    return stretches
+
+
+def _reduce(n: int, d: int) -> tuple[int, int]:
+    common = gcd(n, d)
+    return n // common, d // common
 
 
 class _DirectedRing:
@@ -304,33 +319,28 @@ def _list_features(
             ahead = p < q
             low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
             rank = k if ahead else k + half
-            of_ring.append(_RankedEdge(rank, k, ahead, dx * py - dy * px, low, high))
+            ends = low.as_integer_ratio(), high.as_integer_ratio()
+            of_ring.append((rank, k, ahead, (dx * py - dy * px).as_integer_ratio(), *ends))
         for i, point in enumerate(ring.vertices):
-            first, last = of_ring[i].rank, of_ring[(i + 1) % len(of_ring)].rank
+            first, last = of_ring[i][0], of_ring[(i + 1) % len(of_ring)][0]
             if last < first:
                 last += 2 * half
             if last - first < half:
-                corners.append(_Convex(point, first, last))
+                corners.append((point, first, last))
         edges += of_ring
     return edges, corners
 
 
-def _join_segments(
-    line: tuple[int, int, Rational], segments: list[tuple[Rational, Rational, bool]]
-) -> Iterator[Stretch]:
+def _join_segments(line: _Line, segments: list[_PathPiece]) -> Iterator[Stretch]:
     """Join the contact segments of one line to stretches with constant directions."""
-    if len(segments) == 1:
-        ((low, high, ahead),) = segments
-        yield Stretch(line, low, high, ahead, not ahead)
-        return
-    ending: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
-    starting: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
+    ending: defaultdict[StretchPlace, list[int]] = defaultdict(lambda: [0, 0])
+    starting: defaultdict[StretchPlace, list[int]] = defaultdict(lambda: [0, 0])
     for low, high, ahead in segments:
         starting[low][ahead] += 1
         ending[high][ahead] += 1
     against = along = 0
     before: Stretch | None = None
-    for place in sorted(starting.keys() | ending.keys()):
+    for place in sorted(starting.keys() | ending.keys(), key=lambda place: ratio(*place)):
         along -= ending[place][True]
         against -= ending[place][False]
         # Segments that end here, where others start, do not run through. (2) does not cover their
@@ -343,7 +353,7 @@ def _join_segments(
             sides = before.left, before.right
             if sides == (left, right) == through:
                 continue
-            before.high = place.as_integer_ratio()
+            before.high = place
             before.high_through = through if left or right else None
             yield before
         after = Stretch(line, place, place, left, right) if left or right else None

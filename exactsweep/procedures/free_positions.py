@@ -10,9 +10,9 @@ See `contact_lines` for (1) and (2). They imply:
     counter-clockwise from the way back. (3) does not remove it, nor any later piece until the loop
     closes. So if a walk ends without closing, all of its pieces overlap. If it closes, one position
     decides the loop. The loop around all overlap, if that is bounded, needs no overlap test. The
-    contact segments lie in the closure of O. So the least end p of all remaining pieces is the
-    least point of that closure, a corner of the unbounded free region. Of the pieces that leave p,
-    the one furthest clockwise has that region on its right.
+    sum p of the least vertices of both sets is the least point of the closure of O, a corner of the
+    unbounded free region. Several pieces may leave p if a hole touches its exterior there. The one
+    furthest clockwise has that region on its right.
 (6) A single free position has overlap in all directions. So every direction lies left of some
     contact segment through it. This takes more than two segments, or two that run both ways each.
 """
@@ -20,14 +20,14 @@ See `contact_lines` for (1) and (2). They imply:
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from functools import cmp_to_key
 from itertools import chain, groupby
 from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.numbers.number import divide_exactly
-from exactsweep.numbers.point import Fit, Point
+from exactsweep.numbers.point import Fit, Point, Vertex
 from exactsweep.procedures.contact_lines import ReducedPoint, Stretch, StretchPlace
 
 
@@ -56,8 +56,7 @@ def find_free_positions(
     stretches: Sequence[Stretch],
     overlap: Callable[[Point], bool],
     scale: int,
-    *,
-    is_bounded: bool = False,
+    least: Vertex | None = None,
 ) -> Free:
     """Find the loops and the exact fits among stretches that have been cut at their crossings.
 
@@ -65,7 +64,7 @@ def find_free_positions(
         stretches: the stretches of contact segments, with their cuts.
         overlap: decides whether a position overlaps.
         scale: the divisor of positions when they leave the lattice.
-        is_bounded: whether the positions of overlap are known to be bounded.
+        least: the least point of the closure of all overlap, if that is bounded.
 
     Cost: O(k log k) for k cuts, and one call of `overlap` for each closed walk, each piece with
     segments both ways, and each position that (6) leaves. Few closed walks are not free.
@@ -82,7 +81,7 @@ def find_free_positions(
                 pieces.append((p, q, stretch.dx, stretch.dy))
             else:
                 pieces.append((q, p, -stretch.dx, -stretch.dy))
-    rings = list(_walk_rings(pieces, overlap, _find_outermost(pieces) if is_bounded else None))
+    rings = list(_walk_rings(pieces, overlap, least))
     bounding = {start for ring in rings for start, _, _, _ in ring}
     fits = list(_join((f for f in both_ways if not overlap(_find_middle(*f[1:]))), bounding))
     known = bounding | {end for fit in fits for end in fit}
@@ -139,36 +138,14 @@ def _find_left_over(
     return left
 
 
-def _find_outermost(pieces: Sequence[_FreeEdge]) -> int:
-    """Find a piece that bounds the unbounded free region, by (5)."""
-    found = _find_least([piece[0] for piece in pieces])
-    for k, (start, _, ex, ey) in enumerate(pieces):
-        if start == pieces[found][0]:
-            _, _, dx, dy = pieces[found]
-            if ex * dy > ey * dx:
-                found = k
-    return found
-
-
-def _find_least(points: Sequence[ReducedPoint]) -> int:
-    """Find the index of the lexicographically least point."""
-    least = 0
-    xn, xd, yn, yd = points[0]
-    for k, (n, d, m, e) in enumerate(points):
-        right = n * xd - xn * d
-        if right < 0 or (right == 0 and m * yd < yn * e):
-            least = k
-            xn, xd, yn, yd = n, d, m, e
-    return least
-
-
 def _walk_rings(
-    pieces: Sequence[_FreeEdge], overlap: Callable[[Point], bool], known: int | None
+    pieces: Sequence[_FreeEdge], overlap: Callable[[Point], bool], least: Vertex | None
 ) -> Iterator[Sequence[_FreeEdge]]:
-    """Walk the rings of free pieces, by (5), starting with that of a piece known to be free."""
+    """Walk the rings of free pieces, by (5), starting with the one that needs no overlap test."""
     leaving: defaultdict[ReducedPoint, list[int]] = defaultdict(list)
     for number, piece in enumerate(pieces):
         leaving[piece[0]].append(number)
+    known = None if least is None else _find_outermost(pieces, leaving, least)
     undecided, on_way, done = 0, 1, 2
     state = [undecided] * len(pieces)
     for first in chain(() if known is None else (known,), range(len(pieces))):
@@ -177,7 +154,8 @@ def _walk_rings(
         while k is not None and state[k] == undecided:
             state[k] = on_way
             way.append(k)
-            k = _find_next(pieces, pieces[k], leaving.get(pieces[k][1], ()))
+            following = leaving.get(pieces[k][1], (None,))
+            k = _find_next(pieces, pieces[k], following) if len(following) > 1 else following[0]
         if k is not None and state[k] == on_way:
             ring = way[way.index(k) :]
             if first == known or not overlap(_find_middle(pieces[k][0], pieces[k][1])):
@@ -186,10 +164,21 @@ def _walk_rings(
             state[number] = done
 
 
-def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[int]) -> int | None:
+def _find_outermost(
+    pieces: Sequence[_FreeEdge], leaving: Mapping[ReducedPoint, list[int]], least: Vertex
+) -> int:
+    """Find a piece that bounds the unbounded free region, by (5)."""
+    x, y = least
+    found, *others = leaving[(*x.as_integer_ratio(), *y.as_integer_ratio())]
+    for k in others:
+        (_, _, dx, dy), (_, _, ex, ey) = pieces[found], pieces[k]
+        if ex * dy > ey * dx:
+            found = k
+    return found
+
+
+def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[int]) -> int:
     """Find the first piece counter-clockwise from the way back."""
-    if len(leaving) < 2:
-        return leaving[0] if leaving else None
     x, y = -piece[2], -piece[3]
 
     def turned(k: int) -> tuple[bool, int]:
@@ -220,6 +209,18 @@ def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_Free
             del way[since:]
         way.append(piece)
     yield way
+
+
+def _find_least(points: Sequence[ReducedPoint]) -> int:
+    """Find the index of the lexicographically least point."""
+    least = 0
+    xn, xd, yn, yd = points[0]
+    for k, (n, d, m, e) in enumerate(points):
+        right = n * xd - xn * d
+        if right < 0 or (right == 0 and m * yd < yn * e):
+            least = k
+            xn, xd, yn, yd = n, d, m, e
+    return least
 
 
 def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.numbers.point import ORIGIN, Fit, Point
+from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
@@ -61,7 +61,9 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> Free:
     moving, overlap = _turn(generatrix), Overlap(directrix, generatrix).at
     with pause_collector():
         stretches = find_contact_stretches(directrix, moving)
-        free = _find_free(stretches, directrix, moving, overlap, scale, is_bounded=True)
+        free = _find_free(
+            stretches, directrix, moving, overlap, scale, _find_least(directrix, moving)
+        )
     (_,) = free.around
     return free._replace(within=sorted(free.within))
 
@@ -108,19 +110,24 @@ def _turn(shape: Rings) -> Rings:
     return [inverse(ring) for ring in shape]
 
 
+def _find_least(stationary: Rings, moving: Rings) -> Vertex:
+    """Find the least point of the sum of two shapes."""
+    (ax, ay), (bx, by) = min(stationary[0]), min(moving[0])
+    return ax + bx, ay + by
+
+
 def _find_free(
     stretches: list[Stretch],
     solid: Rings,
     moving: Rings,
     overlap: Callable[[Point], bool],
     scale: int,
-    *,
-    is_bounded: bool = False,
+    least: Vertex | None = None,
 ) -> Free:
     """Find the loops and fits that contact segments bound, after dropping covered pieces."""
     stretches = leave_out_covered(stretches, solid, moving)
     cut_at_crossings(stretches)
-    return find_free_positions(stretches, overlap, scale, is_bounded=is_bounded)
+    return find_free_positions(stretches, overlap, scale, least)
 
 
 def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:

@@ -1,5 +1,7 @@
 """The loop around all overlap is found without a question, and so are directions a second time."""
 
+from fractions import Fraction
+
 from covered import rings
 from hypothesis import given
 from hypothesis import strategies as st
@@ -10,7 +12,7 @@ from tiers import examples
 from exactsweep import Polygon
 from exactsweep.geometry.direction import find_monotone_directions, find_shared_direction
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.point import Point, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.crossings import cut_at_crossings
@@ -25,11 +27,17 @@ def cut(stationary: Rings, orbiting: Rings) -> list[Stretch]:
     return stretches
 
 
+def find_least(stationary: Rings, orbiting: Rings) -> Vertex:
+    """Find the least point at which the shapes touch."""
+    (ax, ay), (bx, by) = min(stationary[0]), max(orbiting[0])
+    return ax - bx, ay - by
+
+
 def require_the_same(stationary: Rings, orbiting: Rings) -> None:
     """Compare what is known of the outermost loop with the answer to a question."""
     stretches, overlap = cut(stationary, orbiting), Overlap(stationary, orbiting)
     asked = find_free_positions(stretches, overlap.at, 1)
-    known = find_free_positions(stretches, overlap.at, 1, is_bounded=True)
+    known = find_free_positions(stretches, overlap.at, 1, find_least(stationary, orbiting))
     assert known.around == asked.around
     assert sorted(known.within) == sorted(asked.within)
     assert known.fits == asked.fits
@@ -49,6 +57,19 @@ def test_polygons_have_the_same_loops(d: Ring, g: Ring) -> None:
     require_the_same([Polygon(d).lattice()[1]], [Polygon(g).lattice()[1]])
 
 
+def test_the_outermost_of_several_pieces_is_known() -> None:
+    # A hole touches the least vertex of D, so two pieces leave the least point. A segment on the
+    # line of the wrong one, y = x / 5, comes first in the order of lines.
+    d = [[(0, 0), (10, -60), (10, 60)], [(0, 0), (5, 1), (5, -1)]]
+    h = [(0, 0), (100, 30), (100, 100), (15, 100), (20, 66), (25, 67), (50, 20)]
+    turned = [inverse(h)]
+    stretches = cut(d, turned)
+    meeting = [(s.dx, s.dy) for s in stretches if not s.c and (0, 1) in (s.low, s.high)]
+    assert meeting == [(5, 1), (1, 6), (1, -6)]
+    found = find_free_positions(stretches, lambda _: True, 1, find_least(d, turned))
+    assert [loop[0] for loop in found.around] == [Point(Fraction(0), Fraction(0))]
+
+
 def test_a_pair_without_caves_takes_no_question() -> None:
     star = [(0, 0), (9, 4), (20, 0), (16, 9), (20, 20), (9, 16), (0, 20), (4, 9)]
     asked: list[Point] = []
@@ -58,7 +79,7 @@ def test_a_pair_without_caves_takes_no_question() -> None:
         asked.append(t)
         return True
 
-    found = find_free_positions(stretches, overlap, 1, is_bounded=True)
+    found = find_free_positions(stretches, overlap, 1, find_least([star], [star]))
     assert ([len(loop) for loop in found.around], found.within, found.fits) == ([16], [], [])
     assert not asked
 
