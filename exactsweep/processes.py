@@ -14,6 +14,7 @@ from multiprocessing.synchronize import Barrier
 from pathlib import Path
 from threading import RLock, Thread
 from typing import IO, TYPE_CHECKING, Any, NoReturn, TypeVar
+from weakref import WeakSet
 
 if TYPE_CHECKING:
     import subprocess
@@ -28,6 +29,9 @@ _T = TypeVar("_T")
 
 # Held while a process is started, so that none is started behind the back of what ends them all.
 _starting = RLock()
+
+# Files whose lock a copy of this process would hold, too.
+_locked: WeakSet[IO[Any]] = WeakSet()
 
 
 class Started:
@@ -164,6 +168,7 @@ def lock(file: IO[Any]) -> bool:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         return False
+    _locked.add(file)
     return True
 
 
@@ -174,6 +179,8 @@ class Pool:
         count: how many there are.
         prepare: what each of them calls before anything else.
         arguments: of that.
+        forks: whether they may be copies of this process, which start sooner, while it has one
+            thread only.
 
     Raises:
         BrokenProcessPool: by `submit` and by what it returns, when one of them is killed; `start`
@@ -181,22 +188,29 @@ class Pool:
     """
 
     def __init__(
-        self, count: int, prepare: Callable[..., object] | None = None, *arguments: object
+        self,
+        count: int,
+        prepare: Callable[..., object] | None = None,
+        *arguments: object,
+        forks: bool = False,
     ) -> None:
         self.count = count
         self._prepare = prepare, arguments
-        # A fork would copy the threads' locks in whatever state they are in.
-        self._context = multiprocessing.get_context("spawn")
+        self._forks = forks
         # Nothing is ever sent: it closes when this process ends.
-        self._lifeline, self._held = self._context.Pipe(duplex=False)
+        self._lifeline, self._held = multiprocessing.Pipe(duplex=False)
         self.start()
 
     def start(self) -> None:
         """Take fresh processes, the old ones having been killed."""
         own = {name: os.environ.get(name) for name in _SPAWNED}
+        # A fork would copy the threads' locks in whatever state they are in.
+        way = "fork" if self._forks and _has_one_thread() else "spawn"
+        context = multiprocessing.get_context(way)
         with _allow_spawn():
-            given = (self._lifeline, self._context.Barrier(self.count), own, *self._prepare)
-            self._executor = ProcessPoolExecutor(self.count, self._context, _begin, given)
+            pipe = self._lifeline, self._held
+            given = (*pipe, context.Barrier(self.count), own, *self._prepare)
+            self._executor = ProcessPoolExecutor(self.count, context, _begin, given)
 
     def submit(self, function: Callable[..., _T], *arguments: object) -> Future[_T]:
         """Call a function in whichever process is idle."""
@@ -214,6 +228,13 @@ class Pool:
         self._held.close()
         self._lifeline.close()
         self._executor.shutdown(wait=True, cancel_futures=True)
+
+
+def _has_one_thread() -> bool:
+    """Tell whether this process has a single thread, of any library; only Linux knows."""
+    with suppress(OSError):
+        return len(os.listdir("/proc/self/task")) == 1
+    return False
 
 
 @contextmanager
@@ -247,6 +268,7 @@ _together: Barrier
 
 def _begin(
     lifeline: Connection,
+    held: Connection,
     barrier: Barrier,
     environment: Mapping[str, str | None],
     prepare: Callable[..., object] | None,
@@ -254,6 +276,11 @@ def _begin(
 ) -> None:
     global _together
     _together = barrier
+    # Both end with the process that started this one.
+    held.close()
+    for file in _locked:
+        if not file.closed:
+            os.close(file.fileno())
     mark = _make_mark()
     _set_environment({**environment, _MARK: f"{os.environ.get(_MARK, '')} {mark}"})
     # A handler, and no mask, is not inherited by what is started from here.

@@ -1,4 +1,4 @@
-"""`python -m tests.transcripts [NAME]...`: run transcripts, and write their output anew.
+"""Transcripts of commands, with what they write; `python -m tests.goldens` writes them anew.
 
 A transcript is a text file in a folder `transcripts`. A line of it that begins with "$ " is a
 command of a shell: exactsweep, cat, echo or python, perhaps with `<<< TEXT`, `< FILE` or `> FILE`.
@@ -9,18 +9,11 @@ of an overlap.
 
 from __future__ import annotations
 
-import os
 import re
 import shlex
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from tempfile import TemporaryDirectory
-
-import click
-
-# As in tests that pytest sets up.
-sys.path.insert(0, str(Path(__file__).parent / "support"))
 
 from command import run
 from judged import IMPLEMENTATIONS
@@ -79,22 +72,3 @@ def _run_line(line: str) -> Iterator[str]:
     yield from (f"! {said}" for said in errors.splitlines())
     if code:
         yield f"= {code}"
-
-
-@click.command()
-@click.argument("names", nargs=-1)
-def main(names: tuple[str, ...]) -> None:
-    """Write all transcripts anew, or those of these names; `git diff` shows what changed."""
-    for path in list_transcripts():
-        if names and path.stem not in names:
-            continue
-        before = Path.cwd()
-        with TemporaryDirectory() as folder:
-            os.chdir(folder)
-            path.write_text(replay(path.read_text(encoding="utf-8")), encoding="utf-8")
-            os.chdir(before)
-        click.echo(f"{path.parent.parent.name}/{path.stem}")
-
-
-if __name__ == "__main__":
-    main()

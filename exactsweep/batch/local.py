@@ -14,7 +14,7 @@ from exactsweep.processes import Pool, count_cores
 
 
 class LocalProcesses:
-    """A pool of fresh processes, each of which is sent the work once.
+    """A pool of processes, each of which gets the work once.
 
     Attributes:
         count: how many processes there are.
@@ -28,7 +28,7 @@ class LocalProcesses:
         # A worker may need the module that was run for classes of the caller's own.
         self._around = nullcontext if b"__main__" in pickle.dumps(work) else _hide_main
         with self._around():
-            self._pool = Pool(self.count, _hold, work)
+            self._pool = Pool(self.count, _hold, work, forks=True)
 
     def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
         """Compute a chunk in some process."""

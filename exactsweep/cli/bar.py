@@ -1,9 +1,8 @@
-"""The progress of a command, for a terminal: a bar with rate and remaining time, or words."""
+"""The progress of a command, as rich shows it: a bar with rate and remaining time, or words."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Timer
-from time import monotonic
 
 from rich.console import Console
 from rich.progress import (
@@ -12,12 +11,12 @@ from rich.progress import (
     Progress,
     ProgressColumn,
     Task,
-    TaskID,
     TimeRemainingColumn,
 )
 from rich.text import Text
 
-_PATIENCE = 1.0
+Clock = Callable[[], float]
+Bar = tuple[Callable[[int], None], Callable[[], None]]
 
 
 class _Rate(ProgressColumn):
@@ -28,46 +27,26 @@ class _Rate(ProgressColumn):
         return Text("" if speed is None else f"{speed:.0f}/s")
 
 
-@contextmanager
-def show_bar(
-    total: int, console: Console | None = None, clock: Callable[[], float] = monotonic
-) -> Iterator[Callable[[int], None]]:
-    """Show a progress bar on standard error, if that is a terminal, after the first second.
-
-    Args:
-        total: the number at its end.
-        console: the console of the bar.
-        clock: returns the time in seconds.
-
-    Yields:
-        A function that sets the progress. Its first value does not count for the rate.
-    """
-    console, begun = console or Console(stderr=True), clock()
-    if not console.is_terminal:
-        yield lambda done: None
-        return
+def start_bar(total: int, done: int, console: Console | None, clock: Clock) -> Bar:
+    """Start a progress bar, and return what sets its progress and what ends it."""
+    console = console or Console(stderr=True)
     columns = BarColumn(), MofNCompleteColumn(), _Rate(), TimeRemainingColumn()
-    with Progress(*columns, console=console, get_time=clock) as progress:
-        task: TaskID | None = None
-
-        def show(done: int) -> None:
-            nonlocal task
-            if task is None and clock() - begun < _PATIENCE:
-                return
-            if task is None:
-                task = progress.add_task("", total=total, completed=done)
-            progress.update(task, completed=done)
-
-        yield show
+    progress = Progress(*columns, console=console, get_time=clock, disable=not console.is_terminal)
+    task = progress.add_task("", total=total, completed=done)
+    progress.start()
+    return (lambda done: progress.update(task, completed=done)), progress.stop
 
 
 @contextmanager
 def words(
-    console: Console | None = None, timer: Callable[[float, Callable[[], None]], Timer] = Timer
+    patience: float,
+    console: Console | None = None,
+    timer: Callable[[float, Callable[[], None]], Timer] = Timer,
 ) -> Iterator[Callable[[str], None]]:
-    """Show the current activity on standard error, if that is a terminal, after the first second.
+    """Show the current activity on standard error, if that is a terminal, after a while.
 
     Args:
+        patience: the seconds before.
         console: the console of the words.
         timer: starts the display later.
 
@@ -79,7 +58,7 @@ def words(
         yield lambda doing: None
         return
     status = console.status("")
-    waiting = timer(_PATIENCE, status.start)
+    waiting = timer(patience, status.start)
     waiting.daemon = True
     waiting.start()
     try:

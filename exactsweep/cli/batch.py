@@ -12,6 +12,7 @@ from exactsweep.cli.options import PATH, checked, takes_file, takes_workers
 from exactsweep.cli.output import say_limit, write
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
+from exactsweep.cli.working import show_bar
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.exact_json import measure_file
 from exactsweep.formats.folder import find_files
@@ -133,7 +134,6 @@ def batch_command(
         raise click.UsageError("PAIRS and the output are files: a batch may have to be resumed.")
     from exactsweep.batch import run, take_all_pairs, take_listed_pairs
     from exactsweep.batch.parts import rotate_parts
-    from exactsweep.cli.bar import show_bar
 
     if scheduler is not None:
         import logging

@@ -9,12 +9,13 @@ from exactsweep.cli.options import PATH, checked
 from exactsweep.cli.output import beside
 from exactsweep.cli.pair import coordinates_of_files, takes_pair, takes_question, to_point
 from exactsweep.cli.working import working
-from exactsweep.draw import make_figure, plot_positions, plot_sweep, read_suffix, save
 from exactsweep.formats import FormatError, show_path
 from exactsweep.numbers.error import name_refusals
 
 
 def _require_suffix(path: str) -> str:
+    from exactsweep.draw import read_suffix
+
     with name_refusals(show_path(path)):
         read_suffix(path)
     return path
@@ -73,6 +74,8 @@ def draw_command(
       exactsweep draw house.json block.wkt --position 13/5 13/5 -o block.svg
       exactsweep draw --of nfp block.wkt house.json -o nfp.svg
     """
+    from exactsweep.draw import make_figure, plot_positions, plot_sweep, save
+
     figure = make_figure(size=size)
     (axes,) = figure.axes
     with working("sweeping"):

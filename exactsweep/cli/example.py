@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from importlib.resources import files
 from pathlib import Path
 
 import click
@@ -25,6 +24,8 @@ def example_command(name: str | None, output: str) -> None:
       exactsweep example
       exactsweep example convex.py -o adapter.py
     """
+    from importlib.resources import files
+
     from exactsweep.corpus.names import require_known
 
     folder = files("exactsweep.conform.examples")

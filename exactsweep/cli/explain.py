@@ -7,8 +7,6 @@ from exactsweep.cli.options import takes_output
 from exactsweep.cli.output import measure_terminal, write
 from exactsweep.cli.pair import takes_pair
 from exactsweep.cli.working import working
-from exactsweep.text.explanation import tell
-from exactsweep.text.results import explanation_to_json
 
 
 @click.command("explain")
@@ -29,6 +27,9 @@ def explain_command(result: Sweep, as_json: bool, output: str) -> None:
     Example:
       exactsweep explain house.json block.wkt
     """
+    from exactsweep.text.explanation import tell
+    from exactsweep.text.results import explanation_to_json
+
     with working("explaining the sweep"):
         lines = [explanation_to_json(result)] if as_json else [f"{one}\n" for one in tell(result)]
         text = "".join(lines)

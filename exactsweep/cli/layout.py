@@ -14,13 +14,14 @@ from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_outp
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.reports import to_gap
+from exactsweep.cli.working import show_bar, working
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
-from exactsweep.formats.layouts import FoundLayout, read_layouts
 from exactsweep.numbers.limits import limits, list_limits
 from exactsweep.numbers.number import format_fraction
 
 if TYPE_CHECKING:
+    from exactsweep.formats.layouts import FoundLayout
     from exactsweep.layout import Judgement
 
 
@@ -132,6 +133,8 @@ def layout_command(
       exactsweep layout solution.json --instance instance.json
       exactsweep layout nests 'more/*.svg' --workers 4
     """
+    from exactsweep.formats.layouts import read_layouts
+
     found = [path for given in files for path in find_files(given)]
     options = {"instance": instance, "container": container, **reading}
     if len(found) == 1:
@@ -157,13 +160,11 @@ def _judge_one(
     found: FoundLayout, gaps: Mapping[str, str], title: str, wanted: _Wanted, *, y_down: bool
 ) -> bool:
     """Judge a layout, write what is wanted, and tell whether it is valid."""
-    from exactsweep.cli.bar import words
     from exactsweep.layout import judge_layout, report
     from exactsweep.layout.diagnose import diagnose
 
     layout = _make_layout(found, gaps)
-    with words() as tell:
-        tell(f"judging {len(layout.placements)} placements")
+    with working(f"judging {len(layout.placements)} placements") as tell:
         judgement = judge_layout(layout)
         notes = [*found.notes, *diagnose(judgement)]
         ranked = report.rank_faults(judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"))
@@ -196,7 +197,6 @@ def _judge_all(
     paths: Sequence[str], options: Mapping[str, Any], gaps: Mapping[str, str], workers: int | None
 ) -> Iterator[LayoutRow]:
     """Judge the layouts of several files, in processes of their own, in order."""
-    from exactsweep.cli.bar import show_bar
     from exactsweep.processes import Pool, count_cores
 
     pool = Pool(min(workers or count_cores(), len(paths)))
@@ -214,6 +214,7 @@ def judge_file(
     path: str, options: Mapping[str, Any], gaps: Mapping[str, str], raised: Mapping[str, Any]
 ) -> list[LayoutRow]:
     """Judge the layouts of a file; one that cannot be read is a row as well."""
+    from exactsweep.formats.layouts import read_layouts
     from exactsweep.layout import judge_layout
 
     rows = []

@@ -39,9 +39,8 @@ _LIMITS = (
 )
 
 
-def add_limits(main: click.Group) -> None:
-    """Give each command that reads files the options --max-mib and --max-digits."""
-    for name, command in main.commands.items():
-        if name not in _READING_NOTHING:
-            for option in _LIMITS:
-                option(command)
+def add_limits(command: click.Command) -> None:
+    """Give a command that reads files the options --max-mib and --max-digits."""
+    if command.name not in _READING_NOTHING:
+        for option in _LIMITS:
+            option(command)

@@ -90,19 +90,8 @@ def find_edge_contacts(
     Cost: O((t + m + n) log(t + m + n)) for t edges, plus a look-up in O(log t) for each pair that
     can touch without overlap. Convex polygons have O(m + n) such pairs, others O(m n).
     """
-    found = find_touching(list(map(make_segment, edges)), generatrix, directrix)
-    return [sorted(_without_parts({*at}, generatrix, directrix)) for at in found]
-
-
-def find_touching(
-    edges: Sequence[Segment], generatrix: Outline, directrix: Outline
-) -> list[dict[Contact, Segment]]:
-    """Find all contacts along edges, EV and VE as part of EE among them, and their translations.
-
-    Arguments and cost are those of `find_edge_contacts`. Returns a dict for each edge.
-    """
     lines: defaultdict[Vector, dict[Rational, list[tuple[int, int, Segment]]]] = defaultdict(dict)
-    for k, piece in enumerate(edges):
+    for k, piece in enumerate(map(make_segment, edges)):
         line = lines[piece.direction].setdefault(piece.offset, [])
         line.append((floor(piece.low), k, piece))
     longest: dict[tuple[Vector, Rational], int] = {}
@@ -110,7 +99,7 @@ def find_touching(
         for offset, line in of_direction.items():
             line.sort()
             longest[u, offset] = max(ceil(piece.high) - low for low, _, piece in line)
-    found: list[dict[Contact, Segment]] = [{} for _ in edges]
+    found: list[set[Contact]] = [set() for _ in edges]
 
     def note(event: Event, i: int, j: int, mine: Segment, theirs: Segment) -> None:
         u, offset = mine.direction, theirs.offset - mine.offset
@@ -123,7 +112,7 @@ def find_touching(
             touching = theirs.minus(mine)
             for _, k, piece in near:
                 if touching.shares_piece(piece):
-                    found[k][Contact(event, i, j)] = touching
+                    found[k].add(Contact(event, i, j))
 
     g_ways, d_ways = (_group_by_way(shape, lines) for shape in (generatrix, directrix))
     for (u, backward), ours in g_ways.items():
@@ -141,7 +130,7 @@ def find_touching(
     for u, others, vertices in _list_facing(directrix, generatrix, d_ways):
         for i, mine, j, theirs in _pair(vertices, others, lines[u]):
             note("VE", i, j, mine, theirs)
-    return found
+    return [sorted(_without_parts(at, generatrix, directrix)) for at in found]
 
 
 def _group_by_way(shape: Outline, directions: Container[Vector]) -> _Ways:
@@ -296,10 +285,8 @@ def find_facing(
     ([(0, 2), (0, 3)], [(0, 0)])
     """
     # Slopes of edges no wider than 2**n differ by 4**-n, so ints in that unit have their order.
-    bits = (
-        2
-        * max(max(piece.direction[0] for piece in o.pieces) for o in (shape, outline)).bit_length()
-    )
+    widths = [piece.direction[0] for o in (shape, outline) for piece in o.pieces]
+    bits = 2 * max(widths).bit_length()
 
     def angle(o: Outline, k: int, *, turned: bool) -> tuple[bool, float]:
         """Return a key that orders directed edges by angle, from -90 degrees, exclusive."""
@@ -309,9 +296,9 @@ def find_facing(
     order = sorted((angle(shape, i, turned=True), i) for i in numbers)
     angles = [key for key, _ in order]
     ways = [angle(outline, k, turned=False) for k in range(len(outline.vertices))]
-    for j, (into, out) in enumerate(zip(outline.arriving, outline.leaving, strict=True)):
-        first, last = ways[into], ways[out]
-        if (cross(outline.pieces[into].direction, outline.pieces[out].direction) > 0) == (
+    for j, into in enumerate(outline.before):
+        first, last = ways[into], ways[j]
+        if (cross(outline.pieces[into].direction, outline.pieces[j].direction) > 0) == (
             first[0] == last[0]
         ):
             start, end = bisect_left(angles, first), bisect_right(angles, last)

@@ -216,7 +216,7 @@ class Sweep(Shown):
         """
         pockets = self.solution.pockets
         edges = [edge for bottom, _ in pockets for edge in pairwise(bottom)]
-        drawn = iter(self._find_drawn_edges(edges, inside=True))
+        drawn = iter(self._find_drawn_edges(edges))
         return tuple(
             self._undercut(bottom, back, list(islice(drawn, len(bottom) - 1)))
             for bottom, back in pockets
@@ -226,7 +226,7 @@ class Sweep(Shown):
         self, bottom: list[Vertex], back: list[Vertex], drawn: list[DrawnEdge]
     ) -> Undercut:
         """Make the undercut of a bottom chain and the vertices of D on the way back."""
-        closing = find_closing_positions(drawn, self._route, self._boundaries[0])
+        closing = find_closing_positions(drawn)
         intersection, positions = closing
         frame = self.solution.frame
         points = frame.leave(bottom + back)
@@ -255,8 +255,8 @@ class Sweep(Shown):
                 "area": format_fraction(self.area),
                 "exact_fits": list(map(write_points, self.exact_fits)),
                 "contacts": [list(map(list, found)) for found in self._numbered_contacts],
-                "inner_drawn": write_drawn(self._draw(self.solution.inner, inside=True)),
-                "outer_drawn": write_drawn(self._draw(self.solution.outer, inside=False)),
+                "inner_drawn": write_drawn(self._draw(self.solution.inner)),
+                "outer_drawn": write_drawn(self._draw(self.solution.outer)),
             }
         return {
             **claim_no_fit(
@@ -274,15 +274,14 @@ class Sweep(Shown):
             "area": format_fraction(self.area),
         }
 
-    def _find_drawn_edges(self, edges: list[Edge], *, inside: bool) -> list[DrawnEdge]:
+    def _find_drawn_edges(self, edges: list[Edge]) -> list[DrawnEdge]:
         if not edges:
             return []
-        return find_drawn_edges(edges, self._route, self._boundaries[0], inside=inside)
+        return find_drawn_edges(edges, self._route, self._boundaries[0])
 
-    def _draw(self, loop: Sequence[Point], *, inside: bool) -> list[list[DrawnPiece]]:
+    def _draw(self, loop: Sequence[Point]) -> list[list[DrawnPiece]]:
         """Find features that together draw each edge of a loop."""
-        drawn = self._find_drawn_edges(list_edges(self._enter(loop)), inside=inside)
-        return [edge.choose() for edge in drawn]
+        return [edge.choose() for edge in self._find_drawn_edges(list_edges(self._enter(loop)))]
 
     def __str__(self) -> str:
         names = "trajectory", "inner", "outer"

@@ -11,8 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
-from exactsweep.evidence.drawn import DrawnEdge, DrawnPiece
-from exactsweep.geometry.outline import Outline
+from exactsweep.evidence.drawn import DrawnEdge
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.point import Point, Vertex
 
@@ -40,44 +39,31 @@ class Undercut(NamedTuple):
     positions: tuple[Point, ...]
 
 
-def find_closing_positions(
-    bottom: Sequence[DrawnEdge], path: Outline, generatrix: Outline
-) -> tuple[Intersection, list[Vertex]]:
+def find_closing_positions(bottom: Sequence[DrawnEdge]) -> tuple[Intersection, list[Vertex]]:
     """Find the positions at which G closes an undercut, and the kind of their intersection.
 
     Args:
         bottom: the edges of the bottom chain.
-        path: the trajectory of G's origin.
-        generatrix: the features of G.
 
     Returns:
         `intersection` and `positions` of `Undercut`, with positions on the lattice.
     """
-    if len(bottom) == 1:
-        (edge,) = bottom
-        ranges = []
-        whole = edge.whole
-        for (_, k), (kind, i), _ in sorted(filter(edge.covers, edge.along), key=_by_feature):
-            way, own = path.pieces[k], generatrix.pieces[i]
-            low, high = max(way.low, whole.high - own.high), min(way.high, whole.low - own.low)
-            if kind == "edge" and low <= high:
-                ranges.append((low, high, way))
-        if ranges:
-            low, high, way = next((r for r in ranges if r[0] < r[1]), ranges[0])
-            closing = list(dict.fromkeys([way.point(low), way.point(high)]))
+    first, *others = bottom
+    whole, tracer = first.whole, first.tracer
+    # At an inner point of an edge of the trajectory, only a parallel edge of G draws. So G closes a
+    # bent chain at a vertex of the trajectory, where a vertex of G is at each bend.
+    if others:
+        found = tracer.from_ends(whole, first.edge[1:])
+    else:
+        closing = tracer.find_slide(whole)
+        if closing:
             return "point" if len(closing) == 1 else "segment", closing
-    # At an inner point of an edge of the trajectory, only a parallel edge of G draws.
-    common = set.intersection(
-        *({d.position.number for d in filter(edge.covers, edge.at_vertices)} for edge in bottom)
-    )
-    if common:
-        return "point", [path.vertices[min(common)]]
+        found = tracer.at_vertices(whole)
+    for (_, k), *_ in filter(first.covers, found):
+        if all(tracer.is_covered_at(edge.whole, k) for edge in others):
+            return "point", [tracer.path.vertices[k]]
     positions: dict[Vertex, None] = {}
     for edge in bottom:
         for (kind, k), *_ in edge.choose():
-            positions.update(dict.fromkeys(path.edge(k)[: 1 + (kind == "edge")]))
+            positions.update(dict.fromkeys(tracer.path.edge(k)[: 1 + (kind == "edge")]))
     return "point", list(positions)
-
-
-def _by_feature(drawn: DrawnPiece) -> int:
-    return drawn.feature.number

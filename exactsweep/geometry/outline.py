@@ -5,7 +5,6 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from copy import copy
 from functools import cached_property
 
 from exactsweep.geometry.segment import Segment, make_segment
@@ -25,8 +24,6 @@ class Outline:
         vertices: the vertices of all rings, one ring after another.
         after: for each vertex, the number of the next vertex of its ring.
         before: for each vertex, the number of the vertex before.
-        arriving: for each vertex, the number of the edge that ends there.
-        leaving: for each vertex, the number of the edge that starts there.
         starts: for each ring, the number of its first vertex.
         numbers: dict from a vertex to its number, the last one if several vertices are equal.
 
@@ -46,8 +43,6 @@ class Outline:
             self.vertices += ring
             self.after += [*range(first + 1, first + size), first]
             self.before += [first + size - 1, *range(first, first + size - 1)]
-        self.arriving: Sequence[int] = self.before
-        self.leaving: Sequence[int] = range(len(self.vertices))
         self.numbers = {vertex: k for k, vertex in enumerate(self.vertices)}
 
     def edge(self, k: int) -> Edge:
@@ -68,13 +63,6 @@ class Outline:
     def backward(self) -> list[bool]:
         """For each edge, True if it runs against the direction of its segment."""
         return [p > q for p, q in self.edges]
-
-    def complement(self) -> Outline:
-        """Return the boundary of the outside: each edge keeps its number and runs backwards."""
-        other = copy(self)
-        other.pieces, other.backward = self.pieces, [not way for way in self.backward]
-        other.arriving, other.leaving = self.leaving, self.arriving
-        return other
 
     @cached_property
     def _by_x(self) -> tuple[list[Rational], list[int]]:
@@ -121,10 +109,9 @@ class Outline:
         return [i for i in near if is_between(self.vertices[i], p, q)]
 
     def scaled(self, factor: int) -> Outline:
-        """Return the outline enlarged by a factor, not 0. Cost: O(n)."""
+        """Return the outline enlarged by a positive factor. Cost: O(n)."""
         larger = Outline([[(factor * x, factor * y) for x, y in self.vertices]])
         larger.after, larger.before, larger.starts = self.after, self.before, self.starts
-        larger.arriving = self.arriving
         return larger
 
     def edges_through(self, point: Vertex) -> Iterator[int]:

@@ -15,6 +15,7 @@ from pkgutil import resolve_name
 from typing import Any
 
 from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import quote
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, find_first_failure
 from exactsweep.paper.laws import Trial
 from exactsweep.paper.tiny import SHAPES, search_grid
@@ -124,4 +125,4 @@ def find(name: str) -> Claim:
     close += [known for known in get_close_matches(wanted, names, 1) if known not in close]
     meant = " or ".join(f"'{names[known]}'" for known in close[:3])
     hint = f"did you mean {meant}?" if meant else "'--list' shows them all"
-    raise UnknownClaimError(f"no claim '{name}'; {hint}")
+    raise UnknownClaimError(f"no claim {quote(name)}; {hint}")

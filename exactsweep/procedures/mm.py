@@ -130,7 +130,7 @@ FEW_EDGES = 8
 """The number of pieces up to which a walk is faster than a search."""
 
 
-def take_inside(trajectory: Envelope) -> Envelope:
+def _take_inside(trajectory: Envelope) -> Envelope:
     """Return the inverse of the complement of a lower trajectory, edges as lines. Cost: O(t)."""
     return Envelope(
         [(-n, d) for n, d in reversed(trajectory.breaks)],
@@ -201,7 +201,7 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
     return found
 
 
-def close_gaps(floor: Envelope, closed: Envelope, gaps: Iterable[Span]) -> Envelope:
+def _close_gaps(floor: Envelope, closed: Envelope, gaps: Iterable[Span]) -> Envelope:
     """Replace an envelope by another one over gaps, which ascend. Cost: O(n)."""
     joined = Envelope([floor.breaks[0]], [])
     for left, right in gaps:
@@ -222,12 +222,16 @@ def inner_mm(
 
     Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
     overlaps a gap; all t of them at worst.
+
+    >>> notch, flat = [(0, 0), (2, 0), (2, 2), (3, 2), (3, 0), (6, 0)], [(2, 0), (0, 0)]
+    >>> inner_mm(flat, trajectory_mm(flat, notch), notch)
+    [(0, 0), (6, 0)]
     """
     parts = find_convex_parts(directrix)
     open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(find_gaps(trajectory, parts))]
     if not open_spans:
         return take_corners(directrix)
-    inside, reversed_top = take_inside(trajectory), inverse(generatrix_top)
+    inside, reversed_top = _take_inside(trajectory), inverse(generatrix_top)
     unit = measure_unit(reversed_top, inside)
     chains, slots = split_chain(reversed_top, unit), list(split_envelope(inside, unit))
 
@@ -238,4 +242,4 @@ def inner_mm(
 
     floor = Envelope.of(inverse(complement(directrix)))
     closed = sweep_pairs(chains, slots, open_spans, guess)
-    return inverse(complement(list(close_gaps(floor, closed, open_spans))))
+    return inverse(complement(list(_close_gaps(floor, closed, open_spans))))

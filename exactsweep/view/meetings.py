@@ -52,9 +52,9 @@ class Meetings:
         translations = set()
         for d in (*around, *(_outline(shape, self.scale) for shape in others)):
             pairs = set()
-            for i, j in find_facing(g, d, g.leaving):
+            for i, j in find_facing(g, d, range(len(g.vertices))):
                 pairs |= {(i, j), (g.after[i], j)}
-            for j, i in find_facing(d, g, d.leaving):
+            for j, i in find_facing(d, g, range(len(d.vertices))):
                 pairs |= {(i, j), (i, d.after[j])}
             translations |= {minus(d.vertices[j], g.vertices[i]) for i, j in pairs}
         self.translations = sorted(translations)

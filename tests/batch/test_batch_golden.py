@@ -1,7 +1,4 @@
-"""Lines of files of pairs, each with its record; `golden.json` holds both.
-
-Run this file as a program to write the records anew, then read what changed.
-"""
+"""Lines of files of pairs, each with its record; `golden.json` holds both."""
 
 import json
 from pathlib import Path
@@ -41,8 +38,3 @@ def find_record(case: dict[str, Any]) -> str:
 @pytest.mark.parametrize("case", CASES, ids=range(len(CASES)))
 def test_records_are_those_recorded(case: dict[str, Any]) -> None:
     assert find_record(case) == case["record"]
-
-
-if __name__ == "__main__":
-    lines = [json.dumps({**case, "record": find_record(case)}) for case in CASES]
-    FILE.write_text("[\n" + ",\n".join(lines) + "\n]\n", encoding="utf-8")

@@ -128,6 +128,16 @@ def test_the_module_is_the_command() -> None:
     assert done.stderr.startswith("Usage: exactsweep verify [OPTIONS] FILE [G D]\n")
 
 
+@pytest.mark.parametrize("before", ["", "sweep --", "reproduce ", "reproduce --seed ", "judge "])
+@pytest.mark.parametrize("word", ["x" * 5000, "x " * 2500])
+def test_long_words_are_shortened_in_refusals(before: str, word: str) -> None:
+    *given, last = f"{before}{word}".split(" ", before.count(" "))
+    done = run(*given, last)
+    assert done.exit_code > 0
+    assert len(done.stderr) < 600
+    assert "..." in done.stderr
+
+
 def test_versions_agree() -> None:
     declared = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
     assert declared == exactsweep.__version__
@@ -138,3 +148,5 @@ def test_help_describes_every_command_in_full() -> None:
     listed = run("--help").stdout.partition("Commands:")[2]
     assert re.findall(r"^  (\w+)  +\S.*\.$", listed, re.M) == sorted(main.commands)
     assert "..." not in listed
+    for group in ("", "corpus"):
+        assert run(*group.split()).stderr == run(*group.split(), "--help").stdout

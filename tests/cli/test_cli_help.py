@@ -5,31 +5,20 @@ import pty
 import re
 import shlex
 import subprocess
-from collections.abc import Iterator
 from io import StringIO
 from pathlib import Path
 
 import click
 import pytest
-from command import EXACTSWEEP, NOTCH, run, shell
+from command import EXACTSWEEP, NOTCH, list_commands, run, shell
 from partlist import part_list
 from rich.console import Console
 
-from exactsweep.cli import main
-from exactsweep.cli.bar import show_bar
+from exactsweep.cli.working import show_bar
 from exactsweep.formats import format_polygons
 
 
-def commands(group: click.Group = main, prefix: str = "") -> Iterator[tuple[str, click.Command]]:
-    for name, command in group.commands.items():
-        path = f"{prefix} {name}".strip()
-        if isinstance(command, click.Group):
-            yield from commands(command, path)
-        else:
-            yield path, command
-
-
-@pytest.mark.parametrize(("name", "command"), list(commands()))
+@pytest.mark.parametrize(("name", "command"), list(list_commands()))
 def test_help_has_an_example_that_can_be_given(name: str, command: click.Command) -> None:
     shown = run(*name.split(), "--help").stdout
     examples = re.findall(r"^ +exactsweep (.*)$", shown.partition("  Example")[2], re.M)

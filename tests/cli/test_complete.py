@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 import click
 import pytest
 from click.shell_completion import ShellComplete
-from command import EXACTSWEEP, PATIENCE, run
+from command import EXACTSWEEP, PATIENCE, list_commands, run
 
 from exactsweep.cli import main
 from exactsweep.cli.complete import (
@@ -101,18 +101,10 @@ def test_blanks_are_escaped_where_the_shell_does_not(shell: str, text: str) -> N
     assert text in done.stdout
 
 
-def commands(group: click.Command, name: str = "") -> Iterable[tuple[str, click.Command]]:
-    if isinstance(group, click.Group):
-        for word, inner in group.commands.items():
-            yield from commands(inner, f"{name} {word}".strip())
-    else:
-        yield name, group
-
-
-@pytest.mark.parametrize("name", [name for name, _ in commands(main)])
+@pytest.mark.parametrize("name", [name for name, _ in list_commands()])
 def test_help_names_all_that_a_command_takes(name: str) -> None:
     shown = run(*name.split(), "--help").stdout
-    for parameter in dict(commands(main))[name].params:
+    for parameter in dict(list_commands())[name].params:
         if getattr(parameter, "hidden", False):
             continue
         for word in (*parameter.opts, *parameter.secondary_opts):

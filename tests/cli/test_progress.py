@@ -39,7 +39,7 @@ class Later(Soon):
 
 def say(timer: type[Soon], *, terminal: bool = True) -> str:
     text = StringIO()
-    with bar.words(Console(file=text, force_terminal=terminal), timer) as tell:  # type: ignore[arg-type]
+    with bar.words(1, Console(file=text, force_terminal=terminal), timer) as tell:  # type: ignore[arg-type]
         tell("sweeping")
     return text.getvalue()
 
@@ -78,7 +78,7 @@ def test_commands_say_what_they_do(
     said: list[str] = []
 
     @contextmanager
-    def listen() -> Iterator[Callable[[str], None]]:
+    def listen(_: float) -> Iterator[Callable[[str], None]]:
         yield said.append
 
     monkeypatch.setattr(bar, "words", listen)

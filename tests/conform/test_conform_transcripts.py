@@ -1,4 +1,4 @@
-"""The output of commands, word for word; `python -m tests.transcripts` writes it anew."""
+"""The output of commands, word for word; `python -m tests.goldens` writes it anew."""
 
 from pathlib import Path
 

@@ -59,9 +59,9 @@ def on_line(piece: Segment, whole: Segment) -> bool:
 def test_what_draws_an_edge_covers_it_and_is_looked_for_in_order(s: Sweep) -> None:
     assert verify(s.certificate()).proved
     path, g = s._route, s._boundaries[0]
-    for loop, inside in ((s.solution.inner, True), (s.solution.outer, False)):
+    for loop in (s.solution.inner, s.solution.outer):
         edges = list_edges(s._enter(loop))
-        for edge, at in zip(edges, find_drawn_edges(edges, path, g, inside=inside), strict=True):
+        for edge, at in zip(edges, find_drawn_edges(edges, path, g), strict=True):
             whole = make_segment(edge)
             found = at.choose()
             tried: list[DrawnPiece] = []

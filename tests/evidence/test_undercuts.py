@@ -227,9 +227,7 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
 
 def close(chain: list[Vertex], path: Outline, g: Outline) -> Any:
     """Find what closes a chain on the inner loop of a trajectory."""
-    return find_closing_positions(
-        find_drawn_edges([*pairwise(chain)], path, g, inside=True), path, g
-    )
+    return find_closing_positions(find_drawn_edges([*pairwise(chain)], path, g))
 
 
 def test_a_chain_may_be_covered_from_the_middle_of_an_edge_but_not_beyond_g() -> None:
@@ -277,7 +275,7 @@ def test_an_edge_of_several_positions_is_drawn_at_vertices_of_the_trajectory(
     square = Outline([turn((0, 0), (1, 0), (1, 2), (0, 2))])
     zigzag = Outline([turn((8, 2), (3, 4), (4, 3), (3, 2), (4, 1), (3, 0))])
     start, end = turn((3, 5), (3, 1))
-    (drawn,) = find_drawn_edges([(start, end)], zigzag, square, inside=False)
+    (drawn,) = find_drawn_edges([(start, end)], zigzag, square)
     found = drawn.choose()
     assert {drawn.position for drawn in found} == {Feature("vertex", k) for k in (1, 3, 5)}
     assert {drawn.feature for drawn in found} == {Feature("edge", 3)}

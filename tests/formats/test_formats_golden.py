@@ -1,7 +1,6 @@
 """Texts of all formats, each with everything that is read from it; `golden.json` holds both.
 
-A text that is refused has its message; any other has its polygons, omissions and notes. Run this
-file as a program to write the outcomes anew, then read what changed.
+A text that is refused has its message; any other has its polygons, omissions and notes.
 """
 
 import json
@@ -103,8 +102,3 @@ def test_cut_texts_are_read_or_refused(form: str) -> None:
     parts = [count_parts(text[:k]) for k in range(0, len(text), 3)]
     assert min(parts) == 0
     assert max(parts) <= 4
-
-
-if __name__ == "__main__":
-    lines = [json.dumps({**case, "outcome": find_outcome(case)}) for case in CASES]
-    FILE.write_text("[\n" + ",\n".join(lines) + "\n]\n", encoding="utf-8")

@@ -1,14 +1,55 @@
-"""Write the golden files anew: `python -m tests.goldens [NAME...]`. Look at the changes in git."""
+"""Write the golden files anew: `python -m tests.goldens [PART OF A PATH...]`.
 
+These are the texts of this folder, both golden.json and all transcripts; git shows the changes.
+"""
+
+import json
 import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import chdir
+from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 # The tests import one another by bare names, as pytest sets them up.
-sys.path.extend([str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "support")])
+sys.path.extend(
+    f"{Path(__file__).parents[1]}/{folder}" for folder in ("", "support", "batch", "formats")
+)
+import test_batch_golden as batch
+import test_formats_golden as formats
+from transcripts import TESTS, list_transcripts, replay
+
 from goldens.texts import TEXTS, list_rows
 
-if __name__ == "__main__":
+
+def list_goldens() -> Iterator[tuple[Path, Callable[[], str]]]:
+    """Yield the golden files, each with a function that makes its text."""
     for name, lines in (TEXTS | {"ledger": list_rows}).items():
-        if name in (sys.argv[1:] or (name,)):
-            text = "".join(f"{line}\n" for line in lines())
-            Path(__file__).with_name(f"{name}.txt").write_text(text, encoding="utf-8")
+        yield Path(__file__).with_name(f"{name}.txt"), partial(join_lines, lines)
+    yield batch.FILE, partial(answer, batch.CASES, "record", batch.find_record)
+    yield formats.FILE, partial(answer, formats.CASES, "outcome", formats.find_outcome)
+    for path in list_transcripts():
+        yield path, partial(replay_apart, path)
+
+
+def join_lines(lines: Callable[[], Iterable[str]]) -> str:
+    return "".join(f"{line}\n" for line in lines())
+
+
+def answer(cases: Iterable[dict[str, Any]], key: str, find: Callable[..., object]) -> str:
+    found = ",\n".join(json.dumps({**case, key: find(case)}) for case in cases)
+    return f"[\n{found}\n]\n"
+
+
+def replay_apart(path: Path) -> str:
+    with TemporaryDirectory() as folder, chdir(folder):
+        return replay(path.read_text(encoding="utf-8"))
+
+
+if __name__ == "__main__":
+    for path, make in list_goldens():
+        name = path.relative_to(TESTS).as_posix()
+        if any(part in name for part in sys.argv[1:] or ("",)):
+            print(name)
+            path.write_text(make(), encoding="utf-8")

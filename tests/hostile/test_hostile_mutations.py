@@ -11,13 +11,12 @@ from random import Random
 
 import click
 import pytest
-from command import EXAMPLE, HOUSE, NOTCH, run
+from command import EXAMPLE, HOUSE, NOTCH, list_commands, run
 from drawings import every_drawing
 
 from exactsweep import ExactSweepError, Region
 from exactsweep.batch.work import Work
 from exactsweep.check import verify
-from exactsweep.cli import main
 from exactsweep.conform import compare
 from exactsweep.conform.run.protocol import read_object
 from exactsweep.corpus import case_from_json, find_case
@@ -89,12 +88,8 @@ def test_values_that_are_none_end_in_one_line(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     run("sweep", HOUSE, NOTCH, "--json", "-o", "s.json")
-    command: click.Command = main
-    for word in name.split():
-        assert isinstance(command, click.Group)
-        command = command.commands[word]
     tried = 0
-    for option in command.params:
+    for option in dict(list_commands())[name].params:
         if not isinstance(option, click.Option) or option.is_flag:
             continue
         for value in VALUES:

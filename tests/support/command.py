@@ -5,10 +5,11 @@ import re
 import subprocess
 import sysconfig
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 
+import click
 from click.testing import CliRunner, Result
 
 from exactsweep import sweep
@@ -27,6 +28,16 @@ EXACTSWEEP = str(Path(SCRIPTS) / "exactsweep")
 
 def run(*arguments: str, stdin: str | bytes | None = None) -> Result:
     return CliRunner().invoke(main, arguments, input=stdin)
+
+
+def list_commands(group: click.Group = main, name: str = "") -> Iterator[tuple[str, click.Command]]:
+    """All commands, by the words that call them."""
+    for word, command in group.commands.items():
+        path = f"{name} {word}".strip()
+        if isinstance(command, click.Group):
+            yield from list_commands(command, path)
+        else:
+            yield path, command
 
 
 def refusal(result: Result, code: int = 1) -> str:
