@@ -32,12 +32,12 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import gcd, lcm
+from math import gcd, inf, lcm
 
 from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
 from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures.leeway import Leeway
 
 _UNITS = 2**32
@@ -54,9 +54,6 @@ other stretch proves overlap just before the place, and just after it; whether c
 both ways along the other stretch.
 """
 
-_Line = tuple[int, int, int, int]
-"""The line dx * y - dy * x = c / e as (dx, dy, c, e)."""
-
 ReducedPoint = tuple[int, int, int, int]
 """A point of the plane by its reduced coordinates: x = n / d and y = m / e as (n, d, m, e)."""
 
@@ -70,8 +67,8 @@ class Stretch:
     as trajectories, need no Fractions.
 
     Args:
-        line: dx, dy, c and e.
-        low: the place of one end, in lowest terms like the other.
+        line: dx, dy and c / e.
+        low: the place of one end.
         high: the place of the other end.
         left: see the attribute.
         right: see the attribute.
@@ -105,15 +102,16 @@ class Stretch:
 
     def __init__(
         self,
-        line: _Line,
-        low: StretchPlace,
-        high: StretchPlace,
+        line: tuple[int, int, Rational],
+        low: Rational,
+        high: Rational,
         left: bool,
         right: bool,
     ) -> None:
-        self.dx, self.dy, self.c, self.e = line
-        self.low = low
-        self.high = high
+        self.dx, self.dy, c = line
+        self.c, self.e = c.as_integer_ratio()
+        self.low: StretchPlace = low.as_integer_ratio()
+        self.high: StretchPlace = high.as_integer_ratio()
         self.left = left
         self.right = right
         self.low_through: tuple[bool, bool] | None = None
@@ -121,9 +119,10 @@ class Stretch:
         self.low_covered = self.high_covered = False
         self.cuts: list[Cut] = []
 
-    def between(self, low: StretchPlace, high: StretchPlace) -> Stretch:
+    def between(self, low: Rational, high: Rational) -> Stretch:
         """Return the piece between two places; an end inside the stretch counts as covered."""
-        piece = Stretch((self.dx, self.dy, self.c, self.e), low, high, self.left, self.right)
+        line = self.dx, self.dy, ratio(self.c, self.e)
+        piece = Stretch(line, low, high, self.left, self.right)
         piece.low_covered = self.low_covered or piece.low != self.low
         piece.high_covered = self.high_covered or piece.high != self.high
         piece.low_through, piece.high_through = self.low_through, self.high_through
@@ -184,9 +183,7 @@ class Stretch:
             start, end = (first, last) if dy >= 0 else (last, first)
         if start >= end:
             return None
-        if (start, end) == (low, high):
-            return self
-        return self.between(start.as_integer_ratio(), end.as_integer_ratio())
+        return self if (start, end) == (low, high) else self.between(start, end)
 
     def vertex(self, place: StretchPlace) -> ReducedPoint:
         """Return the point of the line at a place."""
@@ -203,12 +200,9 @@ class Stretch:
         return n // common, d // common, y // other, unit // other
 
 
-_RankedEdge = tuple[int, int, bool, StretchPlace, StretchPlace, StretchPlace]
+_RankedEdge = tuple[int, int, bool, Rational, Rational, Rational]
 """An edge: its rank; the number of its direction, which opposite directions share; whether the edge
-runs along that direction; dx * y - dy * x, as a reduced ratio; its least place; its greatest."""
-
-_PathPiece = tuple[StretchPlace, StretchPlace, bool]
-"""A contact segment on a line: its ends, and whether it runs along the direction of the line."""
+runs along that direction; dx y - dy x; its least place; its greatest place."""
 
 _Convex = tuple[Vertex, int, int]
 """A convex vertex, and the ranks of the edges before and after it."""
@@ -232,7 +226,10 @@ def find_contact_stretches(
     shapes = [[_DirectedRing(ring) for ring in rings] for rings in (stationary, moving)]
     directions, ranks = _rank(u for rings in shapes for ring in rings for u in ring.directions)
     sides = [_list_features(rings, ranks, len(directions)) for rings in shapes]
-    lines: defaultdict[tuple[int, int, int], list[_PathPiece]] = defaultdict(list)
+    left, right, bottom, top = leeway or (-inf, inf, -inf, inf)
+    lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
+        list
+    )
     for (_, corners), (edges, _) in (sides, sides[::-1]):
         # The edges of two turns, so that each range of directions is one slice.
         circle = 2 * len(directions)
@@ -240,45 +237,34 @@ def find_contact_stretches(
         order += [(edge[0] + circle, *edge[1:]) for edge in order]
         at = [edge[0] for edge in order]
         for (x, y), first, last in corners:
-            # `unit` times the corner is on the lattice. Ints are much faster than Fractions.
+            facing = order[bisect_left(at, first) : bisect_right(at, last)]
+            if type(x) is int and type(y) is int:
+                for _, k, ahead, offset, low, high in facing:
+                    dx, dy = directions[k]
+                    along, least, greatest = (x, left, right) if dx else (y, bottom, top)
+                    if not leeway or (low + along <= greatest and high + along >= least):
+                        c = dx * y - dy * x + offset
+                        lines[k, c].append((low + along, high + along, ahead))
+                continue
+            # `unit` times the corner is on the lattice: ints spare most of the Fractions.
             unit = lcm(x.denominator, y.denominator)
             u, v = int(unit * x), int(unit * y)
-            facing = order[bisect_left(at, first) : bisect_right(at, last)]
-            for _, k, ahead, (c, e), (n, d), (m, b) in facing:
+            for _, k, ahead, offset, low, high in facing:
                 dx, dy = directions[k]
-                along = u if dx else v
-                if unit == 1:
-                    c, n, m = c + (dx * v - dy * u) * e, n + along * d, m + along * b
-                else:
-                    c, n, m = (
-                        c * unit + (dx * v - dy * u) * e,
-                        n * unit + along * d,
-                        m * unit + along * b,
-                    )
-                    (c, e), (n, d), (m, b) = (
-                        _reduce(c, e * unit),
-                        _reduce(n, d * unit),
-                        _reduce(m, b * unit),
-                    )
-                if leeway:
-                    least, greatest = leeway[:2] if dx else leeway[2:]
-                    if n > greatest * d or m < least * b:
-                        continue
-                lines[k, c, e].append(((n, d), (m, b), ahead))
+                along, least, greatest = (u, left, right) if dx else (v, bottom, top)
+                start, end = ratio(low * unit + along, unit), ratio(high * unit + along, unit)
+                if not leeway or (start <= greatest and end >= least):
+                    c = ratio(dx * v - dy * u + offset * unit, unit)
+                    lines[k, c].append((start, end, ahead))
     stretches: list[Stretch] = []
-    for (k, c, e), segments in lines.items():
-        line = *directions[k], c, e
+    for (k, c), segments in lines.items():
+        line = *directions[k], c
         if len(segments) == 1:
             ((low, high, ahead),) = segments
             stretches.append(Stretch(line, low, high, ahead, not ahead))
         else:
             stretches += _join_segments(line, segments)
     return stretches
-
-
-def _reduce(n: int, d: int) -> tuple[int, int]:
-    common = gcd(n, d)
-    return n // common, d // common
 
 
 class _DirectedRing:
@@ -319,8 +305,7 @@ def _list_features(
             ahead = p < q
             low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
             rank = k if ahead else k + half
-            ends = low.as_integer_ratio(), high.as_integer_ratio()
-            of_ring.append((rank, k, ahead, (dx * py - dy * px).as_integer_ratio(), *ends))
+            of_ring.append((rank, k, ahead, dx * py - dy * px, low, high))
         for i, point in enumerate(ring.vertices):
             first, last = of_ring[i][0], of_ring[(i + 1) % len(of_ring)][0]
             if last < first:
@@ -331,16 +316,18 @@ def _list_features(
     return edges, corners
 
 
-def _join_segments(line: _Line, segments: list[_PathPiece]) -> Iterator[Stretch]:
+def _join_segments(
+    line: tuple[int, int, Rational], segments: list[tuple[Rational, Rational, bool]]
+) -> Iterator[Stretch]:
     """Join the contact segments of one line to stretches with constant directions."""
-    ending: defaultdict[StretchPlace, list[int]] = defaultdict(lambda: [0, 0])
-    starting: defaultdict[StretchPlace, list[int]] = defaultdict(lambda: [0, 0])
+    ending: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
+    starting: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
     for low, high, ahead in segments:
         starting[low][ahead] += 1
         ending[high][ahead] += 1
     against = along = 0
     before: Stretch | None = None
-    for place in sorted(starting.keys() | ending.keys(), key=lambda place: ratio(*place)):
+    for place in sorted(starting.keys() | ending.keys()):
         along -= ending[place][True]
         against -= ending[place][False]
         # Segments that end here, where others start, do not run through. (2) does not cover their
@@ -353,7 +340,7 @@ def _join_segments(line: _Line, segments: list[_PathPiece]) -> Iterator[Stretch]
             sides = before.left, before.right
             if sides == (left, right) == through:
                 continue
-            before.high = place
+            before.high = place.as_integer_ratio()
             before.high_through = through if left or right else None
             yield before
         after = Stretch(line, place, place, left, right) if left or right else None

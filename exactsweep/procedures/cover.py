@@ -23,6 +23,8 @@ from collections.abc import Iterator
 from itertools import chain
 
 from exactsweep.geometry.overlap import Rings
+from exactsweep.numbers.number import ratio
+from exactsweep.numbers.point import Rational
 from exactsweep.procedures.contact_lines import Stretch
 from exactsweep.procedures.parallelograms import fill_parallelograms
 from exactsweep.procedures.squares import find_squares_of_sum, halve_squares
@@ -131,8 +133,8 @@ class Cover:
         """Return the piece of a stretch in some of its columns."""
         if (first, last) == (start, end):
             return stretch
-        low = (first * self.side, 1) if first > start else stretch.low
-        high = (last * self.side, 1) if last < end else stretch.high
+        low: Rational = first * self.side if first > start else ratio(*stretch.low)
+        high: Rational = last * self.side if last < end else ratio(*stretch.high)
         return stretch.between(low, high)
 
     def _covers(self, level: int, block: int, first: int, last: int) -> bool:

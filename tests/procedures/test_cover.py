@@ -62,8 +62,8 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     # Of 32 x 32 squares of O those that do not touch its boundary, less a row each way.
     assert 28 * 28 <= covered <= 30 * 30
     for dx, dy in [(1, 0), (0, 1), (1, 1), (3, -2)]:
-        assert not [*cover.uncovered(Stretch((dx, dy, 1, 1), (-30, 1), (30, 1), True, True))]
-    (left,) = cover.uncovered(Stretch((1, 0, 0, 1), (-64, 1), (30, 1), True, True))
+        assert not [*cover.uncovered(Stretch((dx, dy, 1), -30, 30, True, True))]
+    (left,) = cover.uncovered(Stretch((1, 0, 0), -64, 30, True, True))
     assert left.low[0] == -64
     assert -60 <= left.high[0] <= -56
 
@@ -93,7 +93,7 @@ def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: 
     for sign in (1, -1):
         dx, dy, c = line
         begin, end = sorted((sign * low, sign * low + 20 * sign))
-        stretch = Stretch((dx, dy, sign * c, 1), (begin, 1), (end, 1), True, True)
+        stretch = Stretch((dx, dy, sign * c), begin, end, True, True)
         (left,) = cover.uncovered(stretch)
         assert (left.low, left.high) == (stretch.low, stretch.high)
     for column, row in [(-1, 2), (len(cover.columns), 2), (2, -1), (2, 40)]:

@@ -25,8 +25,8 @@ def through(x: int, y: int, way: tuple[int, int], before: int, after: int) -> St
     """From so many steps before a point to so many after it."""
     dx, dy = way
     at, step = (x, dx) if dx else (y, dy)
-    line = dx, dy, dx * y - dy * x, 1
-    return Stretch(line, (at - before * step, 1), (at + after * step, 1), True, False)
+    line = dx, dy, dx * y - dy * x
+    return Stretch(line, at - before * step, at + after * step, True, False)
 
 
 def meet(one: Stretch, other: Stretch, x: int, y: int) -> tuple[bool, bool, bool]:
@@ -74,10 +74,10 @@ def test_stretches_that_end_before_they_meet_have_no_cuts() -> None:
 
 
 def test_a_piece_of_a_stretch_is_covered_where_it_was_cut() -> None:
-    whole = Stretch((1, 0, 0, 1), (2, 1), (9, 1), True, False)
+    whole = Stretch((1, 0, 0), 2, 9, True, False)
     whole.low_through, whole.high_through = (True, False), (False, True)
     for low, high in product((1, 2, 3), (8, 9, 1)):
-        piece = whole.between((low, 1), (high, 1))
+        piece = whole.between(low, high)
         assert (piece.low, piece.high) == ((low, 1), (high, 1))
         assert (piece.low_covered, piece.high_covered) == (low != 2, high != 9)
         assert (piece.low_through, piece.high_through) == ((True, False), (False, True))
@@ -122,9 +122,7 @@ def test_all_that_cross_are_cut(monkeypatch: pytest.MonkeyPatch, in_band: int) -
 
 
 def test_the_key_of_a_cut_is_no_greater_than_its_place() -> None:
-    one, other = (
-        Stretch(line, (-9, 1), (9, 1), True, False) for line in ((5, 3, 1, 1), (7, -4, 2, 1))
-    )
+    one, other = Stretch((5, 3, 1), -9, 9, True, False), Stretch((7, -4, 2), -9, 9, True, False)
     cross(one, other)
     ((key, (n, d), *_),), ((other_key, (m, e), *_),) = one.cuts, other.cuts
     assert Fraction(n, d) == Fraction(m, e) == Fraction(3, 41)
@@ -144,7 +142,7 @@ def test_what_is_left_of_a_stretch_is_what_no_cut_covers() -> None:
     """Of all places at which something may begin or end, each once."""
     rng = Random(1)
     for _ in range(600):
-        stretch = Stretch((1, 0, 0, 1), (0, 1), (4, 1), *rng.choice(BOTH[1:]))
+        stretch = Stretch((1, 0, 0), 0, 4, *rng.choice(BOTH[1:]))
         stretch.low_covered, stretch.high_covered = rng.random() < 0.2, rng.random() < 0.2
         stretch.cuts = [*cuts(rng)]
         at: dict[Fraction, list[Cut]] = {Fraction(0): [], Fraction(4): []}

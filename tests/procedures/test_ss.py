@@ -212,7 +212,7 @@ def test_slopes_that_differ_by_less_than_a_unit_are_told_apart() -> None:
 @pytest.mark.parametrize("turns", [False, True])
 def test_cuts_of_one_key_are_told_apart(turns: bool) -> None:
     """There is overlap between the two, whichever comes first."""
-    stretch = Stretch((1, 0, 0, 1), (0, 1), (10, 1), True, False)
+    stretch = Stretch((1, 0, 0), 0, 10, True, False)
     cuts = [(5, (2, 1), False, True, False), (5, (3, 1), True, False, False)]
     stretch.cuts += cuts[::-1] if turns else cuts
     assert _find_left_over(stretch, set()) == [((0, 1), (2, 1)), ((3, 1), (10, 1))]
