@@ -11,8 +11,7 @@ from itertools import chain
 from typing import Any, NamedTuple
 
 from exactsweep.check.claim import prove_claim
-from exactsweep.check.size import check_reading
-from exactsweep.check.standalone import Refused, Ring, check_given, node, prove
+from exactsweep.check.standalone import Refused, Ring, Work, check_given, node, prove
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import to_fraction
@@ -90,9 +89,9 @@ def verify(
     }
     try:
         _check_types(certificate)
-        check_reading(certificate, max_steps)
         is_claim = type(certificate) is dict and "claim" in certificate
         if is_claim:
+            Work(max_steps).read(certificate)
             prove_claim(certificate, max_steps)
         if not is_claim or "proof" in certificate:
             prove(certificate, max_steps)

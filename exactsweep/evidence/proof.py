@@ -68,7 +68,7 @@ def _prove_no_fit(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
     still, moving = _cut(d), _cut(g)
     holes = [ring(hole)[::-1] for hole in certificate["holes"]]
     finder = _Finder(
-        Sums(still, [*map(turn, moving)], work),
+        Sums(still, [*map(turn, moving)], work, []),
         [ring(certificate["exterior"]), *holes],
         standalone.read_fits(certificate["exact_fits"]),
     )
@@ -119,8 +119,8 @@ def _prove_sweep(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
         [ring(hole)[::-1] for hole in certificate[key]] for key in ("holes", "unswept")
     )
     inner, outer = (ring(certificate[key]) for key in ("inner", "outer"))
-    first = _Finder(Sums(still, [*map(turn, moving)], work), [trajectory, *holes], fits)
-    sums = Sums([*map(list, edges(trajectory))], moving, work)
+    first = _Finder(Sums(still, [*map(turn, moving)], work, []), [trajectory, *holes], fits)
+    sums = Sums([*map(list, edges(trajectory))], moving, work, [])
     second = _Finder(sums, [outer, inner[::-1], *unswept], [])
     found = {"sums": first.find(), "swept": second.find()}
     return {
@@ -146,11 +146,11 @@ class _Finder:
         self._sums, self._count = sums, len(fits)
         self._known: list[Edge] = [*chain.from_iterable(map(edges, loops)), *fits]
         self._fits = range(len(self._known) - len(fits), len(self._known))
-        self._beyond = range(sums.count, sums.count + len(sums.beyond))
+        self._beyond = sums.beyond
         self._listed: dict[int, int] = {}
         self._areas: dict[int, int] = {}
         left, right, *_ = (
-            one + other for one, other in zip(sums.first.box, sums.second.box, strict=True)
+            one + other for one, other in zip(*(tree[0] for tree in sums.trees), strict=True)
         )
         self._left, self._width = left, (right - left) // _STRIPS + 1
         self._strips: dict[int, list[tuple[standalone.Grid, int]]] = defaultdict(list)
@@ -254,8 +254,9 @@ class _Finder:
     def _near(self, points: Sequence[Node]) -> list[int]:
         """List the half-planes, and the sums whose boxes meet that of points or touch it."""
         left, right, low, high = self._box(points)
-        box = standalone.Tree((left - 1, right + 1, low - 1, high + 1), -1, 0)
-        return [*self._beyond, *(k for _, k in self._sums.near(box))]
+        around: standalone.Tree = (left - 1, right + 1, low - 1, high + 1), -1, 0
+        near = standalone.meet([around, *self._sums.trees], self._sums.work)
+        return [*self._beyond, *(i * len(self._sums.h) + j for _, i, j in near)]
 
     def _cover(self, a: Node, b: Node) -> list[int]:
         """Cover a segment: entries -1 - n for edges, and numbers of sums."""
@@ -318,11 +319,12 @@ def _meets(low: Fraction, n: int, reach: Fraction, closed: bool) -> bool:
 
 def _list_near(tree: standalone.Tree, box: standalone.Grid) -> Iterator[int]:
     """List the numbers of a tree whose boxes meet another one."""
-    if standalone.are_near(tree.box, box):
-        if isinstance(tree.parts, int):
-            yield tree.parts
+    around, size, parts = tree
+    if standalone.are_near(around, box):
+        if size < 0:
+            yield parts
         else:
-            for part in tree.parts:
+            for part in parts:
                 yield from _list_near(part, box)
 
 

@@ -10,6 +10,7 @@ from click.testing import CliRunner
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from producer import SLOT, UNIT, VALLEY
+from shape_certificates import HEAD
 from shape_families import untangled
 from tiers import examples
 
@@ -24,9 +25,9 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.check import verify
-from exactsweep.check.size import reading_steps
-from exactsweep.check.standalone import Refused, Work
+from exactsweep.check.standalone import Refused, Work, weight
 from exactsweep.cli import main
+from exactsweep.evidence.proof import add_proof
 from exactsweep.formats.exact_json import parse_certificate
 from exactsweep.numbers.limits import answer_digits
 from exactsweep.numbers.number import format_fraction
@@ -135,9 +136,23 @@ def test_the_input_may_be_of_any_length() -> None:
     assert verify(sweep(UNIT, [(0, 0), (side, 0), (0, 1)]).certificate()).proved
 
 
+def reading_steps(item: Any) -> int:
+    work = Work(10**9)
+    work.read(item)
+    return 10**9 - work.left
+
+
 def test_reading_counts_in_steps() -> None:
-    assert reading_steps(["1", {"a": ["2"]}, 3, None]) == 2
-    assert reading_steps("7" * 20_000) == 1 + 2820 + 1000
+    """One for each list and eight entries, and more for long numbers.
+
+    7,874**2 is 155 * 400,000 less 124, and 7,875**2 is more; 88**2 is below both.
+    """
+    assert reading_steps(["1", {"a": ["2"] * 7}, 3, ["4"] * 8, None]) == 1 + 1 + 1 + 2
+    assert reading_steps("7" * 20_000) == 2820 + 1000
+    assert [reading_steps("7" * n) for n in (99, 100)] == [0, 1]
+    for n, squares in ((7874, 154), (7875, 155)):
+        assert reading_steps("7" * n) == n * 88 // 1000 + squares
+    assert reading_steps(1 << 60_000) == reading_steps("7" * 20_000)
     certificate = {**sweep(UNIT, SLOT).certificate(), "area": "9" * 10**7}
     assert verify(certificate, max_steps=10**8).reason == (
         "too large: to check it would take more than 100000000 steps"
@@ -147,13 +162,14 @@ def test_reading_counts_in_steps() -> None:
     assert not verify({**certificate, "contacts": nested}).proved
 
 
-def test_long_strings_count_for_more_and_deep_ones_not_at_all() -> None:
-    assert [reading_steps("7" * n) for n in (99, 100)] == [1, 2]
-    nested: list[Any] = ["1"]
-    for _ in range(6):
-        nested = [nested]
-    assert reading_steps(nested) == 1
-    assert reading_steps([nested]) == 0
+def test_a_list_that_holds_itself_many_times_ends_the_reading() -> None:
+    """Nine levels of 100 entries are 10**18 strings."""
+    nested: Any = "1"
+    for _ in range(9):
+        nested = [nested] * 100
+    for key in ("claim", "trajectory"):
+        result = verify({**HEAD, key: nested}, max_steps=10**4)
+        assert result.reason == "too large: to check it would take more than 10000 steps"
 
 
 def test_polygons_written_by_a_program_are_read() -> None:
@@ -176,12 +192,6 @@ def _box(low: int, high: int) -> list[tuple[int, int]]:
     return [(low, low), (high, low), (high, high), (low, high)]
 
 
-def test_reading_very_long_numbers_takes_a_square_of_steps() -> None:
-    """7,874**2 is 155 * 400,000 less 124, and 7,875**2 is more; 88**2 is below both."""
-    for n, squares in ((7874, 154), (7875, 155)):
-        assert reading_steps("7" * n) == 1 + n * 88 // 1000 + squares
-
-
 @pytest.mark.parametrize(("digits", "reason"), [(4300, "not a pair"), (4301, "not primitive")])
 def test_a_direction_is_a_string_only_if_it_has_to_be(digits: int, reason: str) -> None:
     certificate = sweep(UNIT, SLOT).certificate()
@@ -193,22 +203,69 @@ def test_the_longest_number_is_what_a_step_costs() -> None:
     """With 6,400 bits it is 101 steps and 10; with 1,000 words of 64 bits, 1,000 and as many."""
     for bits, steps in ((63, 1), (64, 2), (6400, 111), (63940, 2000)):
         work = Work(100 * steps)
-        work.weigh(bits)
+        work.weight = weight(bits)
         work.take(100)
         with pytest.raises(Refused, match="too large"):
             work.take(1)
 
 
-def test_long_numbers_count_with_their_length() -> None:
-    """The same sweep in other units: of 20 words of 64 bits each step costs 20 times as much."""
+def find_least(certificate: Any) -> int:
+    """Find the fewest steps with which a certificate is proved."""
+    low, high = 0, 10**6
+    while high - low > 1:
+        middle = (low + high) // 2
+        proved = verify(certificate, max_steps=middle).proved
+        low, high = (low, middle) if proved else (middle, high)
+    return high
+
+
+@pytest.mark.parametrize("answer", [sweep, no_fit_polygon])
+def test_long_numbers_count_with_their_length(answer: Any) -> None:
+    """The same in other units: of 20 words of 64 bits each step costs 20 times as much."""
     least = []
     for unit in (1, 2**1260):
         part, plate = ([(unit * x, unit * y) for x, y in ring] for ring in (UNIT, SLOT))
-        certificate = sweep(part, plate).certificate()
-        low, high = 0, 10**6
-        while high - low > 1:
-            middle = (low + high) // 2
-            proved = verify(certificate, max_steps=middle).proved
-            low, high = (low, middle) if proved else (middle, high)
-        least.append(high)
+        least.append(find_least(add_proof(answer(plate, part).certificate())))
     assert 10 * least[0] < least[1] < 30 * least[0]
+
+
+def test_each_drawing_takes_a_step() -> None:
+    certificate = sweep(UNIT, SLOT).certificate()
+    least = find_least(certificate)
+    kinds = "vertex", "edge"
+    certificate["inner_drawn"][0] = [
+        [[one, i], [other, j]]
+        for one in kinds
+        for i in range(len(certificate["trajectory"]))
+        for other in kinds
+        for j in range(4)
+    ]
+    assert verify(certificate).reason == "inner_drawn[0]: a drawing is not along the edge"
+    assert verify(certificate, max_steps=least).reason.startswith("too large")
+
+
+def test_each_fault_of_a_layout_takes_the_steps_of_its_part() -> None:
+    ring = [[str(k), str(k * k)] for k in range(30)]
+    part = {"id": "", "exterior": ring, "demand": 1}
+    fault = {"kind": "missing", "part": ""}
+    certificate: dict[str, Any] = {
+        **HEAD,
+        "kind": "layout",
+        "layout": {"container": {"exterior": ring}, "parts": [part], "placements": []},
+        "valid": False,
+        "turns": [],
+        "frame": ["0", "0", "1", "1"],
+        "pieces": [None],
+        "outside": None,
+        "apart": [],
+        "faults": [fault],
+    }
+    more = find_least({**certificate, "faults": [fault] * 11}) - find_least(certificate)
+    assert more >= 10 * len(ring)
+    placed = {"part": "", "turn": "0", "move": ["0", "0"]}
+    part["demand"] = 20
+    least = []
+    for count in (1, 11):
+        certificate["layout"]["placements"] = [placed] * count
+        least.append(find_least({**certificate, "turns": [["1", "0"]] * count}))
+    assert least[1] - least[0] >= 10 * len(ring)

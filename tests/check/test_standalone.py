@@ -424,7 +424,9 @@ def run(*arguments: str) -> tuple[int, str]:
     return done.returncode, done.stdout
 
 
-def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
+def test_the_file_proves_certificates_by_itself(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     files = {
         "proof": json.dumps(CERTIFICATES["CM"]),
         "g": json.dumps(SQUARE),
@@ -434,6 +436,8 @@ def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
         "nan": '{"format": NaN}',
         "bad": "{",
         "huge": "[[0, 0], [1, 0], [0, 1e999999999]]",
+        "deep": "[" * 10**5,
+        "long": json.dumps({**CERTIFICATES["CM"], "directrix": [["9" * 10**6, "0"]] * 9}),
     }
     for name, text in files.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
@@ -449,9 +453,12 @@ def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
         1,
         "not proved: a number with too large an exponent\n",
     )
-    for name in ("claim", "twice", "nan", "bad"):
-        code, said = run(at[name])
-        assert (code, said[:12]) == (1, "not proved: ")
+    (tmp_path / "over").write_text('[[0, 0], ["1/0", 0], [0, 1]]', encoding="utf-8")
+    refused = [[at[name]] for name in ("claim", "twice", "nan", "bad", "deep", "long")]
+    for arguments in (*refused, [str(tmp_path / "none")], [at["proof"], str(tmp_path / "over")]):
+        assert standalone.main(arguments) == 1
+        said = capsys.readouterr().out
+        assert (said[:12], said.count("\n")) == ("not proved: ", 1)
 
 
 def test_the_schema_takes_certificates_and_the_page_names_all_keys() -> None:

@@ -95,7 +95,7 @@ def test_a_layout_that_fills_its_container_is_proved() -> None:
         ("layout.placements.0.move.0", "4/1", "lowest"),
         ("layout.placements.0.move.0", "-0", "not a number"),
         ("layout.placements.0.move.0", "\u0663", "not a number"),
-        ("layout.placements.0.move.0", "9" * 1_000_001, "not a number"),
+        ("layout.placements.0.move.0", "9" * 1_000_001, "too large"),
         ("layout.placements.0.move.0", float("nan"), "not a number"),
         ("layout.placements.0.move.0", 0, "not a number"),
         ("layout.placements.0.move.0", True, "not a number"),
