@@ -86,7 +86,7 @@ def test_a_write_that_fails_leaves_the_old_file(
     options = ["--to", "svg"] if command == "sweep" else []
     with monkeypatch.context() as patched:
         patched.setattr(Path, "write_text", fail)
-        patched.setattr("exactsweep.cli.draw.save", lambda figure, path: fail(Path(path)))
+        patched.setattr("exactsweep.draw.save", lambda figure, path: fail(Path(path)))
         message = refusal(run(command, HOUSE, NOTCH, *options, "-o", str(output)))
     assert message == f"{output}: No space left on device"
     assert output.read_text() == "old"

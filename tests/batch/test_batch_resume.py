@@ -17,6 +17,7 @@ from partlist import part_list
 
 from exactsweep.batch import BatchError, run, take_all_pairs
 from exactsweep.batch.output import Output
+from exactsweep.processes import lock
 
 PARTS = part_list(24)
 JOB = take_all_pairs(PARTS, PARTS)
@@ -154,6 +155,32 @@ def test_workers_end_with_the_process_that_started_them(tmp_path: Path, command:
     process.communicate(timeout=PATIENCE)
     assert len(workers) == 2
     wait_until_gone(workers)
+
+
+LOCKED = """
+import os, signal, sys
+from exactsweep.processes import Pool, lock
+
+with open(sys.argv[1], "w") as file:
+    assert lock(file)
+    pool = Pool(1, forks=True)
+    worker = pool.submit(os.getpid).result()
+    os.kill(worker, signal.SIGSTOP)
+    print(worker, file=file, flush=True)
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_locks_end_with_the_process_that_has_them_before_its_workers_do(tmp_path: Path) -> None:
+    path = tmp_path / "locked"
+    subprocess.run([sys.executable, "-c", LOCKED, str(path)], timeout=PATIENCE, check=False)
+    worker = int(path.read_text())
+    try:
+        with path.open() as file:
+            assert lock(file)
+    finally:
+        with suppress(ProcessLookupError):
+            os.kill(worker, signal.SIGCONT)
 
 
 @pytest.mark.long
