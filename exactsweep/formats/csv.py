@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Sequence
 from functools import partial
 from io import StringIO
+from threading import RLock
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.decimals import read_decimal
@@ -24,6 +24,8 @@ _NAMES = ("name", "id", "part", "polygon")
 _WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")
 _COLUMNS = {"x", "y", "ring", *_NAMES, *_WKT}
 _NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.,0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
+
+_limit_held = RLock()
 
 _RowsByRing = dict[str, list[tuple[int, str, str]]]
 
@@ -72,18 +74,15 @@ def parse_csv(text: str) -> list[Candidate]:
         >>> [(c.name, len(c.vertices())) for c in parse_csv("name,x,y\na,0,0\na,1,0\na,0,1\n")]
         [('a', 3)]
     """
-    with _cells_of_any_length(len(text)):
-        return _parse(text)
-
-
-@contextmanager
-def _cells_of_any_length(length: int) -> Iterator[None]:
-    """Python's limit, 131,072 characters, is below what numbers of answers may have."""
-    before = csv.field_size_limit(length)
-    try:
-        yield
-    finally:
-        csv.field_size_limit(before)
+    # 131,072 characters, the limit of Python's reader, are fewer than a number may have. The limit
+    # is one for all threads.
+    with _limit_held:
+        before = csv.field_size_limit()
+        csv.field_size_limit(max(before, len(text)))
+        try:
+            return _parse(text)
+        finally:
+            csv.field_size_limit(before)
 
 
 def _parse(text: str) -> list[Candidate]:
@@ -95,37 +94,34 @@ def _parse(text: str) -> list[Candidate]:
     columns: dict[str, int] | None = None
     wanted: str | None = None
     point = "," if separator == "," else "."
-    try:
-        for row in rows:
-            if not any(cell.strip() for cell in row):
+    for row in rows:
+        if not any(cell.strip() for cell in row):
+            continue
+        if columns is None:
+            head = [cell.strip().lower() for cell in row]
+            columns = {cell: k for k, cell in enumerate(head) if cell in _COLUMNS}
+            twice = next((cell for cell in columns if head.count(cell) > 1), None)
+            if twice:
+                raise FormatError(f"line {rows.line_num}: two columns {quote(twice)}")
+            wanted = next((cell for cell in _WKT if cell in columns), None)
+            wanted = None if {"x", "y"} <= columns.keys() else wanted
+            if wanted or {"x", "y"} <= columns.keys():
                 continue
-            if columns is None:
-                head = [cell.strip().lower() for cell in row]
-                columns = {cell: k for k, cell in enumerate(head) if cell in _COLUMNS}
-                twice = next((cell for cell in columns if head.count(cell) > 1), None)
-                if twice:
-                    raise FormatError(f"line {rows.line_num}: two columns {quote(twice)}")
-                wanted = next((cell for cell in _WKT if cell in columns), None)
-                wanted = None if {"x", "y"} <= columns.keys() else wanted
-                if wanted or {"x", "y"} <= columns.keys():
-                    continue
-                columns = {"x": 0, "y": 1}
-            if len(row) <= max(columns[cell] for cell in ([wanted] if wanted else "xy")):
-                shown = wanted or "x and y"
-                raise FormatError(f"line {rows.line_num}: {len(row)} cells, without {shown}")
-            named = {word: row[k] for word, k in columns.items() if k < len(row)}
-            name = next((named[word] for word in _NAMES if word in named), "")
-            if wanted:
-                written += _read_wkt(row[columns[wanted]], rows.line_num, name or None)
-                continue
-            # Each polygon has at least three vertices.
-            require_count(len(polygons), 3 * VERTEX, "polygons")
-            rings = polygons.setdefault((named.get("polygon", ""), name), {})
-            x, y = (row[columns[cell]].replace(",", point) for cell in "xy")
-            cells = rows.line_num, x, y
-            rings.setdefault(named.get("ring", ""), []).append(cells)
-    except csv.Error as error:
-        raise FormatError(f"line {rows.line_num}: not CSV: {error}") from None
+            columns = {"x": 0, "y": 1}
+        if len(row) <= max(columns[cell] for cell in ([wanted] if wanted else "xy")):
+            shown = wanted or "x and y"
+            raise FormatError(f"line {rows.line_num}: {len(row)} cells, without {shown}")
+        named = {word: row[k] for word, k in columns.items() if k < len(row)}
+        name = next((named[word] for word in _NAMES if word in named), "")
+        if wanted:
+            written += _read_wkt(row[columns[wanted]], rows.line_num, name or None)
+            continue
+        # Each polygon has at least three vertices.
+        require_count(len(polygons), 3 * VERTEX, "polygons")
+        rings = polygons.setdefault((named.get("polygon", ""), name), {})
+        x, y = (row[columns[cell]].replace(",", point) for cell in "xy")
+        cells = rows.line_num, x, y
+        rings.setdefault(named.get("ring", ""), []).append(cells)
     return [*allow_faults(written), *(_candidate(n, rings) for (_, n), rings in polygons.items())]
 
 

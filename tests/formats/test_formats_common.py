@@ -1,7 +1,9 @@
 """Common spellings of other programs, some of them once refused or too slow."""
 
+import csv
 from fractions import Fraction
 from itertools import pairwise
+from unittest.mock import patch
 
 import pytest
 import shapely
@@ -21,6 +23,7 @@ from exactsweep.formats import (
     parse_regions,
     parts_from_shapely,
 )
+from exactsweep.formats import csv as formats_csv
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.parsing import measure_written
@@ -127,3 +130,12 @@ def test_a_table_counts_for_its_lines() -> None:
 def test_a_text_is_read_where_what_it_counts_for_is_allowed(text: str) -> None:
     with limits(max_mib=measure_written(text) / 2**20):
         assert parse_regions(text)
+
+
+def test_readers_of_csv_in_other_threads_keep_their_limit() -> None:
+    before = csv.field_size_limit()
+    held: list[int] = []
+    with patch.object(formats_csv, "_parse", lambda text: held.append(csv.field_size_limit())):
+        for length in (3, before + 1):
+            formats_csv.parse_csv(length * "1")
+    assert [*held, csv.field_size_limit()] == [before, before + 1, before]
