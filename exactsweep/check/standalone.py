@@ -49,8 +49,8 @@ ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y 
        the swept area: p is in T + G if p + H, which is connected, meets T, so unless p + H avoids P
        or is inside P.
    (c) The region Q of the inner loop is in E, for Q + H is in P by (e). Its edges are covered by
-       sums t + g with t on T. None is inside E, or t would be inside P. The inside of E is
-       connected, as its sections lead to D, which is in E. It meets Q, as Q is in E, but not the
+       sums t + g with t on T. None is inside E, or t would be inside P. E holds D and is no wider,
+       so its inside is connected: each section leads to D. It meets Q, as Q is in E, but not the
        edges of Q, so it is in Q.
    (d) Contacts are listed, all of them. Where a sum of two features is along an edge of T, D moved
        by any point of H is left of it, and so is H moved by any of D. So the features are two edges
