@@ -294,7 +294,7 @@ def approximate(value: Fraction, *, up: bool = False) -> str:
     """Round a number to six significant digits, the nearest ones or the next ones up.
 
     >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
-    ('-6.66667', '30', '6.33825E+29')
+    ('-6.66667', '30', '6.33825e+29')
     >>> approximate(Fraction(1, 3), up=True), approximate(Fraction(1, 4), up=True)
     ('0.333334', '0.25')
     """
@@ -307,7 +307,7 @@ def approximate(value: Fraction, *, up: bool = False) -> str:
     if rounded != other:
         rounded = context.divide(Decimal(n), Decimal(d))
     rounded = rounded.normalize(context)
-    return f"{rounded:f}" if -6 <= rounded.adjusted() <= 12 else str(rounded)
+    return f"{rounded:f}" if -6 <= rounded.adjusted() <= 12 else str(rounded).lower()
 
 
 def take_root(square: Fraction) -> Fraction:

@@ -114,8 +114,8 @@ def test_folders_are_judged_in_a_table(tmp_path: Path) -> None:
     assert rows[0] == ["layout", "placements", "verdict", "worst or nearest"]
     assert [Path(row[0]).stem for row in rows[1:5]] == ["broken", *sorted(slugs)]
     assert rows[1][1].startswith(f"{tmp_path}/broken.json: line 1")
-    assert rows[2][1:] == ["2", "valid", "1E-30 apart"]
-    assert rows[3][1:] == ["2", "not valid: 1 overlap", "1E-30 deep"]
+    assert rows[2][1:] == ["2", "valid", "1e-30 apart"]
+    assert rows[3][1:] == ["2", "not valid: 1 overlap", "1e-30 deep"]
     assert rows[5] == ["2 of 4 valid"]
     data = json.loads(run("layout", str(tmp_path), "--json", "--workers", "1").stdout)
     assert [row["valid"] for row in data] == [None, True, False, True]

@@ -1,4 +1,4 @@
-"""Write the golden files anew: `python -m tests.goldens [PART OF A PATH...]`.
+"""Write the golden files anew: `python -m tests.goldens [PARTS]...`.
 
 These are the texts of this folder, both golden.json and all transcripts; git shows the changes.
 """
@@ -11,6 +11,8 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
+
+import click
 
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.extend(
@@ -47,9 +49,16 @@ def replay_apart(path: Path) -> str:
         return replay(path.read_text(encoding="utf-8"))
 
 
-if __name__ == "__main__":
+@click.command()
+@click.argument("parts", nargs=-1)
+def main(parts: tuple[str, ...]) -> None:
+    """Write the golden files anew, or those whose path has one of the PARTS in it."""
     for path, make in list_goldens():
         name = path.relative_to(TESTS).as_posix()
-        if any(part in name for part in sys.argv[1:] or ("",)):
+        if any(part in name for part in parts or ("",)):
             print(name)
             path.write_text(make(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(prog_name="python -m tests.goldens")

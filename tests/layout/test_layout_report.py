@@ -57,14 +57,14 @@ def test_a_terminal_is_not_overrun() -> None:
 def test_a_valid_layout_says_how_near_it_is() -> None:
     text = report_layout(judged("gap-1e-30"), notes=["one", "two"])
     assert text.startswith("verdict     valid\n")
-    assert "nearest     placements 0 and 1, 1E-30 apart\n" in text
+    assert "nearest     placements 0 and 1, 1e-30 apart\n" in text
     assert text.endswith("note: one\nnote: two\n")
 
 
 @pytest.mark.parametrize(
     ("slug", "said"),
     [
-        ("overlap-1e-30", "1E-30 deep"),
+        ("overlap-1e-30", "1e-30 deep"),
         ("too-large", "fits nowhere as it is turned"),
         ("bow-tie", "the boundary crosses itself"),
         ("turn-forbidden", "part tile may not be turned by 90 degrees"),
@@ -175,7 +175,7 @@ def test_faults_of_a_layout_elsewhere_are_enlarged_alike(case: Any) -> None:
 def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
     judgement = judged("far-1e-30")
     (place,) = enlarge_faults(judgement, rank_faults(judgement))
-    assert place.caption == "overlap, 0 and 1; the picture is 6E-30 wide"
+    assert place.caption == "overlap, 0 and 1; the picture is 6e-30 wide"
     edges = set()
     for data in re.findall(r'class="bad" d="([^"]+)"', place.svg):
         edges |= {float(x) for x in re.findall(r"[ML](-?[\d.]+) ", data) if 0 < float(x) < SIDE}
