@@ -48,7 +48,7 @@ def test_a_small_error_is_shown_again_enlarged() -> None:
     low = -1 - Fraction(1, 10**20)
     whole, enlarged = draw_panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
     assert in_sight(whole, "theirs")
-    assert re.fullmatch(r"2\.9\d*E\+19 times larger, at the witness", enlarged.caption)
+    assert re.fullmatch(r"2\.9\d*e\+19 times larger, at the witness", enlarged.caption)
     assert not in_sight(enlarged, "exact")
     assert enlarged.witness == (SIDE / 2, SIDE / 2)
 
