@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import os
 import shutil
 import signal
 from collections.abc import Iterator
@@ -15,6 +16,9 @@ from shown import FLAGS, MILLISECONDS, Open, Shown
 
 from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.view import make_page
+
+for name in ("COLUMNS", "LINES", "TERM", "FORCE_COLOR", "NO_COLOR"):
+    os.environ.pop(name, None)
 
 settings.register_profile("fresh", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 # The same examples at every run: a change fails by itself, never by the luck of a draw. Campaigns

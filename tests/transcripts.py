@@ -26,9 +26,9 @@ _COMMON_POINT = re.compile(r"(OVERLAP, point )\(.*?\)")
 """A point in both interiors, of which any is as good as another one."""
 
 
-def list_transcripts(folder: str = "*") -> list[Path]:
-    """List the transcripts of a folder of tests, or of all."""
-    return sorted(TESTS.glob(f"{folder}/transcripts/*.txt"))
+def list_transcripts() -> list[Path]:
+    """List the transcripts of all folders of tests."""
+    return sorted(TESTS.glob("*/transcripts/*.txt"))
 
 
 def replay(transcript: str) -> str:

@@ -6,7 +6,7 @@ import pytest
 from transcripts import list_transcripts, replay
 
 
-@pytest.mark.parametrize("path", list_transcripts("text"), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", list_transcripts(), ids=lambda path: path.stem)
 def test_commands_write_what_they_wrote(
     path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
