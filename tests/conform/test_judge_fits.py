@@ -17,7 +17,6 @@ FIT = Case.of("fit", "", BLOCK, WIDE)
 THIRDS = Case.of(
     "thirds", "", [(Fraction(x) + Fraction(1, 3), Fraction(y) / 3) for x, y in BLOCK], WIDE
 )
-BUT = "equivalent except for exact fits"
 FALSE = "false exact fits"
 
 

@@ -49,6 +49,9 @@ def find_look(name: str) -> Look:
     like = find_look(changes.pop("like")) if "like" in changes else Look(style.BLACK)
     if "color" in changes:
         changes["color"] = getattr(style, changes["color"], changes["color"])
+    if "fill" in changes:
+        name, _, opacity = changes["fill"].partition(" ")
+        changes["fill"] = getattr(style, name, name) + opacity
     if isinstance(changes.get("dash"), list):
         changes["dash"] = (0, tuple(changes["dash"]))
     return replace(like, **changes)
