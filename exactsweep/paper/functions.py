@@ -13,7 +13,8 @@ from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.laws import Law
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.procedures.chain import split, take_corners
+from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import find_convex_parts, split, take_corners
 from exactsweep.sweep import Sweep
 
 P = TypeVar("P", bound=tuple[Any, Any])
@@ -79,7 +80,9 @@ def _reference(
     return reference_loops(list(generatrix), list(directrix))
 
 
-def tell_difference(name: str, found: Iterable[Vertex], expected: Iterable[Vertex]) -> str:
+def tell_difference(
+    name: str, found: Iterable[Vertex], expected: Iterable[Vertex], by: str = "by the definition"
+) -> str:
     """Say that two chains differ; empty if they do not.
 
     >>> tell_difference("T", [(0, 0), (1, 1)], [(0, 0), (1, 2)])
@@ -88,7 +91,17 @@ def tell_difference(name: str, found: Iterable[Vertex], expected: Iterable[Verte
     found, expected = keep_corners(found), keep_corners(expected)
     if found == expected:
         return ""
-    return f"{name} is {write_chain(found)}, and {write_chain(expected)} by the definition"
+    return f"{name} is {write_chain(found)}, and {write_chain(expected)} {by}"
+
+
+def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vertex]]]:
+    """The sub-trajectories and the sub-outer chains of a convex G, one for each part of D_b."""
+    top, bottom, directrix = pair.chains
+    parts = find_convex_parts(directrix)
+    return (
+        [trajectory_cc(top, part) for part in parts],
+        [sweep_outer_cc(top, bottom, part) for part in parts],
+    )
 
 
 def returns(procedure: str, loop: str, run: Callable[[Chains], Iterable[Vertex]]) -> Law:
