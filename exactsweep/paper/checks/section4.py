@@ -15,7 +15,7 @@ from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
+from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
     evaluate,
     has_wrong_inner_loop,
@@ -50,9 +50,9 @@ def sub_trajectories_suffice(pair: SweepPair) -> str:
     )
 
 
-trajectory_cm_is_right = returns("Trajectory_CM", "trajectory", run_trajectory_cm)
-outer_cm_is_right = returns("SweepO_CM", "outer", run_outer_cm)
-inner_cm_is_right = returns("SweepI_CM", "inner", run_inner_cm)
+trajectory_cm_is_right = returns("Trajectory_CM", "trajectory", RUNS["Trajectory_CM"])
+outer_cm_is_right = returns("SweepO_CM", "outer", RUNS["SweepO_CM"])
+inner_cm_is_right = returns("SweepI_CM", "inner", RUNS["SweepI_CM"])
 
 
 def is_monotone(name: str, chain: Iterable[Vertex]) -> str:

@@ -13,8 +13,8 @@ from exactsweep.paper.claim import (
     Table,
     weigh,
 )
-from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
-from exactsweep.paper.counting import grow_pairs
+from exactsweep.paper.costs import RUNS
+from exactsweep.paper.counting import PairFamily, grow_pairs
 from exactsweep.paper.functions import keep_corners, list_sub_chains, look_up, take_bottom
 from exactsweep.paper.growth import MN, double
 from exactsweep.paper.pairs import SweepPair
@@ -46,23 +46,19 @@ def sizes_are_bounded(pair: SweepPair) -> str:
 
 def count_outer_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the trajectory and of the outer boundary over deep teeth."""
-    sizes = _sizes(effort)
-    return weigh(
-        "",
-        grow_pairs("vertices", "trajectory", run_trajectory_cm, cm_hard, MN, sizes),
-        grow_pairs("vertices", "outer boundary", run_outer_cm, cm_hard, MN, sizes),
-        attained=True,
-    )
+    runs = ("trajectory", "Trajectory_CM"), ("outer boundary", "SweepO_CM")
+    return _weigh_sizes(effort, cm_hard, *runs)
 
 
 def count_inner_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the inner boundary over close teeth."""
-    growth = grow_pairs("vertices", "inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort))
-    return weigh("", growth, attained=True)
+    return _weigh_sizes(effort, cm_undercut, ("inner boundary", "SweepI_CM"))
 
 
-def _sizes(effort: Effort) -> list[tuple[int, int]]:
-    return double(32, 3 if effort.quick else 4)
+def _weigh_sizes(effort: Effort, family: PairFamily, *runs: tuple[str, str]) -> Evidence:
+    sizes = double(32, 3 if effort.quick else 4)
+    grown = (grow_pairs("vertices", name, RUNS[run], family, MN, sizes) for name, run in runs)
+    return weigh("", *grown, attained=True)
 
 
 def find_large_parts(effort: Effort) -> Evidence:

@@ -12,9 +12,10 @@ from exactsweep.check import point_in_polygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.numbers.point import Edge
 from exactsweep.paper import literal
+from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
-from exactsweep.paper.costs import run_trajectory_mm
+from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
     clip,
     has_wrong_inner_loop,
@@ -40,7 +41,7 @@ NARROW = SweepPair(
 )
 
 
-trajectory_mm_is_right = returns("Trajectory_MM", "trajectory", run_trajectory_mm)
+trajectory_mm_is_right = returns("Trajectory_MM", "trajectory", RUNS["Trajectory_MM"])
 
 
 def sub_trajectories_suffice(pair: SweepPair) -> str:
@@ -170,7 +171,8 @@ def find_missing_edge(effort: Effort) -> Evidence:
     def lacks(name: str) -> Callable[[SweepPair], str]:
         def fails(pair: SweepPair) -> str:
             s = sweep(*pair)
-            missing = sorted(_slopes(s.trajectory) - _slopes(getattr(s, name)))
+            slopes, own = ({*map(slope, list_edges(x))} for x in (s.trajectory, getattr(s, name)))
+            missing = sorted(slopes - own)
             if not missing:
                 return ""
             return f"the trajectory has edges of slope {missing[0]}, and the {name} loop has none"
@@ -223,11 +225,6 @@ def edges_are_near(pair: SweepPair) -> str:
 def _shares(edge: Edge, other: Segment) -> bool:
     one = make_segment(edge)
     return one[:2] == other[:2] and one.shares_piece(other)
-
-
-def _slopes(polygon: Polygon) -> set[Fraction]:
-    """The slopes of the edges of a polygon without vertical ones."""
-    return {(q.y - p.y) / (q.x - p.x) for p, q in list_edges(polygon)}
 
 
 def outside_of_the_inner_loop(pair: SweepPair) -> str:
