@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from math import lcm
 from typing import Literal, get_args
 
@@ -144,14 +145,14 @@ class Case:
         inside = None
         if inner_fit or s.kind == "SS":
             inside = inner_fit_polygon(_shape(d), _shape(g), reference=reference)
-        return cls(
+        case = cls(
             id=id,
             title=title,
             directrix_ring=d[0],
             generatrix_ring=g[0],
             reference=s.reference,
             kind=s.kind,
-            flags=tuple(sorted({*flags, *find_facts(d, g, s, inside)})),
+            flags=(),
             trajectory=s.trajectory,
             inner=s.inner,
             outer=s.outer,
@@ -165,6 +166,7 @@ class Case:
             inner_exact_fits=() if inside is None else inside.exact_fits,
             note=note,
         )
+        return replace(case, flags=tuple(sorted({*flags, *find_facts(case)})))
 
     @property
     def directrix_rings(self) -> tuple[Loop, ...]:
@@ -209,7 +211,7 @@ class Case:
         The input is D, G and the reference point. The answer at this scale may still have
         fractions: then the case has the flag "rounded-answer".
         """
-        return lcm(*(c.denominator for c in self._input()))
+        return lcm(*(c.denominator for c in self.list_input()))
 
     @cached_property
     def representable(self) -> frozenset[str]:
@@ -219,7 +221,7 @@ class Case:
         that type holds the input as it is. (Where "int32" is named, binary64 holds the input times
         `integer_scale`, too.)
         """
-        return find_types(list(self._input()), self.integer_scale)
+        return find_types(list(self.list_input()), self.integer_scale)
 
     @cached_property
     def answer_representable(self) -> frozenset[str]:
@@ -227,20 +229,18 @@ class Case:
 
         The answer is the trajectory, the inner and outer loop and the exact fits.
         """
-        return find_types(list(self._answer()), self.integer_scale)
+        return find_types(list(self.list_answer()), self.integer_scale)
 
-    def _input(self) -> Iterator[Fraction]:
-        for ring in (*self.directrix_rings, *self.generatrix_rings, (self.reference,)):
-            for point in ring:
-                yield from point
+    def list_input(self) -> Iterator[Fraction]:
+        """List the coordinates of D, of G and of the reference point."""
+        rings = *self.directrix_rings, *self.generatrix_rings, (self.reference,)
+        return chain(*chain(*rings))
 
-    def _answer(self) -> Iterator[Fraction]:
+    def list_answer(self) -> Iterator[Fraction]:
+        """List the coordinates of all expected loops and exact fits."""
         loops = (self.trajectory, self.inner, self.outer, *self.holes, *self.unswept)
-        rings = [loop.vertices for loop in loops]
-        rings += [region.vertices for region in self.inner_regions or ()]
-        for points in (*rings, *self.exact_fits, *self.inner_exact_fits):
-            for point in points:
-                yield from point
+        rings = [shape.vertices for shape in (*loops, *(self.inner_regions or ()))]
+        return chain(*chain(*rings, *self.exact_fits, *self.inner_exact_fits))
 
 
 def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
