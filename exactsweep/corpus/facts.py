@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
-from typing import TYPE_CHECKING
 
 from exactsweep.check import classify
+from exactsweep.corpus.answered import AnsweredPair
 from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_range
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.point import Point, PointRings
-
-if TYPE_CHECKING:
-    from exactsweep.corpus.case import Case
 
 NEAR = Fraction(1, 10**14)
 HUGE = Fraction(2**53)
@@ -23,11 +20,11 @@ TINY = Fraction(1, 2**30)
 MANY = 256
 
 
-def find_facts(case: Case) -> set[str]:
+def find_facts(case: AnsweredPair) -> set[str]:
     """Find the flags of a pair that can be seen.
 
     Args:
-        case: a Case with its answers.
+        case: a pair with its answers.
 
     Returns:
         Names of flags; `exactsweep.corpus.notes` says what each means.
@@ -71,7 +68,7 @@ _SPELLING: dict[str, Callable[[PointRings], bool]] = {
 }
 
 
-def _inverse(case: Case) -> bool:
+def _inverse(case: AnsweredPair) -> bool:
     return _at_origin(case.generatrix.reflected()) == _at_origin(case.directrix)
 
 
@@ -80,16 +77,16 @@ def _at_origin(shape: AnyPolygon) -> AnyPolygon:
     return shape.translated((-x, -y))
 
 
-def _list_rings(case: Case) -> PointRings:
+def _list_rings(case: AnsweredPair) -> PointRings:
     return (*case.directrix.rings, *case.generatrix.rings)
 
 
-def _is_long(case: Case) -> bool:
+def _is_long(case: AnsweredPair) -> bool:
     loops = (case.trajectory, case.inner, case.outer)
     return any(len(ring) > MANY for ring in (*_list_rings(case), *(p.vertices for p in loops)))
 
 
-_ANSWER: dict[str, Callable[[Case], bool]] = {
+_ANSWER: dict[str, Callable[[AnsweredPair], bool]] = {
     "identical": lambda case: _at_origin(case.generatrix) == _at_origin(case.directrix),
     "inverse": _inverse,
     "touching": lambda case: classify(case.directrix, case.generatrix, (0, 0)).verdict == "CONTACT",
@@ -108,7 +105,7 @@ _ANSWER: dict[str, Callable[[Case], bool]] = {
 }
 
 
-def _sizes(case: Case) -> Iterator[str]:
+def _sizes(case: AnsweredPair) -> Iterator[str]:
     scale = case.integer_scale
     answer = [c * scale for c in case.list_answer()]
     if scale > 1:
@@ -129,7 +126,7 @@ def _sizes(case: Case) -> Iterator[str]:
         yield "tiny"
 
 
-def _greatest_product(case: Case) -> Fraction:
+def _greatest_product(case: AnsweredPair) -> Fraction:
     """The greatest cross product of the sides of the boxes around D and G, on the lattice."""
     boxes = [polygon.bounding_box for polygon in (case.directrix, case.generatrix)]
     width, height = (
@@ -138,7 +135,7 @@ def _greatest_product(case: Case) -> Fraction:
     return 2 * width * height
 
 
-def _rounds_products(case: Case) -> bool:
+def _rounds_products(case: AnsweredPair) -> bool:
     for ring in _list_rings(case):
         widths, heights = ([q[i] - p[i] for p, q in _edges(ring)] for i in (0, 1))
         next_widths, next_heights = widths[1:] + widths[:1], heights[1:] + heights[:1]
@@ -149,7 +146,7 @@ def _rounds_products(case: Case) -> bool:
     return False
 
 
-def _slopes(case: Case) -> Iterator[str]:
+def _slopes(case: AnsweredPair) -> Iterator[str]:
     d, g = (_directions(shape.rings) for shape in (case.directrix, case.generatrix))
     if any(x == 0 for x, _ in d | g):
         yield "vertical-edge"
@@ -180,7 +177,7 @@ def _near(u: Vector, v: Vector) -> bool:
     return 0 < cross * cross < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
 
 
-def _all_edges(case: Case) -> Iterator[tuple[Point, Point]]:
+def _all_edges(case: AnsweredPair) -> Iterator[tuple[Point, Point]]:
     return chain.from_iterable(map(_edges, _list_rings(case)))
 
 

@@ -34,7 +34,7 @@ from exactsweep.conform.adapters.adapter import (
 from exactsweep.conform.adapters.nest import start
 from exactsweep.conform.adapters.program import Program, write_shape
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
-from exactsweep.corpus.case import Shapes
+from exactsweep.corpus.answered import Shapes
 
 
 def adapter(name: str) -> Adapter:

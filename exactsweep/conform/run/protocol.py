@@ -37,7 +37,7 @@ from fractions import Fraction
 from typing import Any, Literal, Self, cast, get_args
 
 from exactsweep.corpus import Case
-from exactsweep.corpus.case import SHAPES, Shapes
+from exactsweep.corpus.answered import SHAPES, Shapes
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.polygon import Polygon
