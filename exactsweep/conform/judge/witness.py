@@ -234,6 +234,11 @@ def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
     return Point(a.x + s * (b.x - a.x), a.y + s * (b.y - a.y))
 
 
+def find_middle(p: Point, q: Point) -> Point:
+    """Return the middle of two points."""
+    return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
+
+
 def add(p: Point, q: Point) -> Point:
     """Add two points."""
     return Point(p.x + q.x, p.y + q.y)
