@@ -81,7 +81,7 @@ class Mistake(NamedTuple):
 
     @property
     def hello(self) -> Hello:
-        """What the program says of itself."""
+        """Return the hello of the program."""
         if self.part == "trajectory":
             return Hello("mistaken", LOOPS, self.numbers)
         return Hello("mistaken", (), self.numbers, questions=(self.part,), shapes="any")  # type: ignore[arg-type]

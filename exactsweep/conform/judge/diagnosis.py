@@ -34,7 +34,7 @@ _POSITIONS = ("trajectory", "no_fit", "inner_fit")
 """Loops of positions, which depend on the reference point."""
 
 
-class _AnsweredRings(NamedTuple):
+class _DiagnosedRings(NamedTuple):
     """A loop of a case that was answered.
 
     Attributes:
@@ -87,7 +87,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         # Nearly everything is something else except for so much.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
-    theirs = _AnsweredRings(case, name, exact, rings, rounding, low, high)
+    theirs = _DiagnosedRings(case, name, exact, rings, rounding, low, high)
     missing, left = _pair_rings(theirs)
     if counted := tuple(_count_rings(theirs, missing, left)):
         return counted
@@ -108,7 +108,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     return tuple(dict.fromkeys(found))
 
 
-def _pair_rings(theirs: _AnsweredRings) -> tuple[PointRings, PointRings]:
+def _pair_rings(theirs: _DiagnosedRings) -> tuple[PointRings, PointRings]:
     """Return the exact rings that were not answered, and those answered that are none of them."""
     left = list(theirs.rings)
     missing = []
@@ -124,7 +124,7 @@ def _pair_rings(theirs: _AnsweredRings) -> tuple[PointRings, PointRings]:
     return missing, left
 
 
-def _count_rings(theirs: _AnsweredRings, missing: PointRings, left: PointRings) -> Iterator[str]:
+def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings) -> Iterator[str]:
     """Say whether all exact rings are there, and how many more, or how many are missing."""
     exact, name = theirs.exact, theirs.name
     if len(missing) == len(exact):
@@ -164,7 +164,7 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
         yield "has more vertices than the exact one, and all of its own"
 
 
-def _other_loops(theirs: _AnsweredRings) -> Iterator[str]:
+def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
     """Name loops of the case that are not the one asked for."""
     case, exact = theirs.case, theirs.exact
     for other, words in LOOP_NAMES.items():
@@ -185,7 +185,7 @@ def _other_loops(theirs: _AnsweredRings) -> Iterator[str]:
             yield words
 
 
-def _other_positions(theirs: _AnsweredRings) -> list[str]:
+def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     """Name mistakes in what is computed, about any reference point, the likeliest first.
 
     On symmetric shapes one of them looks like another one. Usual reference points come before what
@@ -207,7 +207,7 @@ def _other_positions(theirs: _AnsweredRings) -> list[str]:
             found.append((1, f"exact for {words}"))
             continue
         joint = f"{words}, and for " if words else ""
-        ranks = (3, 3) if words else (0, 2)
+        ranks = (3, 3) if words else (1, 2)
         found += ((ranks[point not in _USUAL], f"exact for {joint}{point}") for point in points)
         if not points:
             by = write_pair(subtract(offset, case.reference))
@@ -276,13 +276,13 @@ def _mean(ring: Sequence[Point]) -> Point:
     return Point(x, y)
 
 
-def _find_offset(shape: PointRings, theirs: _AnsweredRings) -> Point | None:
+def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:
     """Find the translation that makes some rings the answered ones, except for rounding."""
     by = subtract(theirs.low, _box(shape)[0])
     return by if theirs.are(_map(shape, 1, 0, 0, 1, by), 2) else None
 
 
-def _find_scale(theirs: _AnsweredRings) -> Fraction | None:
+def _find_scale(theirs: _DiagnosedRings) -> Fraction | None:
     """Find the factor that makes the exact rings the answered ones, except for rounding."""
     low, high = _box(theirs.exact)
     factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
