@@ -4,12 +4,13 @@ No text depends on fonts, on a layout that matplotlib computes, or on the way a 
 """
 
 import json
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, replace
 from fractions import Fraction
 from hashlib import sha256
 from importlib import import_module
-from itertools import islice
+from itertools import chain, islice
 from pkgutil import walk_packages
 from typing import Any
 from unittest.mock import patch
@@ -118,6 +119,7 @@ POSITIONS: dict[str, NoFitPolygon | InnerFit] = {
 }
 CASES = [
     *("fits-square", "worked-roof", "caves-open-thirds", "holes-hole-at-the-rim"),
+    *("sizes-times-10-400", "spelling-clockwise-both"),
     *("holes-as-large", "containers-too-low", "gen-fractions-3-1"),
 ]
 SIZES = ("vertices", "edges", "holes", "undercuts")
@@ -275,9 +277,10 @@ def list_growing() -> Iterator[str]:
 
 
 def list_generated() -> Iterator[str]:
-    """The digests of generated inputs, family by family, and three families' cases in full.
+    """The digests and flags of generated cases, family by family, and three of them in full.
 
     The first three cases of seed 7 must never change, nor must any other: ids keep their meaning.
+    The flags show whether a family aims at what it says.
     """
     parts = "id", "directrix", "generatrix", "reference", "directrix_holes", "generatrix_holes"
     for family in FAMILIES:
@@ -285,6 +288,9 @@ def list_generated() -> Iterator[str]:
             drawn = [case_to_json(case) for case in islice(generate(family, 7), start, end)]
             found = [[case[part] for part in parts if part in case] for case in drawn]
             yield f"{family} {start} {end} {sha256(repr(found).encode()).hexdigest()[:12]}"
+        known = [(case.kind, *case.flags, *case.representable) for case in generate(family, 11, 12)]
+        counts = Counter(chain.from_iterable(known))
+        yield f"{family} of 12: {', '.join(f'{flag} {counts[flag]}' for flag in sorted(counts))}"
     for id in ("gen-convex-7-0", "gen-container-7-1", "gen-plate-7-2"):
         yield case_to_line(find_case(id)).rstrip()
 
