@@ -1,7 +1,7 @@
 """Write the golden files anew: `python -m tests.goldens [PARTS]...`.
 
-These are the texts of this folder, both golden.json, the reports of `conform`, all transcripts and
-all refusals.txt; git shows the changes.
+These are the texts of this folder, both golden.json, the reports of `conform`, the options of all
+commands, all transcripts and all refusals.txt; git shows the changes.
 """
 
 import json
@@ -18,9 +18,10 @@ import click
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.extend(
     f"{Path(__file__).parents[1]}/{folder}"
-    for folder in ("", "support", "batch", "conform", "formats", "layout")
+    for folder in ("", "support", "batch", "cli", "conform", "formats", "layout")
 )
 import test_batch_golden as batch
+import test_cli_options as options
 import test_formats_golden as formats
 import test_layout as layout
 import test_reports_golden as reports
@@ -37,6 +38,7 @@ def list_goldens() -> Iterator[tuple[Path, Callable[[], str]]]:
     yield batch.FILE, partial(answer, batch.CASES, "record", batch.find_record)
     yield formats.FILE, partial(answer, formats.CASES, "outcome", formats.find_outcome)
     yield reports.FILE, reports.write_reports
+    yield options.FILE, partial(join_lines, options.list_options)
     for path in list_transcripts():
         yield path, partial(replay_apart, path)
     for path in sorted(TESTS.glob("*/refusals.txt")):
