@@ -12,10 +12,13 @@ from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures.any_shape import ShapeSolution
 from exactsweep.procedures.monotone import MonotoneSolution
-from exactsweep.procedures.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+Solution = MonotoneSolution | ShapeSolution
+"""The loops and exact fits of a pair, each computed when it is first read."""
 
 
 class Display(NamedTuple):
