@@ -125,7 +125,7 @@ def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | Non
 
 def place_loop(loop: Sequence[Point], reference: Point = ORIGIN) -> Polygon:
     """Convert a canonical loop of positions of G's origin to a Polygon for a reference point."""
-    return Polygon._from_canonical(_move(loop, reference))
+    return Polygon._trust(_move(loop, reference))
 
 
 def place_fits(fits: Iterable[Fit], reference: Point) -> tuple[Fit, ...]:

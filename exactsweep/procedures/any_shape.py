@@ -77,7 +77,7 @@ class ShapeSolution:
     @made_once
     def _around_path(self) -> ShapeSolution:
         """The sweep of I(G) around T's inside, for the points that are not swept."""
-        path = Region(Polygon._from_canonical(self.trajectory))
+        path = Region(Polygon._trust(self.trajectory))
         # A lattice with T's corners at crossings of contact segments would be huge.
         return ShapeSolution(self._pair[0].reflected(), path, self.frame.scale)
 
