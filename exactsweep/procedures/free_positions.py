@@ -246,8 +246,8 @@ def _leave(vertex: ReducedPoint, scale: int) -> Point:
 
 
 def _find_middle(p: ReducedPoint, q: ReducedPoint) -> Point:
-    a, b = _leave(p, 2), _leave(q, 2)
-    return Point(a.x + b.x, a.y + b.y)
+    (a, b, c, d), (e, f, g, h) = p, q
+    return Point(divide_exactly(a * f + e * b, 2 * b * f), divide_exactly(c * h + g * d, 2 * d * h))
 
 
 def _join(

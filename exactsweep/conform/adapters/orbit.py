@@ -18,7 +18,6 @@ environment variable EXACTSWEEP_SVGNEST names, and is run by node: see `nest.js`
 from __future__ import annotations
 
 from collections.abc import Callable
-from fractions import Fraction
 from shutil import which
 from typing import Any
 
@@ -35,6 +34,7 @@ from exactsweep.conform.adapters.nest import start
 from exactsweep.conform.adapters.program import Program, write_shape
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
 from exactsweep.corpus.case import Shapes
+from exactsweep.geometry.vectors import turn
 
 
 def adapter(name: str) -> Adapter:
@@ -100,6 +100,7 @@ def sort_out(
 ) -> tuple[list[list[Position]], list[tuple[Position, Position]]]:
     """Tell rings from single positions and from lines along which an orbit went and came back.
 
+    >>> from fractions import Fraction
     >>> a, b, c = (Fraction(0), Fraction(0)), (Fraction(2), Fraction(0)), (Fraction(0), Fraction(1))
     >>> rings, fits = sort_out([[a, b, c, a], [b, b], [a, b, a]])
     >>> len(rings), [fit == (a, b) for fit in fits]
@@ -111,12 +112,8 @@ def sort_out(
         if not distinct:
             continue
         low, high = min(distinct), max(distinct)
-        if all(_turn(low, high, p) == 0 for p in distinct):
+        if not any(turn(low, high, p) for p in distinct):
             fits.append((low, high))
         else:
             rings.append(ring)
     return rings, fits
-
-
-def _turn(a: Position, b: Position, c: Position) -> Fraction:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

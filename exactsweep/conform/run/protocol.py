@@ -200,17 +200,17 @@ def write_case_line(case: Case, hello: Hello) -> str:
         >>> write_case_line(case, Hello("b", numbers="binary64"))[:50]
         '{"id": "a", "class": "CC", "directrix": [["0.0", "'
     """
-    write = _binary64 if hello.numbers == "binary64" else format_fraction
+    is_double = hello.numbers == "binary64"
 
     def ring(points: Iterable[Point]) -> list[list[str]]:
-        return [[write(c) for c in point] for point in points]
+        return [[repr(float(c)) if is_double else format_fraction(c) for c in p] for p in points]
 
     line: dict[str, Any] = {
         "id": case.id,
         "class": case.kind,
         "directrix": ring(case.directrix_ring),
         "generatrix": ring(case.generatrix_ring),
-        "reference": [write(c) for c in case.reference],
+        "reference": ring([case.reference])[0],
     }
     for name in ("directrix_holes", "generatrix_holes"):
         if holes := getattr(case, name):
@@ -237,10 +237,6 @@ def read_object(line: str) -> dict[str, Any]:
     if not isinstance(found, dict):
         raise ProtocolError(f"{quote(line)} is {describe_kind(found)}, not an object")
     return found
-
-
-def _binary64(value: Fraction) -> str:
-    return repr(float(value))
 
 
 class UnsupportedError(ExactSweepError):
@@ -322,10 +318,3 @@ def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:
         inner_regions=case.inner_regions and tuple(map(region, case.inner_regions)),
         inner_exact_fits=fits(case.inner_exact_fits),
     )
-
-
-def convert_numbers(value: Fraction, numbers: str) -> object:
-    """Return a number in the type of an implementation that is called, and not spoken to."""
-    if numbers == "rational":
-        return value
-    return float(value) if numbers == "binary64" else int(value)
