@@ -135,9 +135,10 @@ class EdgeIndex:
 
         Cost: as for `near`.
         """
-        left, right, low, high = self.box
-        if not (factor * left < x < factor * right and factor * low < y < factor * high):
-            return False
+        if not self.unbounded:
+            left, right, low, high = self.box
+            if not (factor * left < x < factor * right and factor * low < y < factor * high):
+                return False
         edges = self._between(x // factor, -(-x // factor))
         return _is_between((edge[4:8] for edge in edges), x, y, factor, self.unbounded)
 
