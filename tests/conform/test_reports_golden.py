@@ -55,7 +55,9 @@ def make_run(accepted: Verdict) -> Run:
     hello = Hello("mine & theirs", ("trajectory",))
     run = Run(hello, ["mine", "-v"], accepted, Fraction(9, 10))
     for k, (name, pair, answer) in enumerate(list_answers()):
-        case = Case.of(name, f"the case {k}", *pair, *[["identical"]] * (k % 5 == 1))
+        d, g, reference = pair
+        flags = ["identical"] if k % 5 == 1 else []
+        case = Case.of(name, f"the case {k}", d, g, reference, flags)
         peer = CallablePeer(lambda d, g, r, answer=answer: answer, hello)  # type: ignore[misc]
         outcome = replace(
             judge_case(peer, case),
