@@ -74,6 +74,13 @@ def name_class(pair: SmallPair) -> str:
     return "monotone" if shares_direction(pair) else "of any shape"
 
 
+class Compared(NamedTuple):
+    """The class of an input, and what differs from the reference, or nothing."""
+
+    kind: str
+    failure: str
+
+
 class Strategy(NamedTuple):
     """A way to draw inputs, and to compare the answers for them with the definition.
 
@@ -92,7 +99,7 @@ class Strategy(NamedTuple):
 
 STRATEGIES = {
     "monotone": Strategy(draw_monotone),
-    "small": Strategy(draw_small),
+    "small": Strategy(draw_small, 50),
     "shapes": Strategy(draw_shapes),
     "touching": Strategy(small_pairs.draw_touching, 1),
     "around": Strategy(small_pairs.draw_around, 1),
@@ -105,25 +112,32 @@ def seeded(seed: int, number: int) -> Random:
     return Random(f"{seed}:{number}")
 
 
-def by_definition(name: str, seed: int, numbers: range) -> list[str]:
-    """Compare inputs with the definition: say for each what differs, or nothing."""
+def by_definition(name: str, seed: int, numbers: range) -> list[Compared]:
+    """Compare inputs with the definition."""
     strategy = STRATEGIES[name]
 
-    def compare(number: int) -> str:
+    def compare(number: int) -> Compared:
         rng = seeded(seed, number)
         drawn = strategy.draw(rng)
         try:
-            return strategy.compare(drawn, rng, number % strategy.deep == 0)
+            failure = strategy.compare(drawn, rng, number % strategy.deep == 0)
         except Exception as error:
-            return f"{type(error).__name__}: {error}"
+            failure = f"{type(error).__name__}: {error}"
+        return Compared(strategy.name(drawn), failure)
 
     return [compare(number) for number in numbers]
 
 
-def by_sfcgal(name: str, seed: int, numbers: range) -> list[str]:
+def find_failures(name: str, seed: int, numbers: range) -> list[str]:
+    """List what differs from the definition."""
+    return [failure for _, failure in by_definition(name, seed, numbers) if failure]
+
+
+def by_sfcgal(name: str, seed: int, numbers: range) -> list[Compared]:
     """Compare pairs with SFCGAL, an unrelated program, in all but exact fits."""
-    draw = STRATEGIES[name].draw
-    return list(ask_sfcgal([case_of(draw(seeded(seed, number))) for number in numbers]))
+    pairs = [STRATEGIES[name].draw(seeded(seed, number)) for number in numbers]
+    said = ask_sfcgal([case_of(pair) for pair in pairs])
+    return [Compared(name_class(pair), line) for pair, line in zip(pairs, said, strict=True)]
 
 
 REFERENCES = {"definition": by_definition, "sfcgal": by_sfcgal}
@@ -201,15 +215,12 @@ def main(name: str, count: int, seed: int, first: int, reference: str, workers: 
         for numbers, said in track(
             zip(chunks, results, strict=True), total=len(chunks), console=progress
         ):
-            for number, failure in zip(numbers, said, strict=True):
-                if failure.startswith("crashes"):
-                    kinds[failure] += 1
-                elif failure:
+            for number, (kind, failure) in zip(numbers, said, strict=True):
+                if failure and not failure.startswith("crashes"):
                     wrong += 1
                     console.print(describe(name, seed, number, failure))
                 else:
-                    strategy = STRATEGIES[name]
-                    kinds[strategy.name(strategy.draw(seeded(seed, number)))] += 1
+                    kinds[failure or kind] += 1
     counts = ", ".join(f"{number:,} {kind}" for kind, number in sorted(kinds.items()))
     console.print(f"{name}, {reference}, seed {seed}: {counts}; {wrong} mismatches")
     sys.exit(wrong > 0)

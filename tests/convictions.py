@@ -16,7 +16,6 @@ import click
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 
 from mistakes import MISTAKES, Mistake
-from ring_mistakes import RING_MISTAKES, RingMistake, spoil_rings
 from shipped_cases import shipped_cases
 from spoiling import LOOPS, answer_exactly
 
@@ -24,7 +23,7 @@ from exactsweep import Point, Polygon
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.rounding import grant_rounding
 from exactsweep.conform.judge.verdict import Comparison, read_loop
-from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt
+from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case
 from exactsweep.numbers.number import to_fraction
 
@@ -40,9 +39,6 @@ def list_cases() -> list[Case]:
     return sorted([*shipped_cases(), *own], key=lambda case: (case.size, case.id))
 
 
-ALL: dict[str, Mistake | RingMistake] = {**MISTAKES, **RING_MISTAKES}
-
-
 class Judged(NamedTuple):
     """A wrong answer, judged."""
 
@@ -54,7 +50,7 @@ class Judged(NamedTuple):
         parts = self.found.parts
         return [self.found.reason, *(w for p in parts for w in (p.reason, p.kind, *p.diagnosis))]
 
-    def is_right(self, mistake: Mistake | RingMistake) -> bool:
+    def is_right(self, mistake: Mistake) -> bool:
         """Decide whether the verdict is right, and the mistake is named."""
         is_named = any(re.search(mistake.says, words) for words in self.list_sayings())
         return self.found.verdict in mistake.verdicts and is_named
@@ -62,50 +58,46 @@ class Judged(NamedTuple):
 
 def judge_wrong_answers(name: str, cases: Iterable[Case]) -> Iterator[Judged]:
     """Judge what a mistake makes of exact answers, where that is something else."""
-    mistake = ALL[name]
+    mistake = MISTAKES[name]
+    hello, promised = mistake.hello, LOOPS if mistake.part == "trajectory" else ()
     for case in cases:
-        if isinstance(mistake, RingMistake):
-            rings = spoil_rings(mistake, case)
-            if rings is not None:
-                yield Judged(case, compare(case, rings, numbers="rational"))
-            continue
         try:
-            put = adapt(case, Hello("mistaken", LOOPS, mistake.numbers))
-            exact = answer_exactly(put)
-            answer = mistake.change(put, dict(exact))
+            put = adapt(case, hello)
+            exact = answer_exactly(put, mistake.part)
+            answer = mistake.change(put, exact)
         except (UnsupportedError, OverflowError):
             continue
         is_rounded = mistake.numbers == "binary64" and is_near(put, answer, exact)
-        if not is_rounded and not is_same(answer, exact):
-            yield Judged(case, compare(put, answer, promised=LOOPS, numbers=mistake.numbers))
+        if answer and not is_rounded and not is_same(answer, exact):
+            yield Judged(case, compare(put, answer, promised=promised, numbers=mistake.numbers))
 
 
 def is_same(answer: dict[str, Any], exact: dict[str, Any]) -> bool:
     """Decide without the judge whether an answer is right, in whatever way it is written."""
     try:
-        loops = all(Polygon(answer[name]) == Polygon(exact[name]) for name in LOOPS)
-        fits, others = (
-            {frozenset(Point(to_fraction(x), to_fraction(y)) for x, y in fit) for fit in given}
-            for given in (answer["exact_fits"], exact["exact_fits"])
-        )
+        return {name: _forget_order(name, answer[name]) for name in exact} == {
+            name: _forget_order(name, rings) for name, rings in exact.items()
+        }
     except (ValueError, KeyError, TypeError):
         return False
-    return loops and fits == others
 
 
-def is_near(case: Case, answer: dict[str, Any], exact: dict[str, Any]) -> bool:
+def _forget_order(name: str, rings: Any) -> Any:
+    if name.endswith("fits"):
+        return {frozenset(Point(to_fraction(x), to_fraction(y)) for x, y in fit) for fit in rings}
+    return sorted(Polygon(ring).vertices for ring in rings)
+
+
+def is_near(case: Case, answer: Any, exact: dict[str, Any]) -> bool:
     """Decide whether each vertex of an answer in floats is off by no more than is granted."""
-    for name in LOOPS:
-        loop = read_loop(answer[name], name)
-        granted = grant_rounding(case, name, loop, "binary64")
-        ring = [Point(to_fraction(x), to_fraction(y)) for x, y in answer[name]]
-        if any(
-            abs(a - b) >= granted
-            for p, q in zip(ring, exact[name], strict=True)
-            for a, b in zip(p, q, strict=True)
-        ):
-            return False
-    return True
+    return all(
+        abs(to_fraction(a) - b)
+        < grant_rounding(case, name, read_loop(answer[name], ""), "binary64")
+        for name in LOOPS
+        for ring, right in zip(answer[name], exact[name], strict=True)
+        for p, q in zip(ring, right, strict=True)
+        for a, b in zip(p, q, strict=True)
+    )
 
 
 @click.command()
@@ -125,7 +117,7 @@ def main(wrong: int) -> None:
     click.echo("| program | verdicts | diagnosis |")
     click.echo("|---|---|---|")
     failed = 0
-    for name, mistake in ALL.items():
+    for name, mistake in MISTAKES.items():
         judged = [*islice(judge_wrong_answers(name, chosen), wrong)]
         verdicts = Counter(one.found.verdict.value for one in judged)
         said = Counter(
@@ -138,7 +130,7 @@ def main(wrong: int) -> None:
         words, _ = next(iter(said.most_common(1)), ("", 0))
         # The name comes before the description.
         click.echo(f"| {name} | {listed} | {words.partition(';')[0]} |")
-    click.echo(f"\n{len(ALL)} programs, {failed} answers misjudged.")
+    click.echo(f"\n{len(MISTAKES)} programs, {failed} answers misjudged.")
     sys.exit(1 if failed else 0)
 
 

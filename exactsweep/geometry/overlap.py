@@ -16,15 +16,16 @@ the test examines are on the lattice, or halfway between two lattice points.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from enum import Enum
 from functools import cached_property
-from itertools import pairwise
-from math import ceil, floor, lcm
-from operator import itemgetter
-from typing import NamedTuple
+from itertools import chain, pairwise
+from math import inf, lcm
+from typing import Any
 
-from exactsweep.numbers.point import Edge, Point, Rational, Vertex
+from exactsweep.numbers.point import Point, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings with the interior on the left."""
@@ -32,84 +33,212 @@ Rings = Sequence[Sequence[Vertex]]
 Places = defaultdict[tuple[int, int], set[Vertex]]
 """Points on an edge, by the number of the ring and of the edge in it."""
 
+Bounds = tuple[Any, Any, Any, Any]
+"""The left, right, low and high end of a box."""
 
-_COLUMNS = 512
+BoxedEdge = tuple[
+    Rational, Rational, Rational, Rational, Rational, Rational, Rational, Rational, int, int
+]
+"""An edge: its box, its ends (ax, ay) and (bx, by), the number of its ring, its number there."""
 
-
-class _BoundedEdge(NamedTuple):
-    """An edge with its bounds, and its number in the ring."""
-
-    left: Rational
-    right: Rational
-    low: Rational
-    high: Rational
-    start: Vertex
-    end: Vertex
-    ring: int
-    number: int
+_FEW = 24
+"""The number of edges up to which a search examines all of them."""
+_MOST_COLUMNS = 512
 
 
-class _Bounds(NamedTuple):
-    left: Rational
-    right: Rational
-    low: Rational
-    high: Rational
+class Relation(Enum):
+    """The relation of two shapes."""
+
+    APART = "apart"
+    CONTACT = "contact"
+    OVERLAP = "overlap"
 
 
-class _EdgesByColumn:
-    """The edges of a shape by columns of its x-range, for finding those near a place.
+class EdgeIndex:
+    """The boundary of a shape, for look-ups of the edges near a place.
 
     Args:
         rings: the rings, with the interior on the left.
-        unbounded: whether all rings are clockwise, so that the shape is unbounded.
+        unbounded: whether the shape has all points outside the rings.
     """
 
     def __init__(self, rings: Rings, *, unbounded: bool = False) -> None:
-        self.rings = [list(ring) for ring in rings]
+        self.rings = rings
         self.unbounded = unbounded
-        self.sides = sorted(_sides(rings))
-        self.bounds = _bounds(self.sides)
-        count = min(len(self.sides), _COLUMNS)
-        self._width = (self.bounds.right - self.bounds.left) // count + 1
-        self._columns: list[list[tuple[int, _BoundedEdge]]] = [[] for _ in range(count)]
-        for side in self.sides:
-            first, last = self._column(side.left), self._column(side.right)
-            for column in self._columns[first : last + 1]:
-                column.append((first, side))
 
-    def _column(self, x: Rational) -> int:
-        return int((x - self.bounds.left) // self._width)
+    @cached_property
+    def box(self) -> Bounds:
+        """The bounds of the shape."""
+        if self.unbounded:
+            return -inf, inf, -inf, inf
+        xs, ys = zip(*chain.from_iterable(self.rings), strict=True)
+        return min(xs), max(xs), min(ys), max(ys)
 
-    def near(self, bounds: _Bounds) -> list[_BoundedEdge]:
-        """Find the edges whose bounds meet the given ones, column by column, by left end."""
-        first = max(self._column(bounds.left), 0)
-        last = min(self._column(bounds.right), len(self._columns) - 1)
+    @cached_property
+    def edges(self) -> list[BoxedEdge]:
+        """The edges, by the left ends of their boxes."""
+        found = []
+        for k, ring in enumerate(self.rings):
+            ax, ay = ring[-1]
+            for i, (bx, by) in enumerate(ring):
+                left, right = (ax, bx) if ax < bx else (bx, ax)
+                low, high = (ay, by) if ay < by else (by, ay)
+                number = (i or len(ring)) - 1
+                found.append((left, right, low, high, ax, ay, bx, by, k, number))
+                ax, ay = bx, by
+        found.sort()
+        return found
+
+    @cached_property
+    def _lefts(self) -> list[Rational]:
+        return [edge[0] for edge in self.edges]
+
+    @cached_property
+    def _columns(self) -> tuple[Rational, list[tuple[list[BoxedEdge], int]]]:
+        """The width of columns, and for each its edges, and the edges that start before its end."""
+        edges, lefts = self.edges, self._lefts
+        count = min(len(edges), _MOST_COLUMNS)
+        start = lefts[0]
+        width = (max(edge[1] for edge in edges) - start) // count + 1
+        columns: list[list[BoxedEdge]] = [[] for _ in range(count)]
+        for edge in edges:
+            first, last = (edge[0] - start) // width, (edge[1] - start) // width
+            for column in columns[first : last + 1]:
+                column.append(edge)
+        ends = (bisect_left(lefts, start + k * width) for k in range(1, count + 1))
+        return width, list(zip(columns, ends, strict=True))
+
+    def _between(self, left: Rational, right: Rational) -> list[BoxedEdge]:
+        """List edges by their left ends, all that meet an x-range among them."""
+        edges = self.edges
+        if len(edges) <= _FEW:
+            return edges
+        lefts, (width, columns) = self._lefts, self._columns
+        k = min(max((left - lefts[0]) // width, 0), len(columns) - 1)
+        column, end = columns[k]
+        return column + edges[end : bisect_right(lefts, right)]
+
+    def near(self, box: Bounds) -> list[BoxedEdge]:
+        """Return the edges whose boxes meet a box, by their left ends.
+
+        Cost: O(log n) and O(1) for each edge that meets the x-range or the column of its left end.
+        """
+        left, right, low, high = box
         return [
-            side
-            for k in range(first, last + 1)
-            for start, side in self._columns[k]
-            if (start == k or k == first)
-            and side.left <= bounds.right
-            and side.right >= bounds.left
-            and side.low <= bounds.high
-            and side.high >= bounds.low
+            edge
+            for edge in self._between(left, right)
+            if edge[0] <= right and edge[1] >= left and edge[2] <= high and edge[3] >= low
         ]
 
     def holds(self, x: Rational, y: Rational, factor: int) -> bool:
-        """Decide whether a point, multiplied by a factor, is inside and not on the boundary."""
-        # The point lies in the column of its floor, or in the next one.
-        k = self._column(x // factor)
-        edges = [
-            (side.start, side.end)
-            for column in range(max(k, 0), min(k + 2, len(self._columns)))
-            for first, side in self._columns[column]
-            if first == column or column == k or k < 0
-        ]
-        return _is_between(edges, x, y, factor, self.unbounded)
+        """Decide whether a point, multiplied by a factor, is inside and not on the boundary.
+
+        Cost: as for `near`.
+        """
+        if not self.unbounded:
+            left, right, low, high = self.box
+            if not (factor * left < x < factor * right and factor * low < y < factor * high):
+                return False
+        edges = self._between(x // factor, -(-x // factor))
+        return _is_between((edge[4:8] for edge in edges), x, y, factor, self.unbounded)
+
+
+_CrossingEdges = tuple[int, int, int, int]
+"""Two edges that cross, each by the number of its ring and its number there."""
+
+
+def relate(
+    a: EdgeIndex, b: EdgeIndex, x: Rational, y: Rational, scale: int = 1
+) -> tuple[Relation, _CrossingEdges | None]:
+    """Find the relation of two shapes, the second one moved by (x / scale, y / scale).
+
+    All crossings of edges, all places where boundaries touch, and all points of both interiors lie
+    in the intersection of the two boxes, the *window*. So the function examines the window only.
+
+    Args:
+        a: a shape; it may have several pieces, and it may be unbounded.
+        b: a bounded shape with a connected interior.
+        x: the move in x.
+        y: the move in y.
+        scale: the divisor of the move.
+
+    Returns:
+        The relation, and two edges that cross, if it found any.
+
+    Cost: O(k h) for k edges of one and h edges of the other that meet the window, or that of `near`
+    for each of h; and that of `EdgeIndex.holds` for each place at which the boundaries touch.
+    """
+    x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
+    (left, right, low, high), (west, east, south, north) = a.box, b.box
+    west, east, south, north = west + x0, east + x1, south + y0, north + y1
+    left, right = left if left > west else west, right if right < east else east
+    low, high = low if low > south else south, high if high < north else north
+    if left > right or low > high:
+        return Relation.APART, None
+    window = left, right, low, high
+    ours = a.near(window)
+    theirs = b.near((left - x1, right - x0, low - y1, high - y0)) if ours else []
+    few = len(ours) <= _FEW
+    on_a: Places = defaultdict(set)
+    on_b: Places = defaultdict(set)
+    # The middle of a common piece of both boundaries, times two, is inside neither.
+    middles: set[Vertex] = set()
+    for west, east, south, north, ax, ay, bx, by, ring, number in theirs:
+        west, east, south, north = west + x0, east + x1, south + y0, north + y1
+        if scale != 1:
+            ax, ay, bx, by = ax * scale, ay * scale, bx * scale, by * scale
+        ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
+        near = ours if few else a.near((west, east, south, north))
+        for left, right, low, high, px, py, qx, qy, k, i in near:
+            if left > east:
+                break
+            if right < west or low > north or high < south:
+                continue
+            if scale != 1:
+                px, py, qx, qy = px * scale, py * scale, qx * scale, qy * scale
+            # Most edges are on one side of the other edge.
+            dx, dy = qx - px, qy - py
+            of_a = dx * (ay - py) - dy * (ax - px)
+            of_b = dx * (by - py) - dy * (bx - px)
+            if (of_a > 0 < of_b) or (of_a < 0 > of_b):
+                continue
+            shared = touch((ax, ay), (bx, by), (px, py), (qx, qy))
+            if shared is None:
+                return Relation.OVERLAP, (k, i, ring, number)
+            if shared:
+                on_a[k, i].update(shared)
+                on_b[ring, number].update(shared)
+                middles.add((shared[0][0] + shared[-1][0], shared[0][1] + shared[-1][1]))
+    if not on_a and not a.unbounded and window != a.box and _leaves(b.box, a.box, x1, x0, y1, y0):
+        return Relation.APART, None
+    unit = 2 * scale
+    left, right, low, high = (unit * end for end in window)
+    for mine, others, edges, places, shift, back in (
+        (a, b, ours, on_a, (0, 0), (2 * x, 2 * y)),
+        (b, a, theirs, on_b, (x, y), (0, 0)),
+    ):
+        rings = {k: mine.rings[k] for k in {edge[8] for edge in edges} or {0}}
+        dx, dy = back
+        for px, py in find_points_between(rings, places, scale, shift):
+            if (
+                left <= px <= right
+                and low <= py <= high
+                and (px, py) not in middles
+                and others.holds(px - dx, py - dy, unit)
+            ):
+                return Relation.OVERLAP, None
+    return Relation.CONTACT if on_a else Relation.APART, None
+
+
+def _leaves(inner: Bounds, outer: Bounds, x1: int, x0: int, y1: int, y0: int) -> bool:
+    """Decide whether a box, moved by (x0, y0) to (x1, y1), is not inside another one."""
+    left, right, low, high = outer
+    west, east, south, north = inner
+    return bool(west + x1 < left or east + x0 > right or south + y1 < low or north + y0 > high)
 
 
 class Overlap:
-    """The test whether a shape overlaps another one moved by t; prepared at the first call.
+    """The test whether a shape overlaps another one moved by t.
 
     Args:
         stationary: the rings of D, the interior on the left. D may have several pieces. It may be
@@ -119,23 +248,14 @@ class Overlap:
     """
 
     def __init__(self, stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> None:
-        self._shapes = stationary, orbiting, unbounded
+        self._shapes = EdgeIndex(stationary, unbounded=unbounded), EdgeIndex(orbiting)
         # Edges that crossed last time are likely to cross again.
-        self._last: tuple[_BoundedEdge, _BoundedEdge] | None = None
-
-    @cached_property
-    def _fixed(self) -> _EdgesByColumn:
-        return _EdgesByColumn(self._shapes[0], unbounded=self._shapes[2])
-
-    @cached_property
-    def _moved(self) -> _EdgesByColumn:
-        return _EdgesByColumn(self._shapes[1])
+        self._last: _CrossingEdges | None = None
 
     def at(self, t: Point) -> bool:
         """Decide whether the interiors of D and G + t meet.
 
-        Cost: O(m n) at worst, for the edges whose bounds meet, and O(m + n) for each place at which
-        the boundaries touch; far less if G + t is near few edges of D.
+        Cost: that of `relate`, or O(1) if the edges that crossed last time cross again.
 
         >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
         >>> overlap = Overlap(square, square)
@@ -143,92 +263,26 @@ class Overlap:
         >>> [overlap.at(Point(Fraction(x), Fraction(y))) for x, y in [(0, 0), (1, 1), (2, 1)]]
         [True, True, False]
         """
-        x, y = t
-        scale = lcm(x.denominator, y.denominator)
-        shift = dx, dy = int(x * scale), int(y * scale)
-        if self._last is not None and _touch(*self._last, scale, shift) is None:
-            return True
-        around = self._moved.bounds
-        fixed = self._fixed.near(
-            _Bounds(
-                around.left + floor(x),
-                around.right + ceil(x),
-                around.low + floor(y),
-                around.high + ceil(y),
-            )
-        )
-        touching = self._meet(fixed, floor(x), ceil(x), floor(y), ceil(y), scale, shift)
-        if touching is None:
-            return True
-        on_moved, on_fixed = touching
-        moved_rings = dict(enumerate(self._moved.rings))
-        # If G + t contains a ring of D, all edges of the ring are near.
-        fixed_rings = {k: self._fixed.rings[k] for k in {side.ring for side in fixed}}
-        return any(
-            self._fixed.holds(px, py, 2 * scale)
-            for px, py in find_points_between(moved_rings, on_moved, scale, shift)
-        ) or any(
-            self._moved.holds(px - 2 * dx, py - 2 * dy, 2 * scale)
-            for px, py in find_points_between(fixed_rings, on_fixed, scale)
-        )
-
-    def _meet(
-        self,
-        fixed: Sequence[_BoundedEdge],
-        left: int,
-        right: int,
-        low: int,
-        high: int,
-        scale: int,
-        shift: tuple[int, int],
-    ) -> tuple[Places, Places] | None:
-        """Find where the boundaries touch, on edges of G and of D; None if they cross.
-
-        The move of G is at least (left, low) and at most (right, high).
-        """
-        on_moved: Places = defaultdict(set)
-        on_fixed: Places = defaultdict(set)
-        for f in fixed:
-            near = _Bounds(f.left - right, f.right - left, f.low - high, f.high - low)
-            for m in self._moved.near(near):
-                found = _touch(f, m, scale, shift)
-                if found is None:
-                    self._last = f, m
-                    return None
-                if found:
-                    on_moved[m.ring, m.number].update(found)
-                    on_fixed[f.ring, f.number].update(found)
-        return on_moved, on_fixed
-
-
-def _sides(rings: Rings) -> Iterator[_BoundedEdge]:
-    for k, ring in enumerate(rings):
-        for i, p in enumerate(ring):
-            q = ring[(i + 1) % len(ring)]
-            xs, ys = sorted((p[0], q[0])), sorted((p[1], q[1]))
-            yield _BoundedEdge(xs[0], xs[1], ys[0], ys[1], p, q, k, i)
-
-
-def _bounds(sides: Sequence[_BoundedEdge]) -> _Bounds:
-    return _Bounds(
-        min(map(itemgetter(0), sides)),
-        max(map(itemgetter(1), sides)),
-        min(map(itemgetter(2), sides)),
-        max(map(itemgetter(3), sides)),
-    )
-
-
-def _touch(
-    fixed: _BoundedEdge, moved: _BoundedEdge, scale: int, shift: tuple[int, int]
-) -> list[Vertex] | None:
-    (ax, ay), (bx, by), (px, py), (qx, qy) = fixed.start, fixed.end, moved.start, moved.end
-    sx, sy = shift
-    return touch(
-        (ax * scale, ay * scale),
-        (bx * scale, by * scale),
-        (px * scale + sx, py * scale + sy),
-        (qx * scale + sx, qy * scale + sy),
-    )
+        (n, d), (m, e) = t.x.as_integer_ratio(), t.y.as_integer_ratio()
+        scale = lcm(d, e)
+        x, y = n * (scale // d), m * (scale // e)
+        if self._last is not None:
+            k, i, j, h = self._last
+            fixed, moved = self._shapes[0].rings[k], self._shapes[1].rings[j]
+            a, b, p, q = fixed[i], fixed[i + 1 - len(fixed)], moved[h], moved[h + 1 - len(moved)]
+            if (
+                touch(
+                    (a[0] * scale, a[1] * scale),
+                    (b[0] * scale, b[1] * scale),
+                    (p[0] * scale + x, p[1] * scale + y),
+                    (q[0] * scale + x, q[1] * scale + y),
+                )
+                is None
+            ):
+                return True
+        relation, crossing = relate(*self._shapes, x, y, scale)
+        self._last = crossing or self._last
+        return relation is Relation.OVERLAP
 
 
 def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
@@ -309,26 +363,22 @@ def is_inside(doubled: Vertex, rings: Rings) -> bool:
     >>> is_inside((1, 1), square), is_inside((4, 1), square)
     (True, False)
     """
-    return is_inside_edges(doubled, (e for ring in rings for e in pairwise((*ring, ring[0]))))
-
-
-def is_inside_edges(doubled: Vertex, edges: Iterable[Edge]) -> bool:
-    """Decide whether a point, multiplied by two, is inside the edges of a shape.
-
-    Edges that do not meet the vertical line through the point may be left out. Cost: O(n).
-
-    >>> is_inside_edges((1, 1), [((0, 0), (2, 0)), ((2, 2), (0, 2))])
-    True
-    """
+    edges = ((*p, *q) for ring in rings for p, q in pairwise((*ring, ring[0])))
     return _is_between(edges, *doubled, 2, False)
 
 
-def _is_between(edges: Iterable[Edge], x: Rational, y: Rational, factor: int, inside: bool) -> bool:
+def _is_between(
+    edges: Iterable[tuple[Rational, Rational, Rational, Rational]],
+    x: Rational,
+    y: Rational,
+    factor: int,
+    inside: bool,
+) -> bool:
     """Decide whether a point on no edge is inside, by the parity of the edges above it.
 
     `inside` says whether points above all edges are inside. Each edge changes the side.
     """
-    for (px, py), (qx, qy) in edges:
+    for px, py, qx, qy in edges:
         ax, bx = px * factor - x, qx * factor - x
         if (ax > 0) != (bx > 0):
             ay, by = py * factor - y, qy * factor - y

@@ -6,11 +6,12 @@ from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import accumulate, chain
+from itertools import accumulate, chain, permutations
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.lattice import lcm_within
-from exactsweep.geometry.overlap import Places, find_points_between, is_inside, touch
+from exactsweep.geometry.near import find_near
+from exactsweep.geometry.overlap import EdgeIndex, Places, find_points_between, is_inside, touch
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_interface, refuse_number
@@ -18,7 +19,7 @@ from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import abridge
 from exactsweep.numbers.point import Point, Vertex
-from exactsweep.words import write_pair, write_size
+from exactsweep.words import write_pair
 
 Vertices = Polygon | Iterable[Iterable[object]]
 
@@ -102,11 +103,6 @@ class Region(PointSet):
         """The vertices of the exterior and of each hole, all counter-clockwise."""
         return (self.exterior.vertices, *(hole.vertices for hole in self.holes))
 
-    @property
-    def vertices(self) -> tuple[Point, ...]:
-        """The vertices of all `rings`, one after another."""
-        return tuple(chain.from_iterable(self.rings))
-
     def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
         """Return the region on the coarsest integer lattice that holds it.
 
@@ -131,11 +127,6 @@ class Region(PointSet):
     def is_convex(self) -> bool:
         """Decide whether the region is convex; it is not if it has a hole."""
         return not self.holes and self.exterior.is_convex
-
-    @property
-    def bounding_box(self) -> tuple[Point, Point]:
-        """The lower left and the upper right corner of the least axis-parallel rectangle."""
-        return self.exterior.bounding_box
 
     def _image(self, under: AffineMap) -> Region:
         return _restore([ring._image(under) for ring in (self.exterior, *self.holes)], self._firsts)
@@ -193,23 +184,8 @@ class Region(PointSet):
     def __str__(self) -> str:
         return "; hole ".join(map(str, (self.exterior, *self.holes)))
 
-    def _repr_svg_(self) -> str:
-        from exactsweep.canvas.svg import draw_rings
-
-        return draw_rings(self.rings, write_size(len(self), self.area))
-
-    def _repr_html_(self) -> str:
-        from exactsweep.canvas.svg import put_beside
-
-        low, high = self.bounding_box
-        rows = [
-            ("vertices", str(len(self))),
-            ("holes", str(len(self.holes))),
-            ("area", abridge(self.area)),
-            ("from", write_pair(low)),
-            ("to", write_pair(high)),
-        ]
-        return put_beside(self._repr_svg_(), rows)
+    def _facts(self) -> list[tuple[str, str]]:
+        return [("holes", str(len(self.holes))), ("area", abridge(self.area))]
 
 
 def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:
@@ -302,14 +278,16 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     scale, rings = common_lattice(polygons)
     places = [Places(set) for _ in rings]
     touching: defaultdict[Vertex, set[int]] = defaultdict(set)
-    for (k, i), (j, h) in _near(rings):
-        a, b = rings[k][i], rings[k][(i + 1) % len(rings[k])]
-        p, q = rings[j][h], rings[j][(h + 1) % len(rings[j])]
-        shared = touch(a, b, p, q)
+    edges = EdgeIndex(rings).edges
+    for later, earlier in sorted((n, m) for m, n in find_near([edge[:4] for edge in edges])):
+        (ax, ay, bx, by, k, i), (px, py, qx, qy, j, h) = edges[later][4:], edges[earlier][4:]
+        if k == j:
+            continue
+        shared = touch((ax, ay), (bx, by), (px, py), (qx, qy))
         if shared is None or len(set(shared)) > 1:
             first = f"{names[k]}, edge {polygons[k].edge_index(i)}"
             second = f"{names[j]}, edge {polygons[j].edge_index(h)}"
-            along = (b[0] - a[0]) * (q[1] - p[1]) == (b[1] - a[1]) * (q[0] - p[0])
+            along = (bx - ax) * (qy - py) == (by - ay) * (qx - px)
             what = "run along each other" if along else "cross"
             raise PolygonError(f"{first}, and {second} {what}")
         for point in shared:
@@ -319,52 +297,14 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     for k in range(1, len(rings)):
         if not all(is_inside(p, rings[:1]) for p in find_points_between({0: rings[k]}, places[k])):
             raise PolygonError(f"{names[k]} is not inside the exterior")
-    for k, j in _find_enclosed(rings):
-        points = find_points_between({0: rings[k]}, places[k])
-        if any(is_inside(point, [rings[j]]) for point in points):
-            raise PolygonError(f"{names[k]} is inside {names[j]}")
+    boxes = [EdgeIndex([ring]).box for ring in rings[1:]]
+    for k, j in chain.from_iterable(map(permutations, find_near(boxes))):
+        (left, right, low, high), (west, east, south, north) = boxes[k], boxes[j]
+        if west <= left and right <= east and south <= low and high <= north:
+            points = find_points_between({0: rings[k + 1]}, places[k + 1])
+            if any(is_inside(point, [rings[j + 1]]) for point in points):
+                raise PolygonError(f"{names[k + 1]} is inside {names[j + 1]}")
     _refuse_parted(len(rings), touching, names, scale)
-
-
-def _near(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
-    """Find the pairs of edges of different rings whose bounds meet."""
-    boxes = []
-    for k, ring in enumerate(rings):
-        for i, (px, py) in enumerate(ring):
-            qx, qy = ring[(i + 1) % len(ring)]
-            boxes.append((min(px, qx), max(px, qx), min(py, qy), max(py, qy), k, i))
-    boxes.sort()
-    active: list[tuple[int | Fraction, ...]] = []
-    for box in boxes:
-        left, _, low, high, k, i = box
-        active = [other for other in active if other[1] >= left]
-        for _, _, other_low, other_high, j, h in active:
-            if j != k and other_low <= high and low <= other_high:
-                yield (k, i), (int(j), int(h))
-        active.append(box)
-
-
-def _find_enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
-    """Find the pairs of holes such that the bounds of the second contain those of the first."""
-    boxes = []
-    for k, ring in enumerate(rings[1:], 1):
-        xs, ys = zip(*ring, strict=True)
-        boxes.append((min(xs), max(xs), min(ys), max(ys), k))
-    boxes.sort()
-    active: list[tuple[int | Fraction, ...]] = []
-    for box in boxes:
-        left, right, low, high, k = box
-        active = [other for other in active if other[1] >= left]
-        for other_left, other_right, other_low, other_high, j in active:
-            if right <= other_right and other_low <= low and high <= other_high:
-                yield k, int(j)
-            if (
-                other_left == left
-                and other_right <= right
-                and low <= other_low <= other_high <= high
-            ):
-                yield int(j), k
-        active.append(box)
 
 
 def _refuse_parted(

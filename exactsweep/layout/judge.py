@@ -14,13 +14,14 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, get_args
 
+from exactsweep.geometry.overlap import Relation
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board
 from exactsweep.layout.certificate import write_certificate
 from exactsweep.layout.closest import NearestPair, find_nearest_pair
 from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.layout import Layout
-from exactsweep.layout.meeting import Relation, meet
+from exactsweep.layout.solid import meet
 from exactsweep.layout.verdict import PairVerdict, judge_pair
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.arguments import tells_arguments

@@ -9,11 +9,10 @@ from __future__ import annotations
 from fractions import Fraction
 from math import isqrt
 
-from exactsweep.geometry.convex import IntVertex
 from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, measure_ends
-from exactsweep.geometry.overlap import touch
+from exactsweep.geometry.overlap import BoxedEdge, touch
 from exactsweep.geometry.vectors import minus, turn
-from exactsweep.layout.solid import BoxedEdge, Solid
+from exactsweep.layout.solid import Solid
 from exactsweep.numbers.point import Edge, Point, Rational
 
 
@@ -78,7 +77,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
     )
 
 
-def _move(edge: BoxedEdge, x: int, y: int) -> tuple[IntVertex, IntVertex]:
+def _move(edge: BoxedEdge, x: int, y: int) -> Edge:
     return (edge[4] + x, edge[5] + y), (edge[6] + x, edge[7] + y)
 
 

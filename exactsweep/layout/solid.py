@@ -14,7 +14,6 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -23,26 +22,18 @@ from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.geometry.hull import find_hull
-from exactsweep.geometry.overlap import is_inside_edges
+from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.point import Point, Rational
+from exactsweep.numbers.point import Point
 
 LatticeBox = tuple[int, int, int, int]
 """The left, right, low and high end of a box."""
-
 
 MatrixRows = tuple[int, int, int, int]
 """A linear map by its rows."""
 
 
-BoxedEdge = tuple[int, int, int, int, int, int, int, int, int, int]
-"""An edge: its box, its ends (ax, ay) and (bx, by), the number of its ring, its number there."""
-
-_FEW = 16
-"""The number of edges up to which a search examines all of them."""
-
-
-class LatticeForm:
+class LatticeForm(EdgeIndex):
     """A shape on a lattice, its interior on the left of its rings; many solids share it.
 
     Args:
@@ -50,13 +41,13 @@ class LatticeForm:
         cut: returns the convex pieces of the form.
     """
 
+    rings: Sequence[IntRing]
+
     def __init__(
         self, rings: Sequence[IntRing], cut: Callable[[], list[ConvexRing]] | None = None
     ) -> None:
-        self.rings = rings
+        super().__init__(rings)
         self._cut = cut or (lambda: cut_to_convex(rings))
-        xs, ys = zip(*rings[0], strict=True)
-        self.box: LatticeBox = min(xs), max(xs), min(ys), max(ys)
         self._scaled: dict[int, LatticeForm] = {1: self}
 
     def mapped(self, matrix: MatrixRows) -> LatticeForm:
@@ -74,26 +65,6 @@ class LatticeForm:
         return found
 
     @cached_property
-    def edges(self) -> list[BoxedEdge]:
-        """The edges, by the left ends of their boxes."""
-        found = []
-        for k, ring in enumerate(self.rings):
-            ax, ay = ring[-1]
-            for i, (bx, by) in enumerate(ring):
-                left, right = (ax, bx) if ax < bx else (bx, ax)
-                low, high = (ay, by) if ay < by else (by, ay)
-                number = (i or len(ring)) - 1
-                found.append((left, right, low, high, ax, ay, bx, by, k, number))
-                ax, ay = bx, by
-        found.sort()
-        return found
-
-    @cached_property
-    def _lefts(self) -> tuple[list[int], int]:
-        """The left ends of the edges, and the greatest width of an edge."""
-        return [edge[0] for edge in self.edges], max(edge[1] - edge[0] for edge in self.edges)
-
-    @cached_property
     def hull(self) -> list[IntVertex]:
         """The corners of the convex hull, counter-clockwise."""
         return find_hull(self.rings[0])
@@ -102,36 +73,6 @@ class LatticeForm:
     def pieces(self) -> list[ConvexRing]:
         """The convex pieces of the form."""
         return self._cut()
-
-    def near(self, box: LatticeBox) -> list[BoxedEdge]:
-        """Return the edges whose boxes meet a box.
-
-        Cost: O(log n), plus O(1) for each edge that begins in the x-range of the box, or left of it
-        by at most the greatest width of an edge.
-        """
-        left, right, low, high = box
-        edges = self.edges
-        if len(edges) > _FEW:
-            lefts, widest = self._lefts
-            edges = edges[bisect_left(lefts, left - widest) : bisect_right(lefts, right)]
-        return [
-            edge
-            for edge in edges
-            if edge[0] <= right and edge[1] >= left and edge[2] <= high and edge[3] >= low
-        ]
-
-    def holds(self, x: Rational, y: Rational) -> bool:
-        """Decide whether a point, multiplied by two, is inside and not on the boundary.
-
-        Cost: as for `near`.
-        """
-        left, right, low, high = self.box
-        if not (2 * left < x < 2 * right and 2 * low < y < 2 * high):
-            return False
-        lefts, widest = self._lefts
-        first, last = bisect_left(lefts, x // 2 - widest), bisect_right(lefts, -(-x // 2))
-        edges = (((e[4], e[5]), (e[6], e[7])) for e in self.edges[first:last])
-        return is_inside_edges((x, y), edges)
 
 
 class Solid(NamedTuple):
@@ -215,3 +156,11 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
         return a, b
     scale = lcm(a.scale, b.scale)
     return a.on(scale), b.on(scale)
+
+
+def meet(a: Solid, b: Solid) -> Relation:
+    """Decide whether two solids of one lattice overlap, touch or are apart.
+
+    Cost: that of `relate`.
+    """
+    return relate(a.form, b.form, b.x - a.x, b.y - a.y)[0]

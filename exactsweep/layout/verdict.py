@@ -17,10 +17,10 @@ from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.distance import SquaredDistance, measure_to_edge
-from exactsweep.layout.meeting import Relation, meet
+from exactsweep.geometry.overlap import Relation
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.pieces import bound_piece, find_common_point
-from exactsweep.layout.solid import Solid, share_scale
+from exactsweep.layout.solid import Solid, meet, share_scale
 from exactsweep.numbers.point import Point
 
 MOST_BITS = 256

@@ -118,39 +118,21 @@ class Cost:
             yield self.time()
 
 
-def run_trajectory_cm(c: Chains) -> Iterable[Any]:
-    """Trajectory_CM, for the chains of a pair."""
-    return trajectory_cm(c.top, c.directrix)
-
-
-def run_inner_cm(c: Chains) -> Iterable[Any]:
-    """SweepI_CM, for the chains of a pair."""
-    return sweep_inner_cm(c.top, c.directrix)
-
-
-def run_outer_cm(c: Chains) -> Iterable[Any]:
-    """SweepO_CM, for the chains of a pair."""
-    return sweep_outer_cm(*c)
-
-
-def run_trajectory_mm(c: Chains) -> Iterable[Any]:
-    """Trajectory_MM, for the chains of a pair."""
-    return trajectory_mm(c.top, c.directrix)
-
-
-RUNS: dict[str, tuple[Procedure, Procedure]] = {
+_BOTH: dict[str, tuple[Procedure, Procedure]] = {
     "Trajectory_CC": (lambda c: trajectory_cc(c.top, c.directrix), literal.find_trajectory),
     "SweepI_CC": (lambda c: sweep_inner_cc(c.top, c.directrix), literal.find_inner),
     "SweepO_CC": (lambda c: sweep_outer_cc(*c), literal.find_outer),
-    "Trajectory_CM": (run_trajectory_cm, literal.find_trajectory),
-    "SweepI_CM": (run_inner_cm, literal.find_inner),
-    "SweepO_CM": (run_outer_cm, literal.find_outer),
-    "Trajectory_MM": (run_trajectory_mm, literal.find_trajectory),
+    "Trajectory_CM": (lambda c: trajectory_cm(c.top, c.directrix), literal.find_trajectory),
+    "SweepI_CM": (lambda c: sweep_inner_cm(c.top, c.directrix), literal.find_inner),
+    "SweepO_CM": (lambda c: sweep_outer_cm(*c), literal.find_outer),
+    "Trajectory_MM": (lambda c: trajectory_mm(c.top, c.directrix), literal.find_trajectory),
     "Trajectory_MM to the letter": (literal.find_trajectory, literal.find_trajectory),
     "Sweep_MM, outer loop": (lambda c: sweep_mm(*c)[1], literal.find_outer),
     "Sweep_MM, inner loop": (lambda c: sweep_mm(*c)[0], literal.find_inner),
 }
 """Each procedure, and the same to the letter."""
+RUNS = {name: run for name, (run, _) in _BOTH.items()}
+INNER, OUTER = (RUNS[f"Sweep_MM, {loop} loop"] for loop in ("inner", "outer"))
 BOUNDS = {bound[0]: bound for bound in (M_PLUS_N, MN, MN_LOG, MN2_LOG)}
 
 
@@ -164,7 +146,7 @@ def _list_costs() -> Iterator[Cost]:
         for procedure, series in product(procedures, every):
             further = group | series
             family: PairFamily = getattr(growing, further.pop("family"))
-            yield Cost(row, procedure, *RUNS[procedure], BOUNDS[bound], family, **further)
+            yield Cost(row, procedure, *_BOTH[procedure], BOUNDS[bound], family, **further)
 
 
 COSTS = tuple(_list_costs())

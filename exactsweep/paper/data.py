@@ -17,6 +17,7 @@ import re
 import subprocess
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -25,11 +26,13 @@ from typing import Any
 from exactsweep import __version__
 from exactsweep.formats import NamedPolygon, format_polygons
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.plain import to_plain
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.growth import Growth
 
 FORMAT = "exactsweep ledger"
+_TEXTS = ("name", "section", "words", "weight", "correction", "proof", "kernel", "chosen")
 PACKAGES = ("sympy", "matplotlib", "jinja2")
 
 
@@ -78,11 +81,9 @@ def _version(name: str) -> str | None:
 
 def _processor() -> str:
     described = Path("/proc/cpuinfo")
-    if described.exists():
-        for line in described.read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                return line.partition(":")[2].strip()
-    return platform.processor() or platform.machine()
+    text = described.read_text(encoding="utf-8") if described.exists() else ""
+    named = re.search(r"^model name\s*:(.*)$", text, re.MULTILINE)
+    return named[1].strip() if named else platform.processor() or platform.machine()
 
 
 def as_json(rows: Sequence[Finding], effort: Effort) -> dict[str, Any]:
@@ -99,58 +100,30 @@ def as_json(rows: Sequence[Finding], effort: Effort) -> dict[str, Any]:
 
 def _row_as_json(row: Finding) -> dict[str, Any]:
     claim, found = row.claim, row.evidence
-    return {
-        "name": claim.name,
-        "section": claim.section,
-        "words": claim.words,
-        "verdict": claim.verdict.value,
-        "evidence": list(claim.evidence),
-        "weight": claim.weight or None,
-        "correction": claim.correction or None,
-        "proof": claim.proof or None,
-        "kernel": claim.kernel or None,
-        "chosen": claim.chosen or None,
-        "see": list(claim.see),
-        "code": list(claim.code),
-        "tried": found.tried,
-        "sampled": found.sampled or None,
-        "disagreement": row.disagreement or None,
-        "counterexamples": [
-            {
-                "text": case.text,
-                "how": case.how,
-                "file": name if case.generatrix else None,
-                "generatrix": [list(point) for point in case.generatrix],
-                "directrix": [list(point) for point in case.directrix],
-            }
-            for name, case in name_cases(claim.name, found)
-        ],
-        "tables": [
-            {
-                "caption": table.caption,
-                "header": list(table.header),
-                "rows": [list(line) for line in table.rows],
-            }
-            for table in found.tables
-        ],
-        "growth": [_growth_as_json(series) for series in found.growth],
-        "seconds": round(row.seconds, 3),
-    }
+    data = {name: getattr(claim, name) or None for name in _TEXTS}
+    data |= {"verdict": claim.verdict.value, "tried": found.tried, "sampled": found.sampled or None}
+    data |= {name: getattr(claim, name) for name in ("evidence", "see", "code")}
+    return to_plain(
+        data
+        | {
+            "disagreement": row.disagreement or None,
+            "counterexamples": [
+                case._asdict() | {"file": name if case.generatrix else None}
+                for name, case in name_cases(claim.name, found)
+            ],
+            "tables": [table._asdict() for table in found.tables],
+            "growth": [_growth_as_json(series) for series in found.growth],
+            "seconds": round(row.seconds, 3),
+        }
+    )
 
 
 def _growth_as_json(series: Growth) -> dict[str, Any]:
-    return {
-        "what": series.what,
-        "family": series.family,
-        "varied": series.varied,
-        "bound": series.bound,
+    return {name: getattr(series, name) for name in ("what", "family", "varied", "bound")} | {
         "exponent": round(series.exponent(), 4),
         "claimed": round(series.claimed(), 4),
         "verdict": series.verdict,
-        "points": [
-            {"m": point.m, "n": point.n, "count": point.count, "bound": point.bound}
-            for point in series.points
-        ],
+        "points": [asdict(point) for point in series.points],
     }
 
 

@@ -8,13 +8,16 @@ from functools import cache
 from itertools import pairwise
 from typing import Any, TypeVar
 
-from exactsweep.check import ReferenceLoops, reference_loops
+from exactsweep.check import ReferenceLoops, reference_loops, reference_no_fit
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.point import Fit, Vertex
 from exactsweep.paper.laws import Law
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.procedures.chain import split, take_corners
-from exactsweep.sweep import Sweep
+from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import find_convex_parts, split, take_corners
+from exactsweep.sweep import Sweep, no_fit_polygon
 
 P = TypeVar("P", bound=tuple[Any, Any])
 
@@ -79,7 +82,9 @@ def _reference(
     return reference_loops(list(generatrix), list(directrix))
 
 
-def tell_difference(name: str, found: Iterable[Vertex], expected: Iterable[Vertex]) -> str:
+def tell_difference(
+    name: str, found: Iterable[Vertex], expected: Iterable[Vertex], by: str = "by the definition"
+) -> str:
     """Say that two chains differ; empty if they do not.
 
     >>> tell_difference("T", [(0, 0), (1, 1)], [(0, 0), (1, 2)])
@@ -88,7 +93,17 @@ def tell_difference(name: str, found: Iterable[Vertex], expected: Iterable[Verte
     found, expected = keep_corners(found), keep_corners(expected)
     if found == expected:
         return ""
-    return f"{name} is {write_chain(found)}, and {write_chain(expected)} by the definition"
+    return f"{name} is {write_chain(found)}, and {write_chain(expected)} {by}"
+
+
+def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vertex]]]:
+    """The sub-trajectories and the sub-outer chains of a convex G, one for each part of D_b."""
+    top, bottom, directrix = pair.chains
+    parts = find_convex_parts(directrix)
+    return (
+        [trajectory_cc(top, part) for part in parts],
+        [sweep_outer_cc(top, bottom, part) for part in parts],
+    )
 
 
 def returns(procedure: str, loop: str, run: Callable[[Chains], Iterable[Vertex]]) -> Law:
@@ -113,6 +128,37 @@ def has_wrong_inner_loop(s: Sweep, pair: SweepPair) -> str:
     """Say that the inner loop is not that of the definition; empty if it is."""
     right = s.inner.vertices == look_up(pair).inner
     return "" if right else "the inner loop is not that of the definition"
+
+
+def no_fit_is_the_definition(pair: SweepPair) -> str:
+    """The no-fit polygon has the exterior, the holes and the exact fits of the definition."""
+    found, expected = no_fit_polygon(*pair[::-1]), reference_no_fit(*pair[::-1])
+    holes = tuple(hole.vertices for hole in found.holes)
+    if found.exterior.vertices != expected.exterior:
+        return "the exterior is not that of the definition"
+    if holes != expected.holes:
+        return f"{len(holes)} holes, not the {len(expected.holes)} of the definition"
+    return tell_fits(found.exact_fits, expected.exact_fits)
+
+
+def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
+    """A frame around a polygon, with room for a part between the two rims."""
+    room = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
+    (left, low), (right, high) = shape.bounding_box
+    left, low, right, high = left - room, low - room, right + room, high + room
+    return Region([(left, low), (right, low), (right, high), (left, high)], [shape])
+
+
+def tell_fits(found: Sequence[Fit], expected: Sequence[Fit]) -> str:
+    """Say that exact fits are not those of the definition; empty if they are."""
+    if found == expected:
+        return ""
+    return f"exact fits {show_fits(found)}, and {show_fits(expected)} by the definition"
+
+
+def show_fits(fits: Iterable[Fit]) -> str:
+    """Exact fits on one line."""
+    return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
 
 
 def list_edges(corners: Iterable[P]) -> list[tuple[P, P]]:

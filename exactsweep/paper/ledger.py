@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Callable, Mapping
+from dataclasses import fields
 from difflib import get_close_matches
 from functools import cache, partial
 from importlib.resources import files
@@ -57,29 +58,19 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
     )
 
 
+_FIELDS = {field.name for field in fields(Claim)}
+
+
 def _join(text: str) -> str:
     """Text without its line ends."""
     return " ".join(text.split())
 
 
 def _read(row: Mapping[str, Any]) -> Claim:
-    check: Callable[[Effort], Evidence] = partial(examine, row)
-    return Claim(
-        row["name"],
-        row["section"],
-        _join(row["words"]),
-        ClaimVerdict(row["verdict"]),
-        tuple(row["evidence"]),
-        tuple(row["code"]),
-        check,
-        _join(row.get("correction", "")),
-        _join(row.get("proof", "")),
-        row.get("weight", 0),
-        _join(row.get("kernel", "")),
-        tuple(row.get("see", ())),
-        row.get("figure", ""),
-        _join(row.get("chosen", "")),
-    )
+    read: dict[type, Callable[[Any], Any]] = {str: _join, list: tuple, int: int}
+    given = {name: read[type(row[name])](row[name]) for name in _FIELDS & row.keys()}
+    checked = {"verdict": ClaimVerdict(row["verdict"]), "check": partial(examine, row)}
+    return Claim(**given | checked)
 
 
 @cache

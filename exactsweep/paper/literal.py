@@ -13,6 +13,7 @@ from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
 
+from exactsweep.corpus.generator.shapes import walk
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.functions import clip
 from exactsweep.paper.pairs import Chains
@@ -27,7 +28,7 @@ def trajectory_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Chain:
     [(-1, -1), (0, -2), (1, -2), (2, -1)]
     """
     (x, y), (dx, dy) = directrix[0], top[0]
-    return _lay((x - dx, y - dy), _merge_by_slope(_steps(_turn(top)), _steps(directrix)))
+    return walk(_merge_by_slope(_steps(_turn(top)), _steps(directrix)), (x - dx, y - dy))
 
 
 def sweep_outer_cc(
@@ -37,25 +38,21 @@ def sweep_outer_cc(
     (x, y), (left_x, left_y), (right_x, right_y) = directrix[0], bottom[0], top[0]
     steps = _merge_by_slope(_steps(_turn(top)), _steps(bottom))
     start = x + left_x - right_x, y + left_y - right_y
-    return _lay(start, _merge_by_slope(steps, _steps(directrix)))
+    return walk(_merge_by_slope(steps, _steps(directrix)), start)
 
 
 def trajectory_cm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Chain:
     """Call Trajectory_CC for each convex chain of D_b, and LowerEnvelope_CM after each."""
-    envelope: Chain = []
-    for part in split_at_reflex(directrix):
-        envelope = lower_envelope_cm(envelope, trajectory_cc(top, part))
-    return envelope
+    parts = (trajectory_cc(top, part) for part in split_at_reflex(directrix))
+    return reduce(lower_envelope_cm, parts, [])
 
 
 def sweep_outer_cm(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
 ) -> Chain:
     """Call SweepO_CC for each convex chain of D_b, and LowerEnvelope_CM after each."""
-    envelope: Chain = []
-    for part in split_at_reflex(directrix):
-        envelope = lower_envelope_cm(envelope, sweep_outer_cc(top, bottom, part))
-    return envelope
+    parts = (sweep_outer_cc(top, bottom, part) for part in split_at_reflex(directrix))
+    return reduce(lower_envelope_cm, parts, [])
 
 
 def lower_envelope_cm(partial: Chain, piece: Sequence[Vertex]) -> Chain:
@@ -212,14 +209,6 @@ def _merge_by_slope(first: Sequence[Vertex], second: Sequence[Vertex]) -> Chain:
             steps.append(second[j])
             j += 1
     return [*steps, *first[i:], *second[j:]]
-
-
-def _lay(start: Vertex, steps: Iterable[Vertex]) -> Chain:
-    def step(chain: Chain, by: Vertex) -> Chain:
-        chain.append((chain[-1][0] + by[0], chain[-1][1] + by[1]))
-        return chain
-
-    return reduce(step, steps, [start])
 
 
 def _height(p: Vertex, q: Vertex, x: int | Fraction) -> int | Fraction:

@@ -3,53 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import inf
 
+from exactsweep.geometry.near import find_near
 from exactsweep.procedures.contact_lines import Stretch
 
 _UNIT_BITS = 32
 _NEITHER = False, False
-_NumberedBox = tuple[int, int, int, int, int]
-"""The bounds of a stretch, rounded outwards, and its number: left, right, low, high, number."""
-_IN_BAND = 1000
-"""The number of stretches in each horizontal band, if all were short."""
-_DROPPED_AFTER = 8
-"""After so many boxes, those that are further left are dropped together."""
 
 
 def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
     """Record in all stretches their crossings and contacts with stretches of other lines.
 
-    Cost: O(k^2) at worst for k stretches.
+    Cost: that of `find_near`; O(k^2) at worst for k stretches.
     """
-    boxes = sorted([(*stretch.bound(), k) for k, stretch in enumerate(stretches)])
-    if len(boxes) <= _IN_BAND:
-        _cut_in_band(stretches, boxes, -inf)
-        return
-    bottom, top = min(box[2] for box in boxes), max(box[3] for box in boxes)
-    height = (top - bottom) // (len(boxes) // _IN_BAND + 1) + 1
-    for floor in range(bottom, top + 1, height):
-        band = [box for box in boxes if box[2] < floor + height and box[3] >= floor]
-        _cut_in_band(stretches, band, floor)
-
-
-def _cut_in_band(stretches: Sequence[Stretch], boxes: Sequence[_NumberedBox], floor: float) -> None:
-    """Cut stretches at crossings, except for pairs whose boxes also meet below the floor."""
-    active: list[_NumberedBox] = []
-    for step, box in enumerate(boxes):
-        left, _, low, high, k = box
-        if step % _DROPPED_AFTER == 0:
-            active = [other for other in active if other[1] >= left]
-        stretch = stretches[k]
-        for _, other_right, other_low, other_high, other in active:
-            if (
-                other_low <= high
-                and low <= other_high
-                and left <= other_right
-                and (low >= floor or other_low >= floor)
-            ):
-                cross(stretch, stretches[other])
-        active.append(box)
+    for k, j in find_near([stretch.bound() for stretch in stretches]):
+        cross(stretches[k], stretches[j])
 
 
 def cross(first: Stretch, second: Stretch) -> None:

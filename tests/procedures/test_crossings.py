@@ -7,8 +7,8 @@ from random import Random
 
 import pytest
 
+from exactsweep.geometry import near
 from exactsweep.numbers.point import Point
-from exactsweep.procedures import crossings
 from exactsweep.procedures.contact_lines import Cut, Stretch, _rank
 from exactsweep.procedures.crossings import cross, cut_at_crossings
 from exactsweep.procedures.free_positions import (
@@ -98,10 +98,10 @@ def stretches() -> list[Stretch]:
     ]
 
 
-@pytest.mark.parametrize("in_band", [1, 6, 1000])
-def test_all_that_cross_are_cut(monkeypatch: pytest.MonkeyPatch, in_band: int) -> None:
+@pytest.mark.parametrize("few", [1, 6, 1000])
+def test_all_that_cross_are_cut(monkeypatch: pytest.MonkeyPatch, few: int) -> None:
     """With ends and lines between the points of the grid, too."""
-    monkeypatch.setattr(crossings, "_IN_BAND", in_band)
+    monkeypatch.setattr(near, "_FEW", few)
     found, expected = stretches(), stretches()
     for shift in 0, Fraction(1, 3):
         for stretch in (*found, *expected):

@@ -3,39 +3,47 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from spoiling import (
+    AXES,
+    FITS_OF,
+    LOOPS,
     REFERENCE,
     Change,
-    Stale,
     add_generatrix,
+    along,
     beside,
     box,
-    drop_corner,
-    drop_notch,
     each,
     far,
+    go_stale,
     has,
+    if_simple,
     inside,
-    map_positions,
+    leave_open,
+    lose,
     on,
-    on_fits,
-    on_trajectory,
+    on_all,
     one_unit_too_far,
     push,
-    push_first,
     put,
     refer_to,
+    scale,
     stretch,
     to_float32,
+    turn,
     where,
+    within,
     wrap,
 )
 
-from exactsweep import Point, sweep
-from exactsweep.conform.run.protocol import Numbers
+from exactsweep import Point
+from exactsweep.conform.run.protocol import Hello, Numbers
+from exactsweep.corpus import Case
 from exactsweep.geometry.hull import find_hull
 
 # Verdicts, by what they say.
@@ -45,6 +53,13 @@ SMALLER = ("unsound", "wrong")
 FITS = ("equivalent except for exact fits",)
 FALSE = ("false exact fits",)
 BROKEN = ("malformed",)
+ANY = (*DIFFERS, *BROKEN)
+
+# The message on a wrong loop that happens to be exact for something else.
+OR_ELSE = "|exact for|itself|hull|bounding box"
+ONE_OFF = "one vertex is off"
+LACKS = f"lacks one vertex|lacks vertices{OR_ELSE}"
+LOST = "lacks|lacks the holes"
 
 
 class Mistake(NamedTuple):
@@ -54,354 +69,240 @@ class Mistake(NamedTuple):
         change: makes it; answers that it leaves as they are are right.
         verdicts: that wrong answers may get.
         says: a regular expression that matches a message on each wrong answer.
+        part: of what is answered, the one that holds positions.
         numbers: what the program says that it reads.
     """
 
     change: Change
-    verdicts: tuple[str, ...]
-    says: str
+    verdicts: tuple[str, ...] = DIFFERS
+    says: str = "."
+    part: str = "trajectory"
     numbers: Numbers = "rational"
 
-
-# The message on a wrong loop that happens to be exact for something else.
-OR_ELSE = "|exact for|itself|hull|bounding box"
-MORE, LESS = "more than the exact", "part of the exact"
-NEITHER = "neither holds"
-ANY = f"{MORE}|{LESS}|{NEITHER}{OR_ELSE}"
-ONE_OFF = "one vertex is off"
-LACKS = "lacks one vertex|lacks vertices"
+    @property
+    def hello(self) -> Hello:
+        """Return the hello of the program."""
+        if self.part == "trajectory":
+            return Hello("mistaken", LOOPS, self.numbers)
+        return Hello("mistaken", (), self.numbers, questions=(self.part,), shapes="any")  # type: ignore[arg-type]
 
 
-MISTAKES: dict[str, Mistake] = {
-    **{
-        f"the path of {name}": Mistake(refer_to(point), DIFFERS, words)
-        for name, (words, point) in REFERENCE.items()
-    },
-    "exchanged roles": Mistake(map_positions(-1, 0, 0, -1), DIFFERS, "exchanged roles"),
-    "D + G": Mistake(add_generatrix, DIFFERS, "D \\+ G, G not reflected"),
-    "y downwards": Mistake(map_positions(1, 0, 0, -1), DIFFERS, "y is negated"),
-    "x to the left": Mistake(map_positions(-1, 0, 0, 1), DIFFERS, "x is negated"),
-    "x and y exchanged": Mistake(map_positions(0, 1, 1, 0), DIFFERS, "x and y are exchanged"),
-    "a turn to the left": Mistake(map_positions(0, -1, 1, 0), DIFFERS, "a turn to the left"),
-    "a turn to the right": Mistake(map_positions(0, 1, -1, 0), DIFFERS, "a turn to the right"),
-    "twice as large": Mistake(
-        on_trajectory(lambda loop: [(2 * x, 2 * y) for x, y in loop]), DIFFERS, "2 times as large"
-    ),
-    "inches": Mistake(
-        on_trajectory(lambda loop: [(x * 5 / 127, y * 5 / 127) for x, y in loop]),
-        DIFFERS,
-        "another scale",
-    ),
-    # The answer to another question.
-    "D for the trajectory": Mistake(
-        put("trajectory", lambda c: c.directrix_ring), DIFFERS, "D itself"
-    ),
-    "G for the trajectory": Mistake(
-        put("trajectory", lambda c: c.generatrix_ring), DIFFERS, "G itself"
-    ),
-    "the inner loop for the trajectory": Mistake(
-        put("trajectory", lambda c: c.inner.vertices), DIFFERS, "exact for the inner loop instead"
-    ),
-    "the outer loop for the trajectory": Mistake(
-        put("trajectory", lambda c: c.outer.vertices), DIFFERS, "exact for the outer loop instead"
-    ),
-    "the hull of the trajectory": Mistake(
-        put("trajectory", lambda c: find_hull(c.trajectory.vertices)), LARGER, "the convex hull"
-    ),
-    "the box of the trajectory": Mistake(
-        put("trajectory", lambda c: box(c.trajectory.vertices)), LARGER, "the bounding box"
-    ),
-    "D for the inner loop": Mistake(put("inner", lambda c: c.directrix_ring), SMALLER, "D itself"),
-    "the trajectory for the inner loop": Mistake(
-        put("inner", lambda c: c.trajectory.vertices), DIFFERS, "exact for the trajectory instead"
-    ),
-    "the outer for the inner loop": Mistake(
-        put("inner", lambda c: c.outer.vertices), DIFFERS, "exact for the outer loop instead"
-    ),
-    "the hull of the inner loop": Mistake(
-        put("inner", lambda c: find_hull(c.inner.vertices)), LARGER, "the convex hull"
-    ),
-    "the trajectory for the outer loop": Mistake(
-        put("outer", lambda c: c.trajectory.vertices), DIFFERS, "exact for the trajectory instead"
-    ),
-    "the inner for the outer loop": Mistake(
-        put("outer", lambda c: c.inner.vertices), DIFFERS, "exact for the inner loop instead"
-    ),
-    "the hull of the outer loop": Mistake(
-        put("outer", lambda c: find_hull(c.outer.vertices)), LARGER, "the convex hull"
-    ),
-    "the box of the outer loop": Mistake(
-        put("outer", lambda c: box(c.outer.vertices)), LARGER, "the bounding box"
-    ),
-    "D + G for the outer loop": Mistake(
-        put("outer", lambda c: sweep(c.generatrix.reflected(), c.directrix).trajectory.vertices),
-        DIFFERS,
-        r"D \+ G" + OR_ELSE,
-    ),
-    # One place is wrong.
-    "loses the first notch": Mistake(
-        on_trajectory(drop_notch(lambda k, sizes: k[0])), LARGER, LACKS + OR_ELSE
-    ),
-    "loses the last notch": Mistake(
-        on_trajectory(drop_notch(lambda k, sizes: k[-1])), LARGER, LACKS + OR_ELSE
-    ),
-    "loses the smallest notch": Mistake(
-        on_trajectory(drop_notch(lambda k, sizes: max(k, key=lambda j: sizes[j]))),
-        LARGER,
-        LACKS + OR_ELSE,
-    ),
-    "loses a corner": Mistake(
-        on_trajectory(drop_corner(lambda k, sizes: k[0])), SMALLER, LACKS + OR_ELSE
-    ),
-    "loses the smallest corner": Mistake(
-        on_trajectory(drop_corner(lambda k, sizes: min(k, key=lambda j: sizes[j]))),
-        SMALLER,
-        LACKS + OR_ELSE,
-    ),
-    "loses an undercut": Mistake(
-        on("inner", drop_notch(lambda k, s: k[0])), LARGER, LACKS + OR_ELSE
-    ),
-    "loses a notch of the outer loop": Mistake(
-        on("outer", drop_notch(lambda k, s: k[0])), LARGER, LACKS + OR_ELSE
-    ),
-    "a corner pushed out": Mistake(on_trajectory(push_first(1, "1/10")), LARGER, ONE_OFF),
-    "a corner pushed in": Mistake(on_trajectory(push_first(1, "-1/10")), SMALLER, ONE_OFF),
-    "a notch pushed out": Mistake(on_trajectory(push_first(-1, "-1/10")), LARGER, ONE_OFF),
-    "a notch pushed in": Mistake(on_trajectory(push_first(-1, "1/10")), SMALLER, ONE_OFF),
-    "a corner pushed out by 1e-30": Mistake(on_trajectory(push_first(1, "1e-30")), LARGER, ONE_OFF),
-    "a corner pushed in by 1e-30": Mistake(
-        on_trajectory(push_first(1, "-1e-30")), SMALLER, ONE_OFF
-    ),
-    "a corner of the inner loop pushed in": Mistake(
-        on("inner", push_first(1, "-1/9")), SMALLER, ONE_OFF
-    ),
-    "a corner of the outer loop pushed out": Mistake(
-        on("outer", push_first(1, "1/9")), LARGER, ONE_OFF
-    ),
-    "a bump on an edge": Mistake(
-        on_trajectory(
-            lambda loop: push(
-                [*loop, Point((loop[-1].x + loop[0].x) / 2, (loop[-1].y + loop[0].y) / 2 - 1)],
-                len(loop),
-                0,
-            )
-        ),
-        (*DIFFERS, *BROKEN),
-        "has more vertices|spike|touch|cross|edges",
-    ),
-    "a needle on an edge": Mistake(
-        on_trajectory(
-            lambda loop: [
-                *loop,
-                Point(loop[0].x - 1, loop[0].y + Fraction(1, 10**6)),
-                Point(loop[0].x, loop[0].y + Fraction(2, 10**6)),
-            ]
-        ),
-        (*LARGER, *BROKEN),
-        "has more vertices|spike|touch|cross|edges",
-    ),
-    # Only some input brings it out.
-    "wrong beyond 256 vertices": Mistake(
-        where(lambda c: c.size > 256, on_trajectory(drop_corner(lambda k, s: k[-1]))),
-        SMALLER,
-        LACKS,
-    ),
-    "wrong beyond 40 vertices of G": Mistake(
-        where(lambda c: len(c.generatrix_ring) > 40, on_trajectory(push_first(1, "1/1000"))),
-        LARGER,
-        ONE_OFF,
-    ),
-    "wrong for clockwise input": Mistake(
-        where(has("clockwise"), map_positions(-1, 0, 0, -1)), DIFFERS, "exchanged roles"
-    ),
-    "wrong if a vertex repeats": Mistake(
-        where(has("repeated-vertex"), on_trajectory(drop_corner(lambda k, s: k[0]))),
-        SMALLER,
-        LACKS + OR_ELSE,
-    ),
-    "wrong if vertices are collinear": Mistake(
-        where(has("collinear-vertex"), on_trajectory(drop_corner(lambda k, s: k[-1]))),
-        SMALLER,
-        LACKS + OR_ELSE,
-    ),
-    "wrong for parallel edges": Mistake(
-        where(has("parallel-edges"), on_trajectory(push_first(1, "1/4"))), LARGER, ONE_OFF
-    ),
-    "wrong for vertical edges": Mistake(
-        where(has("vertical-edge"), on_trajectory(push_first(1, "-1/4"))), SMALLER, ONE_OFF
-    ),
-    "wrong for a polygon around itself": Mistake(
-        where(has("identical"), on_trajectory(push_first(1, "1/7"))), LARGER, ONE_OFF
-    ),
-    "wrong for fractions": Mistake(
-        where(has("fractional-input"), each(lambda c: Fraction(math.floor(c)))),
-        (*DIFFERS, *BROKEN),
-        "rounded down to integers",
-    ),
-    "wrong where the reference point is not the origin": Mistake(
-        where(has("reference-point"), refer_to(lambda c: (0, 0))),
-        DIFFERS,
-        "G's origin as reference",
-    ),
-    "wrong where D and G touch as given": Mistake(
-        where(has("touching"), on_trajectory(drop_corner(lambda k, s: k[0]))),
-        SMALLER,
-        LACKS + OR_ELSE,
-    ),
-    "wrong in other directions": Mistake(
-        where(has("turned"), put("trajectory", lambda c: find_hull(c.trajectory.vertices))),
-        LARGER,
-        "hull",
-    ),
-    "wrong every third time": Mistake(
-        where(lambda c: sum(map(ord, c.id)) % 3 == 0, on_trajectory(push_first(1, "1/5"))),
-        LARGER,
-        ONE_OFF,
-    ),
-    "int32 that wraps around": Mistake(
-        each(wrap(32)), (*DIFFERS, *BROKEN), "wraps around at 32 bits"
-    ),
-    "int16 that wraps around": Mistake(
-        each(wrap(16)), (*DIFFERS, *BROKEN), "wraps around at 16 bits"
-    ),
-    # Numbers.
-    "float32": Mistake(
-        each(to_float32), (*DIFFERS, *BROKEN), "rounded to single precision", "binary64"
-    ),
-    "six digits": Mistake(
-        each(lambda c: float(f"{float(c):.6g}")),
-        (*DIFFERS, *BROKEN),
-        "rounded to 6 digits",
-        "binary64",
-    ),
-    "three decimals": Mistake(
-        each(lambda c: float(f"{float(c):.3f}")),
-        (*DIFFERS, *BROKEN),
-        "rounded to 3 decimals",
-        "binary64",
-    ),
-    "one unit too far off": Mistake(
-        one_unit_too_far,
-        DIFFERS,
-        "except for 4 times the rounding|" + ONE_OFF,
-        "binary64",
-    ),
-    "a claim that is too large": Mistake(
-        where(
-            lambda c: not {"sliver", "near-parallel"} & {*c.flags},
-            lambda case, answer: {
-                **answer,
-                "trajectory": box(answer["trajectory"]),
-                "rounding": 10**9,
-            },
-        ),
-        LARGER,
-        "the bounding box|the convex hull",
-    ),
-    "integers, one off by two": Mistake(
-        on_trajectory(
-            lambda loop: [
-                (round(loop[0].x) - 2, round(loop[0].y)),
-                *((round(x), round(y)) for x, y in loop[1:]),
-            ]
-        ),
-        (*DIFFERS, *BROKEN),
-        ".",
-    ),
+def without(k: int) -> Callable[[list[Any]], Any]:
+    """One ring is lost; not the only one."""
+    return lambda rings: [r for r in rings if r is not rings[k]] if len(rings) > 1 else rings
+
+
+def list_of_positions(part: str) -> Iterator[tuple[str, Mistake]]:
+    """List the mistakes in all kinds of positions."""
+    fits, is_loop, is_inner = FITS_OF[part], part == "trajectory", part == "inner_fit"
+    other = OR_ELSE + ("" if is_loop else "|lacks|exact rings")
+
+    def row(
+        name: str, change: Change, verdicts: tuple[str, ...] = DIFFERS, says: str = "."
+    ) -> tuple[str, Mistake]:
+        return f"{part.replace('_', ' ')}: {name}", Mistake(change, verdicts, says, part)
+
+    for words, point in REFERENCE.items():
+        says = words if is_loop else words + other
+        yield row(f"about {words}", refer_to(part, point), says=says)
+    for words, matrix in AXES.items():
+        says = words if is_loop else words + other
+        yield row(words, turn(part, *matrix), says=says)
+    yield row("twice as large", scale(part, Fraction(2)), says="2 times as large" + other)
+    yield row("inches", scale(part, Fraction(5, 127)), says="another scale" + other)
+    if not is_inner:
+        yield row("D + G", add_generatrix(part), says="not reflected" + other)
+    island = "more than the exact|all exact rings, and 1 more"
+    yield row("an island", beside(part, far((0, 0), (1, 0), (0, 1))), DIFFERS, island)
+    bow_tie = far((0, 0), (1, 1), (1, 0), (0, 1))
+    yield row("a bow tie besides", beside(part, bow_tie), BROKEN, "crosses itself")
+    yield row("a point besides", beside(part, far((0, 0))), BROKEN, "fewer than three")
+    line = far((0, 0), (1, 0), (2, 0))
+    yield row("a line besides", beside(part, line), BROKEN, "zero area")
+    yield row("the last ring twice", on_all(part, lambda r: [*r, r[-1]]), BROKEN, "overlap")
+    spike = "touches|spike|cross|turns|fold|overlap|edge|vert"
+    yield row("a spike", on_all(part, add_spike), BROKEN, spike)
+    yield row("a point far away", beside(fits, far((0, 0), (0, 0))), away(part), "invented")
+    yield row("a fit far away", beside(fits, far((0, 0), (1, 0))), away(part), "invented")
+    yield row("a fit on an edge", beside(fits, along(part)), FALSE, "invented|long")
+    if is_loop:
+        return
+    yield row("a fit with play", beside(fits, within(part)), FALSE, "invented|long")
+    for name, lost in (("last", without(-1)), ("second", without(1))):
+        yield row(f"the {name} ring lost", on_all(part, lost), says=LOST)
+    yield row("only the first ring", on_all(part, lambda rings: rings[:1]), says=LOST)
+    first = f"{LOST}|neither|more|part"
+    yield row("the first ring lost", on_all(part, without(0)), says=first)
+    yield row("the last ring shrunk", on_all(part, lambda r: [*r[:-1], shrink(r[-1])]))
+    yield row("the last ring moved by 1e-9", on_all(part, lambda r: [*r[:-1], shift(r[-1])]))
+
+
+def away(part: str) -> tuple[str, ...]:
+    """Far away G is free of D, and out of a container."""
+    return ("unsound",) if part == "inner_fit" else FALSE
+
+
+def add_spike(rings: list[Any]) -> Any:
+    first, *rest = rings
+    x, y = (min(p[axis] for p in first) for axis in (0, 1))
+    return [[first[0], Point(x - 5, y - 7), *first], *rest]
+
+
+def shrink(ring: Any) -> Any:
+    """A ring at half its size, about its first vertex."""
+    return [Point((ring[0].x + p.x) / 2, (ring[0].y + p.y) / 2) for p in ring]
+
+
+def shift(ring: Any) -> Any:
+    return [Point(p.x + Fraction(1, 10**9), p.y) for p in ring]
+
+
+# Loops, and vertices of loops.
+
+INSTEAD: dict[str, Callable[[Case], Any]] = {
+    "D itself": lambda c: c.directrix_ring,
+    "G itself": lambda c: c.generatrix_ring,
+    "exact for the trajectory instead": lambda c: c.trajectory.vertices,
+    "exact for the inner loop instead": lambda c: c.inner.vertices,
+    "exact for the outer loop instead": lambda c: c.outer.vertices,
+}
+CHOICES: dict[str, Callable[[list[int], list[Any]], int]] = {
+    "first": lambda k, sizes: k[0],
+    "last": lambda k, sizes: k[-1],
+    "smallest": lambda k, sizes: min(k, key=lambda j: abs(sizes[j])),
+}
+SIDES = {-1: ("notch", LARGER), 1: ("corner", SMALLER)}
+
+
+def list_of_loops(part: str) -> Iterator[tuple[str, Mistake]]:
+    """List the mistakes in loops of sweeps."""
+    for words, ring in INSTEAD.items():
+        if f" {part} " in words:
+            continue
+        change = put(part, lambda case, ring=ring: [ring(case)])  # type: ignore[misc]
+        yield f"{part}: {words}", Mistake(change, DIFFERS, words)
+    yield f"{part}: its hull", Mistake(on(part, find_hull), LARGER, "the convex hull")
+    yield f"{part}: its box", Mistake(on(part, box), LARGER, "the bounding box")
+    for sign, (thing, verdicts) in SIDES.items():
+        for which, choose in CHOICES.items():
+            lost = Mistake(on(part, lose(sign, choose)), verdicts, LACKS)
+            yield f"{part}: loses the {which} {thing}", lost
+        for share in ("1/10", "-1/10", "1e-30", "-1e-30"):
+            is_out = sign * Fraction(share) > 0
+            pushed = Mistake(on(part, push(sign, share)), LARGER if is_out else SMALLER, ONE_OFF)
+            yield f"{part}: a {thing} pushed by {share}", pushed
+
+
+def add_bump(loop: Any) -> Any:
+    (ax, ay), (bx, by) = loop[-1], loop[0]
+    return if_simple([*loop, Point((ax + bx) / 2, (ay + by) / 2 - 1)], loop)
+
+
+def add_needle(loop: Any) -> Any:
+    x, y = loop[0]
+    e = Fraction(1, 10**6)
+    return [*loop, Point(x - 1, y + e), Point(x, y + 2 * e)]
+
+
+FLAGS = (
+    *("clockwise", "repeated-vertex", "collinear-vertex", "parallel-edges", "vertical-edge"),
+    *("identical", "fractional-input", "reference-point", "touching", "turned"),
+)
+"""The flags of input that only some programs are wrong for."""
+CONDITIONS: dict[str, Callable[[Case], bool]] = {
+    **{flag: has(flag) for flag in FLAGS},
+    "256 vertices": lambda c: c.size > 256,
+    "40 vertices of G": lambda c: len(c.generatrix_ring) > 40,
+    "every third time": lambda c: sum(map(ord, c.id)) % 3 == 0,
+}
+
+
+def ring_of(*pairs: tuple[Any, ...]) -> Change:
+    """Something else in the place of the first vertices of the trajectory."""
+    return on("trajectory", lambda loop: [*pairs, *loop[len(pairs) :]])
+
+
+def exchange(loop: Any) -> Any:
+    return [loop[1], loop[0], *loop[2:]] if len(loop) > 3 else loop
+
+
+def round_but_one(loop: Any) -> Any:
+    (x, y), *rest = ((round(x), round(y)) for x, y in loop)
+    return [(x - 2, y), *rest]
+
+
+def claim_all(case: Case, answer: Any) -> Any:
+    if {"sliver", "near-parallel"} & {*case.flags}:
+        return None
+    return {**answer, "trajectory": [box(answer["trajectory"][0])], "rounding": 10**9}
+
+
+def move_aside(fits: Any) -> Any:
+    e = Fraction(1, 10**6)
+    return [[Point(x + e, y - e) for x, y in fit] for fit in fits]
+
+
+LOOP, FIT = "trajectory", "exact_fits"
+BUMPED = "has more vertices|spike|touch|cross|edges"
+CONSTANT = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (1, 0), (1, 1))]
+DOUBLES: dict[str, Callable[[Any], Any]] = {
+    "rounded to single precision": to_float32,
+    "rounded to 6 digits": lambda c: float(f"{float(c):.6g}"),
+    "rounded to 3 decimals": lambda c: float(f"{float(c):.3f}"),
+}
+OTHERS: dict[str, tuple[Change, tuple[str, ...], str]] = {
+    "D + G for the outer loop": (add_generatrix("outer"), DIFFERS, r"D \+ G" + OR_ELSE),
+    "a bump on an edge": (on(LOOP, add_bump), ANY, BUMPED),
+    "a needle on an edge": (on(LOOP, add_needle), (*LARGER, *BROKEN), BUMPED),
+    "a claim that is too large": (claim_all, LARGER, "the bounding box|the convex hull"),
+    "integers, one off by two": (on(LOOP, round_but_one), ANY, "."),
+    "rounded down": (each(lambda c: Fraction(math.floor(c))), ANY, "rounded down to integers"),
+    "int32 that wraps around": (each(wrap(32)), ANY, "wraps around at 32 bits"),
+    "int16 that wraps around": (each(wrap(16)), ANY, "wraps around at 16 bits"),
     # Exact fits.
-    "no exact fits": Mistake(on_fits(lambda fits, case: []), FITS, "missing"),
-    "one fit of several lost": Mistake(
-        on_fits(lambda fits, case: fits[:-1] if len(fits) > 1 else fits), FITS, "missing"
-    ),
-    "fits too short": Mistake(
-        on_fits(lambda fits, case: [stretch(fits[0], Fraction(-1, 9)), *fits[1:]]),
-        FITS,
-        "too short",
-    ),
-    "fits too long": Mistake(
-        on_fits(lambda fits, case: [stretch(fits[0], Fraction(1, 9)), *fits[1:]]),
-        (*FITS, "unsound"),
-        "too long",
-    ),
-    "ends of fits only": Mistake(
-        on_fits(lambda fits, case: [(p, p) for fit in fits for p in fit]),
+    "no exact fits": (on_all(FIT, lambda fits: []), FITS, "missing"),
+    "one fit of several lost": (on_all(FIT, without(-1)), FITS, "missing"),
+    "fits too short": (on_all(FIT, stretch(Fraction(-1, 9))), FITS, "too short"),
+    "fits too long": (on_all(FIT, stretch(Fraction(1, 9))), (*FITS, "unsound"), "too long"),
+    "ends of fits only": (
+        on_all(FIT, lambda fits: [(p, p) for fit in fits for p in fit]),
         FITS,
         "missing|too short|invented",
     ),
-    "fits moved aside": Mistake(
-        on_fits(
-            lambda fits, case: [
-                tuple(Point(x + Fraction(1, 10**6), y - Fraction(1, 10**6)) for x, y in fit)
-                for fit in fits
-            ]
-        ),
-        (*FALSE, "unsound"),
-        "missing, invented|too long",
-    ),
-    "fits about the origin": Mistake(
-        where(
-            has("reference-point"),
-            on_fits(
-                lambda fits, case: [
-                    tuple(Point(x - case.reference.x, y - case.reference.y) for x, y in fit)
-                    for fit in fits
-                ]
-            ),
-        ),
-        (*FALSE, "unsound"),
-        "invented|too",
-    ),
-    "a fit invented": Mistake(
-        lambda case, answer: {
-            **answer,
-            "exact_fits": [*answer["exact_fits"], tuple(inside(case)[:2])],
-        },
-        ("unsound",),
-        "invented|too",
-    ),
+    "fits moved aside": (on_all(FIT, move_aside), (*FALSE, "unsound"), "missing, inv|too long"),
+    "a fit invented": (beside(FIT, lambda c: inside(c)[:2]), ("unsound",), "invented|too"),
     # Rings.
-    "a spike": Mistake(
-        on_trajectory(
-            lambda loop: [*loop, loop[0], Point(2 * loop[0].x - loop[1].x - 1, loop[0].y - 1)]
-        ),
-        BROKEN,
-        "crosses itself|spike|touches|folds|overlap|edge",
-    ),
-    "two vertices exchanged": Mistake(
-        on_trajectory(lambda loop: [loop[1], loop[0], *loop[2:]] if len(loop) > 3 else loop),
-        (*BROKEN, *DIFFERS),
-        ".",
-    ),
-    "a bow tie besides": Mistake(
-        beside(lambda c: far(c, (0, 0), (1, 1), (1, 0), (0, 1))), BROKEN, "crosses itself"
-    ),
-    "a point besides": Mistake(beside(lambda c: far(c, (0, 0))), BROKEN, "fewer than three"),
-    "a line besides": Mistake(
-        beside(lambda c: far(c, (0, 0), (1, 0), (2, 0))), BROKEN, "zero area"
-    ),
-    "the loop twice": Mistake(
-        beside(lambda c: c.trajectory.vertices), BROKEN, "rings 0 and 1 overlap"
-    ),
-    "an island": Mistake(beside(lambda c: far(c, (0, 0), (1, 0), (0, 1))), ("conservative",), MORE),
-    "a hole": Mistake(beside(inside), ("unsound",), LESS),
-    "two vertices only": Mistake(on_trajectory(lambda loop: loop[:2]), BROKEN, "fewer than three"),
-    "an empty loop": Mistake(on_trajectory(lambda loop: []), BROKEN, "is empty"),
-    "not a number": Mistake(on_trajectory(lambda loop: [(math.nan, 0), *loop[1:]]), BROKEN, "nan"),
-    "infinity": Mistake(on_trajectory(lambda loop: [(math.inf, 0), *loop[1:]]), BROKEN, "inf"),
-    "three coordinates": Mistake(
-        on_trajectory(lambda loop: [(*p, 0) for p in loop]), BROKEN, "3 coordinates"
-    ),
-    "text": Mistake(on_trajectory(lambda loop: "POLYGON ((0 0, 1 0, 0 1))"), BROKEN, "not a list"),
-    "no outer loop": Mistake(
-        lambda case, answer: {k: v for k, v in answer.items() if k != "outer"}, BROKEN, "missing"
-    ),
+    "two vertices exchanged": (on(LOOP, exchange), ANY, "."),
+    "a hole": (beside(LOOP, inside), ("unsound",), "part of the exact"),
+    "two vertices only": (on(LOOP, lambda loop: loop[:2]), BROKEN, "fewer than three"),
+    "an empty loop": (on(LOOP, lambda loop: []), BROKEN, "is empty"),
+    "not a number": (ring_of((math.nan, 0)), BROKEN, "nan"),
+    "infinity": (ring_of((math.inf, 0)), BROKEN, "inf"),
+    "three coordinates": (ring_of((0, 0, 0)), BROKEN, "3 coordinates"),
+    "text": (put(LOOP, lambda c: "POLYGON ((0 0, 1 0, 0 1))"), BROKEN, "not a list"),
+    "no outer loop": (lambda c, a: {k: a[k] for k in a if k != "outer"}, BROKEN, "missing"),
     # Whole answers.
-    "the answer of the case before": Mistake(Stale(), (*DIFFERS, *BROKEN), "."),
-    "always the same": Mistake(
-        on_trajectory(
-            lambda loop: [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (1, 0), (1, 1))]
-        ),
+    "the answer of the case before": (go_stale({}), ANY, "."),
+    "always the same": (
+        put(LOOP, lambda c: [CONSTANT]),
         DIFFERS,
-        ANY,
+        f"more than the exact|part of the exact|neither holds{OR_ELSE}",
+    ),
+}
+
+MISTAKES: dict[str, Mistake] = {
+    **{name: one for part in FITS_OF for name, one in list_of_positions(part)},
+    **{name: one for part in LOOPS for name, one in list_of_loops(part)},
+    **{
+        f"wrong for {name}": Mistake(where(condition, on(LOOP, push(1, "1/7"))), LARGER, ONE_OFF)
+        for name, condition in CONDITIONS.items()
+    },
+    **{name: Mistake(*row) for name, row in OTHERS.items()},
+    **{words: Mistake(each(to), ANY, words, numbers="binary64") for words, to in DOUBLES.items()},
+    "one unit too far off": Mistake(
+        one_unit_too_far, says=f"except for 4 times the rounding|{ONE_OFF}", numbers="binary64"
+    ),
+    "no fit: the sum of boundaries": Mistake(
+        leave_open, says=re.escape("the sum of the boundaries"), part="no_fit"
     ),
 }

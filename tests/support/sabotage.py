@@ -3,11 +3,14 @@
 A sabotage is a function that takes a right procedure and returns a wrong one. It is put in the
 place of the right one in every module of the package that has it by name. Some faults show in
 seconds alone; these are timed, in a full run of their rows, and are no part of the test suite.
+`sabotage.toml` lists rows by fault.
 """
 
 import sys
+import tomllib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any, NamedTuple
 
@@ -41,15 +44,19 @@ class Mutation(NamedTuple):
 
 
 MUTATIONS: list[Mutation] = []
+ROWS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
 
 
 def sabotage(
     fault: str, procedure: Procedure, *rows: str, timed: bool = False
 ) -> Callable[[Sabotage], Sabotage]:
-    """Register a function as a sabotage of a procedure that some rows must notice."""
+    """Register a function as a sabotage of a procedure that some rows must notice.
+
+    These are the rows of the fault in `sabotage.toml`, unless they are given.
+    """
 
     def register(wrong: Sabotage) -> Sabotage:
-        MUTATIONS.append(Mutation(fault, procedure, wrong, rows, timed))
+        MUTATIONS.append(Mutation(fault, procedure, wrong, rows or tuple(ROWS[fault]), timed))
         return wrong
 
     return register

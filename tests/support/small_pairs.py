@@ -4,19 +4,17 @@ The exterior comes first; coordinates are ints.
 """
 
 from collections.abc import Callable
-from fractions import Fraction
-from math import lcm
+from functools import cache
 from random import Random
 from typing import Any, NamedTuple
 
 import families
-from cells import shape_of
 from shape_families import untangled
 
-from exactsweep import Polygon, Region
+from exactsweep import Region
 from exactsweep.check import point_in_polygon
 from exactsweep.check.monotone import has_shared_direction
-from exactsweep.corpus.generator.cells import connect, grow
+from exactsweep.corpus.generator.cells import connect, grow, trace_outline
 from exactsweep.geometry.canonical import PolygonError, canonicalize_ring
 from exactsweep.geometry.hull import find_hull
 
@@ -25,6 +23,7 @@ Shape = list[Ring]
 Draw = Callable[[Random], Shape]
 FARTHEST = 2**40  # from the origin, along either axis
 SMALL = 14
+TABLE = 3000  # shapes that are monotone to no direction
 STRETCH = 2**34  # beyond what the kernel rounds slopes and places to
 
 
@@ -58,22 +57,48 @@ def teeth(rng: Random) -> Shape:
 
 def tangle(rng: Random) -> Shape:
     """Any simple polygon on a small grid."""
-    vertices = untangled(rng, 8, rng.choice([3, 4, 5])).vertices
-    return [[(int(x), int(y)) for x, y in vertices]]
+    return _rings(Region(untangled(rng, 12, rng.choice([4, 5, 7]))))
 
 
 def clump(rng: Random) -> Shape:
     """A few squares, perhaps around a hole."""
-    shape = shape_of(grow(rng.randrange(10**6) for _ in range(rng.randint(3, 8))))
-    rings = [shape.exterior, *shape.holes]
-    return [[(int(x), int(y)) for x, y in ring.vertices] for ring in rings]
+    return _rings(trace_outline(grow(rng.randrange(10**6) for _ in range(rng.randint(3, 12)))))
+
+
+def bent(rng: Random) -> Shape:
+    """A shape that is monotone to no direction."""
+    return _bent(rng.randrange(TABLE))
+
+
+@cache
+def _bent(number: int) -> Shape:
+    """Draw a shape of a table, for most small shapes are monotone to some direction."""
+    rng = Random(number)
+    while shares_direction(SmallPair(shape := rng.choice([tangle, clump])(rng), shape)):
+        pass
+    return shape
+
+
+def standing(rng: Random) -> Shape:
+    """A polygon that is monotone to the Y axis."""
+    return _turned(rng.choice(MONOTONE)(rng), TURNS[0])
+
+
+def _rings(region: Region) -> Shape:
+    return [[(int(x), int(y)) for x, y in ring] for ring in region.rings]
 
 
 CONVEX: list[Draw] = [convex]
 MONOTONE: list[Draw] = [monotone, rectilinear, teeth]
-ANY: list[Draw] = [tangle, clump]
 CLASSES = [(CONVEX, CONVEX), (CONVEX, MONOTONE), (MONOTONE, CONVEX), (MONOTONE, MONOTONE)]
-SHAPELESS = [(CONVEX, ANY), (ANY, MONOTONE), (ANY, ANY)]
+STANDING: list[Draw] = [standing]
+BENT: list[Draw] = [bent]
+SHAPELESS = [
+    (MONOTONE, STANDING),
+    (STANDING, MONOTONE),
+    (CONVEX + MONOTONE, BENT),
+    (BENT, CONVEX + MONOTONE + BENT),
+]
 TURNS = [(0, -1, 1, 0), (-1, 0, 0, -1), (0, 1, -1, 0), (1, 0, 0, -1)]
 STRETCHES = [
     (1, 0, STRETCH, 1),
@@ -91,7 +116,7 @@ def draw(rng: Random) -> SmallPair:
 def draw_shapeless(rng: Random) -> SmallPair:
     """A pair of class SS."""
     pair = _draw_pair(rng, SHAPELESS)
-    while shares_direction(pair):  # as most small shapes do, whatever they are drawn as
+    while shares_direction(pair):
         pair = _draw_pair(rng, SHAPELESS)
     return _placed(rng, pair)
 
@@ -121,8 +146,7 @@ def _pinched(rng: Random) -> Shape:
     width, height = rng.randint(4, 6), rng.randint(3, 5)
     cells = {(x, y) for x in range(width) for y in range(height)}
     left_out = {cell for cell in sorted(cells) if rng.random() < 0.3}
-    shape = shape_of(connect(cells - left_out or cells))
-    return [[*ring.vertices] for ring in (shape.exterior, *shape.holes)]
+    return _rings(trace_outline(connect(cells - left_out or cells)))
 
 
 def _dented(rng: Random) -> Shape:
@@ -166,7 +190,7 @@ def _has_touching_rings(shape: Shape) -> bool:
 
 
 def _draw_pair(rng: Random, classes: list[tuple[list[Draw], list[Draw]]]) -> SmallPair:
-    generatrix, directrix = (_draw_shape(rng, shapes) for shapes in rng.choice(classes))
+    generatrix, directrix = (rng.choice(shapes)(rng) for shapes in rng.choice(classes))
     if rng.random() < 0.1:
         directrix = [[(-x, -y) for x, y in ring] for ring in generatrix]
     return SmallPair(generatrix, directrix)
@@ -174,29 +198,21 @@ def _draw_pair(rng: Random, classes: list[tuple[list[Draw], list[Draw]]]) -> Sma
 
 def shares_direction(pair: SmallPair) -> bool:
     """Decide whether both are monotone to one direction; with holes they are not."""
-    rings = [*pair.generatrix, *pair.directrix]
-    if len(rings) > 2:
-        return False
-    corners = [Polygon(ring).vertices for ring in rings]
-    scale = lcm(*(Fraction(c).denominator for ring in corners for p in ring for c in p))
-    lattice = [tuple((int(x * scale), int(y * scale)) for x, y in ring) for ring in corners]
-    return has_shared_direction(lattice)
-
-
-def _draw_shape(rng: Random, shapes: list[Draw]) -> Shape:
-    while not _is_sound(shape := rng.choice(shapes)(rng)):
-        pass
-    return shape
+    rings = [tuple(ring) for shape in pair for ring in shape]
+    return len(rings) == 2 and has_shared_direction(rings)
 
 
 def _placed(rng: Random, pair: SmallPair) -> SmallPair:
     chance = rng.random()
     if chance < 0.5:
         return pair
-    a, b, c, d = rng.choice(TURNS if chance < 0.9 else STRETCHES)
-    return SmallPair(
-        *([[(a * x + b * y, c * x + d * y) for x, y in ring] for ring in shape] for shape in pair)
-    )
+    matrix = rng.choice(TURNS if chance < 0.9 else STRETCHES)
+    return SmallPair(*(_turned(shape, matrix) for shape in pair))
+
+
+def _turned(shape: Shape, matrix: tuple[int, int, int, int]) -> Shape:
+    a, b, c, d = matrix
+    return [[(a * x + b * y, c * x + d * y) for x, y in ring] for ring in shape]
 
 
 def breed(rng: Random, pair: SmallPair) -> SmallPair:

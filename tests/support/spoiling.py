@@ -1,6 +1,7 @@
 """Ways to spoil an exact answer.
 
-Each is a function of a case, as it is put to the program, and of its exact answer.
+Each is a function of a case, as it is put to the program, and of its exact answer, rings by part.
+It gives the wrong answer, or None where it cannot be made.
 """
 
 from __future__ import annotations
@@ -11,85 +12,118 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
-from exactsweep import Point, Polygon, sweep
+from exactsweep import Point, Polygon, inner_fit_polygon, no_fit_polygon
 from exactsweep.check import point_in_polygon
 from exactsweep.conform.judge.rounding import grant_rounding
 from exactsweep.conform.judge.verdict import read_loop
+from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
-from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.point import ORIGIN
 
-Loop = list[Any]
+Ring = list[Any]
 Answer = dict[str, Any]
-Change = Callable[[Case, Answer], Answer]
+Change = Callable[[Case, Answer], Answer | None]
 
 LOOPS = ("trajectory", "inner", "outer")
+FITS_OF = {"trajectory": "exact_fits", "no_fit": "exact_fits", "inner_fit": "inner_exact_fits"}
+PARTS = {part: (part, FITS_OF[part]) for part in ("no_fit", "inner_fit")} | {
+    "trajectory": (*LOOPS, "exact_fits")
+}
+"""The parts of an answer, by the one that holds positions."""
 
 
-def answer_exactly(case: Case) -> Answer:
+def answer_exactly(case: Case, part: str) -> Answer:
     """The exact answer of a case."""
-    loops = {name: list(getattr(case, name).vertices) for name in LOOPS}
-    return {**loops, "exact_fits": list(case.exact_fits)}
+    return {name: [list(ring) for ring in list_exact_rings(case, name)] for name in PARTS[part]}
 
 
 # Ways to change an answer.
 
 
-def on(name: str, change: Callable[[Loop], Any]) -> Change:
-    return lambda case, answer: {**answer, name: change(answer[name])}
+def on(part: str, change: Callable[[Ring], Any]) -> Change:
+    """A change of each ring of a part."""
+    return lambda case, answer: {**answer, part: [change(ring) for ring in answer[part]]}
 
 
-def on_trajectory(change: Callable[[Loop], Any]) -> Change:
-    return on("trajectory", change)
+def on_all(part: str, change: Callable[[list[Ring]], Any]) -> Change:
+    """A change of all rings of a part, or of its exact fits, where there are any."""
+    return lambda case, answer: answer[part] and {**answer, part: change(answer[part])}
 
 
-def move(loop: Loop, by: Sequence[Any]) -> Loop:
-    return [Point(x + by[0], y + by[1]) for x, y in loop]
+def put(part: str, rings: Callable[[Case], Any]) -> Change:
+    """Other rings in the place of a part."""
+    return lambda case, answer: {**answer, part: rings(case)}
 
 
-def refer_to(point: Callable[[Case], Sequence[Any]]) -> Change:
+def beside(part: str, ring: Callable[[Case], Any]) -> Change:
+    """One ring more, or one exact fit."""
+    return lambda case, answer: (found := ring(case)) and {**answer, part: [*answer[part], found]}
+
+
+def map_points(part: str, mapping: Callable[[Case], Callable[[Any, Any], Any]]) -> Change:
+    """Another function of all positions."""
+
+    def change(case: Case, answer: Answer) -> Answer | None:
+        if not answer[part]:
+            return None
+        image = mapping(case)
+        names = part, FITS_OF[part]
+        return answer | {
+            name: [[Point(*image(*p)) for p in ring] for ring in answer[name]] for name in names
+        }
+
+    return change
+
+
+def refer_to(part: str, point: Callable[[Case], Sequence[Any]]) -> Change:
     """The path of another point of G."""
 
-    def change(case: Case, answer: Answer) -> Answer:
-        x, y = point(case)
-        by = (x - case.reference.x, y - case.reference.y)
-        fits = [tuple(move(list(fit), by)) for fit in answer["exact_fits"]]
-        return {**answer, "trajectory": move(answer["trajectory"], by), "exact_fits": fits}
+    def mapping(case: Case) -> Callable[[Any, Any], Any]:
+        dx, dy = (a - b for a, b in zip(point(case), case.reference, strict=True))
+        return lambda x, y: (x + dx, y + dy)
 
-    return change
+    return map_points(part, mapping)
 
 
-def map_positions(a: int, b: int, c: int, d: int) -> Change:
+def turn(part: str, a: int, b: int, c: int, d: int) -> Change:
     """The positions of G's origin in other axes, about the reference point."""
 
-    def change(case: Case, answer: Answer) -> Answer:
-        r = case.reference
-        loop = [
-            Point(a * (x - r.x) + b * (y - r.y) + r.x, c * (x - r.x) + d * (y - r.y) + r.y)
-            for x, y in answer["trajectory"]
-        ]
-        return {**answer, "trajectory": loop if a * d > b * c else loop[::-1], "exact_fits": []}
+    def mapping(case: Case) -> Callable[[Any, Any], Any]:
+        u, v = case.reference
+        return lambda x, y: (a * (x - u) + b * (y - v) + u, c * (x - u) + d * (y - v) + v)
 
-    return change
+    return map_points(part, mapping)
 
 
-def add_generatrix(case: Case, answer: Answer) -> Answer:
+def scale(part: str, factor: Fraction) -> Change:
+    return map_points(part, lambda case: lambda x, y: (x * factor, y * factor))
+
+
+def add_generatrix(part: str) -> Change:
     """The sum of D and G: G is not reflected."""
-    sum_ = sweep(case.generatrix.reflected(), case.directrix, reference=ORIGIN).trajectory
-    return {**answer, "trajectory": move(list(sum_.vertices), case.reference), "exact_fits": []}
+
+    def rings(case: Case) -> list[Ring]:
+        found = no_fit_polygon(case.directrix, case.generatrix.reflected())
+        loops = (found.exterior, *(found.holes if part == "no_fit" else ()))
+        (x, y) = ORIGIN if part == "outer" else case.reference
+        return [[Point(p.x + x, p.y + y) for p in loop.vertices] for loop in loops]
+
+    return put(part, rings)
 
 
-def put(name: str, ring: Callable[[Case], Any]) -> Change:
-    """Another loop in the place of one."""
-    return lambda case, answer: {**answer, name: ring(case)}
+def leave_open(case: Case, answer: Answer) -> Answer:
+    """The sum of the boundaries, where G has room inside D."""
+    inside = inner_fit_polygon(case.directrix, case.generatrix, reference=case.reference)
+    rings = (ring for region in inside.regions for ring in region.rings)
+    return {**answer, "no_fit": [*answer["no_fit"], *rings]}
 
 
-def box(loop: Sequence[Point]) -> Loop:
+def box(loop: Sequence[Point]) -> Ring:
     (low, high) = Polygon(loop).bounding_box
     return [low, Point(high.x, low.y), high, Point(low.x, high.y)]
 
 
-def turns(loop: Loop) -> list[Any]:
+def turns(loop: Ring) -> list[Any]:
     """Twice the signed area of each vertex's triangle with its neighbours."""
     found = []
     for k, (x, y) in enumerate(loop):
@@ -98,63 +132,46 @@ def turns(loop: Loop) -> list[Any]:
     return found
 
 
-def drop(loop: Loop, k: int) -> Loop:
-    rest = loop[:k] + loop[k + 1 :]
-    return rest if len(rest) > 2 and is_simple(rest) else loop
-
-
-def is_simple(loop: Loop) -> bool:
+def if_simple(found: Ring, loop: Ring) -> Ring:
+    """A changed loop, or the loop as it was."""
     try:
-        Polygon(loop)
+        Polygon(found)
     except ValueError:
-        return False
-    return True
+        return loop
+    return found
 
 
-def drop_notch(choose: Callable[[list[int], list[Any]], int]) -> Callable[[Loop], Loop]:
-    """Lose one reflex vertex, and with it a place to slide into."""
+def lose(sign: int, choose: Callable[[list[int], list[Any]], int]) -> Callable[[Ring], Ring]:
+    """Lose one vertex that turns to a side: a notch, a place to slide into, if that is -1."""
 
-    def change(loop: Loop) -> Loop:
+    def change(loop: Ring) -> Ring:
         sizes = turns(loop)
-        notches = [k for k, size in enumerate(sizes) if size < 0]
-        return drop(loop, choose(notches, sizes)) if notches else loop
+        if not (places := [k for k, size in enumerate(sizes) if size * sign > 0]):
+            return loop
+        k = choose(places, sizes)
+        return if_simple(loop[:k] + loop[k + 1 :], loop)
 
     return change
 
 
-def drop_corner(choose: Callable[[list[int], list[Any]], int]) -> Callable[[Loop], Loop]:
-    """Lose one convex vertex."""
+def push(sign: int, share: str) -> Callable[[Ring], Ring]:
+    """Move the first vertex that turns to a side away from the middle of its neighbours."""
 
-    def change(loop: Loop) -> Loop:
-        sizes = turns(loop)
-        corners = [k for k, size in enumerate(sizes) if size > 0]
-        return drop(loop, choose(corners, sizes)) if len(loop) > 3 else loop
-
-    return change
-
-
-def push(loop: Loop, k: int, share: Any) -> Loop:
-    """Move a vertex along the way from the middle of its neighbours, by a share of it."""
-    (x, y), (px, py), (qx, qy) = loop[k], loop[k - 1], loop[(k + 1) % len(loop)]
-    share = Fraction(str(share))
-    moved = Point(x + share * (x - (px + qx) / 2), y + share * (y - (py + qy) / 2))
-    found = [*loop[:k], moved, *loop[k + 1 :]]
-    return found if is_simple(found) else loop
-
-
-def push_first(sign: int, share: str) -> Callable[[Loop], Loop]:
-    """Move the first vertex that turns to a side."""
-
-    def change(loop: Loop) -> Loop:
-        places = [k for k, size in enumerate(turns(loop)) if size * sign > 0]
-        return push(loop, places[0], share) if places else loop
+    def change(loop: Ring) -> Ring:
+        k = next((k for k, size in enumerate(turns(loop)) if size * sign > 0), None)
+        if k is None:
+            return loop
+        (x, y), (px, py), (qx, qy) = loop[k], loop[k - 1], loop[(k + 1) % len(loop)]
+        s = Fraction(share)
+        moved = Point(x + s * (x - (px + qx) / 2), y + s * (y - (py + qy) / 2))
+        return if_simple([*loop[:k], moved, *loop[k + 1 :]], loop)
 
     return change
 
 
 def where(condition: Callable[[Case], bool], change: Change) -> Change:
     """A mistake that only some input brings out."""
-    return lambda case, answer: change(case, answer) if condition(case) else answer
+    return lambda case, answer: change(case, answer) if condition(case) else None
 
 
 def has(flag: str) -> Callable[[Case], bool]:
@@ -163,10 +180,13 @@ def has(flag: str) -> Callable[[Case], bool]:
 
 def each(change: Callable[[Any], Any]) -> Change:
     """A change of all numbers of the loops."""
-    return lambda case, answer: {
-        **{name: [(change(x), change(y)) for x, y in answer[name]] for name in LOOPS},
-        "exact_fits": answer["exact_fits"],
-    }
+    return lambda case, answer: (
+        answer
+        | {
+            name: [[(change(x), change(y)) for x, y in ring] for ring in answer[name]]
+            for name in LOOPS
+        }
+    )
 
 
 def wrap(bits: int) -> Callable[[Any], Any]:
@@ -181,124 +201,142 @@ def to_float32(c: Any) -> float:
 
 def one_unit_too_far(case: Case, answer: Answer) -> Answer:
     """Floats, the first vertex further off than is granted, by one unit in the last place."""
-    loop = [(float(x), float(y)) for x, y in answer["trajectory"]]
+    (exact,) = answer["trajectory"]
+    loop = [(float(x), float(y)) for x, y in exact]
     granted = grant_rounding(case, "trajectory", read_loop(loop, ""), "binary64")
     x = loop[0][0]
-    while abs(Fraction(x) - answer["trajectory"][0].x) <= granted:
-        x = (
-            float(Fraction(x) - granted / 4)
-            if Fraction(x) - granted / 4 != x
-            else math.nextafter(x, -math.inf)
-        )
-    return {**answer, "trajectory": [(x, loop[0][1]), *loop[1:]]}
+    while abs(Fraction(x) - exact[0].x) <= granted:
+        nearer = float(Fraction(x) - granted / 4)
+        x = nearer if nearer != x else math.nextafter(x, -math.inf)
+    return {**answer, "trajectory": [[(x, loop[0][1]), *loop[1:]]]}
 
 
-def beside(ring: Callable[[Case], Any]) -> Change:
-    """One ring more."""
-    return lambda case, answer: {**answer, "trajectory": [answer["trajectory"], ring(case)]}
-
-
-def far(case: Case, *places: tuple[int, int]) -> Loop:
+def far(*places: tuple[int, int]) -> Callable[[Case], Ring]:
     """Points far to the right of everything."""
-    low, high = case.trajectory.bounding_box
-    size = high.x - low.x
-    return [Point(high.x + size * (2 + x), high.y + size * y) for x, y in places]
+
+    def find(case: Case) -> Ring:
+        low, high = case.outer.bounding_box
+        size = high.x - low.x
+        return [Point(high.x + size * (2 + x), high.y + size * y) for x, y in places]
+
+    return find
 
 
-def inside(case: Case) -> Loop:
+def inside(case: Case) -> Ring:
     """A small triangle inside the trajectory, at an ear of it."""
     ring = case.trajectory.vertices
     for k, b in enumerate(ring):
         a, c = ring[k - 1], ring[(k + 1) % len(ring)]
         ear = [a, b, c]
-        if find_doubled_area(ear) <= 0:
+        if turns(ear)[0] <= 0:
             continue
-        middle = Point((a.x + 2 * b.x + c.x) / 4, (a.y + 2 * b.y + c.y) / 4)
-        small = [
-            Point(middle.x + (p.x - middle.x) / 64, middle.y + (p.y - middle.y) / 64) for p in ear
-        ]
+        x, y = (a.x + 2 * b.x + c.x) / 4, (a.y + 2 * b.y + c.y) / 4
         if all(point_in_polygon(p, Polygon(ear)) < 0 for p in ring if p not in ear):
-            return small
+            return [Point(x + (p.x - x) / 64, y + (p.y - y) / 64) for p in ear]
     raise ValueError("no ear")
 
 
-def on_fits(change: Callable[[list[Any], Case], list[Any]]) -> Change:
-    """A mistake in exact fits, where there are any."""
+def along(part: str) -> Callable[[Case], Ring | None]:
+    """Half of an edge of the last ring."""
 
-    def changed(case: Case, answer: Answer) -> Answer:
-        fits = [fit for fit in answer["exact_fits"] if fit[0] != fit[1]]
-        return {**answer, "exact_fits": change(fits, case)} if fits else answer
+    def find(case: Case) -> Ring | None:
+        if not (rings := list_exact_rings(case, part)):
+            return None
+        a, b = rings[-1][:2]
+        return [a, Point((a.x + b.x) / 2, (a.y + b.y) / 2)]
 
-    return changed
-
-
-def stretch(fit: Any, share: Fraction) -> Any:
-    """Move the second end of a segment along it."""
-    (p, q) = fit
-    return (p, Point(q.x + share * (q.x - p.x), q.y + share * (q.y - p.y)))
+    return find
 
 
-class Stale:
+def within(part: str) -> Callable[[Case], Ring | None]:
+    """A segment well inside a hole, or inside a region with play."""
+
+    def find(case: Case) -> Ring | None:
+        rings = list_exact_rings(case, part)
+        for ring in rings if part == "inner_fit" else rings[1:]:
+            if Polygon(ring).is_convex:
+                a, b, c = ring[:3]
+                middle = Point((a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3)
+                return [middle, Point((a.x + middle.x) / 2, (a.y + middle.y) / 2)]
+        return None
+
+    return find
+
+
+def stretch(share: Fraction) -> Callable[[list[Ring]], list[Ring]]:
+    """Move the second end of the first exact fit that is no point along it."""
+
+    def change(fits: list[Ring]) -> list[Ring]:
+        changed = [[p, q] for p, q in fits]
+        for fit in changed:
+            if fit[0] != fit[1]:
+                p, q = fit
+                fit[1] = Point(q.x + share * (q.x - p.x), q.y + share * (q.y - p.y))
+                break
+        return changed
+
+    return change
+
+
+def go_stale(last: dict[str, Answer]) -> Change:
     """A program that keeps the answer of the case before."""
 
-    def __init__(self) -> None:
-        self.last: Answer | None = None
+    def change(case: Case, answer: Answer) -> Answer | None:
+        found = last.get("answer")
+        last["answer"] = answer
+        return found
 
-    def __call__(self, case: Case, answer: Answer) -> Answer:
-        last, self.last = self.last, answer
-        return last or answer
+    return change
 
 
-REFERENCE: dict[str, tuple[str, Callable[[Case], Sequence[Any]]]] = {
-    "G's origin": ("G's origin as reference", lambda c: ORIGIN),
-    "G's first vertex": ("G's first vertex as reference", lambda c: c.generatrix_ring[0]),
-    "G's last vertex": ("G's last vertex as reference", lambda c: c.generatrix_ring[-1]),
-    "a corner of G's box": (
-        "lower left corner of G's box as reference",
-        lambda c: c.generatrix.bounding_box[0],
+def choose_vertex(of: Callable[..., Point], **options: Any) -> Callable[[Case], Point]:
+    return lambda case: of(case.generatrix_ring, **options)
+
+
+def subtract(one: Callable[[Case], Any], other: Callable[[Case], Any]) -> Callable[[Case], Any]:
+    return lambda c: [a - b for a, b in zip(one(c), other(c), strict=True)]
+
+
+def by_height(p: Point) -> Any:
+    return p.y, p.x
+
+
+REFERENCE: dict[str, Callable[[Case], Sequence[Any]]] = {
+    "G's origin as reference": lambda c: ORIGIN,
+    "G's first vertex as reference": lambda c: c.generatrix_ring[0],
+    "G's last vertex as reference": lambda c: c.generatrix_ring[-1],
+    "lower left corner of G's box as reference": lambda c: c.generatrix.bounding_box[0],
+    "centre of G's box as reference": lambda c: [
+        sum(side) / 2 for side in zip(*c.generatrix.bounding_box, strict=True)
+    ],
+    "mean of G's vertices as reference": lambda c: [
+        sum(side) / len(c.generatrix_ring) for side in zip(*c.generatrix_ring, strict=True)
+    ],
+    "G's leftmost vertex as reference": choose_vertex(min),
+    "G's rightmost vertex as reference": choose_vertex(max),
+    "G's lowest vertex as reference": choose_vertex(min, key=by_height),
+    "G's highest vertex as reference": choose_vertex(max, key=by_height),
+    "the reference point negated": lambda c: (-c.reference.x, -c.reference.y),
+    "relative to D's first vertex": subtract(lambda c: c.reference, lambda c: c.directrix_ring[0]),
+    "G's first vertex as reference, relative to D's first": subtract(
+        lambda c: c.generatrix_ring[0], lambda c: c.directrix_ring[0]
     ),
-    "the centre of G's box": (
-        "centre of G's box as reference",
-        lambda c: [sum(side) / 2 for side in zip(*c.generatrix.bounding_box, strict=True)],
+    "relative to the lower left corner of D's box": subtract(
+        lambda c: c.generatrix.bounding_box[0], lambda c: c.directrix.bounding_box[0]
     ),
-    "the mean of G's vertices": (
-        "mean of G's vertices as reference",
-        lambda c: [
-            sum(side) / len(c.generatrix_ring) for side in zip(*c.generatrix_ring, strict=True)
-        ],
-    ),
-    "G's leftmost vertex": ("G's leftmost vertex as ref", lambda c: min(c.generatrix_ring)),
-    "G's rightmost vertex": ("G's rightmost vertex as ref", lambda c: max(c.generatrix_ring)),
-    "G's lowest vertex": (
-        "G's lowest vertex as reference",
-        lambda c: min(c.generatrix_ring, key=lambda p: (p.y, p.x)),
-    ),
-    "G's highest vertex": (
-        "G's highest vertex as reference",
-        lambda c: max(c.generatrix_ring, key=lambda p: (p.y, p.x)),
-    ),
-    "the reference point negated": (
-        "the reference point negated",
-        lambda c: (-c.reference.x, -c.reference.y),
-    ),
-    "D's first vertex": (
-        "relative to D's first vertex",
-        lambda c: [r - b for r, b in zip(c.reference, c.directrix_ring[0], strict=True)],
-    ),
-    "both first vertices": (
-        "G's first vertex as reference, relative to D's first",
-        lambda c: [g - d for g, d in zip(c.generatrix_ring[0], c.directrix_ring[0], strict=True)],
-    ),
-    "the corners of both boxes": (
-        "relative to the lower left corner of D's box",
-        lambda c: [
-            g - d
-            for g, d in zip(c.generatrix.bounding_box[0], c.directrix.bounding_box[0], strict=True)
-        ],
-    ),
-    "a point far away": (
-        r"another reference point: all is moved by \(1001,-777\)",
-        lambda c: (c.reference.x + 1001, c.reference.y - 777),
+    r"another reference point: all is moved by \(1001,-777\)": lambda c: (
+        c.reference.x + 1001,
+        c.reference.y - 777,
     ),
 }
-"""Points mistaken for the reference point, with the messages on them."""
+"""Points mistaken for the reference point, by the messages on them."""
+
+AXES = {
+    "exchanged roles": (-1, 0, 0, -1),
+    "y is negated": (1, 0, 0, -1),
+    "x is negated": (-1, 0, 0, 1),
+    "x and y are exchanged": (0, 1, 1, 0),
+    "a turn to the left": (0, -1, 1, 0),
+    "a turn to the right": (0, 1, -1, 0),
+}
+"""Axes mistaken for others, by the messages on them."""

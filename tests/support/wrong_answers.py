@@ -17,16 +17,7 @@ from exactsweep.procedures import (
 from exactsweep.procedures.envelope import Envelope
 
 
-@sabotage(
-    "Trajectory_CC: edges laid end to end, not merged",
-    cc.trajectory_cc,
-    "Trajectory_CC",
-    "Lemma 3.1",
-    "Corollary 3.3",
-    "Figure 4",
-    "Figure 5",
-    "Slope",
-)
+@sabotage("Trajectory_CC: edges laid end to end, not merged", cc.trajectory_cc)
 def lay_end_to_end(right: Procedure) -> Procedure:
     def trajectory_cc(generatrix: Any, directrix: Any) -> Any:
         laid = list(directrix)
@@ -37,103 +28,37 @@ def lay_end_to_end(right: Procedure) -> Procedure:
     return trajectory_cc
 
 
-@sabotage(
-    "SweepI_CC: D_b cut short by a straight edge",
-    cc.sweep_inner_cc,
-    "SweepI_CC",
-    "Lemma 3.2",
-    "Definition 1.2",
-)
+@sabotage("SweepI_CC: D_b cut short by a straight edge", cc.sweep_inner_cc)
 def straighten(right: Procedure) -> Procedure:
     return lambda generatrix, directrix: [directrix[0], directrix[-1]]
 
 
-@sabotage(
-    "SweepO_CC: the edges of G_b forgotten",
-    cc.sweep_outer_cc,
-    "SweepO_CC",
-    "Lemma 3.2",
-    "Corollary A.4",
-)
+@sabotage("SweepO_CC: the edges of G_b forgotten", cc.sweep_outer_cc)
 def forget_bottom(right: Procedure) -> Procedure:
     return lambda top, bottom, directrix: cc.trajectory_cc(top, directrix)
 
 
-@sabotage(
-    "Trajectory_CM, step 2: only the first convex part of D_b",
-    convex_part.split_parts,
-    "Trajectory_CM",
-    "SweepO_CM",
-    "Lemma 4.2",
-    "Corollary 4.3",
-    "Definition 1.3",
-    "Sum with the trajectory",
-    "Figure 1",
-    "Theorem 2.2",
-    "Figure 3",
-    "Upper and lower sweep",
-    "Figure 6",
-    "Figure 7",
-    "Monotone trajectory",
-    "Outside j_i or inside j_o",
-    "Figure 8",
-    "Local width",
-    "Figure 9",
-    "Figure 10",
-    "Figure 11",
-    "Figure 12",
-    "Figure 13",
-    "The trajectory alone",
-    "Swept area of any shape",
-)
+@sabotage("Trajectory_CM, step 2: only the first convex part of D_b", convex_part.split_parts)
 def take_first_part(right: Procedure) -> Procedure:
     return lambda directrix, unit: right(directrix, unit)[:1]
 
 
-@sabotage(
-    "SweepI_CM: undercuts left open",
-    cm.sweep_inner_cm,
-    "SweepI_CM",
-    "Monotone inner boundary",
-    "Number of undercuts",
-    "Corollary 4.4",
-)
+@sabotage("SweepI_CM: undercuts left open", cm.sweep_inner_cm)
 def leave_undercuts_open(right: Procedure) -> Procedure:
     return lambda generatrix, directrix, trajectory=None: chain.take_corners(directrix)
 
 
-@sabotage(
-    "SweepO_CM: the edges of G_b forgotten",
-    cm.sweep_outer_cm,
-    "SweepO_CM",
-    "Lemma 4.2",
-    "Corollary 4.3",
-)
+@sabotage("SweepO_CM: the edges of G_b forgotten", cm.sweep_outer_cm)
 def forget_bottom_cm(right: Procedure) -> Procedure:
     return lambda top, bottom, directrix: cm.trajectory_cm(top, directrix)
 
 
-@sabotage(
-    "Trajectory_MM, steps 2 and 3: only the first convex part of G_t",
-    part_pairs.sweep_pairs,
-    "Trajectory_MM",
-    "Lemma 5.3",
-    "Lemma 5.2",
-    "Corollary 5.4",
-    "Definition 1.1",
-)
+@sabotage("Trajectory_MM, steps 2 and 3: only the first convex part of G_t", part_pairs.sweep_pairs)
 def take_first_chain(right: Procedure) -> Procedure:
     return lambda chains, *more, **options: right(chains[:1], *more, **options)
 
 
-@sabotage(
-    "Sweep_MM, outer loop: G mirrored in an axis instead of inverted",
-    mm.outer_mm,
-    "Sweep_MM",
-    "Corollary 5.4",
-    "Lemma 5.6",
-    "Figure 10's count",
-)
+@sabotage("Sweep_MM, outer loop: G mirrored in an axis instead of inverted", mm.outer_mm)
 def mirror_instead(right: Procedure) -> Procedure:
     def outer_mm(bottom: Any, trajectory: Any) -> Any:
         mirrored = [(-x, y) for x, y in bottom]
@@ -142,24 +67,13 @@ def mirror_instead(right: Procedure) -> Procedure:
     return outer_mm
 
 
-@sabotage(
-    "Sweep_MM, inner loop: D_b returned",
-    mm.inner_mm,
-    "Sweep_MM",
-    "Corollary 5.4",
-    "Lemma 5.5",
-    "Definition 2.1",
-)
+@sabotage("Sweep_MM, inner loop: D_b returned", mm.inner_mm)
 def return_directrix(right: Procedure) -> Procedure:
     return lambda top, trajectory, directrix: chain.take_corners(directrix)
 
 
 @sabotage(
-    "LowerEnvelope_CM: the new piece always taken from its start",
-    lower_envelope.lower_envelope_cm,
-    "LowerEnvelope_CM",
-    "Lemma A.3",
-    "Trajectory_CM",
+    "LowerEnvelope_CM: the new piece always taken from its start", lower_envelope.lower_envelope_cm
 )
 def always_take_over(right: Procedure) -> Procedure:
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
@@ -175,13 +89,7 @@ def always_take_over(right: Procedure) -> Procedure:
     return lower_envelope_cm
 
 
-@sabotage(
-    "SweepI_CM: every other corner of a bottom chain left out",
-    cm.sweep_inner_cm,
-    "SweepI_CM",
-    "Monotone inner boundary",
-    "Corollary 4.4",
-)
+@sabotage("SweepI_CM: every other corner of a bottom chain left out", cm.sweep_inner_cm)
 def draw_straight(right: Procedure) -> Procedure:
     def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
         inner = right(generatrix, directrix, trajectory)
@@ -191,15 +99,7 @@ def draw_straight(right: Procedure) -> Procedure:
     return sweep_inner_cm
 
 
-@sabotage(
-    "step 1: chains not split at reflex vertices",
-    chain.split_by_slope,
-    "Convex chain",
-    "Lemma 4.1",
-    "Lemma 5.1",
-    "Trajectory_CM",
-    "Total size of the parts",
-)
+@sabotage("step 1: chains not split at reflex vertices", chain.split_by_slope)
 def never_split(right: Procedure) -> Procedure:
     def split_by_slope(points: Any, unit: Any) -> Any:
         columns = zip(*right(points, unit), strict=True)
@@ -208,65 +108,27 @@ def never_split(right: Procedure) -> Procedure:
     return split_by_slope
 
 
-@sabotage(
-    "LowerEnvelope_MM: the last sub-trajectory left out",
-    lower_envelope.lower_envelope_mm,
-    "LowerEnvelope_MM",
-    "Two chains in linear time",
-    "Trajectory_MM",
-)
+@sabotage("LowerEnvelope_MM: the last sub-trajectory left out", lower_envelope.lower_envelope_mm)
 def leave_out_last(right: Procedure) -> Procedure:
     return lambda envelopes: right(list(envelopes)[:-1] or envelopes)
 
 
-@sabotage(
-    "inverse: mirrored in the Y axis, not in a point",
-    chain.inverse,
-    "Definition 3.1",
-    "Definition 5.1",
-    "Trajectory_CC",
-    "Theorem 2.1",
-    "Paths of two points",
-    "Sweep and Minkowski sum",
-    "Minkowski sum algorithms",
-    "Start and stop",
-    "Distance travelled",
-    "VV is incidental",
-)
+@sabotage("inverse: mirrored in the Y axis, not in a point", chain.inverse)
 def mirror_in_an_axis(right: Procedure) -> Procedure:
     return lambda points: [(-x, y) for x, y in points]
 
 
-@sabotage(
-    "complement: walked the same way",
-    chain.complement,
-    "Definition 5.2",
-    "Sweep_MM",
-    "A faster inner loop",
-)
+@sabotage("complement: walked the same way", chain.complement)
 def leave_as_it_is(right: Procedure) -> Procedure:
     return lambda points: list(points)
 
 
-@sabotage(
-    "Sweep_MM, inner loop: the last gap that G leaves is forgotten",
-    mm.find_gaps,
-    "Sweep_MM",
-    "A faster inner loop",
-    "Lemma 5.5",
-)
+@sabotage("Sweep_MM, inner loop: the last gap that G leaves is forgotten", mm.find_gaps)
 def forget_last_gap(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[:-1]
 
 
-@sabotage(
-    "SweepI_CC: a vertex of any D_b with more than six is lost",
-    cc.sweep_inner_cc,
-    "SweepI_CC",
-    "Lemma 3.2",
-    "Corollary 3.3",
-    "Corollary 3.4",
-)
+@sabotage("SweepI_CC: a vertex of any D_b with more than six is lost", cc.sweep_inner_cc)
 def lose_vertex(right: Procedure) -> Procedure:
     def sweep_inner_cc(generatrix: Any, directrix: Any) -> Any:
         found = right(generatrix, directrix)
@@ -275,14 +137,7 @@ def lose_vertex(right: Procedure) -> Procedure:
     return sweep_inner_cc
 
 
-@sabotage(
-    "Trajectory_MM: a corner of large trajectories is lost",
-    mm.trajectory_mm,
-    "Trajectory_MM",
-    "Sweep_MM",
-    "Corollary 5.7",
-    "Corollary 5.8",
-)
+@sabotage("Trajectory_MM: a corner of large trajectories is lost", mm.trajectory_mm)
 def lose_corner(right: Procedure) -> Procedure:
     def trajectory_mm(generatrix: Any, directrix: Any) -> Any:
         found = right(generatrix, directrix)
@@ -294,12 +149,7 @@ def lose_corner(right: Procedure) -> Procedure:
     return trajectory_mm
 
 
-@sabotage(
-    "Trajectory_MM: a ceiling drops a pair that it should sweep",
-    part_pairs.Ceiling,
-    "Trajectory_MM",
-    "Lemma 5.3",
-)
+@sabotage("Trajectory_MM: a ceiling drops a pair that it should sweep", part_pairs.Ceiling)
 def drop_pair(right: Procedure) -> Procedure:
     class Leaky(right):  # type: ignore[misc, valid-type]
         def find_reaching(self, *arguments: Any) -> Any:
@@ -308,14 +158,7 @@ def drop_pair(right: Procedure) -> Procedure:
     return Leaky
 
 
-@sabotage(
-    "Trajectory_CC: parallel edges are left as two",
-    cc.merge_by_slope,
-    "Trajectory_CC",
-    "SweepO_CC",
-    "Lemma 3.1",
-    "Lemma 3.2",
-)
+@sabotage("Trajectory_CC: parallel edges are left as two", cc.merge_by_slope)
 def leave_in_two(right: Procedure) -> Procedure:
     def merge_by_slope(first: Any, second: Any) -> Any:
         found = list(right(first, second))
@@ -330,7 +173,7 @@ def leave_in_two(right: Procedure) -> Procedure:
     return merge_by_slope
 
 
-@sabotage("split: an edge beyond the right end", chain.split, "Figure 2")
+@sabotage("split: an edge beyond the right end", chain.split)
 def split_late(right: Procedure) -> Procedure:
     def split(loop: Any) -> Any:
         bottom, top = right(loop)

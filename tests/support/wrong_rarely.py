@@ -10,12 +10,7 @@ from exactsweep.procedures import cc, cm, mm
 from exactsweep.procedures.envelope import Envelope
 
 
-@sabotage(
-    "Trajectory_CC: of two equal edges one is lost",
-    cc.merge_by_slope,
-    "Trajectory_CC",
-    "Lemma 3.1",
-)
+@sabotage("Trajectory_CC: of two equal edges one is lost", cc.merge_by_slope)
 def lose_equal_edge(right: Procedure) -> Procedure:
     def merge_by_slope(first: Any, second: Any) -> Any:
         steps = {(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(second)}
@@ -50,14 +45,10 @@ for fault, procedure in (
     ("Trajectory_CM: a corner is lost where D_b has more than 40 vertices", cm.trajectory_cm),
     ("SweepO_CM: a corner is lost where G_b has more than 40 vertices", cm.sweep_outer_cm),
 ):
-    sabotage(fault, procedure, fault.partition(":")[0], "Corollary 4.5")(lose_corner_of_large)
+    sabotage(fault, procedure)(lose_corner_of_large)
 
 
-@sabotage(
-    "SweepI_CM: a corner of undercuts of more than eight edges is lost",
-    cm.sweep_inner_cm,
-    "SweepI_CM",
-)
+@sabotage("SweepI_CM: a corner of undercuts of more than eight edges is lost", cm.sweep_inner_cm)
 def lose_corner_of_undercut(right: Procedure) -> Procedure:
     def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
         found = right(generatrix, directrix, trajectory)
@@ -71,19 +62,14 @@ def lose_corner_of_undercut(right: Procedure) -> Procedure:
     return sweep_inner_cm
 
 
-@sabotage(
-    "Sweep_MM, outer loop: the ninth corner of G_b is forgotten",
-    mm.outer_mm,
-    "Sweep_MM",
-    "Corollary 5.8",
-)
+@sabotage("Sweep_MM, outer loop: the ninth corner of G_b is forgotten", mm.outer_mm)
 def forget_ninth(right: Procedure) -> Procedure:
     return lambda bottom, trajectory: right(
         bottom if len(bottom) < 12 else [*bottom[:8], *bottom[9:]], trajectory
     )
 
 
-@sabotage("Sweep_MM, inner loop: narrow gaps are taken for touched", mm.find_gaps, "Sweep_MM")
+@sabotage("Sweep_MM, inner loop: narrow gaps are taken for touched", mm.find_gaps)
 def skip_narrow(right: Procedure) -> Procedure:
     def find_gaps(trajectory: Any, parts: Any) -> Any:
         width = parts[-1][-1][0] - parts[0][0][0]
@@ -96,32 +82,17 @@ def skip_narrow(right: Procedure) -> Procedure:
     return find_gaps
 
 
-@sabotage(
-    "Sweep_MM, inner loop: gaps after the fifth are taken for touched",
-    mm.find_gaps,
-    "Sweep_MM",
-    "Lemma 5.5",
-)
+@sabotage("Sweep_MM, inner loop: gaps after the fifth are taken for touched", mm.find_gaps)
 def stop_at_fifth(right: Procedure) -> Procedure:
     return lambda *arguments: right(*arguments)[:5]
 
 
-@sabotage(
-    "Sweep_MM, inner loop: a corner is lost where there are 60 or more",
-    mm.inner_mm,
-    "Sweep_MM",
-    "Lemma 5.5",
-)
+@sabotage("Sweep_MM, inner loop: a corner is lost where there are 60 or more", mm.inner_mm)
 def lose_inner_corner(right: Procedure) -> Procedure:
     return lambda *arguments: lose_middle(right(*arguments), 60)
 
 
-@sabotage(
-    "Trajectory_MM: heights beyond 2^60 are rounded to doubles",
-    mm.trajectory_mm,
-    "Trajectory_MM",
-    "Definition 1.3",
-)
+@sabotage("Trajectory_MM: heights beyond 2^60 are rounded to doubles", mm.trajectory_mm)
 def round_large(right: Procedure) -> Procedure:
     def trajectory_mm(generatrix: Any, directrix: Any) -> Any:
         found = right(generatrix, directrix)

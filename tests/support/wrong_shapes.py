@@ -44,24 +44,15 @@ def keep_first_unswept(right: Procedure) -> Procedure:
     return Forgetful
 
 
-ANY = "Loops of any shape"
-SEGMENTS = "Contact segments"
-SIZE = "Size of a no-fit polygon"
-NO_FIT: list[tuple[str, Sabotage, tuple[str, ...]]] = [
-    ("no holes", changing(within=lambda loops: []), (ANY, SIZE)),
-    ("the last hole forgotten", changing(within=lambda loops: loops[:-1]), (SIZE,)),
-    (
-        "single positions forgotten",
-        changing(fits=lambda fits: [(a, b) for a, b in fits if a != b]),
-        ("Exact fits of any shape",),
+NO_FIT: dict[str, Sabotage] = {
+    "no holes": changing(within=lambda loops: []),
+    "the last hole forgotten": changing(within=lambda loops: loops[:-1]),
+    "single positions forgotten": changing(fits=lambda fits: [(a, b) for a, b in fits if a != b]),
+    "a corner of the exterior is cut": changing(around=cut_corner),
+    "holes of an area below two are lost": changing(
+        within=lambda loops: [loop for loop in loops if find_doubled_area(loop) >= 4]
     ),
-    ("a corner of the exterior is cut", changing(around=cut_corner), (SEGMENTS,)),
-    (
-        "holes of an area below two are lost",
-        changing(within=lambda loops: [loop for loop in loops if find_doubled_area(loop) >= 4]),
-        (ANY,),
-    ),
-]
+}
 INNER_FIT = {
     "only the first region": changing(regions=lambda regions: regions[:1]),
     "exact fits forgotten": changing(fits=lambda fits: []),
@@ -70,37 +61,36 @@ INNER_FIT = {
     ),
     "regions after the second are lost": changing(regions=lambda regions: regions[:2]),
 }
+OTHERS: dict[str, tuple[Procedure, Sabotage]] = {
+    "loops: not parted where they come back to a point": (
+        free_positions._part_where_it_touches,
+        lambda right: lambda ring: iter([list(ring)]),
+    ),
+    "contact segments: those of G's vertices forgotten": (
+        contact_lines.find_contact_stretches,
+        giving(lambda stretches: stretches[::2]),
+    ),
+    "contact segments: right, but each one many times": (
+        contact_lines.find_contact_stretches,
+        giving(lambda stretches: stretches * 12),
+    ),
+    "squares that are known to be overlapped: one stretch too many is left out": (
+        cover.leave_out_covered,
+        giving(lambda stretches: stretches[:-1]),
+    ),
+    "crossings: none is found": (
+        crossings.cut_at_crossings,
+        lambda right: lambda stretches: None,
+    ),
+    "swept area: of several places that are not swept only the first": (
+        any_shape.ShapeSolution,
+        keep_first_unswept,
+    ),
+}
 
-for fault, wrong, rows in NO_FIT:
-    sabotage(f"no-fit polygon: {fault}", ss.no_fit_ss, *rows)(wrong)
+for fault, wrong in NO_FIT.items():
+    sabotage(f"no-fit polygon: {fault}", ss.no_fit_ss)(wrong)
 for fault, wrong in INNER_FIT.items():
-    sabotage(f"inner fit: {fault}", ss.inner_fit_ss, "Inner fit")(wrong)
-
-sabotage(
-    "loops: not parted where they come back to a point",
-    free_positions._part_where_it_touches,
-    "Inner fit",
-)(lambda right: lambda ring: iter([list(ring)]))
-sabotage(
-    "contact segments: those of G's vertices forgotten",
-    contact_lines.find_contact_stretches,
-    *(ANY, SEGMENTS),
-)(giving(lambda stretches: stretches[::2]))
-sabotage(
-    "contact segments: right, but each one many times",
-    contact_lines.find_contact_stretches,
-    SEGMENTS,
-)(giving(lambda stretches: stretches * 12))
-sabotage(
-    "squares that are known to be overlapped: one stretch too many is left out",
-    cover.leave_out_covered,
-    ANY,
-)(giving(lambda stretches: stretches[:-1]))
-sabotage("crossings: none is found", crossings.cut_at_crossings, ANY, SEGMENTS)(
-    lambda right: lambda stretches: None
-)
-sabotage(
-    "swept area: of several places that are not swept only the first",
-    any_shape.ShapeSolution,
-    "Swept area of any shape",
-)(keep_first_unswept)
+    sabotage(f"inner fit: {fault}", ss.inner_fit_ss)(wrong)
+for fault, (procedure, wrong) in OTHERS.items():
+    sabotage(fault, procedure)(wrong)

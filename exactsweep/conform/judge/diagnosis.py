@@ -34,12 +34,35 @@ _POSITIONS = ("trajectory", "no_fit", "inner_fit")
 """Loops of positions, which depend on the reference point."""
 
 
-class _Answered(NamedTuple):
-    """Answered rings, and the corners of the box around them."""
+class _DiagnosedRings(NamedTuple):
+    """A loop of a case that was answered.
 
+    Attributes:
+        case: the case.
+        name: a key of LOOP_NAMES.
+        exact: the exact rings.
+        rings: the answered rings.
+        rounding: the bound that coordinate errors must stay below.
+        low: the lower left corner of the box around the answered rings.
+        high: its upper right corner.
+    """
+
+    case: Case
+    name: str
+    exact: PointRings
     rings: PointRings
+    rounding: Fraction
     low: Point
     high: Point
+
+    def are(self, others: PointRings, times: int = 1) -> bool:
+        """Decide whether they are some others but for so many roundings; boxes tell most."""
+        if not (others and len(others) == len(self.rings)):
+            return False
+        (low, high), bound = _box(others), times * self.rounding
+        if not (is_near(low, self.low, bound) and is_near(high, self.high, bound)):
+            return False
+        return _are_same(others, self.rings, bound)
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
@@ -60,24 +83,23 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     if not any(map(find_doubled_area, rings)):
         return () if rings else ("says that G does not fit",)
     low, high = _box(rings)
-    theirs = _Answered(rings, low, high)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
         # Nearly everything is something else except for so much.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
-    missing, left = _pair_rings(exact, rings, rounding)
-    if counted := tuple(_count_rings(case, name, exact, missing, left, rounding)):
+    theirs = _DiagnosedRings(case, name, exact, rings, rounding, low, high)
+    missing, left = _pair_rings(theirs)
+    if counted := tuple(_count_rings(theirs, missing, left)):
         return counted
     spoilt = name_arithmetic(exact, rings)
-    if rounding and _is_same(exact, theirs, _NEARLY * rounding):
+    if rounding and theirs.are(exact, _NEARLY):
         # So much makes another reference point of nothing, or another scale.
         named = spoilt or tuple(_name_vertices(exact, rings))
         return *named, f"exact except for {_NEARLY} times the rounding granted"
-    found = [*_other_loops(case, name, theirs, rounding)]
+    found = [*_other_loops(theirs)]
     if name in _POSITIONS and exact and not found:
-        found += spoilt
-        found += _other_positions(case, name, theirs, rounding)
-    if name == "outer" and not found and _is_same(_add(case, name), theirs, rounding):
+        found += [*spoilt, *_other_positions(theirs)]
+    if name == "outer" and not found and theirs.are(_add(case, name)):
         found.append("D + G, without the way there")
     if not found:
         found += spoilt or _name_vertices(exact, rings)
@@ -86,15 +108,13 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     return tuple(dict.fromkeys(found))
 
 
-def _pair_rings(
-    exact: PointRings, theirs: PointRings, rounding: Fraction
-) -> tuple[PointRings, PointRings]:
+def _pair_rings(theirs: _DiagnosedRings) -> tuple[PointRings, PointRings]:
     """Return the exact rings that were not answered, and those answered that are none of them."""
-    left = list(theirs)
+    left = list(theirs.rings)
     missing = []
-    for ring in exact:
+    for ring in theirs.exact:
         # A ring that is the same, or else one that is so except for rounding.
-        for bound in dict.fromkeys((Fraction(0), rounding)):
+        for bound in dict.fromkeys((Fraction(0), theirs.rounding)):
             found = next((o for o in left if _are_same([ring], [o], bound)), None)
             if found is not None:
                 left.remove(found)
@@ -104,19 +124,14 @@ def _pair_rings(
     return missing, left
 
 
-def _count_rings(
-    case: Case,
-    name: str,
-    exact: PointRings,
-    missing: PointRings,
-    left: PointRings,
-    rounding: Fraction,
-) -> Iterator[str]:
+def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings) -> Iterator[str]:
     """Say whether all exact rings are there, and how many more, or how many are missing."""
+    exact, name = theirs.exact, theirs.name
     if len(missing) == len(exact):
         return
     if not missing:
-        if name in ("trajectory", "no_fit") and _are_same(_find_inside(case), left, rounding):
+        is_around = name in ("trajectory", "no_fit")
+        if is_around and _are_same(_find_inside(theirs.case), left, theirs.rounding):
             yield "the sum of the boundaries: where one polygon is inside the other is left open"
         yield f"all exact rings, and {len(left)} more"
     elif not left and name != "inner_fit" and exact[0] not in missing:
@@ -149,12 +164,12 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
         yield "has more vertices than the exact one, and all of its own"
 
 
-def _other_loops(case: Case, name: str, theirs: _Answered, rounding: Fraction) -> Iterator[str]:
+def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
     """Name loops of the case that are not the one asked for."""
-    exact = list_exact_rings(case, name)
+    case, exact = theirs.case, theirs.exact
     for other, words in LOOP_NAMES.items():
         loop = list_exact_rings(case, other)
-        if loop not in ((), exact) and _is_same(loop, theirs, rounding):
+        if loop not in ((), exact) and theirs.are(loop):
             yield f"exact for the {words} instead"
     named: dict[str, PointRings] = {
         "D itself": case.directrix.rings,
@@ -166,38 +181,38 @@ def _other_loops(case: Case, name: str, theirs: _Answered, rounding: Fraction) -
         named["the convex hull of the exact one"] = [Polygon(find_hull(chain(*exact))).vertices]
         named["the bounding box of the exact one"] = [box.vertices]
     for words, rings in named.items():
-        if tuple(rings) != exact and _is_same(rings, theirs, rounding):
+        if tuple(rings) != exact and theirs.are(rings):
             yield words
 
 
-def _other_positions(case: Case, name: str, theirs: _Answered, rounding: Fraction) -> list[str]:
+def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     """Name mistakes in what is computed, about any reference point, the likeliest first.
 
     On symmetric shapes one of them looks like another one. Usual reference points come before what
     is turned or added, and that before others.
     """
-    rings = list_exact_rings(case, name)
+    case, rings = theirs.case, theirs.exact
     positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, case.reference))
     shapes: list[tuple[str, PointRings]] = [("", positions)]
-    if name != "inner_fit":
-        shapes.append(("D + G, G not reflected", _add(case, name)))
+    if theirs.name != "inner_fit":
+        shapes.append(("D + G, G not reflected", _add(case, theirs.name)))
     shapes += ((words, _map(positions, *matrix)) for words, matrix in _AXES.items())
     found: list[tuple[int, str]] = []
     for words, shape in shapes:
-        offset = _find_offset(shape, theirs, rounding)
+        offset = _find_offset(shape, theirs)
         if offset is None:
             continue
-        points = [*_name_offsets(case, offset, rounding)]
+        points = [*_name_offsets(case, offset, theirs.rounding)]
         if words and _GIVEN in points:
             found.append((1, f"exact for {words}"))
             continue
         joint = f"{words}, and for " if words else ""
-        ranks = (3, 3) if words else (0, 2)
+        ranks = (3, 3) if words else (1, 2)
         found += ((ranks[point not in _USUAL], f"exact for {joint}{point}") for point in points)
         if not points:
             by = write_pair(subtract(offset, case.reference))
             found.append((4, f"exact for {joint}another reference point: all is moved by {by}"))
-    factor = _find_scale(rings, theirs, rounding)
+    factor = _find_scale(theirs)
     if factor is not None:
         found.append((5, f"exact for another scale: it is {abridge(factor)} times as large"))
     return [words for _, words in sorted(found, key=itemgetter(0))]
@@ -261,36 +276,23 @@ def _mean(ring: Sequence[Point]) -> Point:
     return Point(x, y)
 
 
-def _find_offset(shape: PointRings, theirs: _Answered, rounding: Fraction) -> Point | None:
-    """Find the translation that makes some rings others, except for rounding."""
-    low, high = _box(shape)
-    if not is_near(subtract(high, low), subtract(theirs.high, theirs.low), 2 * rounding):
-        return None
-    by = subtract(theirs.low, low)
-    return by if _is_same(_map(shape, 1, 0, 0, 1, by), theirs, 2 * rounding) else None
+def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:
+    """Find the translation that makes some rings the answered ones, except for rounding."""
+    by = subtract(theirs.low, _box(shape)[0])
+    return by if theirs.are(_map(shape, 1, 0, 0, 1, by), 2) else None
 
 
-def _find_scale(shape: PointRings, theirs: _Answered, rounding: Fraction) -> Fraction | None:
-    """Find the factor that makes some rings others, except for rounding."""
-    low, high = _box(shape)
+def _find_scale(theirs: _DiagnosedRings) -> Fraction | None:
+    """Find the factor that makes the exact rings the answered ones, except for rounding."""
+    low, high = _box(theirs.exact)
     factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
-    scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in shape]
-    return factor if factor not in (0, 1) and _is_same(scaled, theirs, 4 * rounding) else None
+    scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in theirs.exact]
+    return factor if factor not in (0, 1) and theirs.are(scaled, 4) else None
 
 
 def _box(rings: PointRings) -> tuple[Point, Point]:
     xs, ys = zip(*chain.from_iterable(rings), strict=True)
     return Point(min(xs), min(ys)), Point(max(xs), max(ys))
-
-
-def _is_same(exact: PointRings, theirs: _Answered, rounding: Fraction) -> bool:
-    """Decide whether rings are others but for rounding; boxes tell most that are not."""
-    if not (exact and len(exact) == len(theirs.rings)):
-        return False
-    low, high = _box(exact)
-    if not (is_near(low, theirs.low, rounding) and is_near(high, theirs.high, rounding)):
-        return False
-    return _are_same(exact, theirs.rings, rounding)
 
 
 def _are_same(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:

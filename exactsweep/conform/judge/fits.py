@@ -27,9 +27,9 @@ from exactsweep.conform.judge.witness import (
     NAME,
     at_position,
     crossing_of,
+    find_middle,
     list_exact_fits,
     list_exact_rings,
-    subtract,
 )
 from exactsweep.corpus import Case
 from exactsweep.geometry.vectors import is_on_segment
@@ -165,13 +165,8 @@ def _name_ways(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[str, int]:
     for other in others:
         near = [fit for fit in missing if _unite_to_one(fit, other)]
         touched.update(near)
-        inside = [fit for fit in near if all(is_on_segment(p, *fit) for p in other)]
-        if not near:
-            ways["invented"] += 1
-        elif inside:
-            ways["too short"] += 1
-        else:
-            ways["too long"] += 1
+        is_inside = any(all(is_on_segment(p, *fit) for p in other) for fit in near)
+        ways["invented" if not near else "too short" if is_inside else "too long"] += 1
     ways["missing"] = len(set(missing) - touched)
     return {way: number for way, number in ways.items() if number}
 
@@ -189,11 +184,8 @@ def _list(ways: dict[str, int]) -> str:
 
 
 def _find_missed(case: Case, fit: Fit, name: str) -> Witness:
-    (p, q) = fit
-    middle = Point((p.x + q.x) / 2, (p.y + q.y) / 2)
-    found = at_position(case, middle, inside=name == INSIDE)
-    says = f"{found.says}; that is on an exact fit which is not among theirs"
-    return Witness(says, found.translation, found.classified, found.point)
+    found = at_position(case, find_middle(*fit), inside=name == INSIDE)
+    return replace(found, says=f"{found.says}; that is on an exact fit which is not among theirs")
 
 
 def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
@@ -202,23 +194,11 @@ def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
     Such pieces end on a loop of positions or on an exact fit.
     """
     p, q = segment
-    d = subtract(q, p)
-    square = d.x * d.x + d.y * d.y
-    yield from (p, q) if square else (p,)
-    if not square:
-        return
-    ends: list[Point] = []
-    crossings: list[Point | None] = []
-    fits = list_exact_fits(case, name)
-    for ring in (*list_exact_rings(case, "inner_fit" if name == INSIDE else "no_fit"), *fits):
-        ends += ring
-        crossings += (crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
-    on_line = [v for v in ends if d.x * (v.y - p.y) == d.y * (v.x - p.x)]
-    shares = {Fraction(0), Fraction(1)}
-    for v in [*(c for c in crossings if c is not None), *on_line]:
-        share = (d.x * (v.x - p.x) + d.y * (v.y - p.y)) / square
-        if 0 < share < 1:
-            shares.add(share)
-    for a, b in pairwise(sorted(shares)):
-        middle = (a + b) / 2
-        yield Point(p.x + middle * d.x, p.y + middle * d.y)
+    ends = {p, q}
+    rings = list_exact_rings(case, "inner_fit" if name == INSIDE else "no_fit")
+    for ring in (*rings, *list_exact_fits(case, name)):
+        crossings = (crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
+        ends |= {c for c in crossings if c} | {v for v in ring if is_on_segment(v, p, q)}
+    yield from dict.fromkeys(segment)
+    for a, b in pairwise(sorted(ends, reverse=q < p)):
+        yield find_middle(a, b)

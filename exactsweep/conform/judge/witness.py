@@ -18,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.check.location import locate
@@ -105,10 +106,9 @@ def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trap
         trajectory and G.
     """
     cell = max(cells, key=lambda cell: cell.area)
+    show = {"inner": _of_inner, "outer": _of_outer}.get(name, partial(_of_positions, name=name))
     for point in cell.points():
-        if is_inside(point, theirs) != cell.first and (
-            found := _SHOW[name](case, point, cell.first)
-        ):
+        if is_inside(point, theirs) != cell.first and (found := show(case, point, cell.first)):
             side = "outside" if cell.first else "inside"
             return replace(found, says=f"{found.says}; that is {side} their {LOOP_NAMES[name]}")
     raise WitnessError(f"case {case.id}: its {name} is refuted near {write_pair(point)}")
@@ -139,22 +139,14 @@ def _obstacles(case: Case, t: Point) -> list[AnyPolygon]:
     return [Region(box, [exterior]), *map(Polygon, holes)]
 
 
-def _of_trajectory(case: Case, position: Point, permitted: bool) -> Witness | None:
-    found = at_position(case, position)
-    if permitted and any(point_in_polygon(position, hole) >= 0 for hole in case.holes):
+def _of_positions(case: Case, position: Point, missed: bool, name: str) -> Witness | None:
+    """Show a position that overlaps D, or reaches out of it; or else one that does not."""
+    is_inside = name == "inner_fit"
+    found = at_position(case, position, inside=is_inside)
+    holes = case.holes if name == "trajectory" and missed else ()
+    if any(point_in_polygon(position, hole) >= 0 for hole in holes):
         return replace(found, says=f"{found.says}, and cannot get there from outside")
-    return found if found.classified == ("OVERLAP" if permitted else "FREE") else None
-
-
-def _of_no_fit(case: Case, position: Point, permitted: bool) -> Witness | None:
-    found = at_position(case, position)
-    return found if found.classified == ("OVERLAP" if permitted else "FREE") else None
-
-
-def _of_inner_fit(case: Case, position: Point, permitted: bool) -> Witness | None:
-    """Show a position inside D, or one that reaches out of it."""
-    found = at_position(case, position, inside=True)
-    return found if found.classified == ("FREE" if permitted else "OVERLAP") else None
+    return found if found.classified == ("FREE" if missed == is_inside else "OVERLAP") else None
 
 
 def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
@@ -206,15 +198,6 @@ def _over(case: Case, point: Point, t: Point) -> Witness | None:
     return Witness(f"at {at} G covers {write_pair(point)} and {_DOES[verdict]}", t, verdict, point)
 
 
-_SHOW = {
-    "trajectory": _of_trajectory,
-    "inner": _of_inner,
-    "outer": _of_outer,
-    "no_fit": _of_no_fit,
-    "inner_fit": _of_inner_fit,
-}
-
-
 def _is_in(point: Point, shape: AnyPolygon) -> bool:
     """Decide whether a point is in a closed shape."""
     exterior, *holes = shape.rings
@@ -249,6 +232,11 @@ def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
         return None
     s = Fraction(of_a) / (of_a - of_b)
     return Point(a.x + s * (b.x - a.x), a.y + s * (b.y - a.y))
+
+
+def find_middle(p: Point, q: Point) -> Point:
+    """Return the middle of two points."""
+    return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
 
 
 def add(p: Point, q: Point) -> Point:

@@ -10,12 +10,13 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from importlib.resources import files
-from itertools import count, islice
-from typing import Any, NamedTuple
+from itertools import islice
+from typing import Any
 
 from exactsweep import __version__
 from exactsweep.canvas import style
@@ -49,18 +50,6 @@ _WORTH_ZOOMING = 20
 Layer = tuple[str, Sequence[Sequence[Point]], bool]
 
 
-class Failure(NamedTuple):
-    """One failure as the page shows it."""
-
-    outcome: Outcome
-    title: str
-    panels: list[Panel]
-    parts: list[dict[str, Any]]
-    case: str
-    result: str
-    smaller: Failure | None
-
-
 def write_html(run: Run) -> str:
     """Write a run as an HTML page, pictures and all within it.
 
@@ -77,14 +66,21 @@ def write_html(run: Run) -> str:
     environment = Environment(
         autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    template = (
-        files("exactsweep.conform.report").joinpath("report.html.j2").read_text(encoding="utf-8")
-    )
+    environment.filters |= {
+        "about": _about,
+        "root": take_root,
+        "number": read_any_length,
+        "plain": replace_controls,
+        "dump": partial(json.dumps, indent=1),
+        "panels": _draw,
+        "witnesses": list_witnesses,
+        "said": tell_witness,
+    }
+    template = files("exactsweep.conform.report").joinpath("report.html.j2")
     failed = (outcome for outcome in run.list_outcomes() if fails(outcome.verdict, run.accepted))
     summary = run.summary
     failures = summary.failures(run.accepted)
-    numbers = count(1)
-    return environment.from_string(template).render(
+    return environment.from_string(template.read_text(encoding="utf-8")).render(
         run=run,
         summary=summary,
         version=__version__,
@@ -93,74 +89,24 @@ def write_html(run: Run) -> str:
         bad={verdict for verdict in Verdict if fails(verdict, run.accepted)},
         key=_KEY,
         most_shown=SHOWN,
-        worst={
-            name: [
-                (_about(take_root(worst.distance_squared[0])), worst.distance_squared[1]),
-                (_about(worst.area[0]), worst.area[1]),
-            ]
-            for name, worst in summary.worst.items()
-        },
         answers=[
             name.replace("_", " ")
             for name in (*run.hello.loops, *run.hello.questions)
             if name != "sweep"
         ],
         costs=tell_costs(summary),
-        granted=(_about(summary.granted[0]), summary.granted[1]),
-        objections=run.find_objections(),
-        diagnosis=summary.diagnosis(),
         failures=failures,
         failed=islice(failed, _MOST_LISTED),
         more=max(0, failures - _MOST_LISTED),
-        faults=[
-            (
-                fault,
-                [(next(numbers), _show(o, run.shrunk.get(o.id))) for o in fault.kept],
-            )
-            for fault in run.list_faults()
-        ],
-    )
-
-
-def _show(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
-    case = outcome.case
-    return Failure(
-        replace(outcome, stderr=replace_controls(outcome.stderr)),
-        case["title"] if case else "",
-        _draw(outcome) if case else [],
-        [_part(part) for part in outcome.parts],
-        json.dumps(case, indent=1) if case else "",
-        json.dumps(outcome.result, indent=1) if outcome.result else "",
-        _show(smaller) if smaller else None,
     )
 
 
 def _draw(outcome: Outcome) -> list[Panel]:
     """Draw an outcome, or nothing where that fails: it is not to cost the page."""
     try:
-        return draw_panels(outcome)
+        return draw_panels(outcome) if outcome.case else []
     except (ArithmeticError, ValueError):
         return []
-
-
-def _part(part: Mapping[str, Any]) -> dict[str, Any]:
-    said = [line for witness in list_witnesses(part) for line in tell_witness(witness)]
-    squares = part["distance_squared"]
-    return {
-        "name": part["name"].replace("_", " "),
-        "verdict": part["verdict"],
-        "reason": part["reason"],
-        "distance": _about(take_root(read_any_length(squares[0]))) if squares else "",
-        "permitted": _area(part["permitted"]),
-        "forbidden": _area(part["forbidden"]),
-        "granted": _about(read_any_length(part["granted"])) if part["granted"] else "",
-        "diagnosis": part["diagnosis"],
-        "said": said or [part["reason"]],
-    }
-
-
-def _area(text: str | None) -> str:
-    return "" if text is None else _about(read_any_length(text))
 
 
 def _about(value: Fraction) -> str:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-from rich.table import Table
 
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict, write_plain
 from exactsweep.conform.judge.witness import LOOP_NAMES
@@ -16,7 +15,7 @@ from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.peer import cut, tell_bytes
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import Tally, fails
-from exactsweep.text.report import approximate, lay_out, take_root
+from exactsweep.text.report import approximate, lay_out, make_table, take_root
 from exactsweep.words import count
 
 _MOST_LISTED = 20
@@ -103,19 +102,13 @@ def write_table(summary: Tally, terminal_width: int | None = None) -> str:
         CC            2      1      1
         undercut      1      1
     """
-    grid = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    grid.add_column(style="bold")
     verdicts = summary.verdicts()
-    for name in ("cases", *verdicts):
-        grid.add_column(name, justify="right")
+    heads = ("cases", *verdicts)
+    grid = make_table(("", *heads), heads)
     for group in summary.groups():
-        counts = (summary.total(verdict, group) for verdict in verdicts)
-        grid.add_row(group, str(summary.total(group=group)), *_blank_zeros(counts))
+        counts = (summary.total(verdict, group) for verdict in (None, *verdicts))
+        grid.add_row(group, *(str(count or "") for count in counts))
     return lay_out([grid], terminal_width)
-
-
-def _blank_zeros(counts: Iterable[int]) -> Iterable[str]:
-    return (str(count) if count else "" for count in counts)
 
 
 def close(run: Run, *, is_timed: bool = False) -> str:

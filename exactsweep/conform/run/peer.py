@@ -5,10 +5,11 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from typing import Any, NamedTuple, Protocol
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.protocol import Hello, convert_numbers
+from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.numbers.point import Point
@@ -50,9 +51,6 @@ class Peer(Protocol):
 
     def ask(self, case: Case) -> Answer:
         """Put a case to it, as `adapt` has it."""
-
-    def close(self) -> str | None:
-        """Say bye; return what went wrong then, or None."""
 
 
 def read_answer(result: Mapping[str, Any]) -> Answer:
@@ -135,10 +133,7 @@ class CallablePeer:
             return Answer(verdict=Verdict.MALFORMED, reason=reason, seconds=seconds)
         return read_answer({**result, "id": case.id})._replace(seconds=seconds)
 
-    def close(self) -> str | None:
-        """Do nothing."""
-        return None
-
     def _points(self, points: Sequence[Point]) -> list[Any]:
-        numbers = self.hello.numbers
-        return [(convert_numbers(x, numbers), convert_numbers(y, numbers)) for x, y in points]
+        kinds: dict[str, Callable[[Fraction], object]] = {"rational": Fraction, "binary64": float}
+        kind = kinds.get(self.hello.numbers, int)
+        return [(kind(x), kind(y)) for x, y in points]

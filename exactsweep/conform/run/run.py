@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import insort
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from exactsweep import __version__
 from exactsweep.conform.judge.verdict import Verdict
@@ -23,52 +22,26 @@ MOST_FAULTS = 40
 """The number of faults that a run distinguishes; it groups the rest by verdict."""
 
 
-class _KeptOutcome(NamedTuple):
-    """An outcome, the size of its case, and which one of its fault it is, counted from 0."""
-
-    size: int
-    number: int
-    outcome: Outcome
-
-
+@dataclass
 class NamedFault:
     """Failures that show the same fault.
 
-    Args:
+    Attributes:
         verdict: of all of them.
         name: what `name_fault` says of them.
-
-    Attributes:
         count: how many there are.
+        kept: the smallest ones, whole, the smallest first.
     """
 
-    def __init__(self, verdict: Verdict, name: str) -> None:
-        self.verdict, self.name, self.count = verdict, name, 0
-        self._kept: list[_KeptOutcome] = []
+    verdict: Verdict
+    name: str
+    count: int = 0
+    kept: list[Outcome] = field(default_factory=list)
 
-    def add(self, outcome: Outcome) -> None:
-        """Count an outcome, and keep it if it is among the smallest."""
-        insort(self._kept, _KeptOutcome(_measure(outcome), self.count, outcome))
-        del self._kept[SHOWN:]
-        self.count += 1
-
-    def lead_with(self, cause: str | None) -> str:
-        """Return its name, with a cause that its failures share in the place of another one."""
-        return self.kept[0].lead_with(cause).fault if cause in self.kept[0].diagnosis else self.name
-
-    def take(self, other: NamedFault, cause: str | None) -> None:
-        """Take in the failures of another one, as it is called if a cause comes first."""
-        self.name = other.lead_with(cause)
-        for kept in other._kept:
-            outcome = kept.outcome.lead_with(cause)
-            insort(self._kept, _KeptOutcome(kept.size, kept.number + self.count, outcome))
-        del self._kept[SHOWN:]
-        self.count += other.count
-
-    @property
-    def kept(self) -> list[Outcome]:
-        """The smallest ones, whole, the smallest first."""
-        return [kept.outcome for kept in self._kept]
+    def add(self, outcomes: Iterable[Outcome], count: int = 1) -> None:
+        """Count some failures, and keep those of the given ones that are among the smallest."""
+        self.kept = sorted([*self.kept, *outcomes], key=_measure)[:SHOWN]
+        self.count += count
 
 
 class Run:
@@ -113,7 +86,7 @@ class Run:
             name = outcome.fault
             if name not in self._faults and len(self._faults) >= MOST_FAULTS:
                 name = f"{outcome.verdict}: others"
-            self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add(outcome)
+            self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add([outcome])
 
     def list_faults(self) -> list[NamedFault]:
         """Return the failures, those with the same fault together, the worst verdict first.
@@ -123,9 +96,9 @@ class Run:
         cause = self.summary.find_cause()
         found: dict[str, NamedFault] = {}
         for fault in self._faults.values():
-            found.setdefault(fault.lead_with(cause), NamedFault(fault.verdict, "")).take(
-                fault, cause
-            )
+            kept = [outcome.lead_with(cause) for outcome in fault.kept]
+            name = kept[0].fault if cause in kept[0].diagnosis else fault.name
+            found.setdefault(name, NamedFault(fault.verdict, name)).add(kept, fault.count)
         return sorted(found.values(), key=lambda f: (-f.verdict.severity, -f.count))
 
     def list_outcomes(self) -> Iterator[Outcome]:

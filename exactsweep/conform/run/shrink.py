@@ -30,46 +30,44 @@ class ShrinkError(ExactSweepError):
 
 
 class _GivenPair(NamedTuple):
-    """The exterior and the holes of each polygon, as given, and the reference point."""
+    """The rings of D and of G as given, the exterior of each first, and the reference point."""
 
-    directrix: tuple[Loop, ...]
-    generatrix: tuple[Loop, ...]
+    shapes: tuple[tuple[Loop, ...], ...]
     reference: Point
 
     def size(self) -> tuple[int, int, Fraction]:
         """Measure a case for shrinking: vertices, then digits, then numbers."""
         numbers = [c for point in self.points() for c in point]
         digits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
-        vertices = sum(map(len, (*self.directrix, *self.generatrix)))
+        vertices = sum(map(len, chain(*self.shapes)))
         return vertices, digits, sum(map(abs, numbers), Fraction(0))
 
     def points(self) -> Iterator[Point]:
-        return chain(*self.directrix, *self.generatrix, (self.reference,))
+        return chain(*chain(*self.shapes), (self.reference,))
 
-    def rings(self) -> Iterator[tuple[str, int, Loop]]:
-        """The rings, each with the name of its polygon and its number there."""
-        for name, rings in (("directrix", self.directrix), ("generatrix", self.generatrix)):
-            yield from ((name, k, ring) for k, ring in enumerate(rings))
+    def rings(self) -> Iterator[tuple[int, int, Loop]]:
+        """The rings, each with the number of its polygon and its own number there."""
+        for which, rings in enumerate(self.shapes):
+            yield from ((which, k, ring) for k, ring in enumerate(rings))
 
-    def with_ring(self, name: str, k: int, *ring: Loop) -> _GivenPair:
+    def with_ring(self, which: int, k: int, *ring: Loop) -> _GivenPair:
         """The pair with another ring in the place of one, or with none."""
-        rings: tuple[Loop, ...] = getattr(self, name)
-        changed = (*rings[:k], *ring, *rings[k + 1 :])
-        if name == "directrix":
-            return self._replace(directrix=changed)
-        return self._replace(generatrix=changed)
+        shapes = list(self.shapes)
+        shapes[which] = (*shapes[which][:k], *ring, *shapes[which][k + 1 :])
+        return self._replace(shapes=tuple(shapes))
 
     def put(self, function: Callable[[Point], Point]) -> _GivenPair:
         """The pair with a function applied to each point."""
-        d, g = (
-            tuple(tuple(map(function, ring)) for ring in rings)
-            for rings in (self.directrix, self.generatrix)
-        )
-        return _GivenPair(d, g, function(self.reference))
+        shapes = tuple(_put(rings, function) for rings in self.shapes)
+        return _GivenPair(shapes, function(self.reference))
 
     def map(self, function: Callable[[Fraction], Fraction]) -> _GivenPair:
         """The pair with a function applied to each number."""
         return self.put(lambda p: Point(function(p.x), function(p.y)))
+
+
+def _put(rings: tuple[Loop, ...], function: Callable[[Point], Point]) -> tuple[Loop, ...]:
+    return tuple(tuple(map(function, ring)) for ring in rings)
 
 
 @tells_arguments
@@ -121,7 +119,7 @@ class _Search:
         self._judge, self._fault = judge, fault
         self._tries, self._deadline = tries, deadline
         self._id, self._title = f"{case.id}-shrunk", f"shrunk: {case.title}"
-        self._pair = _GivenPair(case.directrix_rings, case.generatrix_rings, case.reference)
+        self._pair = _GivenPair((case.directrix_rings, case.generatrix_rings), case.reference)
         self._inner_fit = case.inner_regions is not None
         self._size = self._pair.size()
         self._seen: set[_GivenPair] = set()
@@ -159,13 +157,13 @@ class _Search:
         return True
 
     def _make(self, pair: _GivenPair) -> Case:
-        (d, *d_holes), (g, *g_holes), reference = pair
+        (d, *d_holes), (g, *g_holes) = pair.shapes
         return Case.of(
             self._id,
             self._title,
             d,
             g,
-            reference,
+            pair.reference,
             directrix_holes=d_holes,
             generatrix_holes=g_holes,
             inner_fit=self._inner_fit,
@@ -174,27 +172,30 @@ class _Search:
 
 def _move(pair: _GivenPair) -> Iterator[_GivenPair]:
     """Canonical rings, the reference at the origin, each polygon with its corner there."""
-    d, g = (tuple(Polygon(ring).vertices for ring in rings) for rings in pair[:2])
-    yield _GivenPair(d, g, ORIGIN)
+    canonical = (tuple(Polygon(ring).vertices for ring in rings) for rings in pair.shapes)
+    yield _GivenPair(tuple(canonical), ORIGIN)
     yield pair._replace(reference=ORIGIN)
-    corners = [Point(*map(min, zip(*rings[0], strict=True))) for rings in pair[:2]]
-    d, g = (_shift(rings, corner) for rings, corner in zip(pair[:2], corners, strict=True))
-    yield pair._replace(directrix=d, generatrix=g)
-    yield pair._replace(directrix=d)
-    yield pair._replace(generatrix=g)
+    (d, g), (low_d, low_g) = pair.shapes, map(_put_in_corner, pair.shapes)
+    for shapes in ((low_d, low_g), (low_d, g), (d, low_g)):
+        yield pair._replace(shapes=shapes)
+
+
+def _put_in_corner(rings: tuple[Loop, ...]) -> tuple[Loop, ...]:
+    x, y = map(min, zip(*rings[0], strict=True))
+    return _put(rings, lambda p: Point(p.x - x, p.y - y))
 
 
 def _leave_out(pair: _GivenPair) -> Iterator[_GivenPair]:
     """Holes, and vertices."""
-    for name, k, ring in pair.rings():
+    for which, k, ring in pair.rings():
         if k > 0:
-            yield pair.with_ring(name, k)
+            yield pair.with_ring(which, k)
         length = len(ring) // 2
         while length:
             for start in range(0, len(ring), length):
                 rest = ring[:start] + ring[start + length :]
                 if len(rest) > 2:
-                    yield pair.with_ring(name, k, rest)
+                    yield pair.with_ring(which, k, rest)
             length //= 2
 
 
@@ -221,7 +222,7 @@ def _rank(pair: _GivenPair, axis: int) -> _GivenPair:
 
 def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
     """One number at a time, or all numbers of a polygon that are equal to it on its axis."""
-    for name, number, ring in pair.rings():
+    for which, number, ring in pair.rings():
         for axis in "xy":
             for value in sorted({getattr(p, axis) for p in ring}, key=abs, reverse=True):
                 for other in _find_simpler(value):
@@ -230,7 +231,7 @@ def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
                         changed = list(ring)
                         for k in chosen:
                             changed[k] = ring[k]._replace(**{axis: other})
-                        yield pair.with_ring(name, number, tuple(changed))
+                        yield pair.with_ring(which, number, tuple(changed))
 
 
 def _find_simpler(value: Fraction) -> list[Fraction]:
@@ -240,7 +241,3 @@ def _find_simpler(value: Fraction) -> list[Fraction]:
     if abs(value) < 32:
         found.append(value + towards_zero)
     return [other for other in dict.fromkeys(found) if other != value]
-
-
-def _shift(rings: tuple[Loop, ...], by: Point) -> tuple[Loop, ...]:
-    return tuple(tuple(Point(p.x - by.x, p.y - by.y) for p in ring) for ring in rings)

@@ -4,7 +4,7 @@ All are counter-clockwise as they are built, simple by construction, and not clo
 """
 
 from collections.abc import Iterable, Sequence
-from itertools import combinations
+from itertools import accumulate, combinations
 from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
@@ -45,13 +45,11 @@ def draw_convex(random: Prng, most: int, side: int) -> Ring:
     return found if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
 
 
-def walk(steps: Iterable[IntegerPoint]) -> Ring:
-    """The points that steps lead to, from the origin on."""
-    chain: Ring = [(0, 0)]
-    for dx, dy in steps:
-        x, y = chain[-1]
-        chain.append((x + dx, y + dy))
-    return chain
+def walk(
+    steps: Iterable[tuple[Any, Any]], start: tuple[Any, Any] = (0, 0)
+) -> list[tuple[Any, Any]]:
+    """The points that steps lead to, from the origin or another start on."""
+    return list(accumulate(steps, lambda p, step: (p[0] + step[0], p[1] + step[1]), initial=start))
 
 
 def draw_monotone(random: Prng, grid: Grid) -> Ring:

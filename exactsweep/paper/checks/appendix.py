@@ -10,8 +10,9 @@ from itertools import pairwise
 from exactsweep import Point, Sweep, sweep
 from exactsweep.corpus.generator.growing import cm_hard, cm_undercut
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.steps import explain
+from exactsweep.evidence.steps import Step, explain
 from exactsweep.numbers.point import Vertex
+from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import (
     contacts_are_right,
@@ -26,6 +27,7 @@ from exactsweep.paper.functions import (
     evaluate,
     find_common_points,
     list_edges,
+    list_sub_chains,
     look_up,
     reaches,
     take_bottom,
@@ -34,7 +36,7 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_bent, is_convex, search_grid
-from exactsweep.procedures.cc import merge_by_slope, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import find_convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
@@ -43,10 +45,9 @@ from exactsweep.procedures.lower_envelope import lower_envelope_cm
 AT_A_WALL = SweepPair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
 
 
-def list_lasting_positions(s: Sweep) -> list[Point]:
-    """Positions inside the edges of the lower trajectory, between all changes of contact."""
-    lower = [step for step in explain(s) if step.half == "lower"]
-    return [t for step in lower for t in list_moments(s, step.start, step.end)]
+def list_lower_steps(s: Sweep) -> list[Step]:
+    """The steps of the lower sweep."""
+    return [step for step in explain(s) if step.half == "lower"]
 
 
 def one_edge_at_a_time(pair: SweepPair) -> str:
@@ -54,9 +55,7 @@ def one_edge_at_a_time(pair: SweepPair) -> str:
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
-    for step in explain(s):
-        if step.half != "lower":
-            continue
+    for step in list_lower_steps(s):
         if failure := touches_are_right(s, step):
             return failure
         for t in list_moments(s, step.start, step.end):
@@ -76,10 +75,10 @@ def find_passing_events(effort: Effort) -> Evidence:
 
     def stuck(pair: SweepPair) -> str:
         s = sweep(*pair)
-        for step in explain(s):
+        for step in list_lower_steps(s):
             contacts = [c for c in s.contacts_at(step.end) if c.event in ("EV", "VE", "EE")]
             edges = {c.generatrix for c in contacts if c.event != "VE"}
-            if step.half == "lower" and step.ending == "stop" and len(contacts) > 1:
+            if step.ending == "stop" and len(contacts) > 1:
                 if len(edges) == 1 and all(c.event != "VE" for c in contacts):
                     continue
                 return f"at ({step.end.x}, {step.end.y}), in passing: {_name(contacts)}"
@@ -95,12 +94,8 @@ def find_passing_events(effort: Effort) -> Evidence:
 
 def _parallel_edges(pair: SweepPair) -> str:
     ring = pair.generatrix
-    edges = list_edges(ring)
-    for k, ((px, py), (qx, qy)) in enumerate(edges):
-        for (rx, ry), (sx, sy) in edges[:k]:
-            if (qx - px) * (sy - ry) == (qy - py) * (sx - rx):
-                return f"the convex polygon {ring} has parallel edges"
-    return ""
+    slopes = {slope(edge) for edge in list_edges(ring)}
+    return f"the convex polygon {ring} has parallel edges" if len(slopes) < len(ring) else ""
 
 
 def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
@@ -117,8 +112,10 @@ def contact_moves_right(pair: SweepPair) -> str:
     s, (_, _, directrix) = sweep(*pair), pair.chains
     if failure := contacts_are_right(s):
         return failure
-    positions = {t for step in explain(s) if step.half == "lower" for t in (step.start, step.end)}
-    positions.update(list_lasting_positions(s))
+    positions: set[Point] = set()
+    for step in list_lower_steps(s):
+        # Between all changes of contact, too.
+        positions |= {step.start, step.end, *list_moments(s, step.start, step.end)}
     before: list[Fraction] = []
     for t in sorted(positions):
         now = places_of_contact(s, t, directrix)
@@ -175,24 +172,19 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
 
 def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> str:
     """The envelope of the first parts meets the next sub-chain in a point or one segment."""
-    top, bottom, directrix = pair.chains
-    partial: Envelope | None = None
-    for part in find_convex_parts(directrix):
-        chain = sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)
-        if partial is None:
-            partial = Envelope.of(chain)
-            continue
+    first, *chains = list_sub_chains(pair)[outer]
+    partial = Envelope.of(first)
+    for chain in chains:
         if strict:
             failure, met = meetings(list(partial), chain)
-            if failure or not met:
-                return failure or "the partial trajectory and the next one do not meet"
+            failure = failure or ("" if met else "the partial trajectory and the next do not meet")
         else:
             failure = crosses_once(list(partial), chain)
-            if failure:
-                return failure
+        if failure:
+            return failure
         partial = lower_envelope_cm(partial, Envelope.of(chain))
     expected = look_up(pair).outer if outer else look_up(pair).trajectory
-    return tell_difference("the last envelope", partial or [], take_bottom(expected))
+    return tell_difference("the last envelope", partial, take_bottom(expected))
 
 
 def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
@@ -229,39 +221,20 @@ def sub_outer_chains_cross_once(pair: SweepPair) -> str:
     return partial_meets_once(pair, outer=True, strict=False)
 
 
-def note_sub_trajectories_apart(effort: Effort) -> Evidence:
-    """Show a vertical edge at which two sub-trajectories do not meet."""
-    return _note_chains_apart(outer=False)
-
-
-def note_sub_outer_chains_apart(effort: Effort) -> Evidence:
-    """Show a vertical edge at which two sub-outer chains do not meet."""
-    return _note_chains_apart(outer=True)
-
-
-def _note_chains_apart(*, outer: bool) -> Evidence:
-    if meet_at_all(AT_A_WALL, outer=outer):
-        return Evidence("", "all chains meet, in spite of a vertical edge")
+def note_chains_apart(effort: Effort) -> Evidence:
+    """Show a vertical edge at which two sub-trajectories do not meet, nor two sub-outer chains."""
+    for chains in list_sub_chains(AT_A_WALL):
+        if all(meetings(*neighbours)[1] for neighbours in pairwise(chains)):
+            return Evidence("", "all chains meet, in spite of a vertical edge")
     return Evidence(
         f"For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "
         "edge, two chains do not meet."
     )
 
 
-def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
-    """Decide whether the chains of all neighbouring convex parts of D_b meet."""
-    top, bottom, directrix = pair.chains
-    chains = [
-        sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)
-        for part in find_convex_parts(directrix)
-    ]
-    return all(meetings(before, after)[1] for before, after in pairwise(chains))
-
-
 def lower_envelope_cm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_CM returns the lower envelope of all sub-trajectories so far."""
-    top, _, directrix = pair.chains
-    chains = [trajectory_cc(top, part) for part in find_convex_parts(directrix)]
+    chains, _ = list_sub_chains(pair)
     partial = Envelope.of(chains[0])
     for k, chain in enumerate(chains[1:], 2):
         partial = lower_envelope_cm(partial, Envelope.of(chain))

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import chain, product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import (
     classify,
     point_in_polygon,
     reference_inner_fit,
-    reference_no_fit,
 )
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.segment import Segment, find_offset, make_segment, measure_along
 from exactsweep.geometry.vectors import cross, minus
-from exactsweep.numbers.point import Fit, Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.functions import list_edges
+from exactsweep.paper.functions import (
+    frame_around,
+    list_edges,
+    no_fit_is_the_definition,
+    show_fits,
+    tell_fits,
+)
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
 
@@ -49,25 +54,6 @@ FLAT = [
     *[(0, 0), (3, 0), (3, 1), (4, 1), (4, 0), (7, 0), (7, 1), (8, 1), (8, 0), (11, 0)],
     *[(11, 4), (8, 4), (8, 2), (7, 2), (7, 4), (4, 4), (4, 2), (3, 2), (3, 4), (0, 4)],
 ]
-
-
-def no_fit_is_the_definition(pair: SweepPair) -> str:
-    """The no-fit polygon has the exterior, the holes and the exact fits of the definition."""
-    found, expected = no_fit_polygon(*pair[::-1]), reference_no_fit(*pair[::-1])
-    holes = tuple(hole.vertices for hole in found.holes)
-    if found.exterior.vertices != expected.exterior:
-        return "the exterior is not that of the definition"
-    if holes != expected.holes:
-        return f"{len(holes)} holes, not the {len(expected.holes)} of the definition"
-    if found.exact_fits != expected.exact_fits:
-        return (
-            f"exact fits {_show(found.exact_fits)}, by the definition {_show(expected.exact_fits)}"
-        )
-    return ""
-
-
-def _show(fits: Iterable[Fit]) -> str:
-    return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
 
 
 def loops_are_simple(pair: SweepPair) -> str:
@@ -112,10 +98,10 @@ def boundary_is_contact(pair: SweepPair) -> str:
     for loop in (found.exterior, *found.holes):
         for edge in list_edges(loop.vertices):
             if not _lies_on(edge, known):
-                return f"off all contact segments: {_show([edge])}"
+                return f"off all contact segments: {show_fits([edge])}"
     for p, q in found.exact_fits:
         if p != q and not _lies_on((p, q), known):
-            return f"off all contact segments: {_show([(p, q)])}"
+            return f"off all contact segments: {show_fits([(p, q)])}"
         if p == q and not any(
             find_offset(s.direction, p) == s.offset
             and s.low <= measure_along(s.direction, p) <= s.high
@@ -162,8 +148,8 @@ def find_held_position(effort: Effort) -> Evidence:
     failure = fits_have_no_room(HELD)
     fits = no_fit_polygon(*HELD[::-1]).exact_fits
     if not failure and [p == q for p, q in fits] != [True]:
-        failure = f"a square in the cave that it fills: exact fits {_show(fits)}"
-    return Evidence(f"A square in a cave that it fills: {_show(fits)}.", failure)
+        failure = f"a square in the cave that it fills: exact fits {show_fits(fits)}"
+    return Evidence(f"A square in a cave that it fills: {show_fits(fits)}.", failure)
 
 
 def inner_fit_is_the_definition(pair: SweepPair) -> str:
@@ -180,28 +166,22 @@ def compare_inner_fits(container: Region | Ring, part: Ring) -> str:
     )
     if regions != expected.regions:
         return f"{len(regions)} regions that are not the {len(expected.regions)} of the definition"
-    if found.exact_fits != expected.exact_fits:
-        fits = _show(found.exact_fits), _show(expected.exact_fits)
-        return f"exact fits {fits[0]}, and {fits[1]} by the definition"
-    return ""
+    return tell_fits(found.exact_fits, expected.exact_fits)
 
 
 def inner_fit_is_in_a_frame(pair: SweepPair) -> str:
     """The inner fit is the inside of the no-fit polygon of a frame around the container."""
-    container = _enlarge(pair.directrix)
-    part = Polygon(pair.generatrix)
-    wide = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
-    (left, low), (right, high) = Polygon(container).bounding_box
-    left, low, right, high = left - wide, low - wide, right + wide, high + wide
-    frame = [(left, low), (right, low), (right, high), (left, high)]
-    around = no_fit_polygon(Region(frame, [container]), part)
+    container, part = Polygon(_enlarge(pair.directrix)), Polygon(pair.generatrix)
+    frame = frame_around(container, part)
+    around = no_fit_polygon(frame, part)
     found = inner_fit_polygon(container, part)
     if around.holes != tuple(region.exterior for region in found.regions):
         return "the holes of the frame's no-fit polygon are not the regions of the inner fit"
 
     def is_inside(t: Point) -> bool:
         """Decide whether the part stands inside the frame, and not around one of its corners."""
-        (a, b), (c, d) = part.translated(t).bounding_box
+        boxes = frame.bounding_box, part.translated(t).bounding_box
+        (left, low), (right, high), (a, b), (c, d) = chain(*boxes)
         return left < a and low < b and c < right and d < high
 
     if tuple(fit for fit in around.exact_fits if is_inside(fit[0])) != found.exact_fits:
@@ -231,7 +211,7 @@ def find_touching_loops(effort: Effort) -> Evidence:
         if place and any(point_in_polygon(place, loop) != 0 for loop in loops):
             failures.append(f"a loop is off {place}")
         if len(found.exact_fits) != (not loops):
-            failures.append(f"exact fits {_show(found.exact_fits)}")
+            failures.append(f"exact fits {show_fits(found.exact_fits)}")
     return Evidence("And 5 cases by hand.", find_first_failure(iter(failures)))
 
 

@@ -10,11 +10,10 @@ from exactsweep.corpus.generator.growing import cm_hard, figure10, forks, mm
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper import literal
-from exactsweep.paper.checks.beyond import no_fit_is_the_definition
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
 from exactsweep.paper.costs import STEPS
 from exactsweep.paper.counting import PairFamily, operations
-from exactsweep.paper.functions import tell_difference
+from exactsweep.paper.functions import no_fit_is_the_definition, tell_difference
 from exactsweep.paper.growth import MN, MN2, Bound, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import inverse

@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise, product
 
-from exactsweep import Polygon, Sweep, sweep
+from exactsweep import Polygon, sweep
 from exactsweep.check import reference_swept
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import explain
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.region import AnyPolygon, number_features
 from exactsweep.paper.checks.touching import contacts_are_right, touches_are_right
 from exactsweep.paper.claim import (
     Counterexample,
@@ -60,29 +61,21 @@ def like_chains_have_no_contact(pair: SweepPair) -> str:
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
-    found = {c for at in (*s.contacts, *s.vertex_contacts) for c in at}
-    for contact in found:
-        sides = (
-            _side(s.generatrix.exterior, contact, 0),
-            _side(s.directrix.exterior, contact, 1),
-        )
+    for event, *features in {c for at in (*s.contacts, *s.vertex_contacts) for c in at}:
+        sides = list(map(_side, (s.generatrix, s.directrix), event, features))
         if sides[0] == sides[1] != "end":
-            return f"{contact.event} of two {sides[0]} chains: {contact[1]} of G, {contact[2]} of D"
+            return f"{event} of two {sides[0]} chains: {features[0]} of G, {features[1]} of D"
     return ""
 
 
-def _side(polygon: Polygon, contact: Contact, which: int) -> str:
+def _side(shape: AnyPolygon, letter: str, index: int) -> str:
     """Return the chain that a feature is inside of; "end" for features at or beyond its ends."""
-    index = contact[1 + which]
-    bottom, top = split(polygon.vertices)
-    numbers = range(len(polygon))
-    if contact.event[which] == "V":
-        k = next(k for k in numbers if polygon.vertex_index(k) == index)
-        point = polygon.vertices[k]
-        return "bottom" if point in bottom[1:-1] else "top" if point in top[1:-1] else "end"
-    k = next(k for k in numbers if polygon.edge_index(k) == index)
-    edge = polygon.vertices[k], polygon.vertices[(k + 1) % len(polygon)]
-    return "bottom" if edge in pairwise(bottom) else "top" if edge in pairwise(top) else "end"
+    corners, edges = number_features(shape)
+    feature = corners[index] if letter == "V" else tuple(corners[k] for k in edges[index])
+    for name, chain in zip(("bottom", "top"), split(shape.vertices), strict=True):
+        if feature in (chain[1:-1] if letter == "V" else pairwise(chain)):
+            return name
+    return "end"
 
 
 def swept_area_is_the_definition(pair: SweepPair) -> str:
@@ -181,11 +174,17 @@ def vertices_belong_to_events(pair: SweepPair) -> str:
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
-    edges = s.contacts
+    edges = [number_features(shape)[1] for shape in (s.generatrix, s.directrix)]
+
+    def ends(vertices: Contact, other: Contact) -> bool:
+        """Decide whether a contact of two vertices is an end of a lasting contact."""
+        parts = zip(vertices[1:], other.event, other[1:], edges, strict=True)
+        return all(v == k if letter == "V" else v in own[k] for v, letter, k, own in parts)
+
     for k, at in enumerate(s.vertex_contacts):
-        lasting = {*edges[k - 1], *edges[k]}
+        lasting = {*s.contacts[k - 1], *s.contacts[k]}
         for contact in at:
-            if contact.event == "VV" and not any(_shares(s, contact, c) for c in lasting):
+            if contact.event == "VV" and not any(ends(contact, other) for other in lasting):
                 _, i, j = contact
                 return f"at vertex {k} of the trajectory, the VV of {i} and {j} ends no other event"
     return ""
@@ -228,18 +227,3 @@ def starts_and_stops_at_the_ends(pair: SweepPair) -> str:
         if (t[0] + own[0], t[1] + own[1]) != other:
             return f"it {name} at ({t[0]}, {t[1]}), with ({own[0]}, {own[1]}) not on D's end"
     return ""
-
-
-def _shares(s: Sweep, vertices: Contact, other: Contact) -> bool:
-    """Decide whether a contact of two vertices is an end of a lasting contact."""
-    return _has(s.generatrix.exterior, vertices[1], other.event[0], other[1]) and _has(
-        s.directrix.exterior, vertices[2], other.event[1], other[2]
-    )
-
-
-def _has(polygon: Polygon, vertex: int, feature: str, index: int) -> bool:
-    if feature == "V":
-        return vertex == index
-    numbers = range(len(polygon))
-    k = next(k for k in numbers if polygon.edge_index(k) == index)
-    return vertex in (polygon.vertex_index(k), polygon.vertex_index((k + 1) % len(polygon)))

@@ -7,8 +7,10 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep import Polygon, sweep
+from exactsweep.corpus.generator.shapes import walk
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.geometry.vectors import minus
+from exactsweep.numbers.point import Edge, Vertex
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
@@ -26,13 +28,8 @@ def slope(edge: Edge) -> Fraction:
 
 def lay_by_slope(start: Vertex, edges: Sequence[Edge], sign: int = 1) -> list[Vertex]:
     """Edges laid end to end, each to the right, in ascending order of slope (or descending)."""
-    chain: list[Vertex] = [start]
-    for (px, py), (qx, qy) in sorted(edges, key=lambda edge: sign * slope(edge)):
-        x, y = chain[-1]
-        run: Rational = qx - px if qx > px else px - qx
-        rise: Rational = qy - py if qx > px else py - qy
-        chain.append((x + run, y + rise))
-    return keep_corners(chain)
+    ordered = sorted(edges, key=lambda edge: sign * slope(edge))
+    return keep_corners(walk((minus(*sorted(edge)[::-1]) for edge in ordered), start))
 
 
 def start_of(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Vertex:
@@ -56,11 +53,7 @@ def reversed_edges_make_the_inverse(pair: SweepPair) -> str:
         return "the edges are not the same in the same order, each the other way round"
     if list(map(slope, turned)) != list(map(slope, edges)):
         return "the slopes change"
-    x, y = inverse(top)[0]
-    laid = [(x, y)]
-    for (px, py), (qx, qy) in turned:
-        x, y = x + qx - px, y + qy - py
-        laid.append((x, y))
+    laid = walk((minus(q, p) for p, q in turned), inverse(top)[0])
     return "" if laid == inverse(top) else "laid end to end they are not the inverse of G_t"
 
 

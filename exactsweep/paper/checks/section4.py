@@ -15,10 +15,11 @@ from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
+from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
     evaluate,
     has_wrong_inner_loop,
+    list_sub_chains,
     look_up,
     reaches,
     returns,
@@ -27,7 +28,6 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.laws import Trial
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
@@ -44,30 +44,21 @@ def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Ver
 
 def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
-    top, bottom, directrix = pair.chains
-    loops, parts = look_up(pair), find_convex_parts(directrix)
-    return lowest(
-        "sub-trajectory",
-        [trajectory_cc(top, part) for part in parts],
-        take_bottom(loops.trajectory),
-    ) or lowest(
-        "sub-outer chain",
-        [sweep_outer_cc(top, bottom, part) for part in parts],
-        take_bottom(loops.outer),
+    loops, (paths, outers) = look_up(pair), list_sub_chains(pair)
+    return lowest("sub-trajectory", paths, take_bottom(loops.trajectory)) or lowest(
+        "sub-outer chain", outers, take_bottom(loops.outer)
     )
 
 
-trajectory_cm_is_right = returns("Trajectory_CM", "trajectory", run_trajectory_cm)
-outer_cm_is_right = returns("SweepO_CM", "outer", run_outer_cm)
-inner_cm_is_right = returns("SweepI_CM", "inner", run_inner_cm)
+trajectory_cm_is_right = returns("Trajectory_CM", "trajectory", RUNS["Trajectory_CM"])
+outer_cm_is_right = returns("SweepO_CM", "outer", RUNS["SweepO_CM"])
+inner_cm_is_right = returns("SweepI_CM", "inner", RUNS["SweepI_CM"])
 
 
-def is_monotone(name: str, chain: Iterable[Vertex], *, strictly: bool) -> str:
-    """Say that a chain turns back along x; or, if asked for, that it has a vertical edge."""
-    for (px, _), (qx, _) in pairwise(chain):
-        if px > qx or (strictly and px == qx):
-            return f"{name} is not{' strictly' if strictly else ''} X-monotone at x = {px}"
-    return ""
+def is_monotone(name: str, chain: Iterable[Vertex]) -> str:
+    """Say that a chain turns back along x, or has a vertical edge."""
+    backs = [p[0] for p, q in pairwise(chain) if p[0] >= q[0]]
+    return f"{name} is not strictly X-monotone at x = {backs[0]}" if backs else ""
 
 
 def loops_are_monotone(pair: SweepPair) -> str:
@@ -76,8 +67,8 @@ def loops_are_monotone(pair: SweepPair) -> str:
     return (
         trajectory_cm_is_right(pair)
         or outer_cm_is_right(pair)
-        or is_monotone("the trajectory", trajectory_cm(top, directrix), strictly=True)
-        or is_monotone("the outer boundary", sweep_outer_cm(*pair.chains), strictly=True)
+        or is_monotone("the trajectory", trajectory_cm(top, directrix))
+        or is_monotone("the outer boundary", sweep_outer_cm(*pair.chains))
     )
 
 
@@ -85,7 +76,7 @@ def inner_is_monotone(pair: SweepPair) -> str:
     """The inner boundary is X-monotone, strictly so."""
     top, _, directrix = pair.chains
     inner = sweep_inner_cm(top, directrix)
-    return inner_cm_is_right(pair) or is_monotone("the inner boundary", inner, strictly=True)
+    return inner_cm_is_right(pair) or is_monotone("the inner boundary", inner)
 
 
 def few_undercuts(pair: SweepPair) -> str:

@@ -13,12 +13,11 @@ from exactsweep.paper.claim import (
     Table,
     weigh,
 )
-from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
-from exactsweep.paper.counting import grow_pairs
-from exactsweep.paper.functions import keep_corners, look_up, take_bottom
+from exactsweep.paper.costs import RUNS
+from exactsweep.paper.counting import PairFamily, grow_pairs
+from exactsweep.paper.functions import keep_corners, list_sub_chains, look_up, take_bottom
 from exactsweep.paper.growth import MN, double
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
@@ -47,23 +46,19 @@ def sizes_are_bounded(pair: SweepPair) -> str:
 
 def count_outer_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the trajectory and of the outer boundary over deep teeth."""
-    sizes = _sizes(effort)
-    return weigh(
-        "",
-        grow_pairs("vertices", "trajectory", run_trajectory_cm, cm_hard, MN, sizes),
-        grow_pairs("vertices", "outer boundary", run_outer_cm, cm_hard, MN, sizes),
-        attained=True,
-    )
+    runs = ("trajectory", "Trajectory_CM"), ("outer boundary", "SweepO_CM")
+    return _weigh_sizes(effort, cm_hard, *runs)
 
 
 def count_inner_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the inner boundary over close teeth."""
-    growth = grow_pairs("vertices", "inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort))
-    return weigh("", growth, attained=True)
+    return _weigh_sizes(effort, cm_undercut, ("inner boundary", "SweepI_CM"))
 
 
-def _sizes(effort: Effort) -> list[tuple[int, int]]:
-    return double(32, 3 if effort.quick else 4)
+def _weigh_sizes(effort: Effort, family: PairFamily, *runs: tuple[str, str]) -> Evidence:
+    sizes = double(32, 3 if effort.quick else 4)
+    grown = (grow_pairs("vertices", name, RUNS[run], family, MN, sizes) for name, run in runs)
+    return weigh("", *grown, attained=True)
 
 
 def find_large_parts(effort: Effort) -> Evidence:
@@ -89,11 +84,10 @@ def find_large_parts(effort: Effort) -> Evidence:
 
 def parts_are_bounded(pair: SweepPair) -> str:
     """With k convex parts in D_b, these have at most m_b + k n_t and m_b + k (n_t + n_b) edges."""
-    top, bottom, directrix = pair.chains
-    parts = find_convex_parts(directrix)
-    k, m_b, n_t, n_b = len(parts), len(directrix) - 1, len(top) - 1, len(bottom) - 1
-    inner = sum(len(keep_corners(trajectory_cc(top, part))) - 1 for part in parts)
-    outer = sum(len(keep_corners(sweep_outer_cc(top, bottom, part))) - 1 for part in parts)
+    n_t, n_b, m_b = (len(chain) - 1 for chain in pair.chains)
+    paths, outers = list_sub_chains(pair)
+    k = len(paths)
+    inner, outer = (sum(len(keep_corners(c)) - 1 for c in found) for found in (paths, outers))
     if inner > m_b + k * n_t or outer > m_b + k * (n_t + n_b):
         return f"{inner} and {outer} edges in all sub-trajectories and sub-outer chains"
     return sub_trajectories_suffice(pair)

@@ -10,11 +10,12 @@ from itertools import pairwise
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.segment import Segment, make_segment
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.point import Edge
 from exactsweep.paper import literal
+from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import is_monotone, lowest
-from exactsweep.paper.claim import Counterexample, Effort, Evidence
-from exactsweep.paper.costs import run_trajectory_mm
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
+from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
     clip,
     has_wrong_inner_loop,
@@ -40,7 +41,7 @@ NARROW = SweepPair(
 )
 
 
-trajectory_mm_is_right = returns("Trajectory_MM", "trajectory", run_trajectory_mm)
+trajectory_mm_is_right = returns("Trajectory_MM", "trajectory", RUNS["Trajectory_MM"])
 
 
 def sub_trajectories_suffice(pair: SweepPair) -> str:
@@ -123,8 +124,8 @@ def loops_are_monotone(pair: SweepPair) -> str:
     inner, outer = sweep_mm(*pair.chains)
     return (
         sweep_mm_is_right(pair)
-        or is_monotone("the inner boundary", inner, strictly=True)
-        or is_monotone("the outer boundary", outer, strictly=True)
+        or is_monotone("the inner boundary", inner)
+        or is_monotone("the outer boundary", outer)
     )
 
 
@@ -137,9 +138,9 @@ def trajectory_is_monotone(pair: SweepPair) -> str:
     bottom, upper = split(s.trajectory.vertices)
     return (
         trajectory_mm_is_right(pair)
-        or is_monotone("the lower trajectory", trajectory_mm(top, directrix), strictly=True)
-        or is_monotone("the bottom chain of T", bottom, strictly=True)
-        or is_monotone("the top chain of T", upper[::-1], strictly=True)
+        or is_monotone("the lower trajectory", trajectory_mm(top, directrix))
+        or is_monotone("the bottom chain of T", bottom)
+        or is_monotone("the top chain of T", upper[::-1])
     )
 
 
@@ -170,7 +171,8 @@ def find_missing_edge(effort: Effort) -> Evidence:
     def lacks(name: str) -> Callable[[SweepPair], str]:
         def fails(pair: SweepPair) -> str:
             s = sweep(*pair)
-            missing = sorted(_slopes(s.trajectory) - _slopes(getattr(s, name)))
+            slopes, own = ({*map(slope, list_edges(x))} for x in (s.trajectory, getattr(s, name)))
+            missing = sorted(slopes - own)
             if not missing:
                 return ""
             return f"the trajectory has edges of slope {missing[0]}, and the {name} loop has none"
@@ -225,11 +227,6 @@ def _shares(edge: Edge, other: Segment) -> bool:
     return one[:2] == other[:2] and one.shares_piece(other)
 
 
-def _slopes(polygon: Polygon) -> set[Fraction]:
-    """The slopes of the edges of a polygon without vertical ones."""
-    return {(q.y - p.y) / (q.x - p.x) for p, q in list_edges(polygon)}
-
-
 def outside_of_the_inner_loop(pair: SweepPair) -> str:
     """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
     s = sweep(*pair)
@@ -265,19 +262,15 @@ def kernel_is_literal(pair: SweepPair) -> str:
     top, bottom, directrix = pair.chains
     inner, outer = literal.sweep_mm(top, bottom, directrix)
     ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
-    found = sweep_mm(top, bottom, directrix)
-    return (
-        _unlike("trajectory", trajectory_mm(top, directrix), literal.trajectory_mm(top, directrix))
-        or _unlike("outer boundary", found[1], outer)
-        or _unlike("inner boundary", found[0], clip(inner, *ends))
+    path, found = trajectory_mm(top, directrix), sweep_mm(top, bottom, directrix)
+    return find_first_failure(
+        tell_difference(f"the {name}", chain, literally, "to the letter")
+        for name, chain, literally in (
+            ("trajectory", path, literal.trajectory_mm(top, directrix)),
+            ("outer boundary", found[1], outer),
+            ("inner boundary", found[0], clip(inner, *ends)),
+        )
     )
-
-
-def _unlike(name: str, found: Iterable[Vertex], literally: Iterable[Vertex]) -> str:
-    found, literally = keep_corners(found), keep_corners(literally)
-    if found == literally:
-        return ""
-    return f"the {name} is {write_chain(found)}, and {write_chain(literally)} to the letter"
 
 
 def outer_loop_reaches_by_the_width(pair: SweepPair) -> str:

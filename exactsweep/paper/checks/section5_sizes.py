@@ -13,7 +13,6 @@ from exactsweep.corpus.generator.growing import (
     printed_count,
 )
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section5 import sub_trajectories_suffice, trajectory_mm_is_right
 from exactsweep.paper.checks.segments import (
     BEST,
@@ -32,15 +31,15 @@ from exactsweep.paper.claim import (
     find_first_failure,
     weigh,
 )
+from exactsweep.paper.costs import OUTER, RUNS
 from exactsweep.paper.counting import grow_pairs
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
 from exactsweep.paper.growth import MN, MN2, double
-from exactsweep.paper.pairs import Chains, SweepPair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.envelope import Envelope
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
+from exactsweep.procedures.mm import trajectory_mm
 
 # The pair that the search in `_check_lemma_5_2` finds.
 OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
@@ -72,7 +71,7 @@ def window_is_full(segments: Sequence[Stroke]) -> tuple[str, list[str]]:
     pair, count = build_windows(segments), len(segments)
     most = count_pieces(segments)
     expected = (count + 1) * most + pieces_at_the_sides(segments)
-    found = pieces_in(keep_corners(whole_trajectory(pair.chains)), segments)
+    found = pieces_in(keep_corners(trajectory_mm(*pair.chains[::2])), segments)
     failure = trajectory_mm_is_right(pair) if count <= 3 else ""
     if found != expected:
         failure = failure or f"{found} pieces of {count} segments in T, {expected} by the envelopes"
@@ -100,7 +99,7 @@ def fill_windows(effort: Effort) -> Evidence:
     rates = [float(row[3]) for _, row in results]
     rising = "" if rates == sorted(rates) else "the pieces for each segment do not rise"
     growth = tuple(
-        grow_pairs("vertices", "trajectory", whole_trajectory, family, MN, sizes_from(effort))
+        grow_pairs("vertices", "trajectory", RUNS["Trajectory_MM"], family, MN, sizes_from(effort))
         for family in (mm, figure10)
     )
     failure = find_first_failure(text for text, _ in results) or rising
@@ -109,29 +108,14 @@ def fill_windows(effort: Effort) -> Evidence:
     return replace(found, failure=failure, tables=(table,), growth=growth)
 
 
-def whole_trajectory(chains: Chains) -> Envelope:
-    """T(G_t, D_b)."""
-    return trajectory_mm(chains.top, chains.directrix)
-
-
 def sizes_from(effort: Effort, first: int = 16) -> list[tuple[int, int]]:
     """The sizes on which an MM sweep is counted."""
     return double(first, 2 if effort.quick else 4)
 
 
-def inner_boundary(chains: Chains) -> list[Vertex]:
-    """The inner boundary, by Sweep_MM."""
-    return sweep_mm(*chains)[0]
-
-
-def outer_boundary(chains: Chains) -> list[Vertex]:
-    """The outer boundary, by Sweep_MM."""
-    return sweep_mm(*chains)[1]
-
-
 def outer_edges(pair: SweepPair) -> int:
     """Count the edges of the outer boundary of the lower sweep, and check it by the definition."""
-    outer = keep_corners(outer_boundary(pair.chains))
+    outer = keep_corners(OUTER(pair.chains))
     if failure := tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer)):
         raise ExactSweepError(failure)
     return len(outer) - 1
@@ -141,7 +125,7 @@ def windows_of_windows_are_full(segments: Sequence[Stroke]) -> tuple[str, list[s
     """All windows come out in one outer boundary: what fails, and a row of the table."""
     pair, count = build_windows_of_windows(segments), len(segments)
     most, full = count_pieces(segments), count * (count - 1) + 1
-    outer = keep_corners(outer_boundary(pair.chains))
+    outer = keep_corners(OUTER(pair.chains))
     # The ends of G may add some.
     least, found = full * most + pieces_at_the_sides(segments), pieces_in(outer, segments)
     failure = tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer))
@@ -182,7 +166,12 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
         counts = printed_count(*sizes), m_b * n_t * n_b, outer_edges(pair)
         rows.append([str(sizes), *map(str, counts)])
     growth = grow_pairs(
-        "vertices", "outer boundary", outer_boundary, figure10, MN2, sizes_from(effort)
+        "vertices",
+        "outer boundary",
+        OUTER,
+        figure10,
+        MN2,
+        sizes_from(effort),
     )
     fallen = "" if growth.is_attained else "the outer boundary falls behind mn²"
     failure, against, beyond = beyond_mn2()

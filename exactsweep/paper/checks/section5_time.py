@@ -15,13 +15,11 @@ from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.section5_sizes import (
     OUTGROWING,
     beyond_mn2,
-    inner_boundary,
     outgrows_its_parts,
     sizes_from,
-    whole_trajectory,
 )
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
-from exactsweep.paper.costs import STEPS
+from exactsweep.paper.costs import INNER, STEPS
 from exactsweep.paper.counting import (
     PairFamily,
     grow_pairs,
@@ -41,7 +39,7 @@ from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm import inner_mm
+from exactsweep.procedures.mm import inner_mm, trajectory_mm
 
 
 def count_one_merge(effort: Effort) -> Evidence:
@@ -206,7 +204,7 @@ def _inner_grows(
 
     def count(m: int, n: int) -> tuple[int, float]:
         chains = Chains(*(make_counted(chain) for chain in SweepPair(*rim(m, n)).chains))  # type: ignore[arg-type]
-        trajectory = whole_trajectory(chains)
+        trajectory = trajectory_mm(*chains[::2])
         with watch_operations() as tally:
             out = len(inner(chains, trajectory))
         return tally.total + out, bound[1](m, n)
@@ -217,7 +215,7 @@ def _inner_grows(
 def gaps_give_the_same(pair: SweepPair) -> str:
     """Sweeping the gaps alone gives the inner boundary of Sweep_MM."""
     chains = pair.chains
-    trajectory = whole_trajectory(chains)
+    trajectory = trajectory_mm(*chains[::2])
     return tell_difference(
         "the inner boundary",
         inner_by_gaps(chains, trajectory),
@@ -234,7 +232,7 @@ def _outgrows(slow: Growth, fast: Growth) -> bool:
 def count_gaps(effort: Effort) -> Evidence:
     """Count the operations of both ways to the inner boundary, and the size of the output."""
     sizes = [(16, n) for _, n in sizes_from(effort, 8)]
-    written = grow_pairs("vertices", "inner boundary", inner_boundary, needles, MN2, sizes)
+    written = grow_pairs("vertices", "inner boundary", INNER, needles, MN2, sizes)
     gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, sizes_from(effort))
     few = double(16, 1 if effort.quick else 3)
     again = _inner_grows("Trajectory_MM again", inner_again, MN, few)

@@ -19,9 +19,10 @@ from exactsweep.corpus.generator.growing import (
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Table, find_first_failure
+from exactsweep.paper.costs import INNER
 from exactsweep.paper.counting import PairFamily, grow_pairs
 from exactsweep.paper.growth import MN2, Growth, double, grow
-from exactsweep.paper.pairs import Chains, SweepPair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.mm import sweep_mm
 from exactsweep.procedures.pockets import find_pockets
@@ -32,7 +33,7 @@ def find_long_undercut(effort: Effort) -> Evidence:
     found = search_grid(3, 8, is_bent, is_bent, long_undercut)
     last = 3 if effort.quick else 5
     growth = tuple(
-        grow_pairs("vertices", "inner boundary", run_inner, needles, MN2, sizes)
+        grow_pairs("vertices", "inner boundary", INNER, needles, MN2, sizes)
         for sizes in (
             [(size, 16) for size, _ in double(16, last)],
             [(16, size) for _, size in double(8, last)],
@@ -64,11 +65,6 @@ def long_undercut(pair: SweepPair) -> str:
     most = len(pair.chains.top) - 1
     longest = max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
     return f"an undercut of {longest} edges, G_t having {most}" if longest > most else ""
-
-
-def run_inner(chains: Chains) -> list[tuple[object, object]]:
-    """The inner boundary, by Sweep_MM."""
-    return list(sweep_mm(*chains)[0])
 
 
 def proved_case(family: PairFamily, m: int, n: int) -> str:

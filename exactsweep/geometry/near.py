@@ -8,16 +8,20 @@ of their low ends. It lies in one half only. So the search finds each pair once.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import inf
 
-from exactsweep.layout.solid import LatticeBox
+from exactsweep.numbers.point import Rational
 
-_FEW = 24
+_FEW = 100
 """The number of boxes up to which all pairs are compared."""
 
-_Numbered = tuple[int, int, int, int, int]
+_Numbered = tuple[Rational, Rational, Rational, Rational, int]
+_Border = Rational | float
 
 
-def find_near(boxes: Sequence[LatticeBox], reach: int = 0) -> Iterator[tuple[int, int]]:
+def find_near(
+    boxes: Sequence[tuple[Rational, Rational, Rational, Rational]], reach: int = 0
+) -> Iterator[tuple[int, int]]:
     """Find the pairs of boxes that meet, or are within reach in both coordinates.
 
     Args:
@@ -37,8 +41,10 @@ def find_near(boxes: Sequence[LatticeBox], reach: int = 0) -> Iterator[tuple[int
         (left, right + reach, low, high + reach, k)
         for k, (left, right, low, high) in enumerate(boxes)
     ]
-    # Each pile has the west and the south border of its cell, if there are any.
-    piles: list[tuple[list[_Numbered], int | None, int | None]] = [(numbered, None, None)]
+    # Each pile has the west and the south border of its cell.
+    piles: list[tuple[list[_Numbered], Rational | float, Rational | float]] = [
+        (numbered, -inf, -inf)
+    ]
     while piles:
         pile, west, south = piles.pop()
         halves = _halve(pile) if len(pile) > _FEW else None
@@ -52,7 +58,7 @@ def find_near(boxes: Sequence[LatticeBox], reach: int = 0) -> Iterator[tuple[int
 
 def _halve(
     pile: list[_Numbered],
-) -> tuple[int, int, list[_Numbered], list[_Numbered]] | None:
+) -> tuple[int, Rational, list[_Numbered], list[_Numbered]] | None:
     """Halve a pile in the better of two ways; None if neither makes it much smaller."""
     best = None
     least = 7 * len(pile) // 4
@@ -66,20 +72,17 @@ def _halve(
     return best
 
 
-def _compare(
-    pile: list[_Numbered], west: int | None, south: int | None
-) -> Iterator[tuple[int, int]]:
+def _compare(pile: list[_Numbered], west: _Border, south: _Border) -> Iterator[tuple[int, int]]:
     """Find the pairs of a pile that meet, with the least common corner in its cell."""
     pile.sort()
-    for k, (_, right, low, high, number) in enumerate(pile):
-        for i in range(k + 1, len(pile)):
-            left, _, other_low, other_high, other = pile[i]
+    for k, (_, right, low, high, number) in enumerate(pile, 1):
+        for left, _, other_low, other_high, other in pile[k:]:
             if left > right:
                 break
             if (
                 low <= other_high
                 and other_low <= high
-                and (west is None or left >= west)
-                and (south is None or low >= south or other_low >= south)
+                and left >= west
+                and (low >= south or other_low >= south)
             ):
                 yield (number, other) if number < other else (other, number)
