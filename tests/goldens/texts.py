@@ -31,7 +31,7 @@ from exactsweep import (
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.canvas.window import Window
-from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate, generator
+from exactsweep.corpus import FAMILIES, Case, case_to_json, find_case, generate, generator
 from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.describe import describe
 from exactsweep.corpus.export import cases_to_geojson, cases_to_svg, cases_to_wkt
@@ -119,7 +119,7 @@ POSITIONS: dict[str, NoFitPolygon | InnerFit] = {
 }
 CASES = [
     *("fits-square", "worked-roof", "caves-open-thirds", "holes-hole-at-the-rim"),
-    *("sizes-times-10-400", "spelling-clockwise-both"),
+    "spelling-clockwise-both",
     *("holes-as-large", "containers-too-low", "gen-fractions-3-1"),
 ]
 SIZES = ("vertices", "edges", "holes", "undercuts")
@@ -251,7 +251,8 @@ def _write(value: Any) -> str:
 
 def list_exports() -> Iterator[str]:
     """Cases of the corpus in the formats of other programs, and in words."""
-    shown = [find_case(id) for id in CASES]
+    beyond = Case.of("beyond", "Beyond doubles", [(0, 0), (10**309, 0), (0, 1)], SQUARE)
+    shown = [*map(find_case, CASES), beyond]
     yield from cases_to_wkt(shown)
     yield from cases_to_geojson(shown)
     yield from cases_to_svg(shown)
