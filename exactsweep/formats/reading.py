@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TypedDict
 
@@ -177,10 +177,14 @@ class Reading:
         self.passed[reason] += 1
         return True
 
-    def is_level(self, heights: Iterable[Fraction]) -> bool:
-        """Decide whether heights are equal, or within the distance of joined ends."""
-        found = [*heights]
-        return not found or max(found) - min(found) <= (self.join or 0)
+    def require_level(self, heights: Sequence[Fraction]) -> None:
+        """Refuse heights above the plane that differ by more than the distance of joined ends."""
+        # Most are one object, so that no two are compared.
+        if all(height is heights[0] for height in heights):
+            return
+        if max(heights) - min(heights) > (self.join or 0):
+            allowed = "" if self.join else " (--join allows a distance)"
+            raise FormatError(f"not level: its points are at different heights{allowed}")
 
 
 def read_positive(value: object, name: str) -> Fraction | None:

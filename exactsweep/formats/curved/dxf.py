@@ -30,7 +30,7 @@ from exactsweep.numbers.point import Point
 # Entities without an outline: fillings, which repeat one, and lines without an end.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
-_FULL = Fraction(360)
+_FULL, _ZERO = Fraction(360), Fraction(0)
 _PointReader = Callable[[], Sequence[Point]]
 
 
@@ -100,9 +100,9 @@ def _name_place(place: str, points: _PointReader) -> Sequence[Point]:
 
 
 def _read_line(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
-    entity.require_level(reading, 30, 31)
-    corners = [(entity.point(code), Fraction(0)) for code in (10, 11)]
-    return _open(corners, image, reading)
+    reading.require_level(entity.take(30, 31, default=0))
+    x, y, u, v = entity.take(10, 20, 11, 21)
+    return _open([(Point(x, y), _ZERO), (Point(u, v), _ZERO)], image, reading)
 
 
 def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
@@ -118,7 +118,7 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
         raise OrnamentError("a point")
     first, last = corners[0][0], corners[-1][0]
     if entity.flags() & _CLOSED:
-        corners.append((first, Fraction(0)))
+        corners.append((first, _ZERO))
     elif first != last:
         return _open(corners, image, reading)
     return _Drawn(partial(_follow, corners, image, reading))
@@ -151,14 +151,13 @@ def _read_circle(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
         raise FormatError("the radius is not positive")
     image = image @ entity.plane @ make_affine(radius, 0, 0, radius, *center)
     if entity.kind == "CIRCLE":
-        return _turn(image, Fraction(0), _FULL, reading)
+        return _turn(image, _ZERO, _FULL, reading)
     return _turn(image, entity.number(50), entity.number(51), reading)
 
 
 def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.allow_curve()
-    if not reading.is_level([Fraction(0), entity.number(31, 0)]):
-        raise FormatError("not level: an axis rises")
+    reading.require_level([_ZERO, entity.number(31, 0)])
     center, (x, y), ratio = entity.point(10), entity.point(11), entity.number(40)
     if not (x or y) or not ratio:
         raise FormatError("an axis has no length")
@@ -175,7 +174,7 @@ def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _D
     gap = min(span, _FULL - span) / 50  # no less than in radians
     seen = 16 * gap * (1 + sum(map(abs, image[:4]))) > reading.allow_curve()
     if start == end or (abs(end - start) > _FULL / 2 and not seen):
-        first = Point(Fraction(1), Fraction(0))
+        first = Point(Fraction(1), _ZERO)
         return _Drawn(partial(Arc(image, first, first).flatten, reading))
     arc = make_arc(image, start, end, reading)
     return _Drawn(partial(arc.flatten, reading), arc.ends, arc, is_exact=False)
@@ -183,8 +182,8 @@ def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _D
 
 def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.allow_curve()
-    entity.require_level(reading, 30 if entity.numbers(10) else 31)
     points = entity.points(10)
+    reading.require_level(entity.numbers(30 if points else 31))
     if points:
         weights = entity.numbers(41)
         plain = weights if any(weight != 1 for weight in weights) else []
@@ -202,9 +201,9 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
 
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     """Read a filled triangle or quadrangle, whose last two corners are the wrong way round."""
-    entity.require_level(reading, 30, 31, 32, 33)
+    reading.require_level(entity.take(30, 31, 32, 33, default=0))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
-    corners = [(entity.point(code), Fraction(0)) for code in (*codes, 10)]
+    corners = [(entity.point(code), _ZERO) for code in (*codes, 10)]
     return _Drawn(partial(_follow, corners, image @ entity.plane, reading))
 
 

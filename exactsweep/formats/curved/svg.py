@@ -16,7 +16,7 @@ from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
-from exactsweep.formats.decimals import count_decimals, read_decimals
+from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
@@ -209,10 +209,7 @@ def _name(shape: PlacedElement) -> str | None:
 def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     text = shape.element.get("points", "")
     reading.allow_vertices(count_decimals(text) // 2)
-    numbers = read_decimals(text)
-    if len(numbers) % 2:
-        raise FormatError("points: an odd number of coordinates")
-    points = [Point(*pair) for pair in zip(numbers[::2], numbers[1::2], strict=True)]
+    points = read_points(text)
     if not points:
         raise FormatError("points: none")
     if name_kind(shape.element) == "polygon":
