@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from math import lcm
 from statistics import median
 from typing import NamedTuple
 
@@ -18,11 +17,11 @@ from rich.table import Table
 
 from benchmarks.clock import machine
 from benchmarks.families import ANY_SHAPE, FAMILIES
+from benchmarks.outlines import list_outlines
 from benchmarks.peers.cases import LOOPS, TRAJECTORY
 from benchmarks.peers.cgal import Best, Cgal
 from benchmarks.peers.run import FUNCTIONS, UNLIMITED, Ran, run_on, same
-from exactsweep import Polygon, sweep
-from exactsweep.corpus import cases
+from exactsweep import sweep
 from exactsweep.corpus.generator.shapes import Ring
 
 MODES = {"kept": FUNCTIONS[TRAJECTORY], "": "first", "text": "text"}
@@ -121,28 +120,14 @@ def measure_row(cgal: Cgal, name: str, m: int, n: int) -> list[str]:
     return [*row, *map(str, failures or ())]
 
 
-def list_outlines() -> Iterator[tuple[str, Pair]]:
-    """Pairs of the corpus without holes, by family and class."""
-    found: defaultdict[str, list[Pair]] = defaultdict(list)
-    for case in cases():
-        family = case.id.partition("-")[0]
-        if family in CORPUS and not (case.directrix_holes or case.generatrix_holes):
-            g, d = Polygon(case.generatrix_ring), Polygon(case.directrix_ring)
-            kind = "any shape" if sweep(g, d).kind == "SS" else "monotone"
-            scale = lcm(g.lattice()[0], d.lattice()[0])
-            rings = [[(int(scale * x), int(scale * y)) for x, y in p.vertices] for p in (g, d)]
-            found[f"{family}, {kind}"].append((rings[0], rings[1]))
-    for name, pairs in found.items():
-        for pair in pairs[::ONE_OF]:
-            yield name, pair
-
-
 def measure_outlines(cgal: Cgal) -> Iterator[list[str]]:
-    """Rows of the families of the corpus: pairs, ratios, unanswered, memory."""
-    ratios: defaultdict[str, list[Measured | None]] = defaultdict(list)
-    for name, pair in list_outlines():
-        ratios[name].append(measure(cgal, name, pair, "no_fit"))
-    for name, all_of in ratios.items():
+    """Rows of the families of the corpus, by class: pairs, ratios, unanswered, memory."""
+    outlines: defaultdict[str, list[Pair]] = defaultdict(list)
+    for family, pair in list_outlines(CORPUS):
+        kind = "any shape" if sweep(*pair).kind == "SS" else "monotone"
+        outlines[f"{family}, {kind}"].append(pair)
+    for name, pairs in outlines.items():
+        all_of = [measure(cgal, name, pair, "no_fit") for pair in pairs[::ONE_OF]]
         found = [measured for measured in all_of if measured]
         if found:
             yield [name, *_summarize(found), str(len(all_of) - len(found))]

@@ -5,68 +5,23 @@ Imports are read from the source, those inside functions and under TYPE_CHECKING
 
 import ast
 import re
+import tomllib
 from collections.abc import Iterable, Iterator
 from functools import cache
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
 
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 
-# A room is a folder, or a module that stands alone; what is listed is all that it may see.
-GEOMETRY = {"numbers", "geometry", "canvas", "words"}
-EVIDENCE = GEOMETRY | {"procedures", "evidence"}
-SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
-ABOVE = SHOWN | {"__init__", "layout", "corpus", "batch", "conform", "paper"}
-RULES: dict[str, tuple[set[str], str]] = {
-    "numbers": ({"numbers"}, "numbers stand on nothing"),
-    "words": ({"numbers"}, "plain words stand on numbers"),
-    "processes": (set(), "starting and ending processes knows nothing of geometry"),
-    "canvas": ({"numbers", "canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),
-    "geometry": (GEOMETRY, "geometry knows nothing of sweeps"),
-    "procedures": (
-        GEOMETRY - {"canvas"} | {"procedures"},
-        "what computes knows nothing of pictures",
-    ),
-    "evidence.proof": (
-        {"numbers", "check", "geometry.convex"},
-        "proofs are written for their checker, and found by the checking side",
-    ),
-    "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),
-    "check": (
-        {
-            "numbers",
-            "geometry.polygon",
-            "geometry.region",
-            "geometry.canonical",
-            "geometry.reading",
-            "check",
-        },
-        "an oracle that shares code with what it checks is worth nothing",
-    ),
-    "check.standalone": (set(), "whoever carries the checker away needs nothing else"),
-    "formats": (GEOMETRY - {"canvas"} | {"formats"}, "formats read and write; they do not sweep"),
-    "sweep": (EVIDENCE | {"draw", "view"}, "the front door"),
-    "layout": (EVIDENCE | {"sweep", "layout"}, "layouts are judged with what sweeps"),
-    "layout.report": (
-        EVIDENCE | {"__init__", "sweep", "layout", "layout.report", "text", "formats"},
-        "reports of layouts judge nothing",
-    ),
-    "text": (EVIDENCE | {"text", "check", "formats"}, "text tells evidence"),
-    "draw": (EVIDENCE | {"draw"}, "pictures show evidence"),
-    "view": (EVIDENCE | {"draw", "view", "text", "formats"}, "the page shows evidence"),
-    "corpus": (SHOWN | {"__init__", "layout", "corpus"}, "the corpus is below those that use it"),
-    "batch": (SHOWN | {"__init__", "batch"}, "batches sweep many pairs"),
-    "conform": (SHOWN | {"__init__", "corpus", "conform"}, "judging uses the corpus"),
-    "paper": (ABOVE - {"conform", "batch"}, "the ledger is above all that it examines"),
-    "lessons": (
-        {"numbers", "lessons", "draw"},
-        "what runs notebooks draws; these see all",
-    ),
-    "cli": (ABOVE | {"cli", "lessons"}, "commands are on top"),
-    "__init__": (EVIDENCE | {"sweep"}, "the public names"),
-    "__main__": ({"cli"}, "the command line"),
-}
+HOUSE = tomllib.loads((Path(__file__).parent / "house.toml").read_text("utf-8"))
+
+
+def expand(names: Iterable[str]) -> set[str]:
+    """Resolve the names of groups of rooms."""
+    groups = HOUSE["groups"]
+    return {room for name in names for room in (expand(groups[name]) if name in groups else {name})}
 
 
 @cache
@@ -115,17 +70,18 @@ def rule_of(module: str) -> str:
     """The narrowest room of a module that has a rule."""
     parts = module.split(".")
     names = (".".join(parts[:k]) for k in range(len(parts), 0, -1))
-    return next(name for name in names if name in RULES)
+    return next(name for name in names if name in HOUSE["rooms"])
 
 
 def broken(module: str, targets: Iterator[str]) -> Iterator[str]:
     """Describe the imports of a module that its room does not allow."""
     room = rule_of(module)
-    allowed, why = RULES[room]
+    rule = HOUSE["rooms"][room]
+    allowed = expand(rule["sees"])
     for target in targets:
         parts = target.split(".")
         if not allowed & {".".join(parts[:k]) for k in range(1, len(parts) + 1)}:
-            yield f"{module} imports {target}, which {room} may not see: {why}"
+            yield f"{module} imports {target}, which {room} may not see: {rule['why']}"
 
 
 @cache
@@ -143,20 +99,11 @@ def arrows() -> dict[str, set[str]]:
 
 def circle(graph: dict[str, set[str]]) -> list[str]:
     """Some circle of a graph, or nothing."""
-    done: set[str] = set()
-
-    def visit(node: str, path: list[str]) -> list[str]:
-        if node in path:
-            return [*path[path.index(node) :], node]
-        if node not in done:
-            for other in sorted(graph.get(node, ())):
-                found = visit(other, [*path, node])
-                if found:
-                    return found
-            done.add(node)
-        return []
-
-    return next((found for node in sorted(graph) if (found := visit(node, []))), [])
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        return [*error.args[1]]
+    return []
 
 
 def test_every_import_is_one_that_its_room_allows() -> None:
@@ -198,7 +145,7 @@ def test_a_forbidden_import_is_named_with_its_reason(
 
 
 def test_a_circle_is_found() -> None:
-    assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c", "b"]
+    assert {*circle({"a": {"b"}, "b": {"c"}, "c": {"b"}})} == {"b", "c"}
 
 
 # The checker of all certificates is one file, to be carried away.
@@ -253,13 +200,22 @@ def test_namesakes_are_found() -> None:
     assert found == {"Ring": ["a", "b"], "Loop": ["b", "c"]}
 
 
+CLAUSE = re.compile(
+    r"(What|Whatever|Who|Whose|Where|How|Which|That|If|When|Why|Whether|Those)\b", re.ASCII
+)
+TREE = PACKAGE.parent
+FOLDERS = ("exactsweep", "tests", "benchmarks")
+SOURCES = [path for name in FOLDERS for path in TREE.glob(f"{name}/**/*.py")]
+PAGES = [TREE / "README.md", *(page for name in FOLDERS for page in TREE.glob(f"{name}/**/*.md"))]
 ORDER = (("Args", "Attributes"), ("Returns", "Yields"), ("Raises",), ("Cost",), ("Source",))
 EXAMPLE = "Example"
 HEADING = re.compile(r"([A-Z]\w+):(\s|$)")
 
 
 def misplaced(docstring: str) -> str:
-    """The first part of a docstring that is out of order or unknown, if there is one."""
+    """The first line of a docstring that is out of order or unknown, or an opening clause."""
+    if CLAUSE.match(docstring):
+        return docstring.splitlines()[0]
     ranks = {name: rank for rank, names in enumerate(ORDER) for name in names}
     ranks[EXAMPLE] = len(ORDER)
     reached = 0
@@ -274,18 +230,20 @@ def misplaced(docstring: str) -> str:
 
 
 def docstrings(source: str) -> Iterator[tuple[str, str]]:
-    """The classes and functions of a source, each with its docstring."""
-    for node in statements(parse(source)):
-        if isinstance(node, ast.ClassDef | ast.FunctionDef) and (text := ast.get_docstring(node)):
-            yield node.name, text
+    """The first line of a module, and the docstrings of its classes and functions, by name."""
+    tree = parse(source)
+    yield "module", (ast.get_docstring(tree) or "").partition("\n")[0]
+    for node in statements(tree):
+        if isinstance(node, ast.ClassDef | ast.FunctionDef):
+            yield node.name, ast.get_docstring(node) or ""
 
 
-def test_docstrings_keep_one_order() -> None:
+def test_docstrings_begin_with_a_verb_or_a_noun_and_keep_one_order() -> None:
     # The order: summary, arguments, results, errors, cost, source, example.
     found = [
-        f"{module}.{name}: {line}"
-        for module, source in sources().items()
-        for name, text in docstrings(source)
+        f"{path.relative_to(TREE)}: {name}: {line}"
+        for path in SOURCES
+        for name, text in docstrings(path.read_text(encoding="utf-8"))
         if (line := misplaced(text))
     ]
     assert not found, "\n".join(found)
@@ -294,46 +252,17 @@ def test_docstrings_keep_one_order() -> None:
 @pytest.mark.parametrize(
     ("docstring", "line"),
     [
-        ("What.\n\nArgs:\n    a: one.\n\nReturns:\n    Two.\n\nCost: O(n).\n\n>>> f(1)\n2", ""),
-        ("What.\n\nReturns:\n    Two.\n\nArgs:\n    a: one.", "Args:"),
-        ("What.\n\nExample:\n    >>> f(1)\n    2\n\nCost: O(n).", "Cost: O(n)."),
-        ("What.\n\n>>> f(1)\n2\n\nRaises:\n    Error: no.", "Raises:"),
-        ("What.\n\nNote: beware.", "Note: beware."),
+        ("Loops.\n\nArgs:\n    a: one.\n\nReturns:\n    Two.\n\nCost: O(n).\n\n>>> f(1)\n2", ""),
+        ("Loops.\n\nReturns:\n    Two.\n\nArgs:\n    a: one.", "Args:"),
+        ("Loops.\n\nExample:\n    >>> f(1)\n    2\n\nCost: O(n).", "Cost: O(n)."),
+        ("Loops.\n\n>>> f(1)\n2\n\nRaises:\n    Error: no.", "Raises:"),
+        ("Loops.\n\nNote: beware.", "Note: beware."),
+        ("Whether so.\n\nReturns:\n    Two.", "Whether so."),
+        ("Whereabouts.", ""),
     ],
 )
 def test_a_docstring_out_of_order_is_found(docstring: str, line: str) -> None:
     assert misplaced(docstring) == line
-
-
-CLAUSE = re.compile(
-    r"(What|Whatever|Who|Whose|Where|How|Which|That|If|When|Why|Whether|Those)\b", re.ASCII
-)
-TREE = PACKAGE.parent
-FOLDERS = ("exactsweep", "tests", "benchmarks")
-SOURCES = [path for name in FOLDERS for path in TREE.glob(f"{name}/**/*.py")]
-PAGES = [TREE / "README.md", *(page for name in FOLDERS for page in TREE.glob(f"{name}/**/*.md"))]
-
-
-def opening_clauses(source: str) -> Iterator[str]:
-    """The first lines of docstrings that begin with a clause, not with a verb or a noun."""
-    module = ast.get_docstring(parse(source)) or ""
-    for name, text in [("module", module), *docstrings(source)]:
-        if CLAUSE.match(text):
-            yield f"{name}: {text.splitlines()[0]}"
-
-
-def test_docstrings_begin_with_a_verb_or_a_noun() -> None:
-    found = [
-        f"{path.relative_to(TREE)}: {line}"
-        for path in SOURCES
-        for line in opening_clauses(path.read_text(encoding="utf-8"))
-    ]
-    assert not found, "\n".join(found)
-
-
-def test_a_docstring_that_begins_with_a_clause_is_found() -> None:
-    source = '"""What is."""\ndef f():\n    """Whether so."""\nclass C:\n    """Whereabouts."""\n'
-    assert [*opening_clauses(source)] == ["module: What is.", "f: Whether so."]
 
 
 # A clause as the subject of a sentence, and verbs that hide who acts.

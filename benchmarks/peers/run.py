@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, cast
 
 from benchmarks.clock import Times, machine, milliseconds
-from benchmarks.outlines import part_pairs
+from benchmarks.outlines import list_outlines
 from benchmarks.peers import ours
 from benchmarks.peers.adapted import NAMES, version
 from benchmarks.peers.cases import CASES, FLOOR_CASES, LOOPS, MEMORY_CASE, TRAJECTORY, Case
@@ -214,10 +214,10 @@ def same(right: Loop, answer: Loop) -> bool:
 
 
 def pairs_a_second(operation: str, *, checked: bool = False, passes: int = 3) -> float:
-    """Pairs of part outlines a second on one core, the median of some passes over all of them."""
+    """Pairs of outlines of parts a second on one core, the median of some passes over all."""
     name = FUNCTIONS[operation]
     task = getattr(ours, f"checked_{name}" if checked else name)
-    tasks = [task(generatrix, directrix) for generatrix, directrix in part_pairs()]
+    tasks = [task(*pair) for _, pair in list_outlines(["parts"])]
 
     def sweep_all() -> None:
         for sweep in tasks:

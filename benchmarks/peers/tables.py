@@ -78,7 +78,7 @@ def sections(found: Comparison) -> Iterator[tuple[str, Row, list[Row]]]:
             rows,
         )
     yield (
-        "small pairs on one core: outlines of parts, 20 to 150 vertices",
+        "small pairs on one core: outlines of parts, 7 to 38 vertices",
         ["operation", "pairs a second", "bar"],
         [
             [name, f"{rate:.0f}", f"{PAIRS_BARS[name]:g}" if name in PAIRS_BARS else "-"]

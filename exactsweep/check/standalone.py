@@ -52,35 +52,23 @@ ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y 
        sums t + g with t on T. None is inside E, or t would be inside P. E holds D and is no wider,
        so its inside is connected: each section leads to D. It meets Q, as Q is in E, but not the
        edges of Q, so it is in Q.
-   (d) Contacts are listed, all of them. Where a sum of two features is along an edge of T, D moved
-       by any point of H is left of it, and so is H moved by any of D. So the features are two edges
-       of its direction, or such an edge and a convex corner whose edges have this direction
-       between.
-   (e) Lemma. Let A, B and Q be regions of loops. A corner of a lower chain has the slopes of the
-       lines through it that the chain near it is not below: from minus infinity at its first
-       corner, to infinity at its last. It is convex if it has more than one. If
-       - a + b is in Q for all corners a of A and b of B that have more than one slope in common,
-         and
-       - at each concave corner of Q, in the limit from a side on which the boundary of Q goes on
-         without a vertical edge, A + B is not below it,
-       for lower chains and, turned by half a turn, upper ones, then A + B is in Q.
-       Proof for lower halves: Q is above its chain q, A + B above s(x) = min A(u) + B(x - u). A
-       convex corner of s is a sum a + b, and s is nowhere above A moved by b or B moved by a, which
-       pass there: so a and b have all slopes that a + b has, and it is in Q. Ends of s and bottoms
-       of its vertical edges are convex, so they are in Q, and s is over no x beyond Q. Suppose q -
-       s is positive somewhere. Take its greatest one-sided limit, at x from a side i.
-       - s jumps or ends at x. If i is the lower side, the bottom is in Q, so q jumps, too, with i
-         on its higher side, where the corner is concave. If i is the higher side of s, q jumps by
-         as much to the same side, or q - s would be greater on the other side. Both are ruled out.
-       - Only q jumps. The limit is greatest on its higher side, where the corner is concave.
-       - Neither jumps. By the first condition s is not convex at x, by the second q is not concave.
-         So q - s is convex near x and greatest there, hence constant. So it is at the next corner,
-         too, and at last at the end of s, which was ruled out.
+   (d) Contacts are listed, all of them: of each edge of T the sums of two edges, or of an edge and
+       a corner, that have more than a point of it. There the least sum in (e) is attained, so they
+       are among the edges of sums of parts. The sum of two vertical edges, one of a lower and one
+       of an upper chain, is inside P.
+   (e) A + B is in Q, for regions of loops. The lower chain of A + B at x is the least sum A(u) +
+       B(x - u), with the lower ends of jumps. Where it is attained, A at u and B at x - u have a
+       slope in common, or to move u would make it less: a left turn has all slopes from the one
+       before to the one after it, without bound at jumps and ends; beside a right turn the other
+       chain has both its slopes. So cut both chains at right turns into convex parts. The chain of
+       A + B is on sums of two parts: their edges by slope, of the slopes that both have. A + B is
+       in Q if Q is as wide as these, and its lower chain is nowhere above them: at both ends of all
+       x along which edges of both are straight. Upper chains are turned by half a turn.
    (f) Exact fits. The lower chains of D and H leave G free to slide up at x as far as the least
-       A(u) + B(x - u) inside intervals, past both one-sided limits of s at x. Where A and B both
-       jump, each limit of s counts one pair of values more: after both fell, or before both rise.
-       To be less, each needs such a pair: so x is a sum of two falls and of two rises, ends
-       included.
+       A(u) + B(x - u) inside intervals, past both one-sided limits of s, which is T, at x. Where A
+       and B both jump, each limit of s counts one pair of values more: after both fell, or before
+       both rise. To be less, each needs such a pair: so x is a sum of two falls and of two rises,
+       ends included.
 """
 
 from __future__ import annotations
@@ -92,8 +80,7 @@ from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from functools import cmp_to_key
-from itertools import chain, pairwise
+from itertools import chain, pairwise, product
 from math import gcd, isqrt, lcm
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -116,10 +103,9 @@ Ring = list[Node]
 Edge = tuple[Node, Node]
 Span = tuple[Fraction, Fraction]
 Extent = tuple[Rational, Rational]
-Corner = tuple[int, Node, Node, Node]
 Contact = tuple[str, int, int]
+Side = tuple[Any, Node, Node, Node]
 Tree = tuple[Grid, int, Any]
-Ratio = tuple[int, int]
 T = TypeVar("T")
 
 
@@ -434,15 +420,28 @@ def check_shape(rings: list[Ring], work: Work) -> None:
         need((winding(of, free) != 0) == (j == 0), "a hole is not in its exterior, or in another")
 
 
+def by_way(u: Sequence[int], v: Sequence[int]) -> int:
+    """Return a number above 0 if a way, or a line, is less than half a turn before another one.
+
+    Opposite ones can be compared if they are lines that go down, the first, and up.
+    """
+    return u[0] * v[1] - u[1] * v[0] or (u[0] > 0 > v[0]) - (v[0] > 0 > u[0])
+
+
+def merge(u: Sequence[Any], v: Sequence[Any]) -> list[tuple[int, int]]:
+    """Return how many of each of two lists of ways, by angle, are before each of both, and all."""
+    i, j, found = 0, 0, [(0, 0)]
+    while i < len(u) or j < len(v):
+        left = (j == len(v)) - (i == len(u)) or by_way(u[i], v[j])
+        i, j = i + (left >= 0), j + (left <= 0)
+        found.append((i, j))
+    return found
+
+
 def add_convex(one: Ring, other: Ring) -> Ring:
     """Return the sum of two convex rings that begin with their lowest points."""
-    u, v, i, j, found = ways(one), ways(other), 0, 0, []
-    while i < len(one) or j < len(other):
-        found.append(add(one[i % len(one)], other[j % len(other)]))
-        last = (i == len(one)) - (j == len(other))
-        left = -last or u[i][0] * v[j][1] - u[i][1] * v[j][0]
-        i, j = i + (left >= 0), j + (left <= 0)
-    return found
+    steps = merge(ways(one), ways(other))[:-1]
+    return [add(one[i % len(one)], other[j % len(other)]) for i, j in steps]
 
 
 def clip(sides: list[Node], a: Node, b: Node) -> Span | None:
@@ -711,39 +710,49 @@ def check_area(area: Any, loops: list[Ring], work: Work, unit: int = 1) -> None:
     need(n * found.denominator == found.numerator * w, "area: not that between the loops")
 
 
-class LowerChain(NamedTuple):
-    """A lower chain, from left to right, or an upper one turned by half a turn.
+class Part(NamedTuple):
+    """A convex chain from left to right: corners, edges by their numbers, and lines.
 
-    Convex corners are in runs, along which slopes grow, with the lines before and after each;
-    concave ones have the side, 1 or -1, on which the chain goes on from them without a jump.
+    Its slopes are those from one line to another, which go straight down or up at ends of loops.
     """
 
-    edges: list[tuple[Node, Node, Node]]
-    floors: list[int]
-    jumps: bool
-    runs: list[list[Corner]]
-    concave: list[tuple[int, Node, int]]
+    points: Ring
+    numbers: list[Any]
+    lines: list[Node]
+    least: Node = (1, 0, 0)
+    greatest: Node = (-1, 0, 0)
 
-    def reach(self, p: Node) -> int:
-        """Return the number of the first edge that ends above a point or right of it."""
-        (x, _, w), floors, ends = p, self.floors, self.edges
-        low = bisect_left(floors, x // w)
-        high = bisect_right(floors, x // w, low)
-        return bisect_left(ends, 0, low, high, key=lambda e: e[1][0] * w - x * e[1][2])
+    def sides(self) -> list[Side]:
+        """Return its edges."""
+        return [*zip(self.numbers, self.points, self.points[1:], self.lines, strict=False)]
 
-    def holds(self, p: Node) -> bool:
-        """Return whether a point is on the chain or above it; at a jump the lower edge decides."""
-        k = self.reach(p)
-        near = [of for q, _, of in self.edges[k : k + 2] if order(q, p) <= 0]
-        return any(side(of, p) >= 0 for of in near)
+    def between(self, other: Part) -> Part:
+        """Return the part of it that has slopes of another one."""
+        start = bisect_left(self.lines, 0, key=lambda of: -by_way(of, other.least))
+        end = bisect_right(self.lines, 0, start, key=lambda of: by_way(other.greatest, of))
+        corners = slice(start, end + 1)
+        return Part(self.points[corners], self.numbers[corners], self.lines[start:end])
+
+
+class Chain(NamedTuple):
+    """A lower chain, from left to right, or an upper one turned by half a turn.
+
+    Its convex parts have the vertical edges at their ends. Its level edges are the others.
+    """
+
+    parts: list[Part]
+    level: list[Side]
 
     def list_jumps(self) -> tuple[list[Fraction], list[Fraction]]:
         """List where the chain falls, at last from infinity, and where it rises."""
-        falls, rises = [place(self.edges[0][0])[0]], [place(self.edges[-1][1])[0]]
-        for (_, p, _), (q, _, _) in pairwise(self.edges if self.jumps else []):
-            rise = q[1] * p[2] - p[1] * q[2]
-            (falls if rise < 0 else rises if rise else []).append(place(p)[0])
+        falls, rises = [place(self.level[0][1])[0]], [place(self.level[-1][2])[0]]
+        for _, p, _, (a, b, _) in chain.from_iterable(part.sides() for part in self.parts):
+            if b == 0:
+                (falls if a > 0 else rises).append(place(p)[0])
         return falls, rises
+
+
+Chains = tuple[Chain, Chain]
 
 
 class MonotoneLoop(NamedTuple):
@@ -751,47 +760,43 @@ class MonotoneLoop(NamedTuple):
 
     points: Ring
     lines: list[Node]
-    chains: tuple[LowerChain, LowerChain]
+    chains: Chains
     is_convex: bool
 
-    def turned(self) -> MonotoneLoop:
-        """Return it turned by half a turn about the origin, numbered as before."""
-        lines = [(-a, -b, c) for a, b, c in self.lines]
-        return MonotoneLoop(turn(self.points), lines, self.chains[::-1], self.is_convex)
-
-    def feature(self, item: Any) -> tuple[str, int]:
-        """Read a feature."""
-        kind, k = items(item, 2)
+    def feature(self, item: Any) -> Ring:
+        """Read a feature: a vertex, or the ends of the edge that begins there."""
+        (kind, k), size = items(item, 2), len(self.points)
         need(kind in ("vertex", "edge"), "neither a vertex nor an edge")
-        return kind, integer(k, 0, len(self.points))
-
-    def ends(self, kind: str, k: int) -> Ring:
-        """Return the ends of a feature: a vertex, or the edge that begins there."""
-        points = self.points
-        return [points[k], points[k + 1 - len(points)]] if kind in ("edge", "E") else [points[k]]
+        first = self.points[integer(k, 0, size)]
+        return [first, self.points[k + 1 - size]] if kind == "edge" else [first]
 
 
-def lower_chain(points: Ring, lines: list[Node], start: int, end: int) -> LowerChain:
-    """Return the chain from one corner to another, without vertical edges at its end."""
-    size = len(points)
-    last = (end - start) % size
-    while lines[(start + last - 1) % size][1] == 0:
-        last -= 1
-    runs: list[list[Corner]] = [[]]
-    edges, concave, before = [], [], (1, 0, 0)
-    for n in range(last + 1):
-        k = (start + n) % size
-        after = lines[k] if n < last else (-1, 0, 0)
-        if before[0] * after[1] > before[1] * after[0]:
-            runs[-1].append((k, points[k], before, after))
-        else:
-            concave.append((k, points[k], 1 if after[1] else -1))
-            runs.append([])
-        if n < last and after[1]:
-            edges.append((points[k], points[(k + 1) % size], after))
-        before = after
-    floors, runs = [x // w for _, (x, _, w), _ in edges], [run for run in runs if run]
-    return LowerChain(edges, floors, len(edges) < last, runs, concave)
+def lower_chain(points: Ring, lines: list[Node], start: int, end: int) -> Chain:
+    """Return the chain from one corner to another, cut at right turns."""
+    start -= lines[start - 1][1] == 0
+    numbers = [n % len(points) for n in range(start, end + len(points) * (end < start) + 1)]
+    turns = [by_way(lines[k], lines[m]) for k, m in pairwise(numbers[:-1])]
+    cuts = [0, *(n for n, left in enumerate(turns, 1) if left < 0), len(numbers) - 1]
+    parts = []
+    for first, last in pairwise(cuts):
+        found = numbers[first : last + 1]
+        along = [lines[k] for k in found[:-1]]
+        least = along[0] if first else (1, 0, 0)
+        greatest = along[-1] if last < cuts[-1] else (-1, 0, 0)
+        parts.append(Part([points[k] for k in found], found, along, least, greatest))
+    return Chain(parts, [e for part in parts for e in part.sides() if e[3][1]])
+
+
+def add_parts(one: Part, other: Part) -> Part:
+    """Return the sum of two parts, its edges numbered by the features that they are sums of."""
+    (points, of_one, u, *_), (more, of_other, v, *_) = one, other
+    steps, lines, features = merge(u, v), [], []
+    for (i, j), (k, m) in pairwise(steps):
+        (a, b, c), (x, y, w) = (u[i], more[j]) if k > i else (v[j], points[i])
+        of = a * w, b * w, c * w - a * x - b * y
+        lines.append(of if w == 1 else reduce(*of))
+        features.append(("VE"[m > j] + "VE"[k > i], of_other[j], of_one[i]))
+    return Part([add(points[i], more[j]) for i, j in steps], features, lines)
 
 
 def order(p: Node, q: Node) -> int:
@@ -799,102 +804,39 @@ def order(p: Node, q: Node) -> int:
     return p[0] * q[2] - q[0] * p[2]
 
 
-def heights(one: LowerChain, other: LowerChain, p: Node, tie: int, work: Work) -> list[Ratio]:
-    """List A(u) + B(x - u) - y for p = (x, y) at both ends of all u along which it is linear.
+def gaps(below: list[Side], above: list[Side], tie: int = 0) -> list[tuple[int, int, Node]]:
+    """List how far edges are above others at both ends of all x along which both are straight.
 
-    The tie is 1 for the limit from the right of x, -1 from the left, 0 for what both share.
+    Each gap is a numerator, a denominator and the end. With the tie 1 what ends above ends later
+    than what ends below at the same x, with -1 earlier.
     """
-    one, other = (one, other) if len(one.edges) >= len(other.edges) else (other, one)
-    x, y, w = p
-    # B turned about p is a chain, too: A + B passes below p where A passes below that.
-    below = [
-        (
-            (x * rw - rx * w, y * rw - ry * w, rw * w),
-            (x * lw - lx * w, y * lw - ly * w, lw * w),
-            (a * w, b * w, -a * x - b * y - c * w),
-        )
-        for (lx, ly, lw), (rx, ry, rw), (a, b, c) in reversed(other.edges)
-    ]
-    above, found, jumps = one.edges, list[Ratio](), one.jumps or other.jumps
-    i, j = one.reach(below[0][0]), 0
-    first = i
-    while i < len(above) and (order(above[i][1], below[0][0]) or -tie) <= 0:
-        i += 1
-    while j < len(below) and (order(below[j][1], above[0][0]) or tie) <= 0:
-        j += 1
-    while i < len(above) and j < len(below):
-        (q, r, (a, b, c)), (s, t, (d, e, f)) = above[i], below[j]
-        if jumps or not found:
-            if order(q, s) >= 0:
-                found.append((side((d, e, f), q), e * q[2]))
+    i = bisect_right(below, 0, key=lambda e: order(e[2], above[0][1]))
+    j = bisect_right(above, 0, key=lambda e: order(e[2], below[0][1]))
+    found = list[tuple[int, int, Node]]()
+    while i < len(below) and j < len(above):
+        (_, q, r, one), (_, s, t, other) = below[i], above[j]
+        at = order(r, t)
+        for is_below, p, z in ((order(q, s) >= 0, q, s), (at <= 0, r, t)):
+            if is_below:
+                found.append((-side(other, p), other[1] * p[2], p))
             else:
-                found.append((-side((a, b, c), s), b * s[2]))
-        at = r[0] * t[2] - t[0] * r[2]
-        if at <= 0:
-            found.append((d * r[0] + e * r[1] + f * r[2], e * r[2]))
-        else:
-            found.append((-(a * t[0] + b * t[1] + c * t[2]), b * t[2]))
+                found.append((side(one, z), one[1] * z[2], z))
         at = at or -tie
-        i += at <= 0
-        j += at >= 0
-    work.take(len(below) + i - first)
+        i, j = i + (at <= 0), j + (at >= 0)
     return found
 
 
-def meeting(one: LowerChain, other: LowerChain, work: Work) -> Iterator[tuple[int, int, Node]]:
-    """List convex corners, one of each chain, that share more than one slope, and their sum."""
-
-    def is_below(before: Node, after: Node) -> bool:
-        return before[0] * after[1] > before[1] * after[0] or before[1] == after[1] == 0
-
-    work.take(len(one.runs) * count(other.runs) + len(other.runs) * count(one.runs))
-    for run in one.runs:
-        for others in other.runs:
-            start = 0
-            for k, p, before, after in run:
-                while start < len(others) and not is_below(before, others[start][3]):
-                    start += 1
-                for n in range(start, len(others)):
-                    m, q, first, _ = others[n]
-                    if not is_below(first, after):
-                        break
-                    yield k, m, add(p, q)
+def turn_chain(level: list[Side], x: Fraction) -> list[Side]:
+    """Turn edges by half a turn about (x/2, 0)."""
+    n, w = x.as_integer_ratio()
+    found = []
+    for k, *ends, (a, b, c) in reversed(level):
+        q, p = ((n * v - x * w, -y * w, v * w) for x, y, v in ends)
+        found.append((k, p, q, (a * w, b * w, -a * n - c * w)))
+    return found
 
 
-def by_angle(u: Node, v: Node) -> int:
-    """Compare two directions, counter-clockwise from straight down."""
-    return (u < (0, 0)) - (v < (0, 0)) or u[1] * v[0] - u[0] * v[1]
-
-
-def touching(d: MonotoneLoop, h: MonotoneLoop, work: Work) -> Iterator[tuple[Contact, Node]]:
-    """List features of D and H whose sum may be on the boundary of D + H, and the line of it.
-
-    They are edges of one direction, or an edge and a convex corner between whose edges it is.
-    """
-    ways = [[reduce(a, b, 0) for a, b, _ in of.lines] for of in (d, h)]
-    turned = sorted(dict.fromkeys(chain.from_iterable(ways)), key=cmp_to_key(by_angle))
-    ranks = {way: k for k, way in enumerate(turned)}
-    of_d, of_h = [[ranks[way] for way in found] for found in ways]
-    for one, other, known, turns in ((h, d, of_h, of_d), (d, h, of_d, of_h)):
-        along: defaultdict[int, list[int]] = defaultdict(list)
-        for k, rank in enumerate(known):
-            along[rank].append(k)
-        for m, (x, y, w) in enumerate(other.points):
-            before, after = turns[m - 1], turns[m]
-            (a, b, _), (c, e, _) = other.lines[m - 1], other.lines[m]
-            end = after + len(ranks) * (after < before)
-            facing = range(before + 1, end if a * e > b * c else 0)
-            work.take(len(facing))
-            found = chain.from_iterable(along.get(n % len(ranks), ()) for n in facing)
-            contacts = [(k, ("EV", k, m) if one is h else ("VE", m, k)) for k in found]
-            contacts += [(k, ("EE", k, m)) for k in (along.get(after, ()) if one is h else ())]
-            work.take(len(contacts))
-            for k, contact in contacts:
-                a, b, c = one.lines[k]
-                yield contact, reduce(a * w, b * w, c * w - a * x - b * y)
-
-
-def extent(of: Node, points: Ring, others: Sequence[Node] = ((0, 0, 1),)) -> Extent:
+def extent(of: Node, points: Sequence[Node], others: Sequence[Node] = ((0, 0, 1),)) -> Extent:
     """Return the ends of sums along a line, by x or y; in wrong order if one is off."""
     a, b, c = of
     found = list[Rational]()
@@ -943,162 +885,125 @@ class Monotone:
         unit = sign * self.scale * (a * a + b * b)
         return (a * x - b * y) / unit, (b * x + a * y) / unit
 
-    def leave_line(self, of: Node, one: Extent, other: Extent) -> Span:
-        """Return where a line is in the middle of what two extents have in common."""
-        (a, b, c), middle = of, Fraction(max(one[0], other[0]) + min(one[1], other[1])) / 2
-        n, w = middle.as_integer_ratio()
-        return self.leave((n * b, -a * n - c * w, w * b) if b else (-c * w, n * a, w * a))
-
     def read(self, name: str, points: Ring) -> MonotoneLoop:
         """Return a ring as a loop, unless it has a straight angle, turns back or meets itself."""
         lines = [line(p, q) for p, q in edges(points)]
         self.work.take(len(lines))
         turns = [lines[k - 1][0] * b - lines[k - 1][1] * a for k, (a, b, _) in enumerate(lines)]
-        if 0 in turns:
-            k = turns.index(0)
-            raise Refused(f"{name}: not canonical, no turn at vertex {k}", self.leave(points[k]))
         ahead = [(k, b > 0) for k, (_, b, _) in enumerate(lines) if b]
         back = [k for n, (k, is_ahead) in enumerate(ahead) if is_ahead != ahead[n - 1][1]]
-        if len(back) > 2:
-            reason = f"{name}: not monotone to the direction, it turns back at vertex {back[-1]}"
-            raise Refused(reason, self.leave(points[back[-1]]))
+        need(0 not in turns, f"{name}: not canonical, a vertex without a turn")
+        need(len(back) == 2, f"{name}: not monotone to the direction, it turns back at {back[:9]}")
         start, end = back if lines[back[0]][1] > 0 else back[::-1]
         upper = turn(points), [(-a, -b, c) for a, b, c in lines], end, start
         chains = lower_chain(points, lines, start, end), lower_chain(*upper)
         # Left turns alone go around once, for x turns back only twice.
-        is_convex = min(turns) > 0
+        is_convex, above = min(turns) > 0, turn_chain(chains[1].level, NONE)
         for tie in () if is_convex else (-1, 1):
-            first, *gaps, last = (n for n, _ in heights(*chains, (0, 0, 1), tie, self.work))
-            apart = max(first, last) <= 0 and max(gaps, default=-1) < 0
+            first, *between, last = (n for n, _, _ in gaps(chains[0].level, above, tie))
+            apart = min(first, last) >= 0 and min(between, default=1) > 0
             need(apart, f"{name}: not simple and counter-clockwise")
         return MonotoneLoop(points, lines, chains, is_convex)
 
     def prove(self) -> str:
         """Prove the sweep, and describe it."""
-        g, d, t, inner, outer, h = self.g, self.d, self.t, self.inner, self.outer, self.g.turned()
+        g, d, t, inner, outer = self.g, self.d, self.t, self.inner, self.outer
         kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
         need(self.kind == kind, f"kind: it is {kind}")
-        contacts, inner_drawn, outer_drawn = self.evidence
-        self.prove_contacts(h, contacts)
-        self.prove_held(
-            *(t, d, h),
-            "trajectory: the contact of directrix vertex {} and generatrix vertex {} is outside",
-            "trajectory: G overlaps D at vertex {} or beside it",
-        )
+        h, (contacts, inner_drawn, outer_drawn) = g.chains[::-1], self.evidence
+        reason = "trajectory: outside it, at the witness or beside it, G overlaps or touches D"
+        self.prove_held(t, d.chains, h, reason, under("contacts", items, contacts, len(t.points)))
         self.prove_fits(h)
         self.prove_drawn("outer_drawn", outer, outer_drawn)
-        self.prove_held(
-            *(outer, t, g),
-            "outer: with G at trajectory vertex {} its vertex {} is outside",
-            "outer: vertex {}, or the boundary beside it, is inside the area swept",
-        )
+        reason = "outer: outside it, at the witness or beside it, is area that is swept"
+        self.prove_held(outer, t.chains, g.chains, reason)
         self.prove_drawn("inner_drawn", inner, inner_drawn)
-        self.prove_held(
-            *(t, inner, h),
-            "inner: at vertex {} generatrix vertex {} can be put, and G is free of D",
-            "inner: at trajectory vertex {}, or beside it, G cuts into the region inside",
-        )
+        reason = "inner: at the witness or beside it G is free of D, and cuts into or touches it"
+        self.prove_held(t, inner.chains, h, reason)
         unit = self.scale**2 * (self.way[0] ** 2 + self.way[1] ** 2)
         check_area(self.area, [outer.points, inner.points[::-1]], self.work, unit)
         sizes = len(g.points), len(d.points)
         return describe(kind, *sizes, t.points, inner.points, outer.points, self.area)
 
     def prove_held(
-        self, held: MonotoneLoop, one: MonotoneLoop, other: MonotoneLoop, outside: str, inside: str
+        self, held: MonotoneLoop, one: Chains, other: Chains, reason: str, contacts: Any = None
     ) -> None:
-        """Prove that a loop has the sum of two others within it."""
-        halves = zip((1, -1), held.chains, one.chains, other.chains, strict=True)
-        for sign, half, a, b in halves:
-            for k, m, p in meeting(a, b, self.work):
-                if not half.holds(p):
-                    raise Refused(outside.format(k, m), self.leave(p, sign))
-            for k, p, tie in half.concave:
-                if any(n < 0 for n, _ in heights(a, b, p, tie, self.work)):
-                    raise Refused(inside.format(k), self.leave(p, sign))
-
-    def prove_contacts(self, h: MonotoneLoop, listed: Any) -> None:
-        """Prove that the contacts of each edge of the trajectory are listed and cover it."""
-        t, d = self.t, self.d
-        sides = [extent(of, t.ends("edge", k)) for k, of in enumerate(t.lines)]
-        along: dict[Node, list[tuple[Extent, int]]] = defaultdict(list)
-        for row in sorted(zip(sides, range(len(sides)), strict=True)):
-            along[t.lines[row[1]]].append(row)
-        found: list[dict[Contact, Extent]] = [{} for _ in sides]
-        for contact, of in touching(d, h, self.work):
-            if of in along:
-                kind, i, j = contact
-                piece = extent(of, h.ends(kind[0], i), d.ends(kind[1], j))
-                first = bisect_right(along[of], piece[0], key=lambda entry: entry[0][1])
-                for n in range(first, len(along[of])):
-                    (low, _), k = along[of][n]
-                    if low >= piece[1]:
-                        break
-                    self.work.take(1)
-                    found[k][contact] = piece
-        for k, entries in enumerate(under("contacts", items, listed, len(sides))):
-            of, true = t.lines[k], sorted(found[k])
-            same = entries == [[*contact] for contact in true]
-            if not same or not all(type(i) is type(j) is int for _, i, j in entries):
-                self.work.take(len(true) * len(items(entries)))
-                for kind, i, j in true:
-                    if [kind, i, j] not in entries:
-                        at = self.leave_line(of, sides[k], found[k][kind, i, j])
-                        raise Refused(f"contacts[{k}]: {kind} ({i}, {j}) is missing", at)
-                raise Refused(f"contacts[{k}]: one that is not along the edge, or not in order")
-            self.prove_covered(f"contacts[{k}]", of, sides[k], [*found[k].values()])
+        """Prove by (e) that a loop has a sum within it, and by (d) contacts, if they are listed."""
+        for sign, half, ones, others in zip((1, -1), held.chains, one, other, strict=True):
+            edges = chain.from_iterable(part.sides() for part in half.parts if contacts)
+            along = defaultdict[Node, list[tuple[Side, Extent, dict[Contact, Extent]]]](list)
+            for edge in edges:
+                along[edge[3]].append((edge, extent(edge[3], edge[1:3]), {}))
+            left, right = half.level[0][1], half.level[-1][2]
+            self.work.take(len(ones.parts) * len(others.parts))
+            for a, b in product(ones.parts, others.parts):
+                if by_way(a.greatest, b.least) > 0 or by_way(b.greatest, a.least) > 0:
+                    continue
+                added = add_parts(a.between(b), b.between(a))
+                between = gaps(half.level, [e for e in added.sides() if e[3][1]])
+                self.work.take(2 * len(added.points) + len(between) // 2)
+                wrong = [p for p in added.points if order(p, left) < 0 or order(p, right) > 0]
+                wrong += [p for n, _, p in between if n < 0]
+                if wrong:
+                    raise Refused(reason, self.leave(wrong[0], sign))
+                for contact, p, q, of in added.sides() if along else ():
+                    for _, (low, high), found in along.get(of, ()):
+                        self.work.take(1)
+                        piece = extent(of, [p, q])
+                        if piece[0] < high and low < piece[1]:
+                            found[contact] = piece
+            for (k, start, *_), ends, found in chain.from_iterable(along.values()):
+                name, true = f"contacts[{k}]", [[*contact] for contact in sorted(found)]
+                same = contacts[k] == true and all(
+                    type(n) is int for e in contacts[k] for n in e[1:]
+                )
+                need(same, f"{name}: not the contacts along the edge, in order: {true[:9]}")
+                self.prove_covered(name, ends, [*found.values()], start, sign)
 
     def prove_drawn(self, name: str, drawn: MonotoneLoop, listed: Any) -> None:
         """Prove that the features listed for each edge of a loop draw it, all of it."""
         for k, entries in enumerate(under(name, items, listed, len(drawn.lines))):
-            features = under(f"{name}[{k}]", self.read_drawings, entries)
-            self.work.take(len(features))
-            of, edge = drawn.lines[k], extent(drawn.lines[k], drawn.ends("edge", k))
-            pieces = [extent(of, self.t.ends(*p), self.g.ends(*q)) for p, q in features]
-            self.prove_covered(f"{name}[{k}]", of, edge, pieces)
+            where, of = f"{name}[{k}]", drawn.lines[k]
+            pairs = [items(entry, 2) for entry in under(where, items, entries)]
+            self.work.take(len(pairs))
+            need(len({*map(str, pairs)}) == len(pairs), f"{where}: a drawing is there twice")
+            pieces = [extent(of, self.t.feature(p), self.g.feature(q)) for p, q in pairs]
+            ends = drawn.feature(["edge", k])
+            self.prove_covered(where, extent(of, ends), pieces, ends[0])
 
-    def read_drawings(self, item: Any) -> list[tuple[tuple[str, int], tuple[str, int]]]:
-        """Read features: positions on the trajectory, and what draws there."""
-        pairs = [items(entry, 2) for entry in items(item)]
-        found = [(self.t.feature(p), self.g.feature(q)) for p, q in pairs]
-        need(len({*found}) == len(found), "a drawing is there twice")
-        return found
-
-    def prove_covered(self, where: str, of: Node, edge: Extent, pieces: list[Extent]) -> None:
+    def prove_covered(
+        self, where: str, edge: Extent, pieces: list[Extent], start: Node, sign: int = 1
+    ) -> None:
         """Prove that pieces of a line, each along a part of an edge, cover it."""
         reach, end = edge
+        along = all(edge[0] < high > low < end for low, high in pieces)
         for low, high in sorted(pieces):
-            need(edge[0] < high > low < end, f"{where}: a drawing is not along the edge")
-            if low > reach:
-                break
-            reach = max(reach, high)
-        if reach < end:
-            gap = reach, min([end, *(low for low, _ in pieces if low > reach)])
-            reason = f"{where}: nothing that is listed draws all of the edge"
-            raise Refused(reason, self.leave_line(of, gap, gap))
+            reach = max(reach, high) if low <= reach else reach
+        if not along or reach < end:
+            reason = "nothing that is listed draws all of" if along else "a drawing is not along"
+            raise Refused(f"{where}: {reason} the edge", self.leave(start, sign))
 
-    def prove_fits(self, h: MonotoneLoop) -> None:
+    def prove_fits(self, h: Chains) -> None:
         """Prove that the exact fits are those between sums of jumps, and in their order."""
         found = []
-        for sign, one, other in zip((1, -1), self.d.chains, h.chains, strict=True):
+        for sign, t, one, other in zip((1, -1), self.t.chains, self.d.chains, h, strict=True):
             (falls, rises), (others, more) = one.list_jumps(), other.list_jumps()
             self.work.take(len(falls) * len(others) + len(rises) * len(more))
             for x in {a + b for a in falls for b in others} & {a + b for a in rises for b in more}:
+                self.work.take(len(t.level) + len(one.level) + len(other.level))
+                between = gaps(turn_chain(other.level, x), one.level)
+                inside = min(Fraction(n, w) for n, w, _ in between)
                 at = x.numerator, 0, x.denominator
-                left, right, inside = (
-                    min(Fraction(*y) for y in heights(one, other, at, tie, self.work))
-                    for tie in (-1, 1, 0)
-                )
-                hanging, end = (self.leave(node(x, y), sign) for y in (max(left, right), inside))
-                found += [(hanging, end)] if max(left, right) < inside else []
+                near = [e for _, p, q, e in t.level if order(p, at) <= 0 <= order(q, at)]
+                hanging = max(Fraction(-a * at[0] - c * at[2], b * at[2]) for a, b, c in near)
+                if hanging < inside:
+                    ends = node(x, hanging), node(x, inside)
+                    found.append((self.leave(ends[0], sign), self.leave(ends[1], sign)))
         listed = [(place(p), place(q)) for p, q in self.fits]
-        known, given = {*found}, {*listed}
-        for k, fit in enumerate(listed):
-            if fit not in known:
-                raise Refused(f"exact_fits[{k}]: not an exact fit, from end to end", fit[1])
-        for fit in found:
-            if fit not in given:
-                raise Refused("exact_fits: one is missing", fit[1])
-        need(listed == sorted(found), "exact_fits: not sorted, or one is listed twice")
+        wrong = sorted({*found}.symmetric_difference(listed))
+        if wrong or listed != sorted(found):
+            reason = "exact_fits: not the exact fits, from end to end and sorted"
+            raise Refused(reason, wrong[0][1] if wrong else None)
 
 
 class Placed(NamedTuple):

@@ -74,27 +74,14 @@ class Directions:
         return any(self.at)
 
     def __and__(self, other: Directions) -> Directions:
-        """Intersect two sets of directions. Cost: O(n), a cross product for each critical one."""
-        critical: list[Vector] = []
-        at: list[bool] = []
-        after: list[bool] = []
-        i = j = 0
-        while i < len(self.critical) or j < len(other.critical):
-            # The state before the first critical direction is that after the last one.
-            mine, others = self.after[i - 1], other.after[j - 1]
-            turn = -1 if j == len(other.critical) else i == len(self.critical)
-            if not turn:
-                turn = _turn(self.critical[i], other.critical[j])
-            critical.append(self.critical[i] if turn <= 0 else other.critical[j])
-            if turn <= 0:
-                mine = self.at[i]
-                i += 1
-            if turn >= 0:
-                others = other.at[j]
-                j += 1
-            at.append(mine and others)
-            after.append(self.after[i - 1] and other.after[j - 1])
-        return Directions(tuple(critical), tuple(at), tuple(after))
+        """Intersect two sets of directions. Cost: O(n log n)."""
+        critical = sorted({*self.critical, *other.critical}, key=angle_key)
+        # The state before the first critical direction is that after the last one.
+        return Directions(
+            tuple(critical),
+            tuple(u in self and u in other for u in critical),
+            tuple(all(one.after[one._last_up_to(u)] for one in (self, other)) for u in critical),
+        )
 
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal arcs as pairs (first, last), counter-clockwise, both included.

@@ -297,6 +297,8 @@ def approximate(value: Fraction, *, up: bool = False) -> str:
     ('-6.66667', '30', '6.33825e+29')
     >>> approximate(Fraction(1, 3), up=True), approximate(Fraction(1, 4), up=True)
     ('0.333334', '0.25')
+    >>> [approximate(Fraction(10) ** k) for k in (-7, -6, 12, 13)]
+    ['1e-7', '0.000001', '1000000000000', '1e+13']
     """
     context = _UPWARD if up else _NEAREST
     n, d = value.as_integer_ratio()

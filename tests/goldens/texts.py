@@ -173,7 +173,7 @@ def list_looks() -> Iterator[str]:
     """All looks and colours of the style."""
     for name, value in vars(style).items():
         looks = value if isinstance(value, dict) else {"": value}
-        if name.isupper() and name != "_SETTINGS":
+        if name.isupper() and not name.startswith("_"):
             shown = {k: asdict(v) if isinstance(v, Look) else v for k, v in looks.items()}
             yield f"{name} {shown}"
     yield from (f"chain {k} {asdict(style.choose_chain_look(k))}" for k in range(8))

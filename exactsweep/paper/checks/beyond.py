@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import chain, product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import (
@@ -19,7 +19,13 @@ from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.functions import list_edges, no_fit_is_the_definition, show_fits, tell_fits
+from exactsweep.paper.functions import (
+    frame_around,
+    list_edges,
+    no_fit_is_the_definition,
+    show_fits,
+    tell_fits,
+)
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
 
@@ -165,20 +171,17 @@ def compare_inner_fits(container: Region | Ring, part: Ring) -> str:
 
 def inner_fit_is_in_a_frame(pair: SweepPair) -> str:
     """The inner fit is the inside of the no-fit polygon of a frame around the container."""
-    container = _enlarge(pair.directrix)
-    part = Polygon(pair.generatrix)
-    wide = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
-    (left, low), (right, high) = Polygon(container).bounding_box
-    left, low, right, high = left - wide, low - wide, right + wide, high + wide
-    frame = [(left, low), (right, low), (right, high), (left, high)]
-    around = no_fit_polygon(Region(frame, [container]), part)
+    container, part = Polygon(_enlarge(pair.directrix)), Polygon(pair.generatrix)
+    frame = frame_around(container, part)
+    around = no_fit_polygon(frame, part)
     found = inner_fit_polygon(container, part)
     if around.holes != tuple(region.exterior for region in found.regions):
         return "the holes of the frame's no-fit polygon are not the regions of the inner fit"
 
     def is_inside(t: Point) -> bool:
         """Decide whether the part stands inside the frame, and not around one of its corners."""
-        (a, b), (c, d) = part.translated(t).bounding_box
+        boxes = frame.bounding_box, part.translated(t).bounding_box
+        (left, low), (right, high), (a, b), (c, d) = chain(*boxes)
         return left < a and low < b and c < right and d < high
 
     if tuple(fit for fit in around.exact_fits if is_inside(fit[0])) != found.exact_fits:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from exactsweep import Point, Polygon, Region, Sweep, sweep
+from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.numbers.point import Rational, Vertex
@@ -15,7 +15,13 @@ from exactsweep.paper.claim import (
     Effort,
     Evidence,
 )
-from exactsweep.paper.functions import evaluate, look_up, no_fit_is_the_definition, take_bottom
+from exactsweep.paper.functions import (
+    evaluate,
+    frame_around,
+    look_up,
+    no_fit_is_the_definition,
+    take_bottom,
+)
 from exactsweep.paper.laws import break_law, shrink
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_convex, search_grid
@@ -111,11 +117,8 @@ def swept_by_contact(s: Sweep, p: Point) -> bool:
     outside of it nor wholly inside, which is outside of a frame around it.
     """
     inverse, path = s.generatrix.reflected(), s.trajectory
-    (left, low), (right, high) = path.bounding_box
-    size = sum(b - a for shape in (path, inverse) for a, b in zip(*shape.bounding_box, strict=True))
-    left, low, right, high = left - size, low - size, right + size, high + size
-    frame = Region([(left, low), (right, low), (right, high), (left, high)], [path])
-    return all(classify(shape, inverse, p).verdict != "FREE" for shape in (path, frame))
+    shapes = path, frame_around(path, inverse)
+    return all(classify(shape, inverse, p).verdict != "FREE" for shape in shapes)
 
 
 def area_is_covered(pair: SweepPair) -> str:
