@@ -26,7 +26,6 @@ from exactsweep.check import standalone
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.check.no_fit import find_inner_fit, find_no_fit, find_swept
 from exactsweep.check.shape import Outlines
-from exactsweep.check.size import Budget
 from exactsweep.check.standalone import (
     Node,
     Refused,
@@ -64,16 +63,15 @@ def prove_claim(certificate: dict[str, Any], max_steps: int) -> None:
     if type(claim) is not str or claim not in _KEYS:
         raise Refused(f"claim is not {', '.join(_KEYS)}")
     fields(certificate, " ".join(_KEYS[claim]), "format version claim proof")
-    budget = Budget(max_steps)
+    work = Work(max_steps)
     names = _KEYS[claim][:2]
     d, g = shapes = [_read_shape(certificate[name], name) for name in names]
-    _take_all_pairs(d, g, budget)
-    work = Work(max_steps)
+    _take_all_pairs(d, g, work)
     work.fit([_enter(d[0]), _enter(g[0])])
     for name, shape in zip(names, shapes, strict=True):
         _check_shape(name, shape, work)
     find = _find_inner_fit if claim == "inner_fit" else _find_no_fit
-    for key, found in find(certificate, shapes, budget):
+    for key, found in find(certificate, shapes, work):
         _compare(key, certificate[key], _write(found))
 
 
@@ -95,7 +93,7 @@ def _check_shape(name: str, shape: Outlines, work: Work) -> None:
         raise Refused(f"{name}: not canonical, or its holes are not sorted")
 
 
-def _take_all_pairs(d: Outlines, g: Outlines, budget: Budget) -> None:
+def _take_all_pairs(d: Outlines, g: Outlines, budget: Work) -> None:
     """Refuse at once what would take too long in any case: all vertices, and all pairs of edges."""
     m, n = (sum(map(len, rings)) for rings in (d, g))
     bits = max(c.bit_length() for ring in (*d, *g) for p in _enter(ring) for c in p)
@@ -103,7 +101,7 @@ def _take_all_pairs(d: Outlines, g: Outlines, budget: Budget) -> None:
 
 
 def _find_no_fit(
-    certificate: dict[str, Any], shapes: Sequence[Outlines], budget: Budget
+    certificate: dict[str, Any], shapes: Sequence[Outlines], budget: Work
 ) -> Iterator[tuple[str, Any]]:
     """Find the answer to the claims `no_fit` and `sweep`, each entry after the last is compared."""
     d, g = shapes
@@ -123,7 +121,7 @@ def _find_no_fit(
 
 
 def _find_inner_fit(
-    _: dict[str, Any], shapes: Sequence[Outlines], budget: Budget
+    _: dict[str, Any], shapes: Sequence[Outlines], budget: Work
 ) -> Iterator[tuple[str, Any]]:
     container, part = shapes
     found = find_inner_fit(container, part, budget)

@@ -120,13 +120,13 @@ class Refused(Exception):  # noqa: N818
 class Work:
     """The budget of steps that is left, how many one takes, and the scale of the boxes."""
 
-    def __init__(self, steps: int) -> None:
+    def __init__(self, steps: float) -> None:
         self.left, self.weight, self.scale, self.numbers = steps, 1, 1, 0
         self.reason = f"too large: to check it would take more than {steps} steps"
 
-    def take(self, steps: int) -> None:
-        """Take steps, or refuse the certificate."""
-        self.left -= steps * self.weight
+    def take(self, steps: int, bits: int = 0) -> None:
+        """Take steps, on numbers of so many bits if these are given, or refuse the certificate."""
+        self.left -= steps * (weight(bits) if bits else self.weight)
         need(self.left >= 0, self.reason)
 
     def read(self, item: Any, levels: int = 8) -> int:
@@ -966,8 +966,8 @@ class Monotone:
             where, of = f"{name}[{k}]", drawn.lines[k]
             pairs = [items(entry, 2) for entry in under(where, items, entries)]
             self.work.take(len(pairs))
-            need(len({*map(str, pairs)}) == len(pairs), f"{where}: a drawing is there twice")
             pieces = [extent(of, self.t.feature(p), self.g.feature(q)) for p, q in pairs]
+            need(len({*map(str, pairs)}) == len(pairs), f"{where}: a drawing is there twice")
             ends = drawn.feature(["edge", k])
             self.prove_covered(where, extent(of, ends), pieces, ends[0])
 
