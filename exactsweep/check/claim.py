@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import zip_longest
+from itertools import chain, zip_longest
 from typing import Any
 
 from exactsweep.check import standalone
@@ -146,38 +146,29 @@ def _write(item: Any) -> Any:
 
 
 def _compare(name: str, claimed: Any, true: Any) -> None:
-    """Raise Refused for the first entry of a list that differs."""
+    """Raise Refused for the first entry of a list that differs, and a point that just one has."""
     if claimed == true:
         return
     if type(claimed) is not list or type(true) is not list:
         raise Refused(f"{name}: not {true if type(true) is str else 'a list'}")
-    k, invented, missed = _find_difference(claimed, true)
-    witness = _find_witness(invented, missed)
-    if invented is not None:
-        raise Refused(f"{name}[{k}]: not in the answer", witness)
-    if missed is not None:
-        raise Refused(f"{name}: one is missing", witness)
-    raise Refused(f"{name}: not in order, or one is listed twice")
-
-
-def _find_difference(claimed: list[Any], true: list[Any]) -> tuple[int, Any, Any]:
-    """Find where lists differ first: the entries, unless they are elsewhere, too."""
+    one, other = (dict.fromkeys(_list_points(item)) for item in (claimed, true))
+    witness = next(
+        chain((p for p in one if p not in other), (p for p in other if p not in one)), None
+    )
     pairs = enumerate(zip_longest(claimed, true, fillvalue=()))
-    k, (one, other) = next((k, pair) for k, pair in pairs if pair[0] != pair[1])
-    return k, None if one in (*true, ()) else one, None if other in (*claimed, ()) else other
+    k = next(k for k, pair in pairs if pair[0] != pair[1])
+    if claimed[k : k + 1] and claimed[k] not in true:
+        raise Refused(f"{name}[{k}]: not in the answer", witness)
+    if true[k : k + 1] and true[k] not in claimed:
+        raise Refused(f"{name}: one is missing", witness)
+    raise Refused(f"{name}: not in order, or one is listed twice", witness)
 
 
-def _find_witness(claimed: Any, true: Any) -> Point | None:
-    """Find a point that just one of two loops or fits has, or regions in their exteriors."""
-    entries = [item.get("exterior") if type(item) is dict else item for item in (claimed, true)]
-    for _ in range(2):
-        for item in entries:
-            try:
-                return Point(*place(standalone.point(item)))
-            except Refused:
-                continue
-        one, other = (item if type(item) is list else [] for item in entries)
-        if one == other:
-            break
-        entries = [*_find_difference(one, other)[1:]]
-    return None
+def _list_points(item: Any, levels: int = 5) -> Iterator[Point]:
+    """List the points in an answer, or a claim."""
+    try:
+        yield Point(*place(standalone.point(item)))
+    except Refused:
+        parts = item.values() if type(item) is dict else item if type(item) is list else ()
+        for part in parts if levels else ():
+            yield from _list_points(part, levels - 1)
