@@ -297,6 +297,32 @@ def test_no_more_steps_are_taken_than_allowed() -> None:
         prove(CERTIFICATES["SS"], 200)
 
 
+@pytest.mark.parametrize("name", ["CM", "fit", "unswept", "nowhere"])
+def test_steps_are_no_fewer_than_calls_by_far(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each list 50 times as long: what is done for its entries is counted in steps."""
+    certificate, budgets, calls = CERTIFICATES[name], list[standalone.Work](), 0
+    begin = standalone.Work.__init__
+
+    def watch(_frame: Any, event: str, _of: Any) -> None:
+        nonlocal calls
+        calls += event in ("call", "c_call")
+
+    def remember(work: standalone.Work, steps: float) -> None:
+        begin(work, steps)
+        budgets.append(work)
+
+    monkeypatch.setattr(standalone.Work, "__init__", remember)
+    for path in places(certificate):
+        if type(item := get(certificate, path)) is list:
+            longer, calls = put(certificate, path, 50 * item), 0
+            sys.setprofile(watch)
+            try:
+                proves(longer)
+            finally:
+                sys.setprofile(None)
+            assert calls < 100 * (standalone.MAX_STEPS - budgets[-1].left), path
+
+
 def run(*arguments: str) -> tuple[int, str]:
     """Run the file by itself, in a process that cannot see the package."""
     done = subprocess.run(
