@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from exactsweep.check.boxes import BoxTree, Rectangle
 from exactsweep.check.cone import by_turn, cross, divide, subtract
-from exactsweep.check.size import Budget
+from exactsweep.check.standalone import Work
 from exactsweep.check.uncovered import LinePiece, OpenSets
 from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
 from exactsweep.numbers.point import Edge, Rational, Vertex
@@ -49,7 +49,7 @@ def canonicalize(points: Sequence[Vertex]) -> tuple[Vertex, ...]:
 
 
 def assemble(
-    pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets, budget: Budget
+    pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets, budget: Work
 ) -> Boundary:
     """Assemble loops and fits.
 
@@ -108,7 +108,7 @@ def _find_cuts(
     boxes: Sequence[Rectangle],
     tree: BoxTree,
     bits: int,
-    budget: Budget,
+    budget: Work,
 ) -> list[dict[Rational, Vertex]]:
     """On each piece its ends and where others meet it, each by its coordinate on the line."""
     cuts = [{piece.low: piece.ends[0], piece.high: piece.ends[1]} for piece in pieces]

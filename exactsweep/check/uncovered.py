@@ -11,7 +11,7 @@ from exactsweep.check.boxes import BoxTree
 from exactsweep.check.cone import cross, divide, reduce_way, subtract
 from exactsweep.check.convex_sums import ConvexSums
 from exactsweep.check.shape import list_edges
-from exactsweep.check.size import Budget
+from exactsweep.check.standalone import Work
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 # Steps to put a segment on its line, and to begin with it.
@@ -91,7 +91,7 @@ class OpenSets:
         self,
         first: Iterable[Sequence[Vertex]],
         second: Iterable[Sequence[Vertex]],
-        budget: Budget,
+        budget: Work,
     ) -> None:
         # Large sets first: few of them cover most of the union.
         self._sums = ConvexSums(first, second, budget)
