@@ -24,6 +24,7 @@ from exactsweep import (
     InnerFit,
     NoFitPolygon,
     Region,
+    Sweep,
     __version__,
     inner_fit_polygon,
     no_fit_polygon,
@@ -135,6 +136,14 @@ def list_artists(axes: Axes) -> Iterator[str]:
             yield from list_artists(child)
 
 
+def write_places(s: Sweep, columns: int) -> str:
+    """The places of a picture, alone or not, and of its legend."""
+    axes = plot_sweep(s, make_figure(columns=columns).axes[0])
+    legend: Any = axes.get_legend()
+    corner = legend.get_bbox_to_anchor().transformed(axes.transAxes.inverted()).p0
+    return f"placed {write_points([*axes.get_position(original=True).get_points(), corner])}"
+
+
 def list_looks() -> Iterator[str]:
     """All looks and colours of the style."""
     for name, value in vars(style).items():
@@ -151,6 +160,7 @@ def list_pictures() -> Iterator[str]:
         yield f"== {name}"
         yield from list_artists(plot_sweep(s, make_figure().axes[0]))
         yield from (_write(stretch) for stretch in cut_trajectory(s))
+        yield from (write_places(s, columns) for columns in (1, 2))
     for name, found in POSITIONS.items():
         yield f"== {name}"
         yield from list_artists(plot_positions(found, make_figure().axes[0]))
