@@ -25,6 +25,7 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
+from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus import Case, find_case, generate
 
@@ -293,7 +294,7 @@ def test_who_is_exact_on_what_is_one_page(tmp_path: Path) -> None:
     )
     peer = CallablePeer(lambda *_: next(answers), hello)
     path = tmp_path / "a.sweep"
-    with Journal(path, command=[], hello=hello, seconds=1) as journal:
+    with Journal(path, Terms([]), hello) as journal:
         for _ in range(3):
             journal.add(judge_case(peer, case))
     by_kind, verdicts = write_page([path], "three cases").split("## All verdicts")

@@ -24,14 +24,15 @@ from exactsweep.conform.run.run import Run
 from exactsweep.corpus import Case
 
 FILE = Path(__file__).parent / "reports.txt"
-NOTCH = (DIRECTRIX, GENERATRIX, ("1/2", 1))
+INTO: Any = (SLOT, SQUARE, (0, 0))
+NOTCH: Any = (DIRECTRIX, GENERATRIX, ("1/2", 1))
 # The common point of an overlap, of which any is as good as another one.
 POINT = re.compile(r'(OVERLAP, point )\(.*?\)|("OVERLAP", "point": )\[.*?\]')
 
 
 def list_answers() -> Iterator[tuple[str, Any, dict[str, Any]]]:
     """Yield the name of a case, its pair, and an answer to it."""
-    for name, pair in (("slot", (SLOT, SQUARE)), ("notch", NOTCH)):
+    for name, pair in (("slot", INTO), ("notch", NOTCH)):
         case = Case.of(name, "", *pair)
         loop = list(case.trajectory.vertices)
         fits, x = case.exact_fits, Fraction(1, 3)
@@ -46,7 +47,7 @@ def list_answers() -> Iterator[tuple[str, Any, dict[str, Any]]]:
         yield f"{name}-nan", pair, {"trajectory": [("nan", 0), *rest]}
         yield f"{name}-error", pair, {"error": f"no <row> {len(loop)}"}
         yield f"{name}-hard", pair, {"unsupported": "too hard"}
-    yield "slot-inner", (SLOT, SQUARE), {"trajectory": SLOT, "inner": [(0, 0), (3, 0), (0, 5)]}
+    yield "slot-inner", INTO, {"trajectory": SLOT, "inner": [(0, 0), (3, 0), (0, 5)]}
 
 
 def make_run(accepted: Verdict) -> Run:
@@ -54,7 +55,9 @@ def make_run(accepted: Verdict) -> Run:
     hello = Hello("mine & theirs", ("trajectory",))
     run = Run(hello, ["mine", "-v"], accepted, Fraction(9, 10))
     for k, (name, pair, answer) in enumerate(list_answers()):
-        case = Case.of(name, f"the case {k}", *pair, flags=["identical"] if k % 5 == 1 else [])
+        d, g, reference = pair
+        flags = ["identical"] if k % 5 == 1 else []
+        case = Case.of(name, f"the case {k}", d, g, reference, flags)
         peer = CallablePeer(lambda d, g, r, answer=answer: answer, hello)  # type: ignore[misc]
         outcome = replace(
             judge_case(peer, case),

@@ -4,12 +4,13 @@ No text depends on fonts, on a layout that matplotlib computes, or on the way a 
 """
 
 import json
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, replace
 from fractions import Fraction
 from hashlib import sha256
 from importlib import import_module
-from itertools import islice
+from itertools import chain, islice
 from pkgutil import walk_packages
 from typing import Any
 from unittest.mock import patch
@@ -30,7 +31,7 @@ from exactsweep import (
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.canvas.window import Window
-from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate, generator
+from exactsweep.corpus import FAMILIES, Case, case_to_json, find_case, generate, generator
 from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.describe import describe
 from exactsweep.corpus.export import cases_to_geojson, cases_to_svg, cases_to_wkt
@@ -118,6 +119,7 @@ POSITIONS: dict[str, NoFitPolygon | InnerFit] = {
 }
 CASES = [
     *("fits-square", "worked-roof", "caves-open-thirds", "holes-hole-at-the-rim"),
+    "spelling-clockwise-both",
     *("holes-as-large", "containers-too-low", "gen-fractions-3-1"),
 ]
 SIZES = ("vertices", "edges", "holes", "undercuts")
@@ -249,7 +251,8 @@ def _write(value: Any) -> str:
 
 def list_exports() -> Iterator[str]:
     """Cases of the corpus in the formats of other programs, and in words."""
-    shown = [find_case(id) for id in CASES]
+    beyond = Case.of("beyond", "Beyond doubles", [(0, 0), (10**309, 0), (0, 1)], SQUARE)
+    shown = [*map(find_case, CASES), beyond]
     yield from cases_to_wkt(shown)
     yield from cases_to_geojson(shown)
     yield from cases_to_svg(shown)
@@ -275,9 +278,10 @@ def list_growing() -> Iterator[str]:
 
 
 def list_generated() -> Iterator[str]:
-    """The digests of generated inputs, family by family, and three families' cases in full.
+    """The digests and flags of generated cases, family by family, and three of them in full.
 
     The first three cases of seed 7 must never change, nor must any other: ids keep their meaning.
+    The flags show whether a family aims at what it says.
     """
     parts = "id", "directrix", "generatrix", "reference", "directrix_holes", "generatrix_holes"
     for family in FAMILIES:
@@ -285,6 +289,9 @@ def list_generated() -> Iterator[str]:
             drawn = [case_to_json(case) for case in islice(generate(family, 7), start, end)]
             found = [[case[part] for part in parts if part in case] for case in drawn]
             yield f"{family} {start} {end} {sha256(repr(found).encode()).hexdigest()[:12]}"
+        known = [(case.kind, *case.flags, *case.representable) for case in generate(family, 11, 12)]
+        counts = Counter(chain.from_iterable(known))
+        yield f"{family} of 12: {', '.join(f'{flag} {counts[flag]}' for flag in sorted(counts))}"
     for id in ("gen-convex-7-0", "gen-container-7-1", "gen-plate-7-2"):
         yield case_to_line(find_case(id)).rstrip()
 

@@ -40,7 +40,7 @@ def find_refusal(call: str, said: str, names: Mapping[str, Any]) -> str:
     """Return the error that a call raises; with dots as in the given one, if it fits that."""
     found = "no error"
     try:
-        eval(call, NAMES | names)
+        eval(call, {**NAMES, **names})
     except ExactSweepError as error:
         found = f"{type(error).__name__}: {error}"
     pattern = re.escape(said).replace(re.escape("..."), ".*")
@@ -56,6 +56,6 @@ def refuse_again(path: Path, names: Mapping[str, Any]) -> str:
     """Return the text of a refusals.txt as it should be."""
 
     def replace(match: re.Match[str]) -> str:
-        return f"{match[1]}\n    {find_refusal(*match.groups(), names)}"
+        return f"{match[1]}\n    {find_refusal(match[1], match[2], names)}"
 
     return _REFUSAL.sub(replace, path.read_text(encoding="utf-8"))

@@ -49,7 +49,7 @@ Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]
 Question = Literal["sweep", "no_fit", "inner_fit"]
 
-Shape = TypeVar("Shape", bound=PointSet)
+Put = TypeVar("Put", bound=PointSet)
 
 LOOPS = ("trajectory", "inner", "outer")
 NUMBERS: tuple[Numbers, ...] = get_args(Numbers)
@@ -296,7 +296,7 @@ def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:
     def fits(found: Iterable[Fit]) -> tuple[Fit, ...]:
         return tuple((p, q) for p, q in (ring(fit, by) for fit in found))
 
-    def move(shape: Shape) -> Shape:
+    def move(shape: Put) -> Put:
         return shape.scaled(k).translated(by)
 
     return replace(

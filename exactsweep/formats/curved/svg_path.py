@@ -115,14 +115,20 @@ class _Path:
         elif kind == "V":
             self._add([Point(before.x, values[0])])
         elif kind == "A":
-            self._arc(values, start)
+            rx, ry, angle, large, left = values[:5]
+            end = Point(*values[5:])
+            if rx and ry and end != before:
+                angle = angle if abs(rx) != abs(ry) else Fraction(0)
+                shape = (abs(rx), abs(ry)), angle, (bool(large), bool(left))
+                self._curve(end, start, flatten_elliptic_arc, (before, end), *shape)
+            else:
+                self._add([end])
         else:
             if kind in "ST":
                 smooth = Point(2 * before.x - control.x, 2 * before.y - control.y)
                 points.insert(0, smooth if kind in kinds else before)
-            curve = [before, *points]
-            self._curve(curve[-1], lambda: flatten_bezier(curve, self.matrix, self.reading), start)
-            self.control = ("CS" if kind in "CS" else "QT", curve[-2])
+            self._curve(points[-1], start, flatten_bezier, [before, *points])
+            self.control = ("CS" if kind in "CS" else "QT", points[-2])
 
     def _draw_lines(self, kind: str) -> None:
         # Further pairs after M are lines.
@@ -154,28 +160,16 @@ class _Path:
         self.current = ends[-1]
         self.found[-1] += place_points(ends, self.matrix, self.reading)
 
-    def _curve(self, end: Point, flat: Callable[[], list[Point]], start: int) -> None:
+    def _curve(
+        self, end: Point, start: int, flatten: Callable[..., list[Point]], *shape: object
+    ) -> None:
         try:
-            found = flat()
+            found = flatten(*shape, self.matrix, self.reading)
         except FormatError as error:
             self._refuse(str(error), start)
         self.reading.allow_vertices(len(found))
         self.found[-1] += found[1:]
         self.current = end
-
-    def _arc(self, values: list[Fraction], start: int) -> None:
-        rx, ry, angle, large, left, x, y = values
-        ends, radii = (self.current, Point(x, y)), (abs(rx), abs(ry))
-        if not rx or not ry or ends[0] == ends[1]:
-            self._add([ends[1]])
-            return
-        angle = angle if radii[0] != radii[1] else Fraction(0)
-        flags = bool(large), bool(left)
-        self._curve(
-            ends[1],
-            lambda: flatten_elliptic_arc(ends, radii, angle, flags, self.matrix, self.reading),
-            start,
-        )
 
     def _argument(self, sort: str) -> Fraction:
         """Read a number; of a small letter, a coordinate counts from the current point."""
