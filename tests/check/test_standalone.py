@@ -306,7 +306,9 @@ def test_steps_are_no_fewer_than_calls_by_far(name: str, monkeypatch: pytest.Mon
     def watch(frame: Any, event: str, _of: Any) -> None:
         nonlocal calls
         # The checker has no private functions; tools that wrap its functions may have some.
-        calls += event in ("call", "c_call") and frame.f_code.co_name[0] != "_"
+        code = frame.f_code
+        its_own = code.co_filename == standalone.__file__ and code.co_name[0] != "_"
+        calls += its_own and event in ("call", "c_call")
 
     def remember(work: standalone.Work, steps: float) -> None:
         begin(work, steps)
