@@ -1,6 +1,5 @@
 """The checker that stands alone: sweeps, no-fit polygons and inner fits, proved and falsified."""
 
-import copy
 import json
 import subprocess
 import sys
@@ -10,6 +9,7 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
+from tampering import get, put
 
 from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import standalone, verify
@@ -93,21 +93,6 @@ def places(item: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     elif type(item) is list:
         entries = [(k, item[k]) for k in sorted({0, len(item) - 1}) if item]
     return [path, *(found for key, value in entries for found in places(value, (*path, key)))]
-
-
-def put(certificate: Certificate, path: tuple[Any, ...], value: Any) -> Certificate:
-    changed = copy.deepcopy(certificate)
-    at: Any = changed
-    for key in path[:-1]:
-        at = at[key]
-    at[path[-1]] = value
-    return changed
-
-
-def get(certificate: Any, path: tuple[Any, ...]) -> Any:
-    for key in path:
-        certificate = certificate[key]
-    return certificate
 
 
 @pytest.mark.long
