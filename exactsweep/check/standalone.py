@@ -1,7 +1,10 @@
 """Checker of certificates: one file that needs Python's standard library alone, to be read.
 
 `CERTIFICATES.md` says what is read. A checker adds up; it never searches. Points are homogeneous,
-ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y + c w > 0.
+ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y + c w > 0. Layouts,
+positions and sweeps with a shared direction have a section each. Read one of these and the sections
+"Reading" and "Points, lines and rings"; the first two need "Shapes and pieces", too, and the last
+two "Areas and answers".
 
 1. Pieces. The rings of a shape are simple and do not cross, holes are inside the exterior and in no
    other hole, and a circle of rings that touch, which would part the interior, is refused: so the
@@ -333,9 +336,9 @@ def winding(known: list[Edge], p: Node) -> int:
 
 
 def by_way(u: Sequence[int], v: Sequence[int]) -> int:
-    """Return a number above 0 if a way, or a line, is less than half a turn before another one.
+    """Return a number above 0 if a way, or that of a line, is before another, 0 if both are one.
 
-    Opposite ones can be compared if they are lines that go down, the first, and up.
+    Both are in one half-turn. It may be closed for lines, which then go from down to up.
     """
     return u[0] * v[1] - u[1] * v[0] or (u[0] > 0 > v[0]) - (v[0] > 0 > u[0])
 
@@ -1184,11 +1187,9 @@ class Monotone:
                         if piece[0] < high and low < piece[1]:
                             found[contact] = piece
             for (k, start, *_), ends, found in chain.from_iterable(along.values()):
-                name, true = f"contacts[{k}]", [[*contact] for contact in sorted(found)]
-                same = contacts[k] == true and all(
-                    type(n) is int for e in contacts[k] for n in e[1:]
-                )
-                need(same, f"{name}: not the contacts along the edge, in order: {true[:9]}")
+                name, listed, true = f"contacts[{k}]", contacts[k], [[*e] for e in sorted(found)]
+                if listed != true or not all(type(n) is int for e in listed for n in e[1:]):
+                    raise Refused(f"{name}: not the contacts along the edge, in order: {true[:9]}")
                 self.prove_covered(name, ends, [*found.values()], start, sign)
 
     def prove_drawn(self, name: str, drawn: MonotoneLoop, listed: Any) -> None:
@@ -1198,7 +1199,8 @@ class Monotone:
             pairs = [items(entry, 2) for entry in under(where, items, entries)]
             self.work.take(len(pairs))
             pieces = [extent(of, self.t.feature(p), self.g.feature(q)) for p, q in pairs]
-            need(len({*map(str, pairs)}) == len(pairs), f"{where}: a drawing is there twice")
+            once = len(pairs) < 2 or len({*map(str, pairs)}) == len(pairs)
+            need(once, f"{where}: a drawing is there twice")
             ends = drawn.feature(["edge", k])
             self.prove_covered(where, extent(of, ends), pieces, ends[0])
 

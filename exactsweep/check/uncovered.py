@@ -70,6 +70,11 @@ class LinePiece(NamedTuple):
         """Both ends, the lexicographically least first."""
         return self.line.at(self.low), self.line.at(self.high)
 
+    @property
+    def box(self) -> tuple[int, int, int, int]:
+        """The box around it, rounded outwards."""
+        return _frame(self.line, [(self.low.as_integer_ratio(), self.high.as_integer_ratio())])
+
 
 _Heights = tuple[int, int, list[int]]
 """Distances of the vertices of a ring to the left of a direction, behind the least and greatest."""
