@@ -653,9 +653,9 @@ class Layout:
         self.work.take(len(one.points) + len(other.points))
         (i, j), (p, q) = items(numbers, 2), (point(end) for end in items(points, 2))
         room = (self.spacing if others else self.margin) - one.error - other.error
-        square = sum((c - d) ** 2 for c, d in zip(place(p), place(q), strict=True))
+        (x, y), (u, v) = place(p), place(q)
         closed = kind == "too close"
-        met = room > 0 and square < room**2 if closed else p == q
+        met = room > 0 and (x - u) ** 2 + (y - v) ** 2 < room**2 if closed else p == q
         there = one.holds(i, p, closed) and other.holds(j, q, closed)
         need(met and there, f"faults: the points do not show {kind}")
 
