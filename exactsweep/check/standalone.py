@@ -945,9 +945,9 @@ def find_scale(points: Ring) -> int:
 
 
 class Part(NamedTuple):
-    """A convex chain from left to right: corners, edges by their numbers, and lines.
+    """A convex chain from left to right: its corners, the numbers of its edges, and their lines.
 
-    Its slopes are those from one line to another, which go straight down or up at ends of loops.
+    It has the slopes from the least to the greatest line, straight down and up where loops end.
     """
 
     points: Ring
