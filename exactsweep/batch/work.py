@@ -16,6 +16,7 @@ from exactsweep.formats.files import decode_text
 from exactsweep.formats.parsing import find_candidates
 from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.region import AnyPolygon
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.limits import Limits, get_max_mib, limits, list_limits
 from exactsweep.numbers.number import quote
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
@@ -138,10 +139,8 @@ class Work:
                 near = suggest(value, self._by_name)
                 raise FormatError(f"$.{name}: there is no part {quote(value)}{near}")
             return _polygon(self._by_name[value], name)
-        try:
+        with name_refusals(name, FormatError):
             return choose(find_candidates(value), None).shape()
-        except ValueError as error:
-            raise FormatError(f"{name}: {error}") from None
 
     @cached_property
     def _by_name(self) -> dict[str, Part]:

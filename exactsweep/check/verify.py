@@ -77,16 +77,9 @@ def verify(
     """
     if type(max_steps) is not int or max_steps < 1:
         raise ExactSweepError("max_steps must be an int, at least 1")
-    given = {
-        name: _read_given(shape)
-        for name, shape in (
-            ("generatrix", generatrix),
-            ("directrix", directrix),
-            ("part", part),
-            ("container", container),
-        )
-        if shape is not None
-    }
+    names = "generatrix", "directrix", "part", "container"
+    asked = zip(names, (generatrix, directrix, part, container), strict=True)
+    given = {name: _read_given(shape) for name, shape in asked if shape is not None}
     try:
         _check_types(certificate)
         is_claim = type(certificate) is dict and "claim" in certificate

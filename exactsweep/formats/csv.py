@@ -19,6 +19,7 @@ from exactsweep.formats.decimals import read_each
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
 from exactsweep.formats.wkt import parse_wkt
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import Point, make_points
 
@@ -152,10 +153,8 @@ def _vertices(cells: Sequence[tuple[int, str, str]]) -> list[Point]:
     except ValueError:
         found = []
         for line, x, y in cells:
-            try:
+            with name_refusals(f"line {line}", FormatError):
                 found.append(Point(*read_each([x, y])))
-            except ValueError as error:
-                raise FormatError(f"line {line}: {error}") from None
         return found
 
 

@@ -9,8 +9,9 @@ from typing import TypedDict
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count, require_size
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import NumberError, abridge, quote, to_fraction
+from exactsweep.numbers.number import abridge, quote, to_fraction
 
 MAX_LINES = 20_000
 """The most lines that one curve becomes."""
@@ -191,10 +192,8 @@ def read_positive(value: object, name: str) -> Fraction | None:
     """Read a positive number of a caller, as `to_fraction` does; None stays None."""
     if value is None:
         return None
-    try:
+    with name_refusals(name, FormatError):
         number = to_fraction(value)
-    except NumberError as error:
-        raise FormatError(f"{name}: {error}") from None
     if number <= 0:
         raise FormatError(f"{name}, {abridge(number)}, is not positive")
     return number

@@ -27,7 +27,7 @@ from exactsweep.paper.claim import (
 from exactsweep.paper.data import write_data
 from exactsweep.paper.growth import Growth, Size, double
 from exactsweep.paper.laws import Trial, break_law, shrink
-from exactsweep.paper.ledger import CHECKS, CLAIMS, UnknownClaimError, find, read_rows
+from exactsweep.paper.ledger import CHECKS, CLAIMS, find, read_rows
 from exactsweep.paper.pairs import SweepPair, draw_pair, draw_pairs
 from exactsweep.paper.tiny import is_any, is_convex, list_polygons, search_grid
 from exactsweep.procedures.chain import split
@@ -140,22 +140,6 @@ def test_a_check_that_breaks_off_fails() -> None:
     claim = Claim("A claim", "1", "It holds.", ClaimVerdict.REPRODUCED, (), (), check)
     (row,) = reproduce([claim], Effort())
     assert row.disagreement == "ZeroDivisionError: by zero"
-
-
-@pytest.mark.parametrize(
-    ("name", "meant"),
-    [
-        ("Lema 5.3", "did you mean 'Lemma 5.3'?"),
-        ("5.8", "did you mean 'Corollary 5.8'?"),
-        ("trajectory", "'Sum with the trajectory' or 'Trajectory_CC'"),
-        ("", "'--list' shows them all"),
-        ("xyzzy", "'--list' shows them all"),
-    ],
-)
-def test_an_unknown_name_is_refused_with_a_suggestion(name: str, meant: str) -> None:
-    with pytest.raises(UnknownClaimError) as refusal:
-        find(name)
-    assert meant in str(refusal.value)
 
 
 def test_names_are_found_in_any_spelling() -> None:

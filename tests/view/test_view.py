@@ -13,6 +13,7 @@ import pytest
 from command import EXAMPLE, HOUSE, NOTCH, refusal, run
 from contacts import between, without_parts
 from hypothesis import given
+from shown import find_stops
 from strategies import pairs, points
 from tiers import examples
 
@@ -21,7 +22,7 @@ from exactsweep.draw import Scale
 from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.view import make_page
-from exactsweep.view.data import find_stops, gather_page_data
+from exactsweep.view.data import gather_page_data
 from exactsweep.view.meetings import Meetings
 from exactsweep.view.page import embed_json
 
@@ -113,19 +114,6 @@ def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
             # Two places, each rounded once, and their sum.
             for a, b, parts in zip(shown, exact, ((px, qx), (py, qy)), strict=True):
                 assert abs(Fraction(a) - Fraction(b)) <= 2 * ulp(max(1.0, *map(abs, parts)))
-
-
-def test_what_stands_still_is_scaled_exactly() -> None:
-    big = sweep(*([(x * 10**30, y * 10**30) for x, y in p.vertices] for p in (
-        EXAMPLE.generatrix, EXAMPLE.directrix)))  # fmt: skip
-    data = gather_page_data(big)
-    for name in ("directrix", "inner", "outer"):
-        loop = getattr(EXAMPLE, name).vertices
-        assert places(data[name]["places"]) == [(float(x), float(y)) for x, y in loop]
-        assert exact_points(data[name]["exact"]) == points(
-            *((x * 10**30, y * 10**30) for x, y in loop)
-        )
-    assert data["fits"] == []
 
 
 def test_features_have_the_numbers_of_the_input() -> None:

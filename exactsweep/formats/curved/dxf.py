@@ -25,6 +25,7 @@ from exactsweep.formats.curved.join import OpenLine, gather
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.point import Point
 
 # Entities without an outline: fillings, which repeat one, and lines without an end.
@@ -68,9 +69,15 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
 
 
 def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
-    place, layer = placed.place, placed.layer
+    place, layer, kind = placed.place, placed.layer, placed.entity.kind
     try:
-        drawn = _read(placed, reading)
+        if placed.fault:
+            raise FormatError(placed.fault)
+        if kind in _ORNAMENTS:
+            raise OrnamentError("no outline")
+        if kind not in _READERS:
+            raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
+        drawn = _READERS[kind](placed.entity, placed.image, reading)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
@@ -81,22 +88,9 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
     return OpenLine(place, ends, points, drawn.shape, drawn.is_exact, layer=layer)
 
 
-def _read(placed: PlacedEntity, reading: Reading) -> _Drawn:
-    if placed.fault:
-        raise FormatError(placed.fault)
-    if placed.entity.kind in _ORNAMENTS:
-        raise OrnamentError("no outline")
-    reader = _READERS.get(placed.entity.kind)
-    if reader is None:
-        raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
-    return reader(placed.entity, placed.image, reading)
-
-
 def _name_place(place: str, points: _PointReader) -> Sequence[Point]:
-    try:
+    with name_refusals(place):
         return points()
-    except FormatError as error:
-        raise FormatError(f"{place}: {error}") from None
 
 
 def _read_line(entity: Entity, image: Affine, reading: Reading) -> _Drawn:

@@ -297,10 +297,8 @@ def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
 
 
 def _read_group(code: int, texts: Sequence[str]) -> list[Fraction]:
-    try:
+    with name_refusals(f"group {code}", FormatError):
         return read_each(texts)
-    except ValueError as error:
-        raise FormatError(f"group {code}: {error}") from None
 
 
 def _read_column(

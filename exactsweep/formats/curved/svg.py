@@ -14,7 +14,7 @@ from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, gather
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
-from exactsweep.formats.curved.svg_style import Style, name_kind
+from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.error import FormatError, OrnamentError
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 _GROUPS = {"svg", "g", "a"}
 _CONDITIONS = {"requiredExtensions", "requiredFeatures", "systemLanguage"}
 _INVISIBLE = ("hidden", "collapse")
-_LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 MAX_DEPTH = 32
 """The greatest depth of nested uses."""
@@ -104,7 +103,7 @@ class _Document:
         elements = list(root.iter())
         self.by_id = {e.attrib["id"]: e for e in reversed(elements) if "id" in e.attrib}
         self.used = 0
-        linked = {e.get(link, "").removeprefix("#") for e in elements for link in _LINKS}
+        linked = {find_link(e).removeprefix("#") for e in elements}
         # Definitions that nothing draws.
         self.spare = {
             child
@@ -149,7 +148,7 @@ class _Document:
             yield placed
 
     def _follow_use(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
-        link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
+        link = find_link(placed.element)
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
             # The target is missing. The reader of shapes reports it.

@@ -258,11 +258,11 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
 
     def count(m: int, n: int) -> tuple[int, float]:
         top, _, directrix = SweepPair(*family(m, n)).chains
-        edges = make_counted(inverse(top))  # type: ignore[arg-type]
+        edges = make_counted(inverse(top))
         with watch_operations() as tally:
             pieces = [
                 Envelope.of(merge_by_slope(edges, part))
-                for part in find_convex_parts(make_counted(directrix))  # type: ignore[arg-type]
+                for part in find_convex_parts(make_counted(directrix))
             ]
             handed_in = sum(len(piece.pieces) for piece in pieces)
             partial, before = _watch_slots(pieces[0]), tally.total
