@@ -45,6 +45,10 @@ def test_many_rings_are_judged_as_few_are() -> None:
     assert judge(SLOT, tiny).verdict is Verdict.WRONG
 
 
+def test_what_is_no_ring_is_named() -> None:
+    assert judge(SLOT, [[[0, 0]], 7]).reason == "$.trajectory[1] is 7, not a ring"
+
+
 def test_a_loop_that_is_too_large_is_refused() -> None:
     with limits(max_mib=0.001):
         found = judge(SLOT, [[k, k * k] for k in range(100)])
