@@ -318,7 +318,6 @@ def match_rings(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bo
 def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fraction) -> bool:
     for axis in (0, 1):
         one, other = ([point[axis] for point in ring] for ring in (exact, theirs))
-        # This saves walks that cannot succeed.
         if (
             abs(min(one) - min(other)) >= rounding or abs(max(one) - max(other)) >= rounding
         ):  # pragma: no mutate: costs only time
@@ -356,9 +355,7 @@ def _walk(
         upper: dict[int, _EdgePart] = {}
         # Where vertex i is close to the start of the second path, the lower side begins there.
         left = None
-        columns = sorted(lower)
-        for k, start in enumerate(columns):
-            stop = columns[k + 1] if k + 1 < len(columns) else n
+        for start, stop in pairwise([*sorted(lower), n]):
             for j in range(start, stop):
                 below = lower.get(j)
                 if (below is None and left is None) or next(cells, None) is None:
