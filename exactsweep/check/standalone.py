@@ -1,7 +1,10 @@
 """Checker of certificates: one file that needs Python's standard library alone, to be read.
 
 `CERTIFICATES.md` says what is read. A checker adds up; it never searches. Points are homogeneous,
-ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y + c w > 0.
+ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y + c w > 0. Layouts,
+positions and sweeps with a shared direction have a section each. Read one of these and the sections
+"Reading" and "Points, lines and rings"; the first two need "Shapes and pieces", too, and the last
+two "Areas and answers".
 
 1. Pieces. The rings of a shape are simple and do not cross, holes are inside the exterior and in no
    other hole, and a circle of rings that touch, which would part the interior, is refused: so the
@@ -109,6 +112,9 @@ Tree = tuple[Grid, int, Any]
 T = TypeVar("T")
 
 
+# --- Reading --------------------------------------------------------------------------------------
+
+
 class Refused(Exception):  # noqa: N818
     """The first reason for which a certificate is not proved, and perhaps a point that shows it."""
 
@@ -120,13 +126,13 @@ class Refused(Exception):  # noqa: N818
 class Work:
     """The budget of steps that is left, how many one takes, and the scale of the boxes."""
 
-    def __init__(self, steps: int) -> None:
+    def __init__(self, steps: float) -> None:
         self.left, self.weight, self.scale, self.numbers = steps, 1, 1, 0
         self.reason = f"too large: to check it would take more than {steps} steps"
 
-    def take(self, steps: int) -> None:
-        """Take steps, or refuse the certificate."""
-        self.left -= steps * self.weight
+    def take(self, steps: int, bits: int = 0) -> None:
+        """Take steps, on numbers of so many bits if these are given, or refuse the certificate."""
+        self.left -= steps * (weight(bits) if bits else self.weight)
         need(self.left >= 0, self.reason)
 
     def read(self, item: Any, levels: int = 8) -> int:
@@ -235,16 +241,6 @@ def least_first(item: Any) -> Ring:
     return points
 
 
-def find_scale(points: Ring) -> int:
-    """Return the least common denominator, or 1 if it is of no use, far longer than each."""
-    scale, longest = 1, max(w.bit_length() for _, _, w in points)
-    for _, _, w in points:
-        scale = lcm(scale, w)
-        if scale.bit_length() > max(256, 2 * longest):
-            return 1
-    return scale
-
-
 def drop_repeated(points: Ring) -> Ring:
     """Return a ring in which points that are repeated one after the other count once."""
     found = [p for k, p in enumerate(points) if p != points[k - 1]]
@@ -262,6 +258,9 @@ def shape(item: Any, optional: str = "") -> list[Ring]:
     exterior, holes = fields(item, "exterior", f"holes {optional}")[:2]
     rings = [ring(exterior), *map(ring, [] if holes is None else items(holes))]
     return [one[::-1] if (double_area(one) > 0) == bool(k) else one for k, one in enumerate(rings)]
+
+
+# --- Points, lines and rings ----------------------------------------------------------------------
 
 
 def reduce(a: int, b: int, c: int) -> Node:
@@ -325,19 +324,38 @@ def lies(p: Node, a: Node, b: Node) -> bool:
     return side(line(a, b), p) == 0 and sorted(map(place, (a, p, b)))[1] == place(p)
 
 
-def do_cross(p: Node, q: Node, r: Node, s: Node) -> bool:
-    """Return whether two edges cross in their middles."""
-    one, other = line(p, q), line(r, s)
-    return side(one, r) * side(one, s) < 0 and side(other, p) * side(other, q) < 0
+def winding(known: list[Edge], p: Node) -> int:
+    """Return how many times edges of rings go around a point, which is on none of them."""
+    found = 0
+    for a, b in known:
+        is_up, ends = a[1] * p[2] <= p[1] * a[2], b[1] * p[2] <= p[1] * b[2]
+        if is_up != ends:
+            at = side(line(a, b), p)
+            found += is_up * (at > 0) - ends * (at < 0)
+    return found
 
 
-def do_clash(p: Node, q: Node, r: Node, s: Node, apart: int, count: int) -> bool:
-    """Return whether two edges of a ring, so many apart, keep it from being simple."""
-    if apart in (1, count - 1):  # neighbours: one must not go back along the other
-        (a, b), c = ((p, q), s) if q == r else ((r, s), q)
-        return lies(c, a, b) or lies(a, b, c)
-    touch = lies(p, r, s) or lies(q, r, s) or lies(r, p, q) or lies(s, p, q)
-    return touch or do_cross(p, q, r, s)
+def by_way(u: Sequence[int], v: Sequence[int]) -> int:
+    """Return a number above 0 if a way, or that of a line, is before another, 0 if both are one.
+
+    Both are in one half-turn. It may be closed for lines, which then go from down to up.
+    """
+    return u[0] * v[1] - u[1] * v[0] or (u[0] > 0 > v[0]) - (v[0] > 0 > u[0])
+
+
+def merge(u: Sequence[Any], v: Sequence[Any]) -> list[tuple[int, int]]:
+    """Return how many of each of two lists of ways, by angle, are before each of both, and all."""
+    i, j, found = 0, 0, [(0, 0)]
+    while i < len(u) or j < len(v):
+        left = (j == len(v)) - (i == len(u)) or by_way(u[i], v[j])
+        i, j = i + (left >= 0), j + (left <= 0)
+        found.append((i, j))
+    return found
+
+
+def count(rings: Sequence[Sequence[Any]]) -> int:
+    """Count the entries of lists."""
+    return sum(map(len, rings))
 
 
 def grid_box(points: Sequence[Node], scale: int) -> Grid:
@@ -365,19 +383,22 @@ def list_near(boxes: list[Grid], reach: int, work: Work) -> Iterator[tuple[int, 
                 yield min(a, b), max(a, b)
 
 
-def loop(item: Any, work: Work) -> Ring:
-    """Read a simple ring, counter-clockwise, without straight angles, its least point first."""
-    points = least_first(item)
-    check_shape([points], work)
-    bent = all(side(line(p, q), points[k - 1]) for k, (p, q) in enumerate(edges(points)))
-    need(bent and double_area(points) > 0, "a loop is not canonical")
-    return points
+# --- Shapes and pieces, by (1) --------------------------------------------------------------------
 
 
-def from_lowest(points: Ring) -> Ring:
-    """Let a ring begin with its lowest point, the left one of two."""
-    least = min(range(len(points)), key=lambda k: place(points[k])[::-1])
-    return points[least:] + points[:least]
+def do_cross(p: Node, q: Node, r: Node, s: Node) -> bool:
+    """Return whether two edges cross in their middles."""
+    one, other = line(p, q), line(r, s)
+    return side(one, r) * side(one, s) < 0 and side(other, p) * side(other, q) < 0
+
+
+def do_clash(p: Node, q: Node, r: Node, s: Node, apart: int, count: int) -> bool:
+    """Return whether two edges of a ring, so many apart, keep it from being simple."""
+    if apart in (1, count - 1):  # neighbours: one must not go back along the other
+        (a, b), c = ((p, q), s) if q == r else ((r, s), q)
+        return lies(c, a, b) or lies(a, b, c)
+    touch = lies(p, r, s) or lies(q, r, s) or lies(r, p, q) or lies(s, p, q)
+    return touch or do_cross(p, q, r, s)
 
 
 def solid(rings: list[Ring], item: Any, work: Work, frame: Ring | None = None) -> list[Ring]:
@@ -420,22 +441,265 @@ def check_shape(rings: list[Ring], work: Work) -> None:
         need((winding(of, free) != 0) == (j == 0), "a hole is not in its exterior, or in another")
 
 
-def by_way(u: Sequence[int], v: Sequence[int]) -> int:
-    """Return a number above 0 if a way, or a line, is less than half a turn before another one.
-
-    Opposite ones can be compared if they are lines that go down, the first, and up.
-    """
-    return u[0] * v[1] - u[1] * v[0] or (u[0] > 0 > v[0]) - (v[0] > 0 > u[0])
+def frame(left: Rational, low: Rational, right: Rational, high: Rational) -> Ring:
+    """Return a rectangle."""
+    need(left < right and low < high, "frame: not the ends of a rectangle")
+    return [node(left, low), node(right, low), node(right, high), node(left, high)]
 
 
-def merge(u: Sequence[Any], v: Sequence[Any]) -> list[tuple[int, int]]:
-    """Return how many of each of two lists of ways, by angle, are before each of both, and all."""
-    i, j, found = 0, 0, [(0, 0)]
-    while i < len(u) or j < len(v):
-        left = (j == len(v)) - (i == len(u)) or by_way(u[i], v[j])
-        i, j = i + (left >= 0), j + (left <= 0)
-        found.append((i, j))
-    return found
+# --- Layouts, by (2) ------------------------------------------------------------------------------
+
+
+class Placed(NamedTuple):
+    """Pieces where they are, all their points, boxes, and how far off points may be."""
+
+    pieces: list[Ring]
+    points: Ring
+    boxes: list[Grid]
+    box: Grid
+    error: Fraction
+
+    def holds(self, k: Any, p: Node, closed: bool) -> bool:
+        """Return whether a point is in a piece, or so far inside that the error does not matter."""
+        sides = [line(*e) for e in edges(self.pieces[integer(k, 0, len(self.pieces))])]
+        found = [(Fraction(side(of, p), p[2]), of[0] ** 2 + of[1] ** 2) for of in sides]
+        if closed:
+            return all(h >= 0 for h, _ in found)
+        return all(h > 0 and h**2 > self.error**2 * square for h, square in found)
+
+
+def move_ring(points: Ring, turn: Span, mirrored: bool, move: Node) -> Ring:
+    """Mirror, turn and move a ring; mirrored it would go around the other way."""
+    r = lcm(turn[0].denominator, turn[1].denominator)
+    c, s = int(turn[0] * r), int(turn[1] * r)
+    found = [(-x, y, w) for x, y, w in points[::-1]] if mirrored else points
+    return [add((c * x - s * y, s * x + c * y, r * w), move) for x, y, w in found]
+
+
+def read_turn(item: Any) -> Any:
+    """Read a turn: cosine and sine, or degrees where these are irrational."""
+    if type(item) is list:
+        cosine, sine = place(point(item))
+        need(cosine**2 + sine**2 == 1, "a turn of another length than 1")
+        return cosine, sine
+    degrees = number(item) % 360
+    return degrees if degrees % 90 else tuple(map(Fraction, BOX[int(degrees) // 90]))
+
+
+def turn_error(to: Span, degrees: Fraction) -> Fraction:
+    """Bound how far a turn is from one by degrees, by the power series in steps of 1e-110."""
+    unit = 10**110
+    angle, sums, term, k = int(PI * degrees / 180 * unit), [0, 0, 0, 0], unit, 0
+    while term:
+        sums[k % 4] += term
+        k += 1
+        term = term * angle // (unit * k)
+    cosine, sine = Fraction(sums[0] - sums[2], unit), Fraction(sums[1] - sums[3], unit)
+    return abs(to[0] - cosine) + abs(to[1] - sine) + Fraction(1, 10**95)
+
+
+def are_apart(one: Ring, other: Ring, way: tuple[int, int], distance: Fraction) -> bool:
+    """Return whether a normal shows that points are at a distance from others, to its side."""
+    x, y = way
+    high = max(Fraction(x * p[0] + y * p[1], p[2]) for p in one)
+    gap = min(Fraction(x * p[0] + y * p[1], p[2]) for p in other) - high
+    return (x, y) != (0, 0) and gap >= 0 and gap**2 >= distance**2 * (x * x + y * y)
+
+
+class Layout:
+    """A layout as its certificate has it: valid, by (2), or with faults."""
+
+    def __init__(self, c: dict[str, Any], work: Work) -> None:
+        head = "layout valid turns frame pieces outside apart faults"
+        values = fields(c, head, "format version kind")[:8]
+        layout, self.valid, turns, ends, cut, outside, *lists = values
+        keys = "container parts placements", "spacing margin"
+        container, parts, placements, *gaps = fields(layout, *keys)
+        self.gaps = ["0" if gap is None else gap for gap in gaps]
+        self.spacing, self.margin = map(number, self.gaps)
+        self.work, (self.apart, self.faults) = work, map(items, lists)
+        self.frame = frame(*map(number, items(ends, 4)))
+        need(type(self.valid) is bool, "valid: neither true nor false")
+        need(not self.valid or None not in (outside, *items(cut)), "pieces: some are missing")
+        need(self.spacing >= 0 <= self.margin, "a spacing or a margin below 0")
+        work.fit([self.frame])
+
+        rules = "demand turns mirrored"
+        self.parts = [fields(part, "id exterior", f"holes {rules}") for part in items(parts)]
+        self.ids = [part[0] for part in self.parts]
+        unique = {*map(type, self.ids)} <= {str} and len({*self.ids}) == len(self.ids)
+        need(unique, "parts: ids are strings, each of one part")
+        self.rings = [shape(part, f"id {rules}") for part in parts]
+        both = zip(items(cut, len(parts)), self.rings, strict=True)
+        pieces = [[] if e is None else solid(rings, e, work) for e, rings in both]
+        self.facts: list[tuple[int, Any, bool]] = []
+        self.placed: list[Placed] = []
+        for item, rational in zip(items(placements), items(turns, len(placements)), strict=True):
+            name, asked, move, mirrored = fields(item, "part turn move", "mirrored")
+            need(type(name) is str and name in self.ids, "placements: of no part")
+            need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
+            k, turn, to = self.ids.index(name), read_turn(asked), read_turn(items(rational))
+            work.take(len(self.ids) + count(self.rings[k]) + count(pieces[k]))
+            far = max(sum(map(abs, place(p)), NONE) for points in self.rings[k] for p in points)
+            error = NONE if type(turn) is tuple else far * turn_error(to, turn)
+            need(error > 0 or turn == to, "turns: not the turn of the placement")
+            self.facts.append((k, turn, bool(mirrored)))
+            by = point(move)
+            self.put([move_ring(e, to, bool(mirrored), by) for e in pieces[k]], error)
+        # All that is outside comes last, for its number is -1.
+        within = shape(container)
+        if outside is None:
+            check_shape(within, work)
+        self.put([] if outside is None else solid(within, outside, work, self.frame), NONE)
+
+    def put(self, pieces: list[Ring], error: Fraction) -> None:
+        """Put pieces where they are."""
+        points = list(chain.from_iterable(pieces)) or [(0, 0, 1)]
+        boxes = [grid_box(piece, self.work.scale) for piece in pieces]
+        self.placed.append(Placed(pieces, points, boxes, grid_box(points, self.work.scale), error))
+
+    def prove(self) -> str:
+        """Prove the claim, and describe it."""
+        found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
+        rules = chain.from_iterable(self.check_rules(k).items() for k in range(len(self.ids)))
+        broken = [kind for kind, holds in rules if holds]
+        if not self.valid:
+            need(self.faults != [] == self.apart, "faults: none, or normals beside them")
+            for fault in self.faults:
+                self.prove_fault(fault)
+            return f"{found}, not valid: {len(self.faults)} faults"
+        need(self.faults == [], "faults: of a valid layout")
+        need(broken == [], f"a part breaks rules: {broken}")
+        self.prove_apart()
+        # As written: str refuses long ints.
+        return f"{found}, valid, spacing {self.gaps[0]}, margin {self.gaps[1]}"
+
+    def check_rules(self, k: int) -> dict[str, bool]:
+        """Return which rules the placements of part k break."""
+        demand, turns, mirrored = self.parts[k][3:]
+        need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
+        found = [fact for fact in self.facts if fact[0] == k]
+        allowed = None if turns is None else [read_turn(turn) for turn in items(turns)]
+        self.work.take(len(self.facts) + len(allowed or []) * len(found))
+        asked = len(found) if demand is None else integer(demand, 0, 10**9)
+        return {
+            "missing": len(found) < asked,
+            "surplus": len(found) > asked,
+            "turn": allowed is not None and any(turn not in allowed for _, turn, _ in found),
+            "mirror": mirrored is False and any(flag for _, _, flag in found),
+        }
+
+    def prove_apart(self) -> None:
+        """Prove that parts are inside the frame, and apart from each other and the container."""
+        normals = {
+            tuple(integer(k, -1, 10**9) for k in items(e, 6)[:4]): point(e[4:])[:2]
+            for e in self.apart
+        }
+        need(len(normals) == len(self.apart), "apart: a pair is there twice")
+        for one in self.placed[:-1]:
+            for p, way in zip(self.frame, BOX, strict=True):
+                inside = are_apart([p], one.points, way, self.margin + one.error)
+                need(inside, "a part reaches beyond the frame")
+        widest = max(self.spacing, self.margin) + 2 * max(one.error for one in self.placed)
+        reach = -int(-widest * self.work.scale // 1)
+        boxes = [one.box for one in (self.placed[-1], *self.placed[:-1])]
+        for a, b in list_near(boxes, reach, self.work):
+            self.prove_pair(a - 1, b - 1, reach, normals)
+
+    def prove_pair(self, a: int, b: int, reach: int, normals: dict[Any, tuple[int, int]]) -> None:
+        """Prove that two shapes are apart: by one normal of both, or for all pairs of pieces."""
+        one, other = self.placed[a], self.placed[b]
+        distance = (self.margin if a < 0 else self.spacing) + one.error + other.error
+        self.work.take(len(one.points) + len(other.points))
+        if (a, -1, b, -1) in normals:
+            whole = are_apart(one.points, other.points, normals[a, -1, b, -1], distance)
+            need(whole, f"{a} and {b}: no normal that parts them")
+            return
+        near = [(j, box) for j, box in enumerate(other.boxes) if are_near(box, one.box, reach)]
+        self.work.take(len(one.pieces) * len(near) // 4)
+        for i, piece in enumerate(one.pieces):
+            for j in [j for j, box in near if are_near(box, one.boxes[i], reach)]:
+                self.work.take(len(piece) + len(other.pieces[j]))
+                ways = [normals[a, i, b, j]] if (a, i, b, j) in normals else BOX
+                apart = any(are_apart(piece, other.pieces[j], way, distance) for way in ways)
+                need(apart, f"piece {i} of {a} and piece {j} of {b}: no normal that parts them")
+
+    def prove_fault(self, fault: Any) -> None:
+        """Prove one fault by its witness."""
+        kind = fault.get("kind") if type(fault) is dict else None
+        if kind in ("overlap", "outside", "too close"):
+            self.prove_near(kind, *fields(fault, "kind placements pieces points")[1:])
+            return
+        name, both = fields(fault, "kind part", "edges")[1:]
+        need(type(name) is str and name in self.ids, "faults: of no part")
+        k = self.ids.index(name)
+        self.work.take(k + count(self.rings[k]))
+        if kind != "shape":
+            need(self.check_rules(k).get(str(kind), False), f"faults: {kind}")
+            return
+        (m, i), (n, j) = ([integer(e, 0, 10**9) for e in items(edge, 2)] for edge in items(both, 2))
+        rings = [edges(ring(e)) for e in (self.parts[k][1], *(self.parts[k][2] or []))]
+        need(m < len(rings) > n and i < len(rings[m]) and j < len(rings[n]), "edges: not there")
+        (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
+        clash = i != j and do_clash(p, q, r, s, (j - i) % size, size)
+        need(clash if m == n else do_cross(p, q, r, s), "faults: the edges do not clash")
+
+    def prove_near(self, kind: str, of: Any, numbers: Any, points: Any) -> None:
+        """Prove that a point is inside two shapes, or that points of them are too close."""
+        a, *others = [integer(n, 0, len(self.facts)) for n in items(of)]
+        need(len(others) < 2 and a not in others, "faults: not of one placement or of two")
+        need(kind == "too close" or (kind == "overlap") == bool(others), f"faults: {kind} of what")
+        one, other = self.placed[a], self.placed[(others or [-1])[0]]
+        self.work.take(len(one.points) + len(other.points))
+        (i, j), (p, q) = items(numbers, 2), (point(end) for end in items(points, 2))
+        room = (self.spacing if others else self.margin) - one.error - other.error
+        (x, y), (u, v) = place(p), place(q)
+        closed = kind == "too close"
+        met = room > 0 and (x - u) ** 2 + (y - v) ** 2 < room**2 if closed else p == q
+        there = one.holds(i, p, closed) and other.holds(j, q, closed)
+        need(met and there, f"faults: the points do not show {kind}")
+
+
+# --- Areas and answers ----------------------------------------------------------------------------
+
+
+def describe(kind: str, g: int, d: int, t: Ring, inner: Ring, outer: Ring, area: str) -> str:
+    """Describe a sweep that is proved; the area as written, for str refuses long ints."""
+    answer = f"trajectory {len(t)}, inner {len(inner)}, outer {len(outer)}, area {area}"
+    return f"{kind} sweep of {g} around {d} vertices, {answer}"
+
+
+def check_area(area: Any, loops: list[Ring], work: Work, unit: int = 1) -> None:
+    """Refuse an area unless it is that of loops, those that are clockwise counted off."""
+    terms: dict[int, int] = defaultdict(int)
+    for p, q in chain.from_iterable(map(edges, loops)):
+        terms[p[2] * q[2]] += p[0] * q[1] - q[0] * p[1]
+    work.weight = weight(sum(w.bit_length() for w in terms))
+    work.take(1)
+    parts = [*terms.items()]
+    while len(parts) > 1:
+        both = zip(parts[::2], parts[1::2], strict=False)
+        parts = [(v * w, m * w + n * v) for (v, m), (w, n) in both] + parts[len(parts) & ~1 :]
+    ((w, n),), found = parts, 2 * unit * under("area", number, area)
+    need(n * found.denominator == found.numerator * w, "area: not that between the loops")
+
+
+# --- Positions, by (3) to (5) ---------------------------------------------------------------------
+
+
+def loop(item: Any, work: Work) -> Ring:
+    """Read a simple ring, counter-clockwise, without straight angles, its least point first."""
+    points = least_first(item)
+    check_shape([points], work)
+    bent = all(side(line(p, q), points[k - 1]) for k, (p, q) in enumerate(edges(points)))
+    need(bent and double_area(points) > 0, "a loop is not canonical")
+    return points
+
+
+def from_lowest(points: Ring) -> Ring:
+    """Let a ring begin with its lowest point, the left one of two."""
+    least = min(range(len(points)), key=lambda k: place(points[k])[::-1])
+    return points[least:] + points[:least]
 
 
 def add_convex(one: Ring, other: Ring) -> Ring:
@@ -593,32 +857,10 @@ def prove_positions(
             need(alone, "a fit of one point is on a loop or another fit")
 
 
-def winding(known: list[Edge], p: Node) -> int:
-    """Return how many times edges of rings go around a point, which is on none of them."""
-    found = 0
-    for a, b in known:
-        is_up, ends = a[1] * p[2] <= p[1] * a[2], b[1] * p[2] <= p[1] * b[2]
-        if is_up != ends:
-            at = side(line(a, b), p)
-            found += is_up * (at > 0) - ends * (at < 0)
-    return found
-
-
-def count(rings: Sequence[Sequence[Any]]) -> int:
-    """Count the entries of lists."""
-    return sum(map(len, rings))
-
-
 def middle(points: Ring) -> Node:
     """Return a point inside a convex ring."""
     x, y, w = add(add(points[0], points[1]), points[2])
     return x, y, 3 * w
-
-
-def frame(left: Rational, low: Rational, right: Rational, high: Rational) -> Ring:
-    """Return a rectangle."""
-    need(left < right and low < high, "frame: not the ends of a rectangle")
-    return [node(left, low), node(right, low), node(right, high), node(left, high)]
 
 
 def find_positions(outer: Ring, h: list[Ring]) -> Ring:
@@ -689,31 +931,23 @@ def prove_sweep(c: dict[str, Any], work: Work) -> str:
     return describe(kind, count(g), count(d), t, inner, outer, area)
 
 
-def describe(kind: str, g: int, d: int, t: Ring, inner: Ring, outer: Ring, area: str) -> str:
-    """Describe a sweep that is proved; the area as written, for str refuses long ints."""
-    answer = f"trajectory {len(t)}, inner {len(inner)}, outer {len(outer)}, area {area}"
-    return f"{kind} sweep of {g} around {d} vertices, {answer}"
+# --- Sweeps with a shared direction, by (6) -------------------------------------------------------
 
 
-def check_area(area: Any, loops: list[Ring], work: Work, unit: int = 1) -> None:
-    """Refuse an area unless it is that of loops, those that are clockwise counted off."""
-    terms: dict[int, int] = defaultdict(int)
-    for p, q in chain.from_iterable(map(edges, loops)):
-        terms[p[2] * q[2]] += p[0] * q[1] - q[0] * p[1]
-    work.weight = weight(sum(w.bit_length() for w in terms))
-    work.take(1)
-    parts = [*terms.items()]
-    while len(parts) > 1:
-        both = zip(parts[::2], parts[1::2], strict=False)
-        parts = [(v * w, m * w + n * v) for (v, m), (w, n) in both] + parts[len(parts) & ~1 :]
-    ((w, n),), found = parts, 2 * unit * under("area", number, area)
-    need(n * found.denominator == found.numerator * w, "area: not that between the loops")
+def find_scale(points: Ring) -> int:
+    """Return the least common denominator, or 1 if it is of no use, far longer than each."""
+    scale, longest = 1, max(w.bit_length() for _, _, w in points)
+    for _, _, w in points:
+        scale = lcm(scale, w)
+        if scale.bit_length() > max(256, 2 * longest):
+            return 1
+    return scale
 
 
 class Part(NamedTuple):
-    """A convex chain from left to right: corners, edges by their numbers, and lines.
+    """A convex chain from left to right: its corners, the numbers of its edges, and their lines.
 
-    Its slopes are those from one line to another, which go straight down or up at ends of loops.
+    It has the slopes from the least to the greatest line, straight down and up where loops end.
     """
 
     points: Ring
@@ -953,11 +1187,9 @@ class Monotone:
                         if piece[0] < high and low < piece[1]:
                             found[contact] = piece
             for (k, start, *_), ends, found in chain.from_iterable(along.values()):
-                name, true = f"contacts[{k}]", [[*contact] for contact in sorted(found)]
-                same = contacts[k] == true and all(
-                    type(n) is int for e in contacts[k] for n in e[1:]
-                )
-                need(same, f"{name}: not the contacts along the edge, in order: {true[:9]}")
+                name, listed, true = f"contacts[{k}]", contacts[k], [[*e] for e in sorted(found)]
+                if listed != true or not all(type(n) is int for e in listed for n in e[1:]):
+                    raise Refused(f"{name}: not the contacts along the edge, in order: {true[:9]}")
                 self.prove_covered(name, ends, [*found.values()], start, sign)
 
     def prove_drawn(self, name: str, drawn: MonotoneLoop, listed: Any) -> None:
@@ -966,8 +1198,9 @@ class Monotone:
             where, of = f"{name}[{k}]", drawn.lines[k]
             pairs = [items(entry, 2) for entry in under(where, items, entries)]
             self.work.take(len(pairs))
-            need(len({*map(str, pairs)}) == len(pairs), f"{where}: a drawing is there twice")
             pieces = [extent(of, self.t.feature(p), self.g.feature(q)) for p, q in pairs]
+            once = len(pairs) < 2 or len({*map(str, pairs)}) == len(pairs)
+            need(once, f"{where}: a drawing is there twice")
             ends = drawn.feature(["edge", k])
             self.prove_covered(where, extent(of, ends), pieces, ends[0])
 
@@ -1006,214 +1239,7 @@ class Monotone:
             raise Refused(reason, wrong[0][1] if wrong else None)
 
 
-class Placed(NamedTuple):
-    """Pieces where they are, all their points, boxes, and how far off points may be."""
-
-    pieces: list[Ring]
-    points: Ring
-    boxes: list[Grid]
-    box: Grid
-    error: Fraction
-
-    def holds(self, k: Any, p: Node, closed: bool) -> bool:
-        """Return whether a point is in a piece, or so far inside that the error does not matter."""
-        sides = [line(*e) for e in edges(self.pieces[integer(k, 0, len(self.pieces))])]
-        found = [(Fraction(side(of, p), p[2]), of[0] ** 2 + of[1] ** 2) for of in sides]
-        if closed:
-            return all(h >= 0 for h, _ in found)
-        return all(h > 0 and h**2 > self.error**2 * square for h, square in found)
-
-
-def move_ring(points: Ring, turn: Span, mirrored: bool, move: Node) -> Ring:
-    """Mirror, turn and move a ring; mirrored it would go around the other way."""
-    r = lcm(turn[0].denominator, turn[1].denominator)
-    c, s = int(turn[0] * r), int(turn[1] * r)
-    found = [(-x, y, w) for x, y, w in points[::-1]] if mirrored else points
-    return [add((c * x - s * y, s * x + c * y, r * w), move) for x, y, w in found]
-
-
-def read_turn(item: Any) -> Any:
-    """Read a turn: cosine and sine, or degrees where these are irrational."""
-    if type(item) is list:
-        cosine, sine = place(point(item))
-        need(cosine**2 + sine**2 == 1, "a turn of another length than 1")
-        return cosine, sine
-    degrees = number(item) % 360
-    return degrees if degrees % 90 else tuple(map(Fraction, BOX[int(degrees) // 90]))
-
-
-def turn_error(to: Span, degrees: Fraction) -> Fraction:
-    """Bound how far a turn is from one by degrees, by the power series in steps of 1e-110."""
-    unit = 10**110
-    angle, sums, term, k = int(PI * degrees / 180 * unit), [0, 0, 0, 0], unit, 0
-    while term:
-        sums[k % 4] += term
-        k += 1
-        term = term * angle // (unit * k)
-    cosine, sine = Fraction(sums[0] - sums[2], unit), Fraction(sums[1] - sums[3], unit)
-    return abs(to[0] - cosine) + abs(to[1] - sine) + Fraction(1, 10**95)
-
-
-def are_apart(one: Ring, other: Ring, way: tuple[int, int], distance: Fraction) -> bool:
-    """Return whether a normal shows that points are at a distance from others, to its side."""
-    x, y = way
-    high = max(Fraction(x * p[0] + y * p[1], p[2]) for p in one)
-    gap = min(Fraction(x * p[0] + y * p[1], p[2]) for p in other) - high
-    return (x, y) != (0, 0) and gap >= 0 and gap**2 >= distance**2 * (x * x + y * y)
-
-
-class Layout:
-    """A layout as its certificate has it: valid, by (2), or with faults."""
-
-    def __init__(self, c: dict[str, Any], work: Work) -> None:
-        head = "layout valid turns frame pieces outside apart faults"
-        values = fields(c, head, "format version kind")[:8]
-        layout, self.valid, turns, ends, cut, outside, *lists = values
-        keys = "container parts placements", "spacing margin"
-        container, parts, placements, *gaps = fields(layout, *keys)
-        self.gaps = ["0" if gap is None else gap for gap in gaps]
-        self.spacing, self.margin = map(number, self.gaps)
-        self.work, (self.apart, self.faults) = work, map(items, lists)
-        self.frame = frame(*map(number, items(ends, 4)))
-        need(type(self.valid) is bool, "valid: neither true nor false")
-        need(not self.valid or None not in (outside, *items(cut)), "pieces: some are missing")
-        need(self.spacing >= 0 <= self.margin, "a spacing or a margin below 0")
-        work.fit([self.frame])
-
-        rules = "demand turns mirrored"
-        self.parts = [fields(part, "id exterior", f"holes {rules}") for part in items(parts)]
-        self.ids = [part[0] for part in self.parts]
-        unique = {*map(type, self.ids)} <= {str} and len({*self.ids}) == len(self.ids)
-        need(unique, "parts: ids are strings, each of one part")
-        self.rings = [shape(part, f"id {rules}") for part in parts]
-        both = zip(items(cut, len(parts)), self.rings, strict=True)
-        pieces = [[] if e is None else solid(rings, e, work) for e, rings in both]
-        self.facts: list[tuple[int, Any, bool]] = []
-        self.placed: list[Placed] = []
-        for item, rational in zip(items(placements), items(turns, len(placements)), strict=True):
-            name, asked, move, mirrored = fields(item, "part turn move", "mirrored")
-            need(type(name) is str and name in self.ids, "placements: of no part")
-            need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
-            k, turn, to = self.ids.index(name), read_turn(asked), read_turn(items(rational))
-            work.take(len(self.ids) + count(self.rings[k]) + count(pieces[k]))
-            far = max(sum(map(abs, place(p)), NONE) for points in self.rings[k] for p in points)
-            error = NONE if type(turn) is tuple else far * turn_error(to, turn)
-            need(error > 0 or turn == to, "turns: not the turn of the placement")
-            self.facts.append((k, turn, bool(mirrored)))
-            by = point(move)
-            self.put([move_ring(e, to, bool(mirrored), by) for e in pieces[k]], error)
-        # All that is outside comes last, for its number is -1.
-        within = shape(container)
-        if outside is None:
-            check_shape(within, work)
-        self.put([] if outside is None else solid(within, outside, work, self.frame), NONE)
-
-    def put(self, pieces: list[Ring], error: Fraction) -> None:
-        """Put pieces where they are."""
-        points = list(chain.from_iterable(pieces)) or [(0, 0, 1)]
-        boxes = [grid_box(piece, self.work.scale) for piece in pieces]
-        self.placed.append(Placed(pieces, points, boxes, grid_box(points, self.work.scale), error))
-
-    def prove(self) -> str:
-        """Prove the claim, and describe it."""
-        found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
-        rules = chain.from_iterable(self.check_rules(k).items() for k in range(len(self.ids)))
-        broken = [kind for kind, holds in rules if holds]
-        if not self.valid:
-            need(self.faults != [] == self.apart, "faults: none, or normals beside them")
-            for fault in self.faults:
-                self.prove_fault(fault)
-            return f"{found}, not valid: {len(self.faults)} faults"
-        need(self.faults == [], "faults: of a valid layout")
-        need(broken == [], f"a part breaks rules: {broken}")
-        self.prove_apart()
-        # As written: str refuses long ints.
-        return f"{found}, valid, spacing {self.gaps[0]}, margin {self.gaps[1]}"
-
-    def check_rules(self, k: int) -> dict[str, bool]:
-        """Return which rules the placements of part k break."""
-        demand, turns, mirrored = self.parts[k][3:]
-        need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
-        found = [fact for fact in self.facts if fact[0] == k]
-        allowed = None if turns is None else [read_turn(turn) for turn in items(turns)]
-        self.work.take(len(self.facts) + len(allowed or []) * len(found))
-        asked = len(found) if demand is None else integer(demand, 0, 10**9)
-        return {
-            "missing": len(found) < asked,
-            "surplus": len(found) > asked,
-            "turn": allowed is not None and any(turn not in allowed for _, turn, _ in found),
-            "mirror": mirrored is False and any(flag for _, _, flag in found),
-        }
-
-    def prove_apart(self) -> None:
-        """Prove that parts are inside the frame, and apart from each other and the container."""
-        normals = {
-            tuple(integer(k, -1, 10**9) for k in items(e, 6)[:4]): point(e[4:])[:2]
-            for e in self.apart
-        }
-        need(len(normals) == len(self.apart), "apart: a pair is there twice")
-        for one in self.placed[:-1]:
-            for p, way in zip(self.frame, BOX, strict=True):
-                inside = are_apart([p], one.points, way, self.margin + one.error)
-                need(inside, "a part reaches beyond the frame")
-        widest = max(self.spacing, self.margin) + 2 * max(one.error for one in self.placed)
-        reach = -int(-widest * self.work.scale // 1)
-        boxes = [one.box for one in (self.placed[-1], *self.placed[:-1])]
-        for a, b in list_near(boxes, reach, self.work):
-            self.prove_pair(a - 1, b - 1, reach, normals)
-
-    def prove_pair(self, a: int, b: int, reach: int, normals: dict[Any, tuple[int, int]]) -> None:
-        """Prove that two shapes are apart: by one normal of both, or for all pairs of pieces."""
-        one, other = self.placed[a], self.placed[b]
-        distance = (self.margin if a < 0 else self.spacing) + one.error + other.error
-        self.work.take(len(one.points) + len(other.points))
-        if (a, -1, b, -1) in normals:
-            whole = are_apart(one.points, other.points, normals[a, -1, b, -1], distance)
-            need(whole, f"{a} and {b}: no normal that parts them")
-            return
-        near = [(j, box) for j, box in enumerate(other.boxes) if are_near(box, one.box, reach)]
-        self.work.take(len(one.pieces) * len(near) // 4)
-        for i, piece in enumerate(one.pieces):
-            for j in [j for j, box in near if are_near(box, one.boxes[i], reach)]:
-                self.work.take(len(piece) + len(other.pieces[j]))
-                ways = [normals[a, i, b, j]] if (a, i, b, j) in normals else BOX
-                apart = any(are_apart(piece, other.pieces[j], way, distance) for way in ways)
-                need(apart, f"piece {i} of {a} and piece {j} of {b}: no normal that parts them")
-
-    def prove_fault(self, fault: Any) -> None:
-        """Prove one fault by its witness."""
-        kind = fault.get("kind") if type(fault) is dict else None
-        if kind in ("overlap", "outside", "too close"):
-            self.prove_near(kind, *fields(fault, "kind placements pieces points")[1:])
-            return
-        name, both = fields(fault, "kind part", "edges")[1:]
-        need(type(name) is str and name in self.ids, "faults: of no part")
-        k = self.ids.index(name)
-        self.work.take(k + count(self.rings[k]))
-        if kind != "shape":
-            need(self.check_rules(k).get(str(kind), False), f"faults: {kind}")
-            return
-        (m, i), (n, j) = ([integer(e, 0, 10**9) for e in items(edge, 2)] for edge in items(both, 2))
-        rings = [edges(ring(e)) for e in (self.parts[k][1], *(self.parts[k][2] or []))]
-        need(m < len(rings) > n and i < len(rings[m]) and j < len(rings[n]), "edges: not there")
-        (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
-        clash = i != j and do_clash(p, q, r, s, (j - i) % size, size)
-        need(clash if m == n else do_cross(p, q, r, s), "faults: the edges do not clash")
-
-    def prove_near(self, kind: str, of: Any, numbers: Any, points: Any) -> None:
-        """Prove that a point is inside two shapes, or that points of them are too close."""
-        a, *others = [integer(n, 0, len(self.facts)) for n in items(of)]
-        need(len(others) < 2 and a not in others, "faults: not of one placement or of two")
-        need(kind == "too close" or (kind == "overlap") == bool(others), f"faults: {kind} of what")
-        one, other = self.placed[a], self.placed[(others or [-1])[0]]
-        self.work.take(len(one.points) + len(other.points))
-        (i, j), (p, q) = items(numbers, 2), (point(end) for end in items(points, 2))
-        room = (self.spacing if others else self.margin) - one.error - other.error
-        square = sum((c - d) ** 2 for c, d in zip(place(p), place(q), strict=True))
-        closed = kind == "too close"
-        met = room > 0 and square < room**2 if closed else p == q
-        there = one.holds(i, p, closed) and other.holds(j, q, closed)
-        need(met and there, f"faults: the points do not show {kind}")
+# --- Questions ------------------------------------------------------------------------------------
 
 
 def outline(points: Ring) -> Ring:
@@ -1238,7 +1264,7 @@ def check_given(certificate: Any, key: str, rings: list[Ring]) -> None:
 def read_given(text: str) -> list[Ring]:
     """Read a shape or a ring from JSON, its numbers exactly as they are written."""
     need(not re.search("[eE][-+]?0*[1-9][0-9]{4}", text), "a number with too large an exponent")
-    item = json.loads(text, parse_float=str, parse_int=str, parse_constant=str)
+    item = json.loads(text, parse_float=str, parse_int=str)
     rings = [item] if type(item) is list else [item["exterior"], *item.get("holes", [])]
     return [[node(*map(Fraction, items(p, 2))) for p in points] for points in rings]
 
