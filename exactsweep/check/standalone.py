@@ -653,9 +653,9 @@ class Layout:
         self.work.take(len(one.points) + len(other.points))
         (i, j), (p, q) = items(numbers, 2), (point(end) for end in items(points, 2))
         room = (self.spacing if others else self.margin) - one.error - other.error
-        square = sum((c - d) ** 2 for c, d in zip(place(p), place(q), strict=True))
+        (x, y), (u, v) = place(p), place(q)
         closed = kind == "too close"
-        met = room > 0 and square < room**2 if closed else p == q
+        met = room > 0 and (x - u) ** 2 + (y - v) ** 2 < room**2 if closed else p == q
         there = one.holds(i, p, closed) and other.holds(j, q, closed)
         need(met and there, f"faults: the points do not show {kind}")
 
@@ -945,9 +945,9 @@ def find_scale(points: Ring) -> int:
 
 
 class Part(NamedTuple):
-    """A convex chain from left to right: corners, edges by their numbers, and lines.
+    """A convex chain from left to right: its corners, the numbers of its edges, and their lines.
 
-    Its slopes are those from one line to another, which go straight down or up at ends of loops.
+    It has the slopes from the least to the greatest line, straight down and up where loops end.
     """
 
     points: Ring
@@ -1264,7 +1264,7 @@ def check_given(certificate: Any, key: str, rings: list[Ring]) -> None:
 def read_given(text: str) -> list[Ring]:
     """Read a shape or a ring from JSON, its numbers exactly as they are written."""
     need(not re.search("[eE][-+]?0*[1-9][0-9]{4}", text), "a number with too large an exponent")
-    item = json.loads(text, parse_float=str, parse_int=str, parse_constant=str)
+    item = json.loads(text, parse_float=str, parse_int=str)
     rings = [item] if type(item) is list else [item["exterior"], *item.get("holes", [])]
     return [[node(*map(Fraction, items(p, 2))) for p in points] for points in rings]
 

@@ -4,16 +4,20 @@ import json
 import subprocess
 import sys
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import assume, example, given
+from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
 from tampering import get, put
+from tiers import examples
 
 from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import standalone, verify
-from exactsweep.check.standalone import Refused, prove
+from exactsweep.check.standalone import Node, Refused, prove
 from exactsweep.evidence.proof import add_proof
 
 Certificate = dict[str, Any]
@@ -311,6 +315,24 @@ def test_steps_are_no_fewer_than_calls_by_far(name: str, monkeypatch: pytest.Mon
             assert calls < 120 * (standalone.MAX_STEPS - budgets[-1].left), path
 
 
+_points = st.tuples(st.integers(0, 4), st.integers(0, 4), st.integers(1, 2))
+
+
+@examples(100)
+@given(_points, _points, _points, _points)
+@example((0, 0, 1), (2, 0, 1), (1, 1, 1), (1, 2, 1))
+@example((0, 0, 1), (0, 2, 1), (0, 1, 1), (0, 1, 1))
+def test_a_share_is_what_two_edges_have_in_common(a: Node, b: Node, p: Node, q: Node) -> None:
+    """Up to 4 and by halves, segments meet at shares with denominators below 128."""
+    (ax, ay), (bx, by) = map(standalone.place, (a, b))
+    assume((ax, ay) != (bx, by))
+    low, high = standalone.share(a, b, p, q) or standalone.NOWHERE
+    shares = {low, high, (low + high) / 2, *(Fraction(n, 24) for n in range(25))}
+    for k in (k for k in shares if 0 <= k <= 1):
+        at = standalone.node(ax + k * (bx - ax), ay + k * (by - ay))
+        assert standalone.lies(at, p, q) == (low <= k <= high)
+
+
 def run(*arguments: str) -> tuple[int, str]:
     """Run the file by itself, in a process that cannot see the package."""
     done = subprocess.run(
@@ -343,6 +365,8 @@ def test_the_file_proves_certificates_by_itself(
     code, said = run(at["proof"], at["g"], at["d"])
     assert (code, said[:37]) == (0, "proved: CM sweep of 4 around 7 vertic")
     assert run(at["proof"])[0] == 0
+    assert standalone.main([at["proof"], at["g"], at["d"]]) == 0
+    assert capsys.readouterr().out == said
     assert run(at["proof"], at["d"], at["g"]) == (
         1,
         "not proved: generatrix: not the polygon that is given\n",

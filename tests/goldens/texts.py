@@ -26,6 +26,7 @@ from exactsweep import (
     Region,
     Sweep,
     __version__,
+    free_positions,
     inner_fit_polygon,
     no_fit_polygon,
     sweep,
@@ -82,6 +83,9 @@ POSITIONS: dict[str, NoFitPolygon | InnerFit] = {
     for asked, answer in (("no fit", no_fit_polygon), ("inner fit", inner_fit_polygon))
     for name, pair in PAIRS[asked].items()
 }
+POSITIONS["placed"] = free_positions(
+    [(0, 0), (9, 0), (9, 5), (0, 5)], [[(3, 2), (5, 2), (4, 3)], [(6, 4), (8, 4), (7, 5)]], SQUARE
+)
 CASES = [
     *("fits-square", "worked-roof", "caves-open-thirds", "holes-hole-at-the-rim"),
     "spelling-clockwise-both",

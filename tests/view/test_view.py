@@ -86,12 +86,19 @@ def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
     assert Contact("VV", 3, 3) in s.contacts_at(halfway)
 
 
-@pytest.mark.parametrize("limit", ["_MOST_PAIRS", "_MOST_LOOKS"])
+@pytest.mark.parametrize(
+    ("limit", "most"),
+    [
+        ("_MOST_PAIRS", len(EXAMPLE.generatrix) * len(EXAMPLE.directrix)),
+        ("_MOST_LOOKS", len(Meetings(EXAMPLE).translations) * len(EXAMPLE.trajectory)),
+    ],
+)
 def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
-    monkeypatch: pytest.MonkeyPatch, limit: str
+    monkeypatch: pytest.MonkeyPatch, limit: str, most: int
 ) -> None:
+    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", most)
     assert gather_page_data(EXAMPLE)["hasMeetings"]
-    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", 1)
+    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", most - 1)
     assert not gather_page_data(EXAMPLE)["hasMeetings"]
     assert [stop.position for stop in find_stops(EXAMPLE)] == list(EXAMPLE.trajectory.vertices)
 
