@@ -12,6 +12,7 @@ from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_rang
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
+from exactsweep.geometry.vectors import cross, way_key
 from exactsweep.numbers.point import Point, PointRings
 
 NEAR = Fraction(1, 10**14)
@@ -152,7 +153,7 @@ def _slopes(case: AnsweredPair) -> Iterator[str]:
         yield "vertical-edge"
     if d & g:
         yield "parallel-edges"
-    ordered = sorted(d | g, key=_slope)
+    ordered = sorted(d | g, key=way_key)
     if any(_near(u, v) for u, v in pairwise((*ordered, ordered[0]))):
         yield "near-parallel"
 
@@ -166,15 +167,9 @@ def _directions(rings: PointRings) -> set[Vector]:
     return found
 
 
-def _slope(vector: Vector) -> tuple[int, Fraction]:
-    x, y = vector
-    return (1, Fraction(0)) if x == 0 else (0, Fraction(y, x))
-
-
 def _near(u: Vector, v: Vector) -> bool:
     """Decide whether two directions differ by less than one part in 10**14, and do differ."""
-    cross = u[0] * v[1] - u[1] * v[0]
-    return 0 < cross * cross < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
+    return 0 < cross(u, v) ** 2 < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
 
 
 def _all_edges(case: AnsweredPair) -> Iterator[tuple[Point, Point]]:

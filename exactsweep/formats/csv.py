@@ -147,7 +147,7 @@ def _candidate(name: str, rings: _RowsByRing) -> Candidate:
 
 
 def _vertices(cells: Sequence[tuple[int, str, str]]) -> list[Point]:
-    _, xs, ys = zip(*cells, strict=True)
+    _, xs, ys = zip(*cells, strict=True)  # pragma: no mutate: all rows have three
     try:
         return make_points(read_each(xs), read_each(ys))
     except ValueError:

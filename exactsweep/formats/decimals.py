@@ -93,7 +93,7 @@ def read_each(texts: Sequence[str]) -> list[Fraction]:
     if len({*texts}) == 1:  # as the heights and bulges of vertices nearly always are
         return [read_decimal(texts[0].strip())] * len(texts)
     rows = "\n".join([*texts, ""])
-    found = _DECIMAL.findall(rows) if _ROWS.fullmatch(rows) else []
+    found = rows.split() if _ROWS.fullmatch(rows) else []
     if len(found) != len(texts):
         return [read_decimal(text.strip()) for text in texts]
     return _read_plain(found)

@@ -67,12 +67,6 @@ def _name_tracks(
     return [*found, *(Track(f"exact fit {k}", corners) for k, corners in enumerate(ends))]
 
 
-def find_stops(s: Sweep) -> list[Stop]:
-    """Find all stops of the trajectory, as `track_stops` does."""
-    found, _ = track_stops(s, list_tracks(s)[:1])
-    return found[0]
-
-
 def track_stops(s: Sweep, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
     """Find all stops of tracks, each once around from its first vertex.
 
@@ -135,7 +129,7 @@ def gather_page_data(
         A dict. Places are flat lists x, y, x, y, ... of floats; those of G are relative to the
         point whose path the page shows. "exact" has the coordinates as strings, in the same order.
 
-    Cost: that of `find_stops` and of the loops.
+    Cost: that of `track_stops` and of the loops.
     """
     tell("the loops")
     outer, moved = s.outer.vertices, trace_anchor(s).vertices

@@ -50,6 +50,16 @@ def test_after_a_second_something_is_said_on_a_terminal() -> None:
     assert say(Soon, terminal=False) == ""
 
 
+@pytest.mark.parametrize("terminal", [True, False, None])
+def test_only_a_terminal_is_told(terminal: bool | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Stream(StringIO):
+        def isatty(self) -> bool:
+            return bool(terminal)
+
+    monkeypatch.setattr("sys.stderr", None if terminal is None else Stream())
+    assert working._has_terminal() is bool(terminal)
+
+
 PAIR = (HOUSE, NOTCH)
 
 

@@ -39,6 +39,7 @@ def test_a_lost_fit_is_shrunk_to_a_slot() -> None:
 def test_both_polygons_are_moved_to_the_origin_at_once() -> None:
     d, g = [(100, 200), (104, 200), (100, 205)], [(300, 500), (303, 500), (300, 504)]
     small = shrink(Case.of("far", "", d, g, (7, 9)), lambda case: "wrong", tries=3)
+    assert (small.id, small.title) == ("far-shrunk", "shrunk: ")
     assert small.directrix == Polygon([(0, 0), (4, 0), (0, 5)])
     assert (small.generatrix, small.reference) == (Polygon([(0, 0), (3, 0), (0, 4)]), ORIGIN)
 

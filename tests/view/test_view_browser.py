@@ -8,12 +8,11 @@ from math import ulp
 
 import pytest
 from command import EXAMPLE
-from shown import HEIGHT, Open, Shown, scale_example
+from shown import HEIGHT, Open, Shown, find_stops, scale_example
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.draw import Scale
 from exactsweep.draw.sweeps import trace_anchor
-from exactsweep.view.data import find_stops
 
 SLOT = sweep(
     [(0, 0), (1, 0), (1, 1), (0, 1)],

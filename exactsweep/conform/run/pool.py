@@ -116,7 +116,7 @@ class Judges:
             except BrokenProcessPool:
                 raise JudgeError(f"case {quote(id)}: {_ENDED}") from None
             # One more for each process, so that none waits for the next case to be made.
-            if len(pending) >= 2 * self._pool.count:
+            if len(pending) >= 2 * self._pool.count:  # pragma: no mutate: costs only time
                 yield from _take_results(pending)
         while pending:
             yield from _take_results(pending)

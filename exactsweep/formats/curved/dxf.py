@@ -96,42 +96,46 @@ def _name_place(place: str, points: _PointReader) -> Sequence[Point]:
 def _read_line(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.require_level(entity.take(30, 31, default=0))
     x, y, u, v = entity.take(10, 20, 11, 21)
-    return _open([(Point(x, y), _ZERO), (Point(u, v), _ZERO)], image, reading)
+    return _open([Point(x, y), Point(u, v)], [], image, reading)
 
 
 def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     if entity.kind == "LWPOLYLINE":
-        corners = entity.corners()
+        points, bulges = entity.corners()
     elif entity.flags() & _MESH:
         raise FormatError("a mesh")
     else:
-        corners = entity.vertex_corners(reading)
+        points, bulges = entity.vertex_corners(reading)
     if entity.kind == "LWPOLYLINE" or not entity.flags() & _IN_SPACE:
         image = image @ entity.plane
-    if all(corner == corners[0][0] for corner, _ in corners):
+    if all(point == points[0] for point in points):
         raise OrnamentError("a point")
-    first, last = corners[0][0], corners[-1][0]
     if entity.flags() & _CLOSED:
-        corners.append((first, _ZERO))
-    elif first != last:
-        return _open(corners, image, reading)
-    return _Drawn(partial(_follow, corners, image, reading))
+        points.append(points[0])
+    elif points[0] != points[-1]:
+        return _open(points, bulges, image, reading)
+    return _Drawn(partial(_follow, points, bulges, image, reading))
 
 
-def _open(corners: Sequence[tuple[Point, Fraction]], image: Affine, reading: Reading) -> _Drawn:
-    ends = place_points([corners[0][0], corners[-1][0]], image, reading)
-    shape = tuple(corners) if len(corners) > 2 or corners[0][1] else ()
-    return _Drawn(partial(_follow, corners, image, reading), ends, shape, not image.off)
+def _open(
+    points: Sequence[Point], bulges: Sequence[Fraction], image: Affine, reading: Reading
+) -> _Drawn:
+    ends = place_points([points[0], points[-1]], image, reading)
+    shape = (*points, *bulges) if len(points) > 2 or any(bulges[:1]) else ()
+    return _Drawn(partial(_follow, points, bulges, image, reading), ends, shape, not image.off)
 
 
 def _follow(
-    corners: Sequence[tuple[Point, Fraction]], image: Affine, reading: Reading
+    points: Sequence[Point], bulges: Sequence[Fraction], image: Affine, reading: Reading
 ) -> list[Point]:
     """Go along a polyline; a bulge is the tangent of a fourth of the angle of an arc."""
-    placed = place_points([corner for corner, _ in corners], image, reading)
+    placed = place_points(points, image, reading)
+    if not any(bulges):
+        return placed
     found: list[Point] = []
-    for k, ((start, bulge), (end, _)) in enumerate(pairwise(corners)):
+    for k, (start, end) in enumerate(pairwise(points)):
         found.append(placed[k])
+        bulge = bulges[k]
         if bulge and start != end:
             center = find_arc_center(start, end, (1 - bulge * bulge) / (2 * bulge))
             found += flatten_arc(center, start, end, bulge > 0, image, reading)[1:-1]
@@ -197,8 +201,8 @@ def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     """Read a filled triangle or quadrangle, whose last two corners are the wrong way round."""
     reading.require_level(entity.take(30, 31, 32, 33, default=0))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
-    corners = [(entity.point(code), _ZERO) for code in (*codes, 10)]
-    return _Drawn(partial(_follow, corners, image @ entity.plane, reading))
+    corners = [entity.point(code) for code in (*codes, 10)]
+    return _Drawn(partial(_follow, corners, [], image @ entity.plane, reading))
 
 
 _READERS: dict[str, Callable[[Entity, Affine, Reading], _Drawn]] = {

@@ -128,25 +128,26 @@ class Entity:
         """The name in group 2."""
         return self._text(_NAME, None)
 
-    def corners(self) -> list[tuple[Point, Fraction]]:
-        """Return the vertices of an LWPOLYLINE, each with the bulge of the edge that follows."""
+    def corners(self) -> tuple[list[Point], list[Fraction]]:
+        """Return the vertices of an LWPOLYLINE, and the bulges of the edges that follow them."""
         points = self.points(10)
-        bulges = [Fraction(0)] * len(points)
+        # The last one is for a bulge before all points.
+        bulges = [Fraction(0)] * (len(points) + 1)
         place = -1
         for code, value in self.tags:
             place += code == 10
-            if code == _BULGE and place >= 0:
+            if code == _BULGE:
                 (bulges[place],) = _read_group(_BULGE, [value])
-        return [*zip(points, bulges, strict=True)]
+        return points, bulges[:-1]
 
-    def vertex_corners(self, reading: Reading) -> list[tuple[Point, Fraction]]:
+    def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
         flags = _read_column(self.vertices, _FLAGS, 0)
         # The frame of a fitted curve is not drawn.
         drawn = [v for v, bits in zip(self.vertices, flags, strict=True) if not int(bits) & _FRAME]
         points = make_points(_read_column(drawn, 10), _read_column(drawn, 20))
         reading.require_level(_read_column(drawn, 30, 0))
-        return [*zip(points, _read_column(drawn, _BULGE, 0), strict=True)]
+        return points, _read_column(drawn, _BULGE, 0)
 
     def _text(self, code: int, default: str | None) -> str:
         value = self.values.get(code, default)

@@ -27,7 +27,7 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.laws import break_law, shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_convex, search_grid
+from exactsweep.paper.tiny import search_grid
 
 # Points on an edge at which nothing begins or ends as a rule, and a step too short to matter.
 SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
@@ -168,7 +168,7 @@ def find_overlap_along_directrix(effort: Effort) -> Evidence:
                 return f"with its vertex {reference_point} on ({x}, {y}), G overlaps D"
         return ""
 
-    found = search_grid(2, 6, is_convex, is_convex, overlaps)
+    found = search_grid(2, 6, "convex", "convex", overlaps)
     if found.against is None:
         return replace(found, failure="none of them overlap")
     text, _, *pair = found.against

@@ -14,7 +14,7 @@ from exactsweep.paper.functions import keep_corners, look_up, take_bottom, write
 from exactsweep.paper.growth import double, grow
 from exactsweep.paper.literal import split_at_reflex
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_any, search_grid
+from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 
@@ -78,7 +78,7 @@ def find_loops_apart(effort: Effort) -> Evidence:
             return ""
         return f"G = {known.generatrix} and D = {known.directrix} have them, too, and other loops"
 
-    return search_grid(2, 7, is_any, is_any, fails)
+    return search_grid(2, 7, "any", "any", fails)
 
 
 def generatrix_sweeps_again(pair: SweepPair) -> str:

@@ -48,7 +48,7 @@ class PaperFigure(NamedTuple):
 
 
 def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
-    """Join panels by their letters; what is of no panel alone is under "".
+    """Join panels by their letters. The key "" has the rest of the figure, whose names stay.
 
     >>> dict(join_panels({"a": PaperFigure(shapes={"top": [(0, 0)]})}).shapes)
     {'a_top': [(0, 0)]}
