@@ -530,7 +530,7 @@ class Layout:
         unique = {*map(type, self.ids)} <= {str} and len({*self.ids}) == len(self.ids)
         need(unique, "parts: ids are strings, each of one part")
         self.rings = [shape(part, f"id {rules}") for part in parts]
-        both = zip(items(cut, len(parts)), self.rings, strict=True)
+        both = zip(items(cut, len(parts)), self.rings, strict=True)  # pragma: no mutate: as long
         pieces = [[] if e is None else solid(rings, e, work) for e, rings in both]
         self.facts: list[tuple[int, Any, bool]] = []
         self.placed: list[Placed] = []
@@ -616,7 +616,7 @@ class Layout:
             need(whole, f"{a} and {b}: no normal that parts them")
             return
         near = [(j, box) for j, box in enumerate(other.boxes) if are_near(box, one.box, reach)]
-        self.work.take(len(one.pieces) * len(near) // 4)
+        self.work.take(len(one.pieces) * len(near) // 4)  # pragma: no mutate: steps alone
         for i, piece in enumerate(one.pieces):
             for j in [j for j, box in near if are_near(box, one.boxes[i], reach)]:
                 self.work.take(len(piece) + len(other.pieces[j]))
@@ -711,7 +711,7 @@ def add_convex(one: Ring, other: Ring) -> Ring:
 def clip(sides: list[Node], a: Node, b: Node) -> Span | None:
     """Return the shares of a segment inside open half-planes, from -1 or to 2 if beyond an end."""
     (x, y, w), (u, v, z) = a, b
-    low, high = (-1, 1), (2, 1)
+    low, high = (-1, 1), (2, 1)  # pragma: no mutate: any that are beyond the ends
     for k, m, n in sides:
         at_a, at_b = (k * x + m * y + n * w) * z, (k * u + m * v + n * z) * w
         if at_a <= 0:
@@ -964,8 +964,7 @@ class Part(NamedTuple):
         """Return the part of it that has slopes of another one."""
         start = bisect_left(self.lines, 0, key=lambda of: -by_way(of, other.least))
         end = bisect_right(self.lines, 0, start, key=lambda of: by_way(other.greatest, of))
-        corners = slice(start, end + 1)
-        return Part(self.points[corners], self.numbers[corners], self.lines[start:end])
+        return Part(self.points[start:], self.numbers[start:], self.lines[start:end])
 
 
 class Chain(NamedTuple):
