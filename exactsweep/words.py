@@ -85,3 +85,12 @@ def suggest(word: str, words: Iterable[str]) -> str:
     """
     near = get_close_matches(word, words, n=1, cutoff=0.5)
     return f"; did you mean {quote(near[0])}?" if near else ""
+
+
+def spell_out(text: str) -> str:
+    r"""Write a text on one line, its unprintable characters as Python escapes them.
+
+    >>> spell_out("a\nb")
+    'a\\nb'
+    """
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)

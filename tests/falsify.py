@@ -10,7 +10,6 @@ a test has to notice each.
 from __future__ import annotations
 
 import ast
-import copy
 import json
 import os
 import subprocess
@@ -39,6 +38,7 @@ from families import random_pair
 from layout_adversary import draw_layouts, is_true_layout, refill
 from producer import certificate_of
 from shape_families import random_shapes
+from tampering import get, put
 
 Certificate = dict[str, Any]
 Place = tuple[Any, ...]
@@ -106,18 +106,6 @@ def list_places(item: Any, path: Place = ()) -> list[Place]:
     entries = item.items() if type(item) is dict else enumerate(item) if type(item) is list else ()
     below = [found for key, value in entries for found in list_places(value, (*path, key))]
     return [path, *below]
-
-
-def get(item: Any, path: Place) -> Any:
-    for key in path:
-        item = item[key]
-    return item
-
-
-def put(certificate: Certificate, path: Place, value: Any) -> Certificate:
-    changed = copy.deepcopy(certificate)
-    get(changed, path[:-1])[path[-1]] = value
-    return changed
 
 
 def change(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:

@@ -3,12 +3,13 @@
 All changes have to be caught.
 """
 
-import marshal
+import copy
 import random
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -38,81 +39,77 @@ def changes(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
                 yield name, changed
 
 
-def _edited(certificate: Certificate) -> Certificate:
-    copied: Certificate = marshal.loads(marshal.dumps(certificate))
-    return copied
+def get(item: Any, path: Iterable[Any]) -> Any:
+    for key in path:
+        item = item[key]
+    return item
+
+
+def put(item: Any, path: Sequence[Any], value: Any) -> Any:
+    """Copy a certificate, or a part, with another value at one place."""
+    changed = copy.deepcopy(item)
+    get(changed, path[:-1])[path[-1]] = value
+    return changed
 
 
 def _moved(number: str, by: Fraction) -> str:
     return format_fraction(Fraction(number) + by)
 
 
+def _nudge(certificate: Certificate, path: Sequence[Any], by: Fraction) -> Certificate:
+    moved: Certificate = put(certificate, path, _moved(get(certificate, path), by))
+    return moved
+
+
 def _loops(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
     for loop, evidence in LOOPS.items():
-        n = len(certificate[loop])
+        points, drawn = certificate[loop], certificate[evidence]
+        n = len(points)
         for axis in (0, 1):
             for by in (-NUDGE, NUDGE):
-                c = _edited(certificate)
-                point = c[loop][rng.randrange(n)]
-                point[axis] = _moved(point[axis], by)
-                yield f"{loop}: vertex moved", c
+                yield (
+                    f"{loop}: vertex moved",
+                    _nudge(certificate, (loop, rng.randrange(n), axis), by),
+                )
         i, j = rng.sample(range(n), 2)
-        c = _edited(certificate)
-        c[loop][i], c[loop][j] = c[loop][j], c[loop][i]
-        yield f"{loop}: vertices swapped", c
+        swapped = [points[{i: j, j: i}.get(k, k)] for k in range(n)]
+        yield f"{loop}: vertices swapped", {**certificate, loop: swapped}
         k = rng.randrange(n)
-        for with_evidence in (False, True):
-            c = _edited(certificate)
-            del c[loop][k]
-            if with_evidence:
-                del c[evidence][k]
-            yield f"{loop}: vertex dropped", c
-            c = _edited(certificate)
-            c[loop].insert(k, c[loop][k])
-            if with_evidence:
-                c[evidence].insert(k, c[evidence][k])
-            yield f"{loop}: vertex repeated", c
-            a, b = (tuple(map(Fraction, certificate[loop][m % n])) for m in (k, k + 1))
-            middle = [format_fraction((p + q) / 2) for p, q in zip(a, b, strict=True)]
-            c = _edited(certificate)
-            c[loop].insert(k + 1, middle)
-            if with_evidence:
-                c[evidence].insert(k, c[evidence][k])
-            yield f"{loop}: collinear vertex", c
-        c = _edited(certificate)
-        for key in (loop, evidence):
-            c[key] = c[key][1:] + c[key][:1]
-        yield f"{loop}: begins elsewhere", c
-        c = _edited(certificate)
-        c[loop] = c[loop][:1] + c[loop][:0:-1]
-        yield f"{loop}: clockwise", c
-        c = _edited(certificate)
-        c[loop] = [[_moved(x, NUDGE), y] for x, y in c[loop]]
-        yield f"{loop}: moved as a whole", c
+        a, b = (tuple(map(Fraction, points[m % n])) for m in (k, k + 1))
+        middle = [format_fraction((p + q) / 2) for p, q in zip(a, b, strict=True)]
+        for name, changed, edges in (
+            ("vertex dropped", points[:k] + points[k + 1 :], drawn[:k] + drawn[k + 1 :]),
+            ("vertex repeated", points[: k + 1] + points[k:], drawn[: k + 1] + drawn[k:]),
+            (
+                "collinear vertex",
+                [*points[: k + 1], middle, *points[k + 1 :]],
+                drawn[: k + 1] + drawn[k:],
+            ),
+        ):
+            yield f"{loop}: {name}", {**certificate, loop: changed}
+            yield f"{loop}: {name}", {**certificate, loop: changed, evidence: edges}
+        elsewhere = {key: certificate[key][1:] + certificate[key][:1] for key in (loop, evidence)}
+        yield f"{loop}: begins elsewhere", {**certificate, **elsewhere}
+        yield f"{loop}: clockwise", {**certificate, loop: points[:1] + points[:0:-1]}
+        moved = [[_moved(x, NUDGE), y] for x, y in points]
+        yield f"{loop}: moved as a whole", {**certificate, loop: moved}
         for other in LOOPS.keys() - {loop}:
-            if certificate[loop] != certificate[other]:
-                c = _edited(certificate)
-                c[loop] = c[other]
-                yield "loop: given as another one", c
-                exchanged = {loop: certificate[other], other: certificate[loop]}
-                yield "loops exchanged", {**certificate, **exchanged}
+            if points != certificate[other]:
+                yield "loop: given as another one", {**certificate, loop: certificate[other]}
+                yield "loops exchanged", {**certificate, loop: certificate[other], other: points}
 
 
 def _inputs(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
     for key in ("generatrix", "directrix"):
-        c = _edited(certificate)
-        point = c[key][rng.randrange(len(c[key]))]
-        axis = rng.randrange(2)
-        point[axis] = _moved(point[axis], rng.choice([-NUDGE, NUDGE]))
-        if _is_other_problem(c):
-            yield f"{key}: vertex moved", c
-        c = _edited(certificate)
-        del c[key][rng.randrange(len(c[key]))]
-        yield f"{key}: vertex dropped", c
-    if certificate["generatrix"] != certificate["directrix"]:
-        c = _edited(certificate)
-        c["generatrix"], c["directrix"] = c["directrix"], c["generatrix"]
-        yield "polygons exchanged", c
+        points = certificate[key]
+        place = key, rng.randrange(len(points)), rng.randrange(2)
+        moved = _nudge(certificate, place, rng.choice([-NUDGE, NUDGE]))
+        if _is_other_problem(moved):
+            yield f"{key}: vertex moved", moved
+        k = rng.randrange(len(points))
+        yield f"{key}: vertex dropped", {**certificate, key: points[:k] + points[k + 1 :]}
+    g, d = certificate["generatrix"], certificate["directrix"]
+    yield "polygons exchanged", {**certificate, "generatrix": d, "directrix": g}
 
 
 def _is_other_problem(changed: Certificate) -> bool:
@@ -131,33 +128,25 @@ def _is_other_problem(changed: Certificate) -> bool:
 
 
 def _contacts(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
-    k = rng.randrange(len(certificate["contacts"]))
-    listed = certificate["contacts"][k]
+    edges = certificate["contacts"]
+    k = rng.randrange(len(edges))
+    listed, other = edges[k], edges[k - 1]
     m = rng.randrange(len(listed))
-    for item, count in ((1, len(certificate["generatrix"])), (2, len(certificate["directrix"]))):
-        c = _edited(certificate)
-        c["contacts"][k][m][item] = (listed[m][item] + rng.randrange(1, count)) % count
-        c["contacts"][k].sort()
-        yield "contacts: index changed", c
-    for event in {"EV", "VE", "EE"} - {listed[m][0]}:
-        c = _edited(certificate)
-        c["contacts"][k][m][0] = event
-        c["contacts"][k].sort()
-        yield "contacts: event changed", c
-    c = _edited(certificate)
-    del c["contacts"][k][m]
-    yield "contacts: one dropped", c
-    added = rng.choice(certificate["contacts"][k - 1])
-    if added not in listed:
-        c = _edited(certificate)
-        c["contacts"][k] = sorted([*listed, added])
-        yield "contacts: one added", c
-    c = _edited(certificate)
-    c["contacts"][k].insert(m, listed[m])
-    yield "contacts: one repeated", c
-    c = _edited(certificate)
-    c["contacts"][k], c["contacts"][k - 1] = c["contacts"][k - 1], c["contacts"][k]
-    yield "contacts: edges swapped", c
+    rest, (event, i, j) = listed[:m] + listed[m + 1 :], listed[m]
+    g, d = (len(certificate[key]) for key in ("generatrix", "directrix"))
+    found = {
+        "index changed": [[event, (i + rng.randrange(1, g)) % g, j]],
+        "another index changed": [[event, i, (j + rng.randrange(1, d)) % d]],
+        **{f"{name} instead": [[name, i, j]] for name in ("EV", "VE", "EE") if name != event},
+        "one dropped": [],
+        "one repeated": [listed[m], listed[m]],
+    }
+    if (added := rng.choice(other)) not in listed:
+        found["one added"] = [listed[m], added]
+    for name, entries in found.items():
+        yield f"contacts: {name}", put(certificate, ("contacts", k), sorted([*rest, *entries]))
+    swapped = put(certificate, ("contacts", k), other)
+    yield "contacts: edges swapped", put(swapped, ("contacts", k - 1), listed)
 
 
 def _drawings(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
@@ -166,24 +155,20 @@ def _drawings(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
         k = rng.randrange(len(certificate[key]))
         listed = certificate[key][k]
         m = rng.randrange(len(listed))
+        found = {"one dropped": listed[:m] + listed[m + 1 :]}
         for item, of in ((0, "trajectory"), (1, "generatrix")):
-            c = _edited(certificate)
-            feature = c[key][k][m][item]
-            feature[1] = (feature[1] + rng.randrange(1, len(c[of]))) % len(c[of])
-            if not draws(c, loop, k, c[key][k]):
-                yield f"{key}: place changed", c
-            c = _edited(certificate)
-            feature = c[key][k][m][item]
-            feature[0] = "edge" if feature[0] == "vertex" else "vertex"
-            if not draws(c, loop, k, c[key][k]):
-                yield f"{key}: feature changed", c
-        c = _edited(certificate)
-        del c[key][k][m]
-        if not draws(c, loop, k, c[key][k]):
-            yield f"{key}: one dropped", c
-        c = _edited(certificate)
-        c[key][k] = c[key][k - 1]
-        yield f"{key}: given as that of another edge", c
+            (kind, n), size = listed[m][item], len(certificate[of])
+            found[f"place on the {of} changed"] = put(
+                listed, (m, item, 1), (n + rng.randrange(1, size)) % size
+            )
+            found[f"feature of the {of} changed"] = put(
+                listed, (m, item, 0), "edge" if kind == "vertex" else "vertex"
+            )
+        for name, changed in found.items():
+            if not draws(certificate, loop, k, changed):
+                yield f"{key}: {name}", put(certificate, (key, k), changed)
+        another = put(certificate, (key, k), certificate[key][k - 1])
+        yield f"{key}: given as that of another edge", another
 
 
 def draws(certificate: Certificate, loop: str, k: int, drawings: Iterable[Any]) -> bool:
@@ -226,28 +211,21 @@ def _fits(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
     fits = certificate["exact_fits"]
     x, y = certificate["trajectory"][rng.randrange(len(certificate["trajectory"]))]
     for by in (NUDGE, -NUDGE):
-        c = _edited(certificate)
-        c["exact_fits"] = sorted([*fits, [[x, y], [x, _moved(y, by)]]], key=_as_points)
-        yield "exact_fits: one added", c
+        added = sorted([*fits, [[x, y], [x, _moved(y, by)]]], key=_as_points)
+        yield "exact_fits: one added", {**certificate, "exact_fits": added}
     if not fits:
         return
     k = rng.randrange(len(fits))
-    for end in (0, 1):
-        for axis in (0, 1):
-            for by in (NUDGE, -NUDGE):
-                c = _edited(certificate)
-                point = c["exact_fits"][k][end]
-                point[axis] = _moved(point[axis], by)
-                yield "exact_fits: one longer, shorter or askew", c
-    c = _edited(certificate)
-    del c["exact_fits"][k]
-    yield "exact_fits: one dropped", c
-    c = _edited(certificate)
-    c["exact_fits"].insert(k, fits[k])
-    yield "exact_fits: one repeated", c
-    c = _edited(certificate)
-    c["exact_fits"][k].reverse()
-    yield "exact_fits: hangs by the wrong end", c
+    for end, axis, by in product((0, 1), (0, 1), (NUDGE, -NUDGE)):
+        moved = _nudge(certificate, ("exact_fits", k, end, axis), by)
+        yield "exact_fits: one longer, shorter or askew", moved
+    for name, instead in (
+        ("one dropped", []),
+        ("one repeated", [fits[k], fits[k]]),
+        ("hangs by the wrong end", [fits[k][::-1]]),
+    ):
+        changed = [*fits[:k], *instead, *fits[k + 1 :]]
+        yield f"exact_fits: {name}", {**certificate, "exact_fits": changed}
 
 
 def _as_points(fit: Any) -> list[list[Fraction]]:

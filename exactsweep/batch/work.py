@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -15,7 +16,8 @@ from exactsweep.formats.files import decode_text
 from exactsweep.formats.parsing import find_candidates
 from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.limits import get_max_mib, limits, list_limits
+from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.limits import Limits, get_max_mib, limits, list_limits
 from exactsweep.numbers.number import quote
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggest
@@ -41,6 +43,7 @@ class Chunk(NamedTuple):
         return [Chunk(self.first + k, self.pairs[k : k + 1]) for k in range(len(self.pairs))]
 
 
+@dataclass(frozen=True)
 class Work:
     """A batch as it is sent to every process once.
 
@@ -53,18 +56,11 @@ class Work:
         limits: on what lines may hold, as they are where the batch is made.
     """
 
-    def __init__(
-        self,
-        what: Quantities,
-        generatrices: Sequence[Part],
-        directrices: Sequence[Part],
-        rounding: Rounding | None = None,
-    ) -> None:
-        self.rounding = rounding
-        self.what = what
-        self.generatrices = generatrices
-        self.directrices = directrices
-        self.limits = list_limits()
+    what: Quantities
+    generatrices: Sequence[Part]
+    directrices: Sequence[Part]
+    rounding: Rounding | None = None
+    limits: Limits = field(default_factory=list_limits)
 
     def lines(self, chunk: Chunk) -> list[bytes]:
         """Compute the records of a chunk."""
@@ -143,10 +139,8 @@ class Work:
                 near = suggest(value, self._by_name)
                 raise FormatError(f"$.{name}: there is no part {quote(value)}{near}")
             return _polygon(self._by_name[value], name)
-        try:
+        with name_refusals(name, FormatError):
             return choose(find_candidates(value), None).shape()
-        except ValueError as error:
-            raise FormatError(f"{name}: {error}") from None
 
     @cached_property
     def _by_name(self) -> dict[str, Part]:

@@ -9,8 +9,10 @@ Okabe and Ito.
 
 from __future__ import annotations
 
+import tomllib
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from importlib.resources import files
 from typing import Any
 
 BLACK = "#000000"
@@ -26,49 +28,14 @@ PURPLE = "#cc79a7"
 PALETTE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 """The colours of several things of one kind, such as chains, in order."""
 
-LIGHT = {
-    "directrix": "#5f5f5f",
-    "directrix-fill": "#cccccc",
-    "generatrix": "#0072b2",
-    "generatrix-fill": "#56b4e940",
-    "swept": "#fbf6d0",
-    "outer": "#ee9e00",
-    "inner": "#2e9a60",
-    "undercut": "#d55e00",
-    "undercut-fill": "#d55e0073",
-    "fit": "#c08fd0",
-    "free": "#4faa9a",
-    "free-fill": "#4faa9a50",
-    "path": "#000000",
-    "EV": "#332288",
-    "VE": "#90002b",
-    "EE": "#a0aa4d",
-    "VV": "#6a4000",
-}
+_DATA: dict[str, Any] = tomllib.loads(
+    files("exactsweep.canvas").joinpath("style.toml").read_text(encoding="utf-8")
+)
+LIGHT: dict[str, str] = _DATA["light"]
 """The colour of each thing on a light background."""
-
-DARK = {
-    "directrix": "#b9bbbd",
-    "directrix-fill": "#4a4d52",
-    "generatrix": "#7cc7f2",
-    "generatrix-fill": "#56b4e938",
-    "swept": "#35331f",
-    "outer": "#f9cc20",
-    "inner": "#2fbb78",
-    "undercut": "#e67c13",
-    "undercut-fill": "#e67c1373",
-    "fit": "#d274b8",
-    "free": "#79ffb2",
-    "free-fill": "#79ffb238",
-    "path": "#ffffff",
-    "EV": "#8f80ff",
-    "VE": "#bc3f74",
-    "EE": "#d4dd6b",
-    "VV": "#b06a35",
-}
+DARK: dict[str, str] = _DATA["dark"]
 """The colour of each thing on a dark background."""
-
-JUDGED = {"theirs": "#e7298a", "witness": "#4daf4a"}
+JUDGED: dict[str, str] = _DATA["judged"]
 """The colours of another program's answer and of a witness, in addition to LIGHT."""
 
 
@@ -86,37 +53,11 @@ def write_style_sheet() -> str:
     return f":root {{ {light} }}\n{scheme} {{ :root {{ {dark} }} }}\n"
 
 
-_SETTINGS: Any = {
-    "axes.edgecolor": GREY,
-    "axes.labelsize": 9,
-    "axes.linewidth": 0.6,
-    "figure.dpi": 120,
-    "figure.figsize": (7.2, 4.8),
-    "font.family": ["DejaVu Sans", "sans-serif"],
-    "font.size": 9,
-    "hatch.linewidth": 0.7,
-    "legend.fontsize": 8,
-    "legend.frameon": False,
-    "legend.handlelength": 2.6,
-    "lines.solid_capstyle": "round",
-    "lines.solid_joinstyle": "round",
-    "mathtext.fontset": "dejavusans",
-    "pdf.fonttype": 42,
-    "savefig.dpi": 200,
-    # Keep text as text, so that it can be searched, read aloud and edited.
-    "svg.fonttype": "none",
-    # A salt that replaces random names inside an SVG file.
-    "svg.hashsalt": "exactsweep",
-    "xtick.labelsize": 8,
-    "ytick.labelsize": 8,
-}
-
-
 def use_style() -> AbstractContextManager[None]:
     """Return a context in which matplotlib uses the settings of the style."""
     from matplotlib import rc_context
 
-    return rc_context(_SETTINGS)
+    return rc_context(_DATA["settings"])
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,8 @@ from math import ceil, floor
 from typing import NamedTuple
 
 from exactsweep.check.boxes import BoxTree, Rectangle
-from exactsweep.check.cone import by_turn, cross, divide, subtract
-from exactsweep.check.size import Budget
+from exactsweep.check.cone import by_turn, divide, subtract
+from exactsweep.check.standalone import Work
 from exactsweep.check.uncovered import LinePiece, OpenSets
 from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
 from exactsweep.numbers.point import Edge, Rational, Vertex
@@ -49,7 +49,7 @@ def canonicalize(points: Sequence[Vertex]) -> tuple[Vertex, ...]:
 
 
 def assemble(
-    pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets, budget: Budget
+    pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets, budget: Work
 ) -> Boundary:
     """Assemble loops and fits.
 
@@ -64,7 +64,7 @@ def assemble(
 
     Cost: O(p**2) for p pieces at worst, and the number of sets near each edge; by those that meet.
     """
-    boxes = list(map(_find_box, pieces))
+    boxes = [piece.box for piece in pieces]
     tree = BoxTree(boxes, budget)
     cuts = _find_cuts(pieces, boxes, tree, 2 * sets.bits, budget)
     ahead: dict[Vertex, list[Vertex]] = defaultdict(list)
@@ -97,18 +97,12 @@ def _is_on(p: Vertex, piece: LinePiece) -> bool:
     return dx * p[1] - dy * p[0] == c and piece.holds(p)
 
 
-def _find_box(piece: LinePiece) -> Rectangle:
-    """The box around a piece, rounded outwards."""
-    (ax, ay), (bx, by) = piece.ends
-    return floor(ax), ceil(bx), floor(min(ay, by)), ceil(max(ay, by))
-
-
 def _find_cuts(
     pieces: Sequence[LinePiece],
     boxes: Sequence[Rectangle],
     tree: BoxTree,
     bits: int,
-    budget: Budget,
+    budget: Work,
 ) -> list[dict[Rational, Vertex]]:
     """On each piece its ends and where others meet it, each by its coordinate on the line."""
     cuts = [{piece.low: piece.ends[0], piece.high: piece.ends[1]} for piece in pieces]
@@ -157,7 +151,8 @@ def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
         while True:
             left.discard((p, q))
             if (k := places.get(q)) is not None:
-                loops.append(_make_loop(walk[k:]))
+                (ax, ay), (bx, by) = walk[k : k + 2]
+                loops.append(WalkedLoop(tuple(walk[k:]), (divide(ax + bx, 2), divide(ay + by, 2))))
                 for gone in walk[k + 1 :]:
                     del places[gone]
                 del walk[k + 1 :]
@@ -179,13 +174,3 @@ def _choose_next(p: Vertex, q: Vertex, ends: Sequence[Vertex]) -> Vertex:
     before = [way for way in turned if by_turn(way) < by_turn(back)]
     dx, dy = (before or turned)[-1]
     return q[0] + dx, q[1] + dy
-
-
-def _make_loop(points: Sequence[Vertex]) -> WalkedLoop:
-    (ax, ay), (bx, by) = points[:2]
-    corners = [
-        q
-        for p, q, r in zip((points[-1], *points), points, (*points[1:], points[0]), strict=False)
-        if cross(subtract(q, p), subtract(r, q))
-    ]
-    return WalkedLoop(tuple(corners), (divide(ax + bx, 2), divide(ay + by, 2)))

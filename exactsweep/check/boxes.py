@@ -8,7 +8,7 @@ from math import isqrt
 from operator import attrgetter
 from typing import NamedTuple, TypeVar
 
-from exactsweep.check.size import Budget
+from exactsweep.check.standalone import Work
 from exactsweep.numbers.point import Rational, Vertex
 
 Rectangle = tuple[Rational, Rational, Rational, Rational]
@@ -54,7 +54,7 @@ class BoxTree:
         packing", Data Engineering 1997.
     """
 
-    def __init__(self, boxes: Sequence[Rectangle], budget: Budget) -> None:
+    def __init__(self, boxes: Sequence[Rectangle], budget: Work) -> None:
         self._boxes, self._budget = boxes, budget
         budget.take(6 * len(boxes))
         branches = [

@@ -19,14 +19,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import zip_longest
+from itertools import chain, zip_longest
 from typing import Any
 
 from exactsweep.check import standalone
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.check.no_fit import find_inner_fit, find_no_fit, find_swept
 from exactsweep.check.shape import Outlines
-from exactsweep.check.size import Budget
 from exactsweep.check.standalone import (
     Node,
     Refused,
@@ -64,16 +63,15 @@ def prove_claim(certificate: dict[str, Any], max_steps: int) -> None:
     if type(claim) is not str or claim not in _KEYS:
         raise Refused(f"claim is not {', '.join(_KEYS)}")
     fields(certificate, " ".join(_KEYS[claim]), "format version claim proof")
-    budget = Budget(max_steps)
+    work = Work(max_steps)
     names = _KEYS[claim][:2]
     d, g = shapes = [_read_shape(certificate[name], name) for name in names]
-    _take_all_pairs(d, g, budget)
-    work = Work(max_steps)
+    _take_all_pairs(d, g, work)
     work.fit([_enter(d[0]), _enter(g[0])])
     for name, shape in zip(names, shapes, strict=True):
         _check_shape(name, shape, work)
     find = _find_inner_fit if claim == "inner_fit" else _find_no_fit
-    for key, found in find(certificate, shapes, budget):
+    for key, found in find(certificate, shapes, work):
         _compare(key, certificate[key], _write(found))
 
 
@@ -95,7 +93,7 @@ def _check_shape(name: str, shape: Outlines, work: Work) -> None:
         raise Refused(f"{name}: not canonical, or its holes are not sorted")
 
 
-def _take_all_pairs(d: Outlines, g: Outlines, budget: Budget) -> None:
+def _take_all_pairs(d: Outlines, g: Outlines, budget: Work) -> None:
     """Refuse at once what would take too long in any case: all vertices, and all pairs of edges."""
     m, n = (sum(map(len, rings)) for rings in (d, g))
     bits = max(c.bit_length() for ring in (*d, *g) for p in _enter(ring) for c in p)
@@ -103,7 +101,7 @@ def _take_all_pairs(d: Outlines, g: Outlines, budget: Budget) -> None:
 
 
 def _find_no_fit(
-    certificate: dict[str, Any], shapes: Sequence[Outlines], budget: Budget
+    certificate: dict[str, Any], shapes: Sequence[Outlines], budget: Work
 ) -> Iterator[tuple[str, Any]]:
     """Find the answer to the claims `no_fit` and `sweep`, each entry after the last is compared."""
     d, g = shapes
@@ -123,7 +121,7 @@ def _find_no_fit(
 
 
 def _find_inner_fit(
-    _: dict[str, Any], shapes: Sequence[Outlines], budget: Budget
+    _: dict[str, Any], shapes: Sequence[Outlines], budget: Work
 ) -> Iterator[tuple[str, Any]]:
     container, part = shapes
     found = find_inner_fit(container, part, budget)
@@ -148,38 +146,29 @@ def _write(item: Any) -> Any:
 
 
 def _compare(name: str, claimed: Any, true: Any) -> None:
-    """Raise Refused for the first entry of a list that differs."""
+    """Raise Refused for the first entry of a list that differs, and a point that just one has."""
     if claimed == true:
         return
     if type(claimed) is not list or type(true) is not list:
         raise Refused(f"{name}: not {true if type(true) is str else 'a list'}")
-    k, invented, missed = _find_difference(claimed, true)
-    witness = _find_witness(invented, missed)
-    if invented is not None:
-        raise Refused(f"{name}[{k}]: not in the answer", witness)
-    if missed is not None:
-        raise Refused(f"{name}: one is missing", witness)
-    raise Refused(f"{name}: not in order, or one is listed twice")
-
-
-def _find_difference(claimed: list[Any], true: list[Any]) -> tuple[int, Any, Any]:
-    """Find where lists differ first: the entries, unless they are elsewhere, too."""
+    one, other = (dict.fromkeys(_list_points(item)) for item in (claimed, true))
+    witness = next(
+        chain((p for p in one if p not in other), (p for p in other if p not in one)), None
+    )
     pairs = enumerate(zip_longest(claimed, true, fillvalue=()))
-    k, (one, other) = next((k, pair) for k, pair in pairs if pair[0] != pair[1])
-    return k, None if one in (*true, ()) else one, None if other in (*claimed, ()) else other
+    k = next(k for k, pair in pairs if pair[0] != pair[1])
+    if claimed[k : k + 1] and claimed[k] not in true:
+        raise Refused(f"{name}[{k}]: not in the answer", witness)
+    if true[k : k + 1] and true[k] not in claimed:
+        raise Refused(f"{name}: one is missing", witness)
+    raise Refused(f"{name}: not in order, or one is listed twice", witness)
 
 
-def _find_witness(claimed: Any, true: Any) -> Point | None:
-    """Find a point that just one of two loops or fits has, or regions in their exteriors."""
-    entries = [item.get("exterior") if type(item) is dict else item for item in (claimed, true)]
-    for _ in range(2):
-        for item in entries:
-            try:
-                return Point(*place(standalone.point(item)))
-            except Refused:
-                continue
-        one, other = (item if type(item) is list else [] for item in entries)
-        if one == other:
-            break
-        entries = [*_find_difference(one, other)[1:]]
-    return None
+def _list_points(item: Any, levels: int = 5) -> Iterator[Point]:
+    """List the points in an answer, or a claim."""
+    try:
+        yield Point(*place(standalone.point(item)))
+    except Refused:
+        parts = item.values() if type(item) is dict else item if type(item) is list else ()
+        for part in parts if levels else ():
+            yield from _list_points(part, levels - 1)

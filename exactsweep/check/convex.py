@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from exactsweep.check.cone import Cone, cross, dot, subtract
 from exactsweep.check.meeting import find_cones_of, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
-from exactsweep.check.size import Budget, measure_bits
+from exactsweep.check.standalone import Work
 from exactsweep.numbers.point import Rational, Vertex
 
 _NEAR = 32  # as many vertices to either side are tried first
@@ -23,7 +23,7 @@ _Wall = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex]
 """A segment by its ends, behind its least and its greatest x and y."""
 
 
-def cut_to_convex(shape: LatticeShape, budget: Budget) -> list[LatticeRing]:
+def cut_to_convex(shape: LatticeShape, budget: Work) -> list[LatticeRing]:
     """Cut a shape into convex pieces without new vertices.
 
     Args:
@@ -36,7 +36,7 @@ def cut_to_convex(shape: LatticeShape, budget: Budget) -> list[LatticeRing]:
 
     Cost: O(c n) where diagonals go to vertices near in x, O(c n**2) at worst.
 
-    >>> from exactsweep.check.size import UNLIMITED
+    >>> from exactsweep.check.no_fit import UNLIMITED
     >>> len(cut_to_convex((((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)),), UNLIMITED))
     2
     """
@@ -141,3 +141,10 @@ def _is_blocked(p: Vertex, q: Vertex, walls: Sequence[_Wall]) -> bool:
         if cross(along, subtract(p, a)) * cross(along, subtract(q, a)) <= 0:
             return True
     return False
+
+
+def measure_bits(points: Iterable[Vertex]) -> int:
+    """Measure the longest coordinate, 32 times as long for Fractions, which take more time."""
+    ratios = [c.as_integer_ratio() for p in points for c in p]
+    bits = max(max(n.bit_length(), d.bit_length()) for n, d in ratios)
+    return bits if all(d == 1 for _, d in ratios) else 32 * bits

@@ -12,8 +12,7 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.check.boxes import Rectangle
-from exactsweep.check.size import Budget
-from exactsweep.check.standalone import Node, Ring, add, add_convex, from_lowest, grid_box
+from exactsweep.check.standalone import Node, Ring, Work, add, add_convex, from_lowest, grid_box
 from exactsweep.numbers.point import Rational, Vertex
 
 _SUM = 20  # steps to put a sum into its place, where it takes memory, too
@@ -43,7 +42,7 @@ class ConvexSums:
     Cost: for k pairs O(k log k), and linear for each ring that is asked for.
 
     Example:
-        >>> from exactsweep.check.size import UNLIMITED
+        >>> from exactsweep.check.no_fit import UNLIMITED
         >>> sums = ConvexSums([[(0, 0), (1, 0), (0, 1)]], [[(0, 0), (2, 0)]], UNLIMITED)
         >>> sums.boxes, sums.ring(0).points
         ([(0, 3, 0, 1)], ((0, 0), (3, 0), (2, 1), (0, 1)))
@@ -53,7 +52,7 @@ class ConvexSums:
         self,
         first: Iterable[Sequence[Vertex]],
         second: Iterable[Sequence[Vertex]],
-        budget: Budget,
+        budget: Work,
     ) -> None:
         ones, others = ([*map(_enter, rings)] for rings in (first, second))
         longest = [

@@ -33,6 +33,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import inf
 from typing import Any, NamedTuple
 
 from exactsweep.check.arrangement import Boundary, WalkedLoop, assemble, canonicalize
@@ -49,12 +50,14 @@ from exactsweep.check.shape import (
     scale_shapes,
     to_points,
 )
-from exactsweep.check.size import UNLIMITED, Budget
+from exactsweep.check.standalone import Work
 from exactsweep.check.uncovered import OpenSets
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.point import Fit, Loop, Point, Vertex
+
+UNLIMITED = Work(inf)
 
 
 class ReferenceNoFit(NamedTuple):
@@ -106,7 +109,7 @@ def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
     return find_no_fit(list_rings(directrix), list_rings(generatrix), UNLIMITED)
 
 
-def find_no_fit(directrix: Outlines, generatrix: Outlines, budget: Budget) -> ReferenceNoFit:
+def find_no_fit(directrix: Outlines, generatrix: Outlines, budget: Work) -> ReferenceNoFit:
     """Evaluate `reference_no_fit` within a budget."""
     scale, (d, g) = scale_shapes((directrix, generatrix))
     found = _assemble_boundary(cut_to_convex(d, budget), d, g, budget)
@@ -141,7 +144,7 @@ def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
     return find_inner_fit(list_rings(container), list_rings(part), UNLIMITED)
 
 
-def find_inner_fit(container: Outlines, part: Outlines, budget: Budget) -> ReferenceInnerFit:
+def find_inner_fit(container: Outlines, part: Outlines, budget: Work) -> ReferenceInnerFit:
     """Evaluate `reference_inner_fit` within a budget."""
     scale, (c, g) = scale_shapes((container, part))
     outside = tuple(ring[::-1] for ring in c)
@@ -185,7 +188,7 @@ def reference_swept(
 
 
 def find_swept(
-    directrix: Outlines, generatrix: Outlines, trajectory: Loop, budget: Budget
+    directrix: Outlines, generatrix: Outlines, trajectory: Loop, budget: Work
 ) -> ReferenceSwept:
     """Evaluate `reference_swept` within a budget.
 
@@ -208,7 +211,7 @@ def find_swept(
 
 
 def _assemble_boundary(
-    pieces: Sequence[LatticeRing], boundary: LatticeShape, g: LatticeShape, budget: Budget
+    pieces: Sequence[LatticeRing], boundary: LatticeShape, g: LatticeShape, budget: Work
 ) -> Boundary:
     """Assemble the boundary of the positions at which G overlaps a solid, by steps 1 to 4.
 

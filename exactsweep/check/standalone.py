@@ -1,7 +1,10 @@
 """Checker of certificates: one file that needs Python's standard library alone, to be read.
 
 `CERTIFICATES.md` says what is read. A checker adds up; it never searches. Points are homogeneous,
-ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y + c w > 0.
+ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y + c w > 0. Layouts,
+positions and sweeps with a shared direction have a section each. Read one of these and the sections
+"Reading" and "Points, lines and rings"; the first two need "Shapes and pieces", too, and the last
+two "Areas and answers".
 
 1. Pieces. The rings of a shape are simple and do not cross, holes are inside the exterior and in no
    other hole, and a circle of rings that touch, which would part the interior, is refused: so the
@@ -52,35 +55,23 @@ ints (x, y, w) for (x/w, y/w) with w > 0; left of a line (a, b, c) is a x + b y 
        sums t + g with t on T. None is inside E, or t would be inside P. E holds D and is no wider,
        so its inside is connected: each section leads to D. It meets Q, as Q is in E, but not the
        edges of Q, so it is in Q.
-   (d) Contacts are listed, all of them. Where a sum of two features is along an edge of T, D moved
-       by any point of H is left of it, and so is H moved by any of D. So the features are two edges
-       of its direction, or such an edge and a convex corner whose edges have this direction
-       between.
-   (e) Lemma. Let A, B and Q be regions of loops. A corner of a lower chain has the slopes of the
-       lines through it that the chain near it is not below: from minus infinity at its first
-       corner, to infinity at its last. It is convex if it has more than one. If
-       - a + b is in Q for all corners a of A and b of B that have more than one slope in common,
-         and
-       - at each concave corner of Q, in the limit from a side on which the boundary of Q goes on
-         without a vertical edge, A + B is not below it,
-       for lower chains and, turned by half a turn, upper ones, then A + B is in Q.
-       Proof for lower halves: Q is above its chain q, A + B above s(x) = min A(u) + B(x - u). A
-       convex corner of s is a sum a + b, and s is nowhere above A moved by b or B moved by a, which
-       pass there: so a and b have all slopes that a + b has, and it is in Q. Ends of s and bottoms
-       of its vertical edges are convex, so they are in Q, and s is over no x beyond Q. Suppose q -
-       s is positive somewhere. Take its greatest one-sided limit, at x from a side i.
-       - s jumps or ends at x. If i is the lower side, the bottom is in Q, so q jumps, too, with i
-         on its higher side, where the corner is concave. If i is the higher side of s, q jumps by
-         as much to the same side, or q - s would be greater on the other side. Both are ruled out.
-       - Only q jumps. The limit is greatest on its higher side, where the corner is concave.
-       - Neither jumps. By the first condition s is not convex at x, by the second q is not concave.
-         So q - s is convex near x and greatest there, hence constant. So it is at the next corner,
-         too, and at last at the end of s, which was ruled out.
+   (d) Contacts are listed, all of them: of each edge of T the sums of two edges, or of an edge and
+       a corner, that have more than a point of it. There the least sum in (e) is attained, so they
+       are among the edges of sums of parts. The sum of two vertical edges, one of a lower and one
+       of an upper chain, is inside P.
+   (e) A + B is in Q, for regions of loops. The lower chain of A + B at x is the least sum A(u) +
+       B(x - u), with the lower ends of jumps. Where it is attained, A at u and B at x - u have a
+       slope in common, or to move u would make it less: a left turn has all slopes from the one
+       before to the one after it, without bound at jumps and ends; beside a right turn the other
+       chain has both its slopes. So cut both chains at right turns into convex parts. The chain of
+       A + B is on sums of two parts: their edges by slope, of the slopes that both have. A + B is
+       in Q if Q is as wide as these, and its lower chain is nowhere above them: at both ends of all
+       x along which edges of both are straight. Upper chains are turned by half a turn.
    (f) Exact fits. The lower chains of D and H leave G free to slide up at x as far as the least
-       A(u) + B(x - u) inside intervals, past both one-sided limits of s at x. Where A and B both
-       jump, each limit of s counts one pair of values more: after both fell, or before both rise.
-       To be less, each needs such a pair: so x is a sum of two falls and of two rises, ends
-       included.
+       A(u) + B(x - u) inside intervals, past both one-sided limits of s, which is T, at x. Where A
+       and B both jump, each limit of s counts one pair of values more: after both fell, or before
+       both rise. To be less, each needs such a pair: so x is a sum of two falls and of two rises,
+       ends included.
 """
 
 from __future__ import annotations
@@ -92,8 +83,7 @@ from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from functools import cmp_to_key
-from itertools import chain, pairwise
+from itertools import chain, pairwise, product
 from math import gcd, isqrt, lcm
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -116,11 +106,13 @@ Ring = list[Node]
 Edge = tuple[Node, Node]
 Span = tuple[Fraction, Fraction]
 Extent = tuple[Rational, Rational]
-Corner = tuple[int, Node, Node, Node]
 Contact = tuple[str, int, int]
+Side = tuple[Any, Node, Node, Node]
 Tree = tuple[Grid, int, Any]
-Ratio = tuple[int, int]
 T = TypeVar("T")
+
+
+# --- Reading --------------------------------------------------------------------------------------
 
 
 class Refused(Exception):  # noqa: N818
@@ -134,13 +126,13 @@ class Refused(Exception):  # noqa: N818
 class Work:
     """The budget of steps that is left, how many one takes, and the scale of the boxes."""
 
-    def __init__(self, steps: int) -> None:
+    def __init__(self, steps: float) -> None:
         self.left, self.weight, self.scale, self.numbers = steps, 1, 1, 0
         self.reason = f"too large: to check it would take more than {steps} steps"
 
-    def take(self, steps: int) -> None:
-        """Take steps, or refuse the certificate."""
-        self.left -= steps * self.weight
+    def take(self, steps: int, bits: int = 0) -> None:
+        """Take steps, on numbers of so many bits if these are given, or refuse the certificate."""
+        self.left -= steps * (weight(bits) if bits else self.weight)
         need(self.left >= 0, self.reason)
 
     def read(self, item: Any, levels: int = 8) -> int:
@@ -249,16 +241,6 @@ def least_first(item: Any) -> Ring:
     return points
 
 
-def find_scale(points: Ring) -> int:
-    """Return the least common denominator, or 1 if it is of no use, far longer than each."""
-    scale, longest = 1, max(w.bit_length() for _, _, w in points)
-    for _, _, w in points:
-        scale = lcm(scale, w)
-        if scale.bit_length() > max(256, 2 * longest):
-            return 1
-    return scale
-
-
 def drop_repeated(points: Ring) -> Ring:
     """Return a ring in which points that are repeated one after the other count once."""
     found = [p for k, p in enumerate(points) if p != points[k - 1]]
@@ -276,6 +258,9 @@ def shape(item: Any, optional: str = "") -> list[Ring]:
     exterior, holes = fields(item, "exterior", f"holes {optional}")[:2]
     rings = [ring(exterior), *map(ring, [] if holes is None else items(holes))]
     return [one[::-1] if (double_area(one) > 0) == bool(k) else one for k, one in enumerate(rings)]
+
+
+# --- Points, lines and rings ----------------------------------------------------------------------
 
 
 def reduce(a: int, b: int, c: int) -> Node:
@@ -339,19 +324,38 @@ def lies(p: Node, a: Node, b: Node) -> bool:
     return side(line(a, b), p) == 0 and sorted(map(place, (a, p, b)))[1] == place(p)
 
 
-def do_cross(p: Node, q: Node, r: Node, s: Node) -> bool:
-    """Return whether two edges cross in their middles."""
-    one, other = line(p, q), line(r, s)
-    return side(one, r) * side(one, s) < 0 and side(other, p) * side(other, q) < 0
+def winding(known: list[Edge], p: Node) -> int:
+    """Return how many times edges of rings go around a point, which is on none of them."""
+    found = 0
+    for a, b in known:
+        is_up, ends = a[1] * p[2] <= p[1] * a[2], b[1] * p[2] <= p[1] * b[2]
+        if is_up != ends:
+            at = side(line(a, b), p)
+            found += is_up * (at > 0) - ends * (at < 0)
+    return found
 
 
-def do_clash(p: Node, q: Node, r: Node, s: Node, apart: int, count: int) -> bool:
-    """Return whether two edges of a ring, so many apart, keep it from being simple."""
-    if apart in (1, count - 1):  # neighbours: one must not go back along the other
-        (a, b), c = ((p, q), s) if q == r else ((r, s), q)
-        return lies(c, a, b) or lies(a, b, c)
-    touch = lies(p, r, s) or lies(q, r, s) or lies(r, p, q) or lies(s, p, q)
-    return touch or do_cross(p, q, r, s)
+def by_way(u: Sequence[int], v: Sequence[int]) -> int:
+    """Return a number above 0 if a way, or that of a line, is before another, 0 if both are one.
+
+    Both are in one half-turn. It may be closed for lines, which then go from down to up.
+    """
+    return u[0] * v[1] - u[1] * v[0] or (u[0] > 0 > v[0]) - (v[0] > 0 > u[0])
+
+
+def merge(u: Sequence[Any], v: Sequence[Any]) -> list[tuple[int, int]]:
+    """Return how many of each of two lists of ways, by angle, are before each of both, and all."""
+    i, j, found = 0, 0, [(0, 0)]
+    while i < len(u) or j < len(v):
+        left = (j == len(v)) - (i == len(u)) or by_way(u[i], v[j])
+        i, j = i + (left >= 0), j + (left <= 0)
+        found.append((i, j))
+    return found
+
+
+def count(rings: Sequence[Sequence[Any]]) -> int:
+    """Count the entries of lists."""
+    return sum(map(len, rings))
 
 
 def grid_box(points: Sequence[Node], scale: int) -> Grid:
@@ -379,19 +383,22 @@ def list_near(boxes: list[Grid], reach: int, work: Work) -> Iterator[tuple[int, 
                 yield min(a, b), max(a, b)
 
 
-def loop(item: Any, work: Work) -> Ring:
-    """Read a simple ring, counter-clockwise, without straight angles, its least point first."""
-    points = least_first(item)
-    check_shape([points], work)
-    bent = all(side(line(p, q), points[k - 1]) for k, (p, q) in enumerate(edges(points)))
-    need(bent and double_area(points) > 0, "a loop is not canonical")
-    return points
+# --- Shapes and pieces, by (1) --------------------------------------------------------------------
 
 
-def from_lowest(points: Ring) -> Ring:
-    """Let a ring begin with its lowest point, the left one of two."""
-    least = min(range(len(points)), key=lambda k: place(points[k])[::-1])
-    return points[least:] + points[:least]
+def do_cross(p: Node, q: Node, r: Node, s: Node) -> bool:
+    """Return whether two edges cross in their middles."""
+    one, other = line(p, q), line(r, s)
+    return side(one, r) * side(one, s) < 0 and side(other, p) * side(other, q) < 0
+
+
+def do_clash(p: Node, q: Node, r: Node, s: Node, apart: int, count: int) -> bool:
+    """Return whether two edges of a ring, so many apart, keep it from being simple."""
+    if apart in (1, count - 1):  # neighbours: one must not go back along the other
+        (a, b), c = ((p, q), s) if q == r else ((r, s), q)
+        return lies(c, a, b) or lies(a, b, c)
+    touch = lies(p, r, s) or lies(q, r, s) or lies(r, p, q) or lies(s, p, q)
+    return touch or do_cross(p, q, r, s)
 
 
 def solid(rings: list[Ring], item: Any, work: Work, frame: Ring | None = None) -> list[Ring]:
@@ -434,21 +441,277 @@ def check_shape(rings: list[Ring], work: Work) -> None:
         need((winding(of, free) != 0) == (j == 0), "a hole is not in its exterior, or in another")
 
 
+def frame(left: Rational, low: Rational, right: Rational, high: Rational) -> Ring:
+    """Return a rectangle."""
+    need(left < right and low < high, "frame: not the ends of a rectangle")
+    return [node(left, low), node(right, low), node(right, high), node(left, high)]
+
+
+# --- Layouts, by (2) ------------------------------------------------------------------------------
+
+
+class Placed(NamedTuple):
+    """Pieces where they are, all their points, boxes, and how far off points may be."""
+
+    pieces: list[Ring]
+    points: Ring
+    boxes: list[Grid]
+    box: Grid
+    error: Fraction
+
+    def holds(self, k: Any, p: Node, closed: bool) -> bool:
+        """Return whether a point is in a piece, or so far inside that the error does not matter."""
+        sides = [line(*e) for e in edges(self.pieces[integer(k, 0, len(self.pieces))])]
+        found = [(Fraction(side(of, p), p[2]), of[0] ** 2 + of[1] ** 2) for of in sides]
+        if closed:
+            return all(h >= 0 for h, _ in found)
+        return all(h > 0 and h**2 > self.error**2 * square for h, square in found)
+
+
+def move_ring(points: Ring, turn: Span, mirrored: bool, move: Node) -> Ring:
+    """Mirror, turn and move a ring; mirrored it would go around the other way."""
+    r = lcm(turn[0].denominator, turn[1].denominator)
+    c, s = int(turn[0] * r), int(turn[1] * r)
+    found = [(-x, y, w) for x, y, w in points[::-1]] if mirrored else points
+    return [add((c * x - s * y, s * x + c * y, r * w), move) for x, y, w in found]
+
+
+def read_turn(item: Any) -> Any:
+    """Read a turn: cosine and sine, or degrees where these are irrational."""
+    if type(item) is list:
+        cosine, sine = place(point(item))
+        need(cosine**2 + sine**2 == 1, "a turn of another length than 1")
+        return cosine, sine
+    degrees = number(item) % 360
+    return degrees if degrees % 90 else tuple(map(Fraction, BOX[int(degrees) // 90]))
+
+
+def turn_error(to: Span, degrees: Fraction) -> Fraction:
+    """Bound how far a turn is from one by degrees, by the power series in steps of 1e-110."""
+    unit = 10**110
+    angle, sums, term, k = int(PI * degrees / 180 * unit), [0, 0, 0, 0], unit, 0
+    while term:
+        sums[k % 4] += term
+        k += 1
+        term = term * angle // (unit * k)
+    cosine, sine = Fraction(sums[0] - sums[2], unit), Fraction(sums[1] - sums[3], unit)
+    return abs(to[0] - cosine) + abs(to[1] - sine) + Fraction(1, 10**95)
+
+
+def are_apart(one: Ring, other: Ring, way: tuple[int, int], distance: Fraction) -> bool:
+    """Return whether a normal shows that points are at a distance from others, to its side."""
+    x, y = way
+    high = max(Fraction(x * p[0] + y * p[1], p[2]) for p in one)
+    gap = min(Fraction(x * p[0] + y * p[1], p[2]) for p in other) - high
+    return (x, y) != (0, 0) and gap >= 0 and gap**2 >= distance**2 * (x * x + y * y)
+
+
+class Layout:
+    """A layout as its certificate has it: valid, by (2), or with faults."""
+
+    def __init__(self, c: dict[str, Any], work: Work) -> None:
+        head = "layout valid turns frame pieces outside apart faults"
+        values = fields(c, head, "format version kind")[:8]
+        layout, self.valid, turns, ends, cut, outside, *lists = values
+        keys = "container parts placements", "spacing margin"
+        container, parts, placements, *gaps = fields(layout, *keys)
+        self.gaps = ["0" if gap is None else gap for gap in gaps]
+        self.spacing, self.margin = map(number, self.gaps)
+        self.work, (self.apart, self.faults) = work, map(items, lists)
+        self.frame = frame(*map(number, items(ends, 4)))
+        need(type(self.valid) is bool, "valid: neither true nor false")
+        need(not self.valid or None not in (outside, *items(cut)), "pieces: some are missing")
+        need(self.spacing >= 0 <= self.margin, "a spacing or a margin below 0")
+        work.fit([self.frame])
+
+        rules = "demand turns mirrored"
+        self.parts = [fields(part, "id exterior", f"holes {rules}") for part in items(parts)]
+        self.ids = [part[0] for part in self.parts]
+        unique = {*map(type, self.ids)} <= {str} and len({*self.ids}) == len(self.ids)
+        need(unique, "parts: ids are strings, each of one part")
+        self.rings = [shape(part, f"id {rules}") for part in parts]
+        both = zip(items(cut, len(parts)), self.rings, strict=True)  # pragma: no mutate: as long
+        pieces = [[] if e is None else solid(rings, e, work) for e, rings in both]
+        self.facts: list[tuple[int, Any, bool]] = []
+        self.placed: list[Placed] = []
+        for item, rational in zip(items(placements), items(turns, len(placements)), strict=True):
+            name, asked, move, mirrored = fields(item, "part turn move", "mirrored")
+            need(type(name) is str and name in self.ids, "placements: of no part")
+            need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
+            k, turn, to = self.ids.index(name), read_turn(asked), read_turn(items(rational))
+            work.take(len(self.ids) + count(self.rings[k]) + count(pieces[k]))
+            far = max(sum(map(abs, place(p)), NONE) for points in self.rings[k] for p in points)
+            error = NONE if type(turn) is tuple else far * turn_error(to, turn)
+            need(error > 0 or turn == to, "turns: not the turn of the placement")
+            self.facts.append((k, turn, bool(mirrored)))
+            by = point(move)
+            self.put([move_ring(e, to, bool(mirrored), by) for e in pieces[k]], error)
+        # All that is outside comes last, for its number is -1.
+        within = shape(container)
+        if outside is None:
+            check_shape(within, work)
+        self.put([] if outside is None else solid(within, outside, work, self.frame), NONE)
+
+    def put(self, pieces: list[Ring], error: Fraction) -> None:
+        """Put pieces where they are."""
+        points = list(chain.from_iterable(pieces)) or [(0, 0, 1)]
+        boxes = [grid_box(piece, self.work.scale) for piece in pieces]
+        self.placed.append(Placed(pieces, points, boxes, grid_box(points, self.work.scale), error))
+
+    def prove(self) -> str:
+        """Prove the claim, and describe it."""
+        found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
+        rules = chain.from_iterable(self.check_rules(k).items() for k in range(len(self.ids)))
+        broken = [kind for kind, holds in rules if holds]
+        if not self.valid:
+            need(self.faults != [] == self.apart, "faults: none, or normals beside them")
+            for fault in self.faults:
+                self.prove_fault(fault)
+            return f"{found}, not valid: {len(self.faults)} faults"
+        need(self.faults == [], "faults: of a valid layout")
+        need(broken == [], f"a part breaks rules: {broken}")
+        self.prove_apart()
+        # As written: str refuses long ints.
+        return f"{found}, valid, spacing {self.gaps[0]}, margin {self.gaps[1]}"
+
+    def check_rules(self, k: int) -> dict[str, bool]:
+        """Return which rules the placements of part k break."""
+        demand, turns, mirrored = self.parts[k][3:]
+        need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
+        found = [fact for fact in self.facts if fact[0] == k]
+        allowed = None if turns is None else [read_turn(turn) for turn in items(turns)]
+        self.work.take(len(self.facts) + len(allowed or []) * len(found))
+        asked = len(found) if demand is None else integer(demand, 0, 10**9)
+        return {
+            "missing": len(found) < asked,
+            "surplus": len(found) > asked,
+            "turn": allowed is not None and any(turn not in allowed for _, turn, _ in found),
+            "mirror": mirrored is False and any(flag for _, _, flag in found),
+        }
+
+    def prove_apart(self) -> None:
+        """Prove that parts are inside the frame, and apart from each other and the container."""
+        normals = {
+            tuple(integer(k, -1, 10**9) for k in items(e, 6)[:4]): point(e[4:])[:2]
+            for e in self.apart
+        }
+        need(len(normals) == len(self.apart), "apart: a pair is there twice")
+        for one in self.placed[:-1]:
+            for p, way in zip(self.frame, BOX, strict=True):
+                inside = are_apart([p], one.points, way, self.margin + one.error)
+                need(inside, "a part reaches beyond the frame")
+        widest = max(self.spacing, self.margin) + 2 * max(one.error for one in self.placed)
+        reach = -int(-widest * self.work.scale // 1)
+        boxes = [one.box for one in (self.placed[-1], *self.placed[:-1])]
+        for a, b in list_near(boxes, reach, self.work):
+            self.prove_pair(a - 1, b - 1, reach, normals)
+
+    def prove_pair(self, a: int, b: int, reach: int, normals: dict[Any, tuple[int, int]]) -> None:
+        """Prove that two shapes are apart: by one normal of both, or for all pairs of pieces."""
+        one, other = self.placed[a], self.placed[b]
+        distance = (self.margin if a < 0 else self.spacing) + one.error + other.error
+        self.work.take(len(one.points) + len(other.points))
+        if (a, -1, b, -1) in normals:
+            whole = are_apart(one.points, other.points, normals[a, -1, b, -1], distance)
+            need(whole, f"{a} and {b}: no normal that parts them")
+            return
+        near = [(j, box) for j, box in enumerate(other.boxes) if are_near(box, one.box, reach)]
+        self.work.take(len(one.pieces) * len(near) // 4)  # pragma: no mutate: steps alone
+        for i, piece in enumerate(one.pieces):
+            for j in [j for j, box in near if are_near(box, one.boxes[i], reach)]:
+                self.work.take(len(piece) + len(other.pieces[j]))
+                ways = [normals[a, i, b, j]] if (a, i, b, j) in normals else BOX
+                apart = any(are_apart(piece, other.pieces[j], way, distance) for way in ways)
+                need(apart, f"piece {i} of {a} and piece {j} of {b}: no normal that parts them")
+
+    def prove_fault(self, fault: Any) -> None:
+        """Prove one fault by its witness."""
+        kind = fault.get("kind") if type(fault) is dict else None
+        if kind in ("overlap", "outside", "too close"):
+            self.prove_near(kind, *fields(fault, "kind placements pieces points")[1:])
+            return
+        name, both = fields(fault, "kind part", "edges")[1:]
+        need(type(name) is str and name in self.ids, "faults: of no part")
+        k = self.ids.index(name)
+        self.work.take(k + count(self.rings[k]))
+        if kind != "shape":
+            need(self.check_rules(k).get(str(kind), False), f"faults: {kind}")
+            return
+        (m, i), (n, j) = ([integer(e, 0, 10**9) for e in items(edge, 2)] for edge in items(both, 2))
+        rings = [edges(ring(e)) for e in (self.parts[k][1], *(self.parts[k][2] or []))]
+        need(m < len(rings) > n and i < len(rings[m]) and j < len(rings[n]), "edges: not there")
+        (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
+        clash = i != j and do_clash(p, q, r, s, (j - i) % size, size)
+        need(clash if m == n else do_cross(p, q, r, s), "faults: the edges do not clash")
+
+    def prove_near(self, kind: str, of: Any, numbers: Any, points: Any) -> None:
+        """Prove that a point is inside two shapes, or that points of them are too close."""
+        a, *others = [integer(n, 0, len(self.facts)) for n in items(of)]
+        need(len(others) < 2 and a not in others, "faults: not of one placement or of two")
+        need(kind == "too close" or (kind == "overlap") == bool(others), f"faults: {kind} of what")
+        one, other = self.placed[a], self.placed[(others or [-1])[0]]
+        self.work.take(len(one.points) + len(other.points))
+        (i, j), (p, q) = items(numbers, 2), (point(end) for end in items(points, 2))
+        room = (self.spacing if others else self.margin) - one.error - other.error
+        (x, y), (u, v) = place(p), place(q)
+        closed = kind == "too close"
+        met = room > 0 and (x - u) ** 2 + (y - v) ** 2 < room**2 if closed else p == q
+        there = one.holds(i, p, closed) and other.holds(j, q, closed)
+        need(met and there, f"faults: the points do not show {kind}")
+
+
+# --- Areas and answers ----------------------------------------------------------------------------
+
+
+def describe(kind: str, g: int, d: int, t: Ring, inner: Ring, outer: Ring, area: str) -> str:
+    """Describe a sweep that is proved; the area as written, for str refuses long ints."""
+    answer = f"trajectory {len(t)}, inner {len(inner)}, outer {len(outer)}, area {area}"
+    return f"{kind} sweep of {g} around {d} vertices, {answer}"
+
+
+def check_area(area: Any, loops: list[Ring], work: Work, unit: int = 1) -> None:
+    """Refuse an area unless it is that of loops, those that are clockwise counted off."""
+    terms: dict[int, int] = defaultdict(int)
+    for p, q in chain.from_iterable(map(edges, loops)):
+        terms[p[2] * q[2]] += p[0] * q[1] - q[0] * p[1]
+    work.weight = weight(sum(w.bit_length() for w in terms))
+    work.take(1)
+    parts = [*terms.items()]
+    while len(parts) > 1:
+        both = zip(parts[::2], parts[1::2], strict=False)
+        parts = [(v * w, m * w + n * v) for (v, m), (w, n) in both] + parts[len(parts) & ~1 :]
+    ((w, n),), found = parts, 2 * unit * under("area", number, area)
+    need(n * found.denominator == found.numerator * w, "area: not that between the loops")
+
+
+# --- Positions, by (3) to (5) ---------------------------------------------------------------------
+
+
+def loop(item: Any, work: Work) -> Ring:
+    """Read a simple ring, counter-clockwise, without straight angles, its least point first."""
+    points = least_first(item)
+    check_shape([points], work)
+    bent = all(side(line(p, q), points[k - 1]) for k, (p, q) in enumerate(edges(points)))
+    need(bent and double_area(points) > 0, "a loop is not canonical")
+    return points
+
+
+def from_lowest(points: Ring) -> Ring:
+    """Let a ring begin with its lowest point, the left one of two."""
+    least = min(range(len(points)), key=lambda k: place(points[k])[::-1])
+    return points[least:] + points[:least]
+
+
 def add_convex(one: Ring, other: Ring) -> Ring:
     """Return the sum of two convex rings that begin with their lowest points."""
-    u, v, i, j, found = ways(one), ways(other), 0, 0, []
-    while i < len(one) or j < len(other):
-        found.append(add(one[i % len(one)], other[j % len(other)]))
-        last = (i == len(one)) - (j == len(other))
-        left = -last or u[i][0] * v[j][1] - u[i][1] * v[j][0]
-        i, j = i + (left >= 0), j + (left <= 0)
-    return found
+    steps = merge(ways(one), ways(other))[:-1]
+    return [add(one[i % len(one)], other[j % len(other)]) for i, j in steps]
 
 
 def clip(sides: list[Node], a: Node, b: Node) -> Span | None:
     """Return the shares of a segment inside open half-planes, from -1 or to 2 if beyond an end."""
     (x, y, w), (u, v, z) = a, b
-    low, high = (-1, 1), (2, 1)
+    low, high = (-1, 1), (2, 1)  # pragma: no mutate: any that are beyond the ends
     for k, m, n in sides:
         at_a, at_b = (k * x + m * y + n * w) * z, (k * u + m * v + n * z) * w
         if at_a <= 0:
@@ -594,32 +857,10 @@ def prove_positions(
             need(alone, "a fit of one point is on a loop or another fit")
 
 
-def winding(known: list[Edge], p: Node) -> int:
-    """Return how many times edges of rings go around a point, which is on none of them."""
-    found = 0
-    for a, b in known:
-        is_up, ends = a[1] * p[2] <= p[1] * a[2], b[1] * p[2] <= p[1] * b[2]
-        if is_up != ends:
-            at = side(line(a, b), p)
-            found += is_up * (at > 0) - ends * (at < 0)
-    return found
-
-
-def count(rings: Sequence[Sequence[Any]]) -> int:
-    """Count the entries of lists."""
-    return sum(map(len, rings))
-
-
 def middle(points: Ring) -> Node:
     """Return a point inside a convex ring."""
     x, y, w = add(add(points[0], points[1]), points[2])
     return x, y, 3 * w
-
-
-def frame(left: Rational, low: Rational, right: Rational, high: Rational) -> Ring:
-    """Return a rectangle."""
-    need(left < right and low < high, "frame: not the ends of a rectangle")
-    return [node(left, low), node(right, low), node(right, high), node(left, high)]
 
 
 def find_positions(outer: Ring, h: list[Ring]) -> Ring:
@@ -690,60 +931,61 @@ def prove_sweep(c: dict[str, Any], work: Work) -> str:
     return describe(kind, count(g), count(d), t, inner, outer, area)
 
 
-def describe(kind: str, g: int, d: int, t: Ring, inner: Ring, outer: Ring, area: str) -> str:
-    """Describe a sweep that is proved; the area as written, for str refuses long ints."""
-    answer = f"trajectory {len(t)}, inner {len(inner)}, outer {len(outer)}, area {area}"
-    return f"{kind} sweep of {g} around {d} vertices, {answer}"
+# --- Sweeps with a shared direction, by (6) -------------------------------------------------------
 
 
-def check_area(area: Any, loops: list[Ring], work: Work, unit: int = 1) -> None:
-    """Refuse an area unless it is that of loops, those that are clockwise counted off."""
-    terms: dict[int, int] = defaultdict(int)
-    for p, q in chain.from_iterable(map(edges, loops)):
-        terms[p[2] * q[2]] += p[0] * q[1] - q[0] * p[1]
-    work.weight = weight(sum(w.bit_length() for w in terms))
-    work.take(1)
-    parts = [*terms.items()]
-    while len(parts) > 1:
-        both = zip(parts[::2], parts[1::2], strict=False)
-        parts = [(v * w, m * w + n * v) for (v, m), (w, n) in both] + parts[len(parts) & ~1 :]
-    ((w, n),), found = parts, 2 * unit * under("area", number, area)
-    need(n * found.denominator == found.numerator * w, "area: not that between the loops")
+def find_scale(points: Ring) -> int:
+    """Return the least common denominator, or 1 if it is of no use, far longer than each."""
+    scale, longest = 1, max(w.bit_length() for _, _, w in points)
+    for _, _, w in points:
+        scale = lcm(scale, w)
+        if scale.bit_length() > max(256, 2 * longest):
+            return 1
+    return scale
 
 
-class LowerChain(NamedTuple):
-    """A lower chain, from left to right, or an upper one turned by half a turn.
+class Part(NamedTuple):
+    """A convex chain from left to right: its corners, the numbers of its edges, and their lines.
 
-    Convex corners are in runs, along which slopes grow, with the lines before and after each;
-    concave ones have the side, 1 or -1, on which the chain goes on from them without a jump.
+    It has the slopes from the least to the greatest line, straight down and up where loops end.
     """
 
-    edges: list[tuple[Node, Node, Node]]
-    floors: list[int]
-    jumps: bool
-    runs: list[list[Corner]]
-    concave: list[tuple[int, Node, int]]
+    points: Ring
+    numbers: list[Any]
+    lines: list[Node]
+    least: Node = (1, 0, 0)
+    greatest: Node = (-1, 0, 0)
 
-    def reach(self, p: Node) -> int:
-        """Return the number of the first edge that ends above a point or right of it."""
-        (x, _, w), floors, ends = p, self.floors, self.edges
-        low = bisect_left(floors, x // w)
-        high = bisect_right(floors, x // w, low)
-        return bisect_left(ends, 0, low, high, key=lambda e: e[1][0] * w - x * e[1][2])
+    def sides(self) -> list[Side]:
+        """Return its edges."""
+        return [*zip(self.numbers, self.points, self.points[1:], self.lines, strict=False)]
 
-    def holds(self, p: Node) -> bool:
-        """Return whether a point is on the chain or above it; at a jump the lower edge decides."""
-        k = self.reach(p)
-        near = [of for q, _, of in self.edges[k : k + 2] if order(q, p) <= 0]
-        return any(side(of, p) >= 0 for of in near)
+    def between(self, other: Part) -> Part:
+        """Return the part of it that has slopes of another one."""
+        start = bisect_left(self.lines, 0, key=lambda of: -by_way(of, other.least))
+        end = bisect_right(self.lines, 0, start, key=lambda of: by_way(other.greatest, of))
+        return Part(self.points[start:], self.numbers[start:], self.lines[start:end])
+
+
+class Chain(NamedTuple):
+    """A lower chain, from left to right, or an upper one turned by half a turn.
+
+    Its convex parts have the vertical edges at their ends. Its level edges are the others.
+    """
+
+    parts: list[Part]
+    level: list[Side]
 
     def list_jumps(self) -> tuple[list[Fraction], list[Fraction]]:
         """List where the chain falls, at last from infinity, and where it rises."""
-        falls, rises = [place(self.edges[0][0])[0]], [place(self.edges[-1][1])[0]]
-        for (_, p, _), (q, _, _) in pairwise(self.edges if self.jumps else []):
-            rise = q[1] * p[2] - p[1] * q[2]
-            (falls if rise < 0 else rises if rise else []).append(place(p)[0])
+        falls, rises = [place(self.level[0][1])[0]], [place(self.level[-1][2])[0]]
+        for _, p, _, (a, b, _) in chain.from_iterable(part.sides() for part in self.parts):
+            if b == 0:
+                (falls if a > 0 else rises).append(place(p)[0])
         return falls, rises
+
+
+Chains = tuple[Chain, Chain]
 
 
 class MonotoneLoop(NamedTuple):
@@ -751,47 +993,43 @@ class MonotoneLoop(NamedTuple):
 
     points: Ring
     lines: list[Node]
-    chains: tuple[LowerChain, LowerChain]
+    chains: Chains
     is_convex: bool
 
-    def turned(self) -> MonotoneLoop:
-        """Return it turned by half a turn about the origin, numbered as before."""
-        lines = [(-a, -b, c) for a, b, c in self.lines]
-        return MonotoneLoop(turn(self.points), lines, self.chains[::-1], self.is_convex)
-
-    def feature(self, item: Any) -> tuple[str, int]:
-        """Read a feature."""
-        kind, k = items(item, 2)
+    def feature(self, item: Any) -> Ring:
+        """Read a feature: a vertex, or the ends of the edge that begins there."""
+        (kind, k), size = items(item, 2), len(self.points)
         need(kind in ("vertex", "edge"), "neither a vertex nor an edge")
-        return kind, integer(k, 0, len(self.points))
-
-    def ends(self, kind: str, k: int) -> Ring:
-        """Return the ends of a feature: a vertex, or the edge that begins there."""
-        points = self.points
-        return [points[k], points[k + 1 - len(points)]] if kind in ("edge", "E") else [points[k]]
+        first = self.points[integer(k, 0, size)]
+        return [first, self.points[k + 1 - size]] if kind == "edge" else [first]
 
 
-def lower_chain(points: Ring, lines: list[Node], start: int, end: int) -> LowerChain:
-    """Return the chain from one corner to another, without vertical edges at its end."""
-    size = len(points)
-    last = (end - start) % size
-    while lines[(start + last - 1) % size][1] == 0:
-        last -= 1
-    runs: list[list[Corner]] = [[]]
-    edges, concave, before = [], [], (1, 0, 0)
-    for n in range(last + 1):
-        k = (start + n) % size
-        after = lines[k] if n < last else (-1, 0, 0)
-        if before[0] * after[1] > before[1] * after[0]:
-            runs[-1].append((k, points[k], before, after))
-        else:
-            concave.append((k, points[k], 1 if after[1] else -1))
-            runs.append([])
-        if n < last and after[1]:
-            edges.append((points[k], points[(k + 1) % size], after))
-        before = after
-    floors, runs = [x // w for _, (x, _, w), _ in edges], [run for run in runs if run]
-    return LowerChain(edges, floors, len(edges) < last, runs, concave)
+def lower_chain(points: Ring, lines: list[Node], start: int, end: int) -> Chain:
+    """Return the chain from one corner to another, cut at right turns."""
+    start -= lines[start - 1][1] == 0
+    numbers = [n % len(points) for n in range(start, end + len(points) * (end < start) + 1)]
+    turns = [by_way(lines[k], lines[m]) for k, m in pairwise(numbers[:-1])]
+    cuts = [0, *(n for n, left in enumerate(turns, 1) if left < 0), len(numbers) - 1]
+    parts = []
+    for first, last in pairwise(cuts):
+        found = numbers[first : last + 1]
+        along = [lines[k] for k in found[:-1]]
+        least = along[0] if first else (1, 0, 0)
+        greatest = along[-1] if last < cuts[-1] else (-1, 0, 0)
+        parts.append(Part([points[k] for k in found], found, along, least, greatest))
+    return Chain(parts, [e for part in parts for e in part.sides() if e[3][1]])
+
+
+def add_parts(one: Part, other: Part) -> Part:
+    """Return the sum of two parts, its edges numbered by the features that they are sums of."""
+    (points, of_one, u, *_), (more, of_other, v, *_) = one, other
+    steps, lines, features = merge(u, v), [], []
+    for (i, j), (k, m) in pairwise(steps):
+        (a, b, c), (x, y, w) = (u[i], more[j]) if k > i else (v[j], points[i])
+        of = a * w, b * w, c * w - a * x - b * y
+        lines.append(of if w == 1 else reduce(*of))
+        features.append(("VE"[m > j] + "VE"[k > i], of_other[j], of_one[i]))
+    return Part([add(points[i], more[j]) for i, j in steps], features, lines)
 
 
 def order(p: Node, q: Node) -> int:
@@ -799,102 +1037,39 @@ def order(p: Node, q: Node) -> int:
     return p[0] * q[2] - q[0] * p[2]
 
 
-def heights(one: LowerChain, other: LowerChain, p: Node, tie: int, work: Work) -> list[Ratio]:
-    """List A(u) + B(x - u) - y for p = (x, y) at both ends of all u along which it is linear.
+def gaps(below: list[Side], above: list[Side], tie: int = 0) -> list[tuple[int, int, Node]]:
+    """List how far edges are above others at both ends of all x along which both are straight.
 
-    The tie is 1 for the limit from the right of x, -1 from the left, 0 for what both share.
+    Each gap is a numerator, a denominator and the end. With the tie 1 what ends above ends later
+    than what ends below at the same x, with -1 earlier.
     """
-    one, other = (one, other) if len(one.edges) >= len(other.edges) else (other, one)
-    x, y, w = p
-    # B turned about p is a chain, too: A + B passes below p where A passes below that.
-    below = [
-        (
-            (x * rw - rx * w, y * rw - ry * w, rw * w),
-            (x * lw - lx * w, y * lw - ly * w, lw * w),
-            (a * w, b * w, -a * x - b * y - c * w),
-        )
-        for (lx, ly, lw), (rx, ry, rw), (a, b, c) in reversed(other.edges)
-    ]
-    above, found, jumps = one.edges, list[Ratio](), one.jumps or other.jumps
-    i, j = one.reach(below[0][0]), 0
-    first = i
-    while i < len(above) and (order(above[i][1], below[0][0]) or -tie) <= 0:
-        i += 1
-    while j < len(below) and (order(below[j][1], above[0][0]) or tie) <= 0:
-        j += 1
-    while i < len(above) and j < len(below):
-        (q, r, (a, b, c)), (s, t, (d, e, f)) = above[i], below[j]
-        if jumps or not found:
-            if order(q, s) >= 0:
-                found.append((side((d, e, f), q), e * q[2]))
+    i = bisect_right(below, 0, key=lambda e: order(e[2], above[0][1]))
+    j = bisect_right(above, 0, key=lambda e: order(e[2], below[0][1]))
+    found = list[tuple[int, int, Node]]()
+    while i < len(below) and j < len(above):
+        (_, q, r, one), (_, s, t, other) = below[i], above[j]
+        at = order(r, t)
+        for is_below, p, z in ((order(q, s) >= 0, q, s), (at <= 0, r, t)):
+            if is_below:
+                found.append((-side(other, p), other[1] * p[2], p))
             else:
-                found.append((-side((a, b, c), s), b * s[2]))
-        at = r[0] * t[2] - t[0] * r[2]
-        if at <= 0:
-            found.append((d * r[0] + e * r[1] + f * r[2], e * r[2]))
-        else:
-            found.append((-(a * t[0] + b * t[1] + c * t[2]), b * t[2]))
+                found.append((side(one, z), one[1] * z[2], z))
         at = at or -tie
-        i += at <= 0
-        j += at >= 0
-    work.take(len(below) + i - first)
+        i, j = i + (at <= 0), j + (at >= 0)
     return found
 
 
-def meeting(one: LowerChain, other: LowerChain, work: Work) -> Iterator[tuple[int, int, Node]]:
-    """List convex corners, one of each chain, that share more than one slope, and their sum."""
-
-    def is_below(before: Node, after: Node) -> bool:
-        return before[0] * after[1] > before[1] * after[0] or before[1] == after[1] == 0
-
-    work.take(len(one.runs) * count(other.runs) + len(other.runs) * count(one.runs))
-    for run in one.runs:
-        for others in other.runs:
-            start = 0
-            for k, p, before, after in run:
-                while start < len(others) and not is_below(before, others[start][3]):
-                    start += 1
-                for n in range(start, len(others)):
-                    m, q, first, _ = others[n]
-                    if not is_below(first, after):
-                        break
-                    yield k, m, add(p, q)
+def turn_chain(level: list[Side], x: Fraction) -> list[Side]:
+    """Turn edges by half a turn about (x/2, 0)."""
+    n, w = x.as_integer_ratio()
+    found = []
+    for k, *ends, (a, b, c) in reversed(level):
+        q, p = ((n * v - x * w, -y * w, v * w) for x, y, v in ends)
+        found.append((k, p, q, (a * w, b * w, -a * n - c * w)))
+    return found
 
 
-def by_angle(u: Node, v: Node) -> int:
-    """Compare two directions, counter-clockwise from straight down."""
-    return (u < (0, 0)) - (v < (0, 0)) or u[1] * v[0] - u[0] * v[1]
-
-
-def touching(d: MonotoneLoop, h: MonotoneLoop, work: Work) -> Iterator[tuple[Contact, Node]]:
-    """List features of D and H whose sum may be on the boundary of D + H, and the line of it.
-
-    They are edges of one direction, or an edge and a convex corner between whose edges it is.
-    """
-    ways = [[reduce(a, b, 0) for a, b, _ in of.lines] for of in (d, h)]
-    turned = sorted(dict.fromkeys(chain.from_iterable(ways)), key=cmp_to_key(by_angle))
-    ranks = {way: k for k, way in enumerate(turned)}
-    of_d, of_h = [[ranks[way] for way in found] for found in ways]
-    for one, other, known, turns in ((h, d, of_h, of_d), (d, h, of_d, of_h)):
-        along: defaultdict[int, list[int]] = defaultdict(list)
-        for k, rank in enumerate(known):
-            along[rank].append(k)
-        for m, (x, y, w) in enumerate(other.points):
-            before, after = turns[m - 1], turns[m]
-            (a, b, _), (c, e, _) = other.lines[m - 1], other.lines[m]
-            end = after + len(ranks) * (after < before)
-            facing = range(before + 1, end if a * e > b * c else 0)
-            work.take(len(facing))
-            found = chain.from_iterable(along.get(n % len(ranks), ()) for n in facing)
-            contacts = [(k, ("EV", k, m) if one is h else ("VE", m, k)) for k in found]
-            contacts += [(k, ("EE", k, m)) for k in (along.get(after, ()) if one is h else ())]
-            work.take(len(contacts))
-            for k, contact in contacts:
-                a, b, c = one.lines[k]
-                yield contact, reduce(a * w, b * w, c * w - a * x - b * y)
-
-
-def extent(of: Node, points: Ring, others: Sequence[Node] = ((0, 0, 1),)) -> Extent:
+def extent(of: Node, points: Sequence[Node], others: Sequence[Node] = ((0, 0, 1),)) -> Extent:
     """Return the ends of sums along a line, by x or y; in wrong order if one is off."""
     a, b, c = of
     found = list[Rational]()
@@ -943,372 +1118,127 @@ class Monotone:
         unit = sign * self.scale * (a * a + b * b)
         return (a * x - b * y) / unit, (b * x + a * y) / unit
 
-    def leave_line(self, of: Node, one: Extent, other: Extent) -> Span:
-        """Return where a line is in the middle of what two extents have in common."""
-        (a, b, c), middle = of, Fraction(max(one[0], other[0]) + min(one[1], other[1])) / 2
-        n, w = middle.as_integer_ratio()
-        return self.leave((n * b, -a * n - c * w, w * b) if b else (-c * w, n * a, w * a))
-
     def read(self, name: str, points: Ring) -> MonotoneLoop:
         """Return a ring as a loop, unless it has a straight angle, turns back or meets itself."""
         lines = [line(p, q) for p, q in edges(points)]
         self.work.take(len(lines))
         turns = [lines[k - 1][0] * b - lines[k - 1][1] * a for k, (a, b, _) in enumerate(lines)]
-        if 0 in turns:
-            k = turns.index(0)
-            raise Refused(f"{name}: not canonical, no turn at vertex {k}", self.leave(points[k]))
         ahead = [(k, b > 0) for k, (_, b, _) in enumerate(lines) if b]
         back = [k for n, (k, is_ahead) in enumerate(ahead) if is_ahead != ahead[n - 1][1]]
-        if len(back) > 2:
-            reason = f"{name}: not monotone to the direction, it turns back at vertex {back[-1]}"
-            raise Refused(reason, self.leave(points[back[-1]]))
+        need(0 not in turns, f"{name}: not canonical, a vertex without a turn")
+        need(len(back) == 2, f"{name}: not monotone to the direction, it turns back at {back[:9]}")
         start, end = back if lines[back[0]][1] > 0 else back[::-1]
         upper = turn(points), [(-a, -b, c) for a, b, c in lines], end, start
         chains = lower_chain(points, lines, start, end), lower_chain(*upper)
         # Left turns alone go around once, for x turns back only twice.
-        is_convex = min(turns) > 0
+        is_convex, above = min(turns) > 0, turn_chain(chains[1].level, NONE)
         for tie in () if is_convex else (-1, 1):
-            first, *gaps, last = (n for n, _ in heights(*chains, (0, 0, 1), tie, self.work))
-            apart = max(first, last) <= 0 and max(gaps, default=-1) < 0
+            first, *between, last = (n for n, _, _ in gaps(chains[0].level, above, tie))
+            apart = min(first, last) >= 0 and min(between, default=1) > 0
             need(apart, f"{name}: not simple and counter-clockwise")
         return MonotoneLoop(points, lines, chains, is_convex)
 
     def prove(self) -> str:
         """Prove the sweep, and describe it."""
-        g, d, t, inner, outer, h = self.g, self.d, self.t, self.inner, self.outer, self.g.turned()
+        g, d, t, inner, outer = self.g, self.d, self.t, self.inner, self.outer
         kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
         need(self.kind == kind, f"kind: it is {kind}")
-        contacts, inner_drawn, outer_drawn = self.evidence
-        self.prove_contacts(h, contacts)
-        self.prove_held(
-            *(t, d, h),
-            "trajectory: the contact of directrix vertex {} and generatrix vertex {} is outside",
-            "trajectory: G overlaps D at vertex {} or beside it",
-        )
+        h, (contacts, inner_drawn, outer_drawn) = g.chains[::-1], self.evidence
+        reason = "trajectory: outside it, at the witness or beside it, G overlaps or touches D"
+        self.prove_held(t, d.chains, h, reason, under("contacts", items, contacts, len(t.points)))
         self.prove_fits(h)
         self.prove_drawn("outer_drawn", outer, outer_drawn)
-        self.prove_held(
-            *(outer, t, g),
-            "outer: with G at trajectory vertex {} its vertex {} is outside",
-            "outer: vertex {}, or the boundary beside it, is inside the area swept",
-        )
+        reason = "outer: outside it, at the witness or beside it, is area that is swept"
+        self.prove_held(outer, t.chains, g.chains, reason)
         self.prove_drawn("inner_drawn", inner, inner_drawn)
-        self.prove_held(
-            *(t, inner, h),
-            "inner: at vertex {} generatrix vertex {} can be put, and G is free of D",
-            "inner: at trajectory vertex {}, or beside it, G cuts into the region inside",
-        )
+        reason = "inner: at the witness or beside it G is free of D, and cuts into or touches it"
+        self.prove_held(t, inner.chains, h, reason)
         unit = self.scale**2 * (self.way[0] ** 2 + self.way[1] ** 2)
         check_area(self.area, [outer.points, inner.points[::-1]], self.work, unit)
         sizes = len(g.points), len(d.points)
         return describe(kind, *sizes, t.points, inner.points, outer.points, self.area)
 
     def prove_held(
-        self, held: MonotoneLoop, one: MonotoneLoop, other: MonotoneLoop, outside: str, inside: str
+        self, held: MonotoneLoop, one: Chains, other: Chains, reason: str, contacts: Any = None
     ) -> None:
-        """Prove that a loop has the sum of two others within it."""
-        halves = zip((1, -1), held.chains, one.chains, other.chains, strict=True)
-        for sign, half, a, b in halves:
-            for k, m, p in meeting(a, b, self.work):
-                if not half.holds(p):
-                    raise Refused(outside.format(k, m), self.leave(p, sign))
-            for k, p, tie in half.concave:
-                if any(n < 0 for n, _ in heights(a, b, p, tie, self.work)):
-                    raise Refused(inside.format(k), self.leave(p, sign))
-
-    def prove_contacts(self, h: MonotoneLoop, listed: Any) -> None:
-        """Prove that the contacts of each edge of the trajectory are listed and cover it."""
-        t, d = self.t, self.d
-        sides = [extent(of, t.ends("edge", k)) for k, of in enumerate(t.lines)]
-        along: dict[Node, list[tuple[Extent, int]]] = defaultdict(list)
-        for row in sorted(zip(sides, range(len(sides)), strict=True)):
-            along[t.lines[row[1]]].append(row)
-        found: list[dict[Contact, Extent]] = [{} for _ in sides]
-        for contact, of in touching(d, h, self.work):
-            if of in along:
-                kind, i, j = contact
-                piece = extent(of, h.ends(kind[0], i), d.ends(kind[1], j))
-                first = bisect_right(along[of], piece[0], key=lambda entry: entry[0][1])
-                for n in range(first, len(along[of])):
-                    (low, _), k = along[of][n]
-                    if low >= piece[1]:
-                        break
-                    self.work.take(1)
-                    found[k][contact] = piece
-        for k, entries in enumerate(under("contacts", items, listed, len(sides))):
-            of, true = t.lines[k], sorted(found[k])
-            same = entries == [[*contact] for contact in true]
-            if not same or not all(type(i) is type(j) is int for _, i, j in entries):
-                self.work.take(len(true) * len(items(entries)))
-                for kind, i, j in true:
-                    if [kind, i, j] not in entries:
-                        at = self.leave_line(of, sides[k], found[k][kind, i, j])
-                        raise Refused(f"contacts[{k}]: {kind} ({i}, {j}) is missing", at)
-                raise Refused(f"contacts[{k}]: one that is not along the edge, or not in order")
-            self.prove_covered(f"contacts[{k}]", of, sides[k], [*found[k].values()])
+        """Prove by (e) that a loop has a sum within it, and by (d) contacts, if they are listed."""
+        for sign, half, ones, others in zip((1, -1), held.chains, one, other, strict=True):
+            edges = chain.from_iterable(part.sides() for part in half.parts if contacts)
+            along = defaultdict[Node, list[tuple[Side, Extent, dict[Contact, Extent]]]](list)
+            for edge in edges:
+                along[edge[3]].append((edge, extent(edge[3], edge[1:3]), {}))
+            left, right = half.level[0][1], half.level[-1][2]
+            self.work.take(len(ones.parts) * len(others.parts))
+            for a, b in product(ones.parts, others.parts):
+                if by_way(a.greatest, b.least) > 0 or by_way(b.greatest, a.least) > 0:
+                    continue
+                added = add_parts(a.between(b), b.between(a))
+                between = gaps(half.level, [e for e in added.sides() if e[3][1]])
+                self.work.take(2 * len(added.points) + len(between) // 2)
+                wrong = [p for p in added.points if order(p, left) < 0 or order(p, right) > 0]
+                wrong += [p for n, _, p in between if n < 0]
+                if wrong:
+                    raise Refused(reason, self.leave(wrong[0], sign))
+                for contact, p, q, of in added.sides() if along else ():
+                    for _, (low, high), found in along.get(of, ()):
+                        self.work.take(1)
+                        piece = extent(of, [p, q])
+                        if piece[0] < high and low < piece[1]:
+                            found[contact] = piece
+            for (k, start, *_), ends, found in chain.from_iterable(along.values()):
+                name, listed, true = f"contacts[{k}]", contacts[k], [[*e] for e in sorted(found)]
+                if listed != true or not all(type(n) is int for e in listed for n in e[1:]):
+                    raise Refused(f"{name}: not the contacts along the edge, in order: {true[:9]}")
+                self.prove_covered(name, ends, [*found.values()], start, sign)
 
     def prove_drawn(self, name: str, drawn: MonotoneLoop, listed: Any) -> None:
         """Prove that the features listed for each edge of a loop draw it, all of it."""
         for k, entries in enumerate(under(name, items, listed, len(drawn.lines))):
-            features = under(f"{name}[{k}]", self.read_drawings, entries)
-            self.work.take(len(features))
-            of, edge = drawn.lines[k], extent(drawn.lines[k], drawn.ends("edge", k))
-            pieces = [extent(of, self.t.ends(*p), self.g.ends(*q)) for p, q in features]
-            self.prove_covered(f"{name}[{k}]", of, edge, pieces)
+            where, of = f"{name}[{k}]", drawn.lines[k]
+            pairs = [items(entry, 2) for entry in under(where, items, entries)]
+            self.work.take(len(pairs))
+            pieces = [extent(of, self.t.feature(p), self.g.feature(q)) for p, q in pairs]
+            once = len(pairs) < 2 or len({*map(str, pairs)}) == len(pairs)
+            need(once, f"{where}: a drawing is there twice")
+            ends = drawn.feature(["edge", k])
+            self.prove_covered(where, extent(of, ends), pieces, ends[0])
 
-    def read_drawings(self, item: Any) -> list[tuple[tuple[str, int], tuple[str, int]]]:
-        """Read features: positions on the trajectory, and what draws there."""
-        pairs = [items(entry, 2) for entry in items(item)]
-        found = [(self.t.feature(p), self.g.feature(q)) for p, q in pairs]
-        need(len({*found}) == len(found), "a drawing is there twice")
-        return found
-
-    def prove_covered(self, where: str, of: Node, edge: Extent, pieces: list[Extent]) -> None:
+    def prove_covered(
+        self, where: str, edge: Extent, pieces: list[Extent], start: Node, sign: int = 1
+    ) -> None:
         """Prove that pieces of a line, each along a part of an edge, cover it."""
         reach, end = edge
+        along = all(edge[0] < high > low < end for low, high in pieces)
         for low, high in sorted(pieces):
-            need(edge[0] < high > low < end, f"{where}: a drawing is not along the edge")
-            if low > reach:
-                break
-            reach = max(reach, high)
-        if reach < end:
-            gap = reach, min([end, *(low for low, _ in pieces if low > reach)])
-            reason = f"{where}: nothing that is listed draws all of the edge"
-            raise Refused(reason, self.leave_line(of, gap, gap))
+            reach = max(reach, high) if low <= reach else reach
+        if not along or reach < end:
+            reason = "nothing that is listed draws all of" if along else "a drawing is not along"
+            raise Refused(f"{where}: {reason} the edge", self.leave(start, sign))
 
-    def prove_fits(self, h: MonotoneLoop) -> None:
+    def prove_fits(self, h: Chains) -> None:
         """Prove that the exact fits are those between sums of jumps, and in their order."""
         found = []
-        for sign, one, other in zip((1, -1), self.d.chains, h.chains, strict=True):
+        for sign, t, one, other in zip((1, -1), self.t.chains, self.d.chains, h, strict=True):
             (falls, rises), (others, more) = one.list_jumps(), other.list_jumps()
             self.work.take(len(falls) * len(others) + len(rises) * len(more))
             for x in {a + b for a in falls for b in others} & {a + b for a in rises for b in more}:
+                self.work.take(len(t.level) + len(one.level) + len(other.level))
+                between = gaps(turn_chain(other.level, x), one.level)
+                inside = min(Fraction(n, w) for n, w, _ in between)
                 at = x.numerator, 0, x.denominator
-                left, right, inside = (
-                    min(Fraction(*y) for y in heights(one, other, at, tie, self.work))
-                    for tie in (-1, 1, 0)
-                )
-                hanging, end = (self.leave(node(x, y), sign) for y in (max(left, right), inside))
-                found += [(hanging, end)] if max(left, right) < inside else []
+                near = [e for _, p, q, e in t.level if order(p, at) <= 0 <= order(q, at)]
+                hanging = max(Fraction(-a * at[0] - c * at[2], b * at[2]) for a, b, c in near)
+                if hanging < inside:
+                    ends = node(x, hanging), node(x, inside)
+                    found.append((self.leave(ends[0], sign), self.leave(ends[1], sign)))
         listed = [(place(p), place(q)) for p, q in self.fits]
-        known, given = {*found}, {*listed}
-        for k, fit in enumerate(listed):
-            if fit not in known:
-                raise Refused(f"exact_fits[{k}]: not an exact fit, from end to end", fit[1])
-        for fit in found:
-            if fit not in given:
-                raise Refused("exact_fits: one is missing", fit[1])
-        need(listed == sorted(found), "exact_fits: not sorted, or one is listed twice")
+        wrong = sorted({*found}.symmetric_difference(listed))
+        if wrong or listed != sorted(found):
+            reason = "exact_fits: not the exact fits, from end to end and sorted"
+            raise Refused(reason, wrong[0][1] if wrong else None)
 
 
-class Placed(NamedTuple):
-    """Pieces where they are, all their points, boxes, and how far off points may be."""
-
-    pieces: list[Ring]
-    points: Ring
-    boxes: list[Grid]
-    box: Grid
-    error: Fraction
-
-    def holds(self, k: Any, p: Node, closed: bool) -> bool:
-        """Return whether a point is in a piece, or so far inside that the error does not matter."""
-        sides = [line(*e) for e in edges(self.pieces[integer(k, 0, len(self.pieces))])]
-        found = [(Fraction(side(of, p), p[2]), of[0] ** 2 + of[1] ** 2) for of in sides]
-        if closed:
-            return all(h >= 0 for h, _ in found)
-        return all(h > 0 and h**2 > self.error**2 * square for h, square in found)
-
-
-def move_ring(points: Ring, turn: Span, mirrored: bool, move: Node) -> Ring:
-    """Mirror, turn and move a ring; mirrored it would go around the other way."""
-    r = lcm(turn[0].denominator, turn[1].denominator)
-    c, s = int(turn[0] * r), int(turn[1] * r)
-    found = [(-x, y, w) for x, y, w in points[::-1]] if mirrored else points
-    return [add((c * x - s * y, s * x + c * y, r * w), move) for x, y, w in found]
-
-
-def read_turn(item: Any) -> Any:
-    """Read a turn: cosine and sine, or degrees where these are irrational."""
-    if type(item) is list:
-        cosine, sine = place(point(item))
-        need(cosine**2 + sine**2 == 1, "a turn of another length than 1")
-        return cosine, sine
-    degrees = number(item) % 360
-    return degrees if degrees % 90 else tuple(map(Fraction, BOX[int(degrees) // 90]))
-
-
-def turn_error(to: Span, degrees: Fraction) -> Fraction:
-    """Bound how far a turn is from one by degrees, by the power series in steps of 1e-110."""
-    unit = 10**110
-    angle, sums, term, k = int(PI * degrees / 180 * unit), [0, 0, 0, 0], unit, 0
-    while term:
-        sums[k % 4] += term
-        k += 1
-        term = term * angle // (unit * k)
-    cosine, sine = Fraction(sums[0] - sums[2], unit), Fraction(sums[1] - sums[3], unit)
-    return abs(to[0] - cosine) + abs(to[1] - sine) + Fraction(1, 10**95)
-
-
-def are_apart(one: Ring, other: Ring, way: tuple[int, int], distance: Fraction) -> bool:
-    """Return whether a normal shows that points are at a distance from others, to its side."""
-    x, y = way
-    high = max(Fraction(x * p[0] + y * p[1], p[2]) for p in one)
-    gap = min(Fraction(x * p[0] + y * p[1], p[2]) for p in other) - high
-    return (x, y) != (0, 0) and gap >= 0 and gap**2 >= distance**2 * (x * x + y * y)
-
-
-class Layout:
-    """A layout as its certificate has it: valid, by (2), or with faults."""
-
-    def __init__(self, c: dict[str, Any], work: Work) -> None:
-        head = "layout valid turns frame pieces outside apart faults"
-        values = fields(c, head, "format version kind")[:8]
-        layout, self.valid, turns, ends, cut, outside, *lists = values
-        keys = "container parts placements", "spacing margin"
-        container, parts, placements, *gaps = fields(layout, *keys)
-        self.gaps = ["0" if gap is None else gap for gap in gaps]
-        self.spacing, self.margin = map(number, self.gaps)
-        self.work, (self.apart, self.faults) = work, map(items, lists)
-        self.frame = frame(*map(number, items(ends, 4)))
-        need(type(self.valid) is bool, "valid: neither true nor false")
-        need(not self.valid or None not in (outside, *items(cut)), "pieces: some are missing")
-        need(self.spacing >= 0 <= self.margin, "a spacing or a margin below 0")
-        work.fit([self.frame])
-
-        rules = "demand turns mirrored"
-        self.parts = [fields(part, "id exterior", f"holes {rules}") for part in items(parts)]
-        self.ids = [part[0] for part in self.parts]
-        unique = {*map(type, self.ids)} <= {str} and len({*self.ids}) == len(self.ids)
-        need(unique, "parts: ids are strings, each of one part")
-        self.rings = [shape(part, f"id {rules}") for part in parts]
-        both = zip(items(cut, len(parts)), self.rings, strict=True)
-        pieces = [[] if e is None else solid(rings, e, work) for e, rings in both]
-        self.facts: list[tuple[int, Any, bool]] = []
-        self.placed: list[Placed] = []
-        for item, rational in zip(items(placements), items(turns, len(placements)), strict=True):
-            name, asked, move, mirrored = fields(item, "part turn move", "mirrored")
-            need(type(name) is str and name in self.ids, "placements: of no part")
-            need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
-            k, turn, to = self.ids.index(name), read_turn(asked), read_turn(items(rational))
-            work.take(len(self.ids) + count(self.rings[k]) + count(pieces[k]))
-            far = max(sum(map(abs, place(p)), NONE) for points in self.rings[k] for p in points)
-            error = NONE if type(turn) is tuple else far * turn_error(to, turn)
-            need(error > 0 or turn == to, "turns: not the turn of the placement")
-            self.facts.append((k, turn, bool(mirrored)))
-            by = point(move)
-            self.put([move_ring(e, to, bool(mirrored), by) for e in pieces[k]], error)
-        # All that is outside comes last, for its number is -1.
-        within = shape(container)
-        if outside is None:
-            check_shape(within, work)
-        self.put([] if outside is None else solid(within, outside, work, self.frame), NONE)
-
-    def put(self, pieces: list[Ring], error: Fraction) -> None:
-        """Put pieces where they are."""
-        points = list(chain.from_iterable(pieces)) or [(0, 0, 1)]
-        boxes = [grid_box(piece, self.work.scale) for piece in pieces]
-        self.placed.append(Placed(pieces, points, boxes, grid_box(points, self.work.scale), error))
-
-    def prove(self) -> str:
-        """Prove the claim, and describe it."""
-        found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
-        rules = chain.from_iterable(self.check_rules(k).items() for k in range(len(self.ids)))
-        broken = [kind for kind, holds in rules if holds]
-        if not self.valid:
-            need(self.faults != [] == self.apart, "faults: none, or normals beside them")
-            for fault in self.faults:
-                self.prove_fault(fault)
-            return f"{found}, not valid: {len(self.faults)} faults"
-        need(self.faults == [], "faults: of a valid layout")
-        need(broken == [], f"a part breaks rules: {broken}")
-        self.prove_apart()
-        # As written: str refuses long ints.
-        return f"{found}, valid, spacing {self.gaps[0]}, margin {self.gaps[1]}"
-
-    def check_rules(self, k: int) -> dict[str, bool]:
-        """Return which rules the placements of part k break."""
-        demand, turns, mirrored = self.parts[k][3:]
-        need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
-        found = [fact for fact in self.facts if fact[0] == k]
-        allowed = None if turns is None else [read_turn(turn) for turn in items(turns)]
-        self.work.take(len(self.facts) + len(allowed or []) * len(found))
-        asked = len(found) if demand is None else integer(demand, 0, 10**9)
-        return {
-            "missing": len(found) < asked,
-            "surplus": len(found) > asked,
-            "turn": allowed is not None and any(turn not in allowed for _, turn, _ in found),
-            "mirror": mirrored is False and any(flag for _, _, flag in found),
-        }
-
-    def prove_apart(self) -> None:
-        """Prove that parts are inside the frame, and apart from each other and the container."""
-        normals = {
-            tuple(integer(k, -1, 10**9) for k in items(e, 6)[:4]): point(e[4:])[:2]
-            for e in self.apart
-        }
-        need(len(normals) == len(self.apart), "apart: a pair is there twice")
-        for one in self.placed[:-1]:
-            for p, way in zip(self.frame, BOX, strict=True):
-                inside = are_apart([p], one.points, way, self.margin + one.error)
-                need(inside, "a part reaches beyond the frame")
-        widest = max(self.spacing, self.margin) + 2 * max(one.error for one in self.placed)
-        reach = -int(-widest * self.work.scale // 1)
-        boxes = [one.box for one in (self.placed[-1], *self.placed[:-1])]
-        for a, b in list_near(boxes, reach, self.work):
-            self.prove_pair(a - 1, b - 1, reach, normals)
-
-    def prove_pair(self, a: int, b: int, reach: int, normals: dict[Any, tuple[int, int]]) -> None:
-        """Prove that two shapes are apart: by one normal of both, or for all pairs of pieces."""
-        one, other = self.placed[a], self.placed[b]
-        distance = (self.margin if a < 0 else self.spacing) + one.error + other.error
-        self.work.take(len(one.points) + len(other.points))
-        if (a, -1, b, -1) in normals:
-            whole = are_apart(one.points, other.points, normals[a, -1, b, -1], distance)
-            need(whole, f"{a} and {b}: no normal that parts them")
-            return
-        near = [(j, box) for j, box in enumerate(other.boxes) if are_near(box, one.box, reach)]
-        self.work.take(len(one.pieces) * len(near) // 4)
-        for i, piece in enumerate(one.pieces):
-            for j in [j for j, box in near if are_near(box, one.boxes[i], reach)]:
-                self.work.take(len(piece) + len(other.pieces[j]))
-                ways = [normals[a, i, b, j]] if (a, i, b, j) in normals else BOX
-                apart = any(are_apart(piece, other.pieces[j], way, distance) for way in ways)
-                need(apart, f"piece {i} of {a} and piece {j} of {b}: no normal that parts them")
-
-    def prove_fault(self, fault: Any) -> None:
-        """Prove one fault by its witness."""
-        kind = fault.get("kind") if type(fault) is dict else None
-        if kind in ("overlap", "outside", "too close"):
-            self.prove_near(kind, *fields(fault, "kind placements pieces points")[1:])
-            return
-        name, both = fields(fault, "kind part", "edges")[1:]
-        need(type(name) is str and name in self.ids, "faults: of no part")
-        k = self.ids.index(name)
-        self.work.take(k + count(self.rings[k]))
-        if kind != "shape":
-            need(self.check_rules(k).get(str(kind), False), f"faults: {kind}")
-            return
-        (m, i), (n, j) = ([integer(e, 0, 10**9) for e in items(edge, 2)] for edge in items(both, 2))
-        rings = [edges(ring(e)) for e in (self.parts[k][1], *(self.parts[k][2] or []))]
-        need(m < len(rings) > n and i < len(rings[m]) and j < len(rings[n]), "edges: not there")
-        (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
-        clash = i != j and do_clash(p, q, r, s, (j - i) % size, size)
-        need(clash if m == n else do_cross(p, q, r, s), "faults: the edges do not clash")
-
-    def prove_near(self, kind: str, of: Any, numbers: Any, points: Any) -> None:
-        """Prove that a point is inside two shapes, or that points of them are too close."""
-        a, *others = [integer(n, 0, len(self.facts)) for n in items(of)]
-        need(len(others) < 2 and a not in others, "faults: not of one placement or of two")
-        need(kind == "too close" or (kind == "overlap") == bool(others), f"faults: {kind} of what")
-        one, other = self.placed[a], self.placed[(others or [-1])[0]]
-        self.work.take(len(one.points) + len(other.points))
-        (i, j), (p, q) = items(numbers, 2), (point(end) for end in items(points, 2))
-        room = (self.spacing if others else self.margin) - one.error - other.error
-        square = sum((c - d) ** 2 for c, d in zip(place(p), place(q), strict=True))
-        closed = kind == "too close"
-        met = room > 0 and square < room**2 if closed else p == q
-        there = one.holds(i, p, closed) and other.holds(j, q, closed)
-        need(met and there, f"faults: the points do not show {kind}")
+# --- Questions ------------------------------------------------------------------------------------
 
 
 def outline(points: Ring) -> Ring:
@@ -1333,7 +1263,7 @@ def check_given(certificate: Any, key: str, rings: list[Ring]) -> None:
 def read_given(text: str) -> list[Ring]:
     """Read a shape or a ring from JSON, its numbers exactly as they are written."""
     need(not re.search("[eE][-+]?0*[1-9][0-9]{4}", text), "a number with too large an exponent")
-    item = json.loads(text, parse_float=str, parse_int=str, parse_constant=str)
+    item = json.loads(text, parse_float=str, parse_int=str)
     rings = [item] if type(item) is list else [item["exterior"], *item.get("holes", [])]
     return [[node(*map(Fraction, items(p, 2))) for p in points] for points in rings]
 

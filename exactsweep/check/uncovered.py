@@ -11,7 +11,7 @@ from exactsweep.check.boxes import BoxTree
 from exactsweep.check.cone import cross, divide, reduce_way, subtract
 from exactsweep.check.convex_sums import ConvexSums
 from exactsweep.check.shape import list_edges
-from exactsweep.check.size import Budget
+from exactsweep.check.standalone import Work
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 # Steps to put a segment on its line, and to begin with it.
@@ -70,6 +70,11 @@ class LinePiece(NamedTuple):
         """Both ends, the lexicographically least first."""
         return self.line.at(self.low), self.line.at(self.high)
 
+    @property
+    def box(self) -> tuple[int, int, int, int]:
+        """The box around it, rounded outwards."""
+        return _frame(self.line, [(self.low.as_integer_ratio(), self.high.as_integer_ratio())])
+
 
 _Heights = tuple[int, int, list[int]]
 """Distances of the vertices of a ring to the left of a direction, behind the least and greatest."""
@@ -91,7 +96,7 @@ class OpenSets:
         self,
         first: Iterable[Sequence[Vertex]],
         second: Iterable[Sequence[Vertex]],
-        budget: Budget,
+        budget: Work,
     ) -> None:
         # Large sets first: few of them cover most of the union.
         self._sums = ConvexSums(first, second, budget)

@@ -65,11 +65,10 @@ def verify(
     Raises:
         ExactSweepError: a polygon that is none, or `max_steps` that is no int above 0.
 
-    Cost: with m and n edges, a look-up for each edge and corner that may touch, and each pair of
-    convex corners that have a slope in common, O((m + n) log(m + n)) for convex polygons and
-    O(mn log(mn)) for others; k (m + n) steps for k concave corners of the trajectory, k (t + n) for
-    k of the outer loop around a trajectory of t edges (of m and t those only that are over G). For
-    polygons of any shape that of `reference_no_fit` and its like, by pieces that meet.
+    Cost: with m and n edges, O((m + n) log(m + n)) for convex polygons. For others with a shared
+        direction, the edges of sums of convex parts, and those of the loop that holds them at the
+        same x; parts without a common slope take a step. For polygons of any shape that of
+        `reference_no_fit` and its like, by pieces that meet.
     Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
 
     >>> verify({"format": "exactsweep certificate"})
@@ -77,16 +76,9 @@ def verify(
     """
     if type(max_steps) is not int or max_steps < 1:
         raise ExactSweepError("max_steps must be an int, at least 1")
-    given = {
-        name: _read_given(shape)
-        for name, shape in (
-            ("generatrix", generatrix),
-            ("directrix", directrix),
-            ("part", part),
-            ("container", container),
-        )
-        if shape is not None
-    }
+    names = "generatrix", "directrix", "part", "container"
+    asked = zip(names, (generatrix, directrix, part, container), strict=True)
+    given = {name: _read_given(shape) for name, shape in asked if shape is not None}
     try:
         _check_types(certificate)
         is_claim = type(certificate) is dict and "claim" in certificate

@@ -12,6 +12,7 @@ import click
 from exactsweep import __version__
 from exactsweep.cli.help import add_examples
 from exactsweep.cli.limits import add_limits
+from exactsweep.words import spell_out
 
 _NAMES = (
     *("batch", "compare", "conform", "convert", "corpus", "draw", "example", "explain", "ifp"),
@@ -78,9 +79,9 @@ def _refuse_in_one_line() -> Iterator[None]:
             raise
         raise click.UsageError(f"{message[:200]}...{message[-200:]}", error.ctx) from None
     except click.ClickException as error:
-        raise click.ClickException(_on_one_line(error.message)) from None
+        raise click.ClickException(spell_out(error.message)) from None
     except ValueError as error:
-        raise click.ClickException(_on_one_line(str(error))) from None
+        raise click.ClickException(spell_out(str(error))) from None
     except BrokenPipeError:
         raise  # click ends without a word
     except OSError as error:
@@ -92,11 +93,6 @@ def _refuse_in_one_line() -> Iterator[None]:
         # Release the locals of the failed functions, so that there is room for the message.
         clear_frames(error.__traceback__)
         raise click.ClickException("out of memory") from None
-
-
-def _on_one_line(message: str) -> str:
-    """The message, with what would break its line, or do worse in a terminal, spelled out."""
-    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in message)
 
 
 @click.group(cls=_Commands, commands=_Modules())

@@ -112,6 +112,7 @@ def conform_command(
     from exactsweep.conform.run.journal import Journal
     from exactsweep.conform.run.pairs import read_pairs
     from exactsweep.conform.run.pool import Judges
+    from exactsweep.conform.run.process import Terms
     from exactsweep.conform.run.runner import judge_cases
 
     if path is not None and pairs is not None:
@@ -122,6 +123,7 @@ def conform_command(
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
     most = None if most_memory is None else most_memory * 2**20
+    terms = Terms(command, timeout, rounding, most)
     selection = Selection.of(filters)
     total = None
     given = read_cases(path) if path is not None else None
@@ -132,19 +134,9 @@ def conform_command(
     cases = require_distinct(selection.shipped() if given is None else selection.among(given))
     with ExitStack() as stack:
         stack.enter_context(_end_as_interrupted())
-        judges = stack.enter_context(
-            Judges(command, seconds=timeout, workers=workers, rounding=rounding, most=most)
-        )
+        judges = stack.enter_context(Judges(terms, workers))
         kept = journal and stack.enter_context(
-            Journal(
-                Path(journal),
-                command=command,
-                hello=judges.hello,
-                seconds=timeout,
-                rounding=rounding,
-                most=most,
-                resume=resume,
-            )
+            Journal(Path(journal), terms, judges.hello, resume=resume)
         )
         run = reports.begin(judges.hello, command)
         tell = stack.enter_context(progress(run, total))

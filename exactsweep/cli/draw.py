@@ -11,6 +11,7 @@ from exactsweep.cli.pair import coordinates_of_files, takes_pair, takes_question
 from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, show_path
 from exactsweep.numbers.error import name_refusals
+from exactsweep.words import spell_out
 
 
 def _require_suffix(path: str) -> str:
@@ -84,8 +85,7 @@ def draw_command(
         plot(result, axes, positions=positions or None, y_down=y_down)
     if title:
         # No font has what is no letter, and a dollar would begin a formula.
-        shown = "".join(c if c.isprintable() else repr(c)[1:-1] for c in title)
-        axes.set_title(shown.replace("$", r"\$"), loc="left")
+        axes.set_title(spell_out(title).replace("$", r"\$"), loc="left")
     try:
         with working("drawing"), beside(output) as path:
             save(figure, path)

@@ -2,34 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from fractions import Fraction
-from functools import cached_property
-from math import lcm
-from typing import Literal, get_args
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import get_args
 
+from exactsweep.corpus.answered import AnsweredPair, make_shape
 from exactsweep.corpus.facts import find_facts
-from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Fit, Loop, Point
+from exactsweep.numbers.point import Loop
 from exactsweep.procedures.solution import Kind
-from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
+from exactsweep.sweep import inner_fit_polygon, sweep
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
-Shapes = Literal["convex", "monotone", "simple", "any"]
-SHAPES: tuple[Shapes, ...] = get_args(Shapes)
-"""The kinds of pairs; each includes those before it. A pair without holes is simple."""
-_SHAPES_OF: dict[Kind, Shapes] = {
-    "CC": "convex",
-    "CM": "monotone",
-    "MM": "monotone",
-    "SS": "simple",
-}
 Given = AnyPolygon | Iterable[Iterable[object]]
 
 
@@ -37,53 +25,21 @@ class CaseError(ExactSweepError):
     """A case that cannot be read, or that contradicts itself; the message says where."""
 
 
-@dataclass(frozen=True)
-class Case:
+@dataclass(frozen=True, kw_only=True)
+class Case(AnsweredPair):
     """A pair of polygons with the exact answers for tests of an implementation.
 
     Attributes:
         id: the name of the case; it never changes its meaning.
         title: one line for people.
-        directrix_ring: D, or its exterior, as the case gives it: tuple of Point, not closed, and
-            with the orientation, collinear vertices and repeated vertices of the input.
-        generatrix_ring: G, likewise.
-        reference: the point of G whose path the trajectory is.
-        kind: "CC", "CM", "MM" or "SS", as of the sweep.
         flags: what is special about the case, sorted; `exactsweep.corpus.notes` has a note on each.
-        trajectory: the expected trajectory, a Polygon, and so for the inner and outer loop.
-        inner: the expected inner loop.
-        outer: the expected outer loop.
-        exact_fits: the expected exact fits, as `Sweep.exact_fits` has them.
-        area: the expected swept area.
-        directrix_holes: the holes of D, each a ring as given.
-        generatrix_holes: those of G.
-        holes: the expected holes of the no-fit polygon, whose exterior is the trajectory.
-        unswept: the expected further holes of the swept area.
-        inner_regions: the expected regions of positions of G inside D; None where that is not
-            asked. It is, of all cases of class "SS", and of containers of any class.
-        inner_exact_fits: the expected exact fits of G inside D.
         note: where the case comes from, if there is more to say than the title says.
         version: the number of the corpus in which the case appeared; frozen.
     """
 
     id: str
     title: str
-    directrix_ring: Loop
-    generatrix_ring: Loop
-    reference: Point
-    kind: Kind
-    flags: tuple[str, ...]
-    trajectory: Polygon
-    inner: Polygon
-    outer: Polygon
-    exact_fits: tuple[Fit, ...]
-    area: Fraction
-    directrix_holes: tuple[Loop, ...] = ()
-    generatrix_holes: tuple[Loop, ...] = ()
-    holes: tuple[Polygon, ...] = ()
-    unswept: tuple[Polygon, ...] = ()
-    inner_regions: tuple[Region, ...] | None = None
-    inner_exact_fits: tuple[Fit, ...] = ()
+    flags: tuple[str, ...] = ()
     note: str = ""
     version: int = 1
 
@@ -140,18 +96,17 @@ class Case:
             read_given_rings(directrix, directrix_holes),
             read_given_rings(generatrix, generatrix_holes),
         )
-        s = sweep(_shape(g), _shape(d), reference=reference)
+        s = sweep(make_shape(g), make_shape(d), reference=reference)
         inside = None
         if inner_fit or s.kind == "SS":
-            inside = inner_fit_polygon(_shape(d), _shape(g), reference=reference)
-        return cls(
+            inside = inner_fit_polygon(make_shape(d), make_shape(g), reference=reference)
+        case = cls(
             id=id,
             title=title,
             directrix_ring=d[0],
             generatrix_ring=g[0],
             reference=s.reference,
             kind=s.kind,
-            flags=tuple(sorted({*flags, *find_facts(d, g, s, inside)})),
             trajectory=s.trajectory,
             inner=s.inner,
             outer=s.outer,
@@ -165,82 +120,7 @@ class Case:
             inner_exact_fits=() if inside is None else inside.exact_fits,
             note=note,
         )
-
-    @property
-    def directrix_rings(self) -> tuple[Loop, ...]:
-        """The exterior and the holes of D as given."""
-        return (self.directrix_ring, *self.directrix_holes)
-
-    @property
-    def generatrix_rings(self) -> tuple[Loop, ...]:
-        """The exterior and the holes of G as given."""
-        return (self.generatrix_ring, *self.generatrix_holes)
-
-    @cached_property
-    def directrix(self) -> AnyPolygon:
-        """D in canonical form; a Region if it has holes."""
-        return _shape(self.directrix_rings)
-
-    @cached_property
-    def generatrix(self) -> AnyPolygon:
-        """G in canonical form; a Region if it has holes."""
-        return _shape(self.generatrix_rings)
-
-    def sweep(self) -> Sweep:
-        """Sweep the pair anew."""
-        return sweep(self.generatrix, self.directrix, reference=self.reference)
-
-    @property
-    def shapes(self) -> Shapes:
-        """The least of SHAPES that holds the pair."""
-        if self.directrix_holes or self.generatrix_holes:
-            return "any"
-        return _SHAPES_OF[self.kind]
-
-    @property
-    def size(self) -> int:
-        """The vertices of all rings as given."""
-        return sum(map(len, (*self.directrix_rings, *self.generatrix_rings)))
-
-    @cached_property
-    def integer_scale(self) -> int:
-        """The least positive int by which every coordinate of the input becomes an integer.
-
-        The input is D, G and the reference point. The answer at this scale may still have
-        fractions: then the case has the flag "rounded-answer".
-        """
-        return lcm(*(c.denominator for c in self._input()))
-
-    @cached_property
-    def representable(self) -> frozenset[str]:
-        """The number types that hold the input, every coordinate of it, without rounding.
-
-        "int32" and "int64" when the type holds the input times `integer_scale`; "binary64" when
-        that type holds the input as it is. (Where "int32" is named, binary64 holds the input times
-        `integer_scale`, too.)
-        """
-        return find_types(list(self._input()), self.integer_scale)
-
-    @cached_property
-    def answer_representable(self) -> frozenset[str]:
-        """The number types that hold the expected answer, in the same sense and scale.
-
-        The answer is the trajectory, the inner and outer loop and the exact fits.
-        """
-        return find_types(list(self._answer()), self.integer_scale)
-
-    def _input(self) -> Iterator[Fraction]:
-        for ring in (*self.directrix_rings, *self.generatrix_rings, (self.reference,)):
-            for point in ring:
-                yield from point
-
-    def _answer(self) -> Iterator[Fraction]:
-        loops = (self.trajectory, self.inner, self.outer, *self.holes, *self.unswept)
-        rings = [loop.vertices for loop in loops]
-        rings += [region.vertices for region in self.inner_regions or ()]
-        for points in (*rings, *self.exact_fits, *self.inner_exact_fits):
-            for point in points:
-                yield from point
+        return replace(case, flags=tuple(sorted({*flags, *find_facts(case)})))
 
 
 def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
@@ -260,8 +140,3 @@ def given_ring(vertices: Given) -> Loop:
         return vertices.vertices
     ring = tuple(read_point(pair, f"vertex {i}") for i, pair in enumerate(vertices))
     return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
-
-
-def _shape(rings: tuple[Loop, ...]) -> AnyPolygon:
-    exterior, *holes = rings
-    return Region(exterior, holes) if holes else Polygon(exterior)

@@ -46,10 +46,8 @@ def case_to_json(case: Case) -> dict[str, Any]:
         "exact_fits": case.exact_fits,
         "area": case.area,
         "counts": {
-            "trajectory": len(case.trajectory),
-            "inner": len(case.inner),
-            "outer": len(case.outer),
-            "exact_fits": len(case.exact_fits),
+            name: len(getattr(case, name))
+            for name in ("trajectory", "inner", "outer", "exact_fits")
         },
         "representable": _types(case.answer_representable),
     }
@@ -69,7 +67,8 @@ def case_to_json(case: Case) -> dict[str, Any]:
         if holes := getattr(case, name):
             data[name] = holes
     if case.kind == "SS":
-        expected |= {"holes": _list_rings(case.holes), "unswept": _list_rings(case.unswept)}
+        for name in ("holes", "unswept"):
+            expected[name] = [loop.vertices for loop in getattr(case, name)]
     if case.inner_regions is not None:
         expected["inner_fit"] = {
             "regions": [
@@ -199,10 +198,6 @@ def _require_same(right: Any, found: JsonNode) -> None:
 
 def _types(held: Iterable[str]) -> list[str]:
     return [name for name in NUMBER_TYPES if name in held]
-
-
-def _list_rings(loops: Iterable[Polygon]) -> list[Loop]:
-    return [loop.vertices for loop in loops]
 
 
 FITS = {"exact_fits": "no_fit", "inner_exact_fits": "inner_fit"}

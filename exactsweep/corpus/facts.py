@@ -1,17 +1,19 @@
 """Flags that are computed from a pair and its answer, so that a test can check them."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
-from math import lcm
 
 from exactsweep.check import classify
+from exactsweep.corpus.answered import AnsweredPair
 from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_range
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.point import Fit, Point, PointRings
-from exactsweep.sweep import InnerFit, Sweep
+from exactsweep.geometry.vectors import cross, way_key
+from exactsweep.numbers.point import Point, PointRings
 
 NEAR = Fraction(1, 10**14)
 HUGE = Fraction(2**53)
@@ -19,16 +21,11 @@ TINY = Fraction(1, 2**30)
 MANY = 256
 
 
-def find_facts(
-    directrix: PointRings, generatrix: PointRings, s: Sweep, inside: InnerFit | None = None
-) -> set[str]:
+def find_facts(case: AnsweredPair) -> set[str]:
     """Find the flags of a pair that can be seen.
 
     Args:
-        directrix: the exterior and the holes of D as given, not closed.
-        generatrix: those of G.
-        s: the sweep of the two.
-        inside: the positions of G inside D, where they are asked for.
+        case: a pair with its answers.
 
     Returns:
         Names of flags; `exactsweep.corpus.notes` says what each means.
@@ -36,17 +33,18 @@ def find_facts(
     Cost: O((m + n) log(m + n)) besides the sweep and `classify`.
 
     Example:
-        >>> from exactsweep import sweep
-        >>> square = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        >>> sorted(find_facts([square], [square], sweep(square, square)))
+        >>> from exactsweep.corpus import Case
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> case = Case.of("mine-1", "a square around itself", square, square)
+        >>> sorted(find_facts(case))
         ['identical', 'inverse', 'parallel-edges', 'vertical-edge']
     """
+    given = case.directrix_rings, case.generatrix_rings
     return {
-        *(name for name, holds in _SPELLING.items() if holds(directrix) or holds(generatrix)),
-        *(name for name, holds in _ANSWER.items() if holds(s)),
-        *(name for name, holds in _INSIDE.items() if inside is not None and holds(inside)),
-        *_sizes(directrix, generatrix, s, inside),
-        *_slopes(s),
+        *(name for name, holds in _SPELLING.items() if any(map(holds, given))),
+        *(name for name, holds in _ANSWER.items() if holds(case)),
+        *_sizes(case),
+        *_slopes(case),
     }
 
 
@@ -71,12 +69,8 @@ _SPELLING: dict[str, Callable[[PointRings], bool]] = {
 }
 
 
-def _identical(s: Sweep) -> bool:
-    return _at_origin(s.generatrix) == _at_origin(s.directrix)
-
-
-def _inverse(s: Sweep) -> bool:
-    return _at_origin(s.generatrix.reflected()) == _at_origin(s.directrix)
+def _inverse(case: AnsweredPair) -> bool:
+    return _at_origin(case.generatrix.reflected()) == _at_origin(case.directrix)
 
 
 def _at_origin(shape: AnyPolygon) -> AnyPolygon:
@@ -84,88 +78,66 @@ def _at_origin(shape: AnyPolygon) -> AnyPolygon:
     return shape.translated((-x, -y))
 
 
-def _is_point(fit: Fit) -> bool:
-    return fit[0] == fit[1]
+def _list_rings(case: AnsweredPair) -> PointRings:
+    return (*case.directrix.rings, *case.generatrix.rings)
 
 
-def _is_long(s: Sweep) -> bool:
-    loops = (polygon.vertices for polygon in (s.trajectory, s.inner, s.outer))
-    return any(len(ring) > MANY for ring in (*loops, *s.directrix.rings, *s.generatrix.rings))
+def _is_long(case: AnsweredPair) -> bool:
+    loops = (case.trajectory, case.inner, case.outer)
+    return any(len(ring) > MANY for ring in (*_list_rings(case), *(p.vertices for p in loops)))
 
 
-def _touch(s: Sweep) -> bool:
-    return classify(s.directrix, s.generatrix, (0, 0)).verdict == "CONTACT"
-
-
-_ANSWER: dict[str, Callable[[Sweep], bool]] = {
-    "identical": _identical,
+_ANSWER: dict[str, Callable[[AnsweredPair], bool]] = {
+    "identical": lambda case: _at_origin(case.generatrix) == _at_origin(case.directrix),
     "inverse": _inverse,
-    "touching": _touch,
-    "reference-point": lambda s: any(s.reference),
-    "turned": lambda s: s.kind != "SS" and s.direction != (1, 0),
-    "exact-fit": lambda s: bool(s.exact_fits),
-    "single-position": lambda s: any(map(_is_point, s.exact_fits)),
-    "undercut": lambda s: s.inner.vertices != s.directrix.rings[0],
-    "no-fit-hole": lambda s: bool(s.no_fit_holes),
-    "unswept": lambda s: bool(s.unswept),
+    "touching": lambda case: classify(case.directrix, case.generatrix, (0, 0)).verdict == "CONTACT",
+    "turned": lambda case: case.kind != "SS" and case.sweep().direction != (1, 0),
+    "undercut": lambda case: case.inner.vertices != case.directrix.rings[0],
+    "reference-point": lambda case: any(case.reference),
+    "exact-fit": lambda case: bool(case.exact_fits),
+    "single-position": lambda case: any(p == q for p, q in case.exact_fits),
+    "no-fit-hole": lambda case: bool(case.holes),
+    "unswept": lambda case: bool(case.unswept),
     "many-vertices": _is_long,
-}
-
-_INSIDE: dict[str, Callable[[InnerFit], bool]] = {
-    "room-inside": lambda inside: bool(inside.regions),
-    "several-rooms": lambda inside: len(inside.regions) > 1,
-    "exact-fit-inside": lambda inside: bool(inside.exact_fits),
-    "does-not-fit": lambda inside: not inside.regions and not inside.exact_fits,
+    "room-inside": lambda case: bool(case.inner_regions),
+    "several-rooms": lambda case: len(case.inner_regions or ()) > 1,
+    "exact-fit-inside": lambda case: bool(case.inner_exact_fits),
+    "does-not-fit": lambda case: case.inner_regions == () and not case.inner_exact_fits,
 }
 
 
-def _sizes(
-    directrix: PointRings, generatrix: PointRings, s: Sweep, inside: InnerFit | None
-) -> Iterator[str]:
-    rings = [*directrix, *generatrix, [s.reference]]
-    given = [c for ring in rings for point in ring for c in point]
-    scale = lcm(*(c.denominator for c in given))
-    answer = [c * scale for c in _answer(s, inside)]
-    given = [c * scale for c in given]
+def _sizes(case: AnsweredPair) -> Iterator[str]:
+    scale = case.integer_scale
+    answer = [c * scale for c in case.list_answer()]
     if scale > 1:
         yield "fractional-input"
     if any(c.denominator > 1 for c in answer):
         yield "rounded-answer"
     for name, bits in INTEGER_BITS.items():
-        if all(is_in_range(c, bits) for c in given):
+        if name in case.representable:
             if not all(is_in_range(c, bits) for c in answer):
                 yield f"overflow-{name}"
-            if not is_in_range(_greatest_product(s, scale), bits):
+            if not is_in_range(_greatest_product(case), bits):
                 yield f"product-overflow-{name}"
-    if "binary64" in find_types([c / scale for c in given], 1) and _rounds_products(s):
+    if "binary64" in case.representable and _rounds_products(case):
         yield "product-rounding"
-    if max(map(abs, given)) > HUGE * scale:
+    if max(map(abs, case.list_input())) > HUGE:
         yield "huge"
-    if min(abs(c) for p, q in _all_edges(s) for c in (q.x - p.x, q.y - p.y) if c) < TINY:
+    if min(abs(c) for p, q in _all_edges(case) for c in (q.x - p.x, q.y - p.y) if c) < TINY:
         yield "tiny"
 
 
-def _answer(s: Sweep, inside: InnerFit | None) -> Iterator[Fraction]:
-    shapes = [s.trajectory, s.inner, s.outer, *s.no_fit_holes, *s.unswept]
-    rings = [shape.vertices for shape in shapes]
-    fits = [*s.exact_fits]
-    if inside is not None:
-        rings += [region.vertices for region in inside.regions]
-        fits += inside.exact_fits
-    for points in (*rings, *fits):
-        for point in points:
-            yield from point
-
-
-def _greatest_product(s: Sweep, scale: int) -> Fraction:
+def _greatest_product(case: AnsweredPair) -> Fraction:
     """The greatest cross product of the sides of the boxes around D and G, on the lattice."""
-    boxes = [polygon.bounding_box for polygon in (s.directrix, s.generatrix)]
-    width, height = (max(high[axis] - low[axis] for low, high in boxes) * scale for axis in (0, 1))
+    boxes = [polygon.bounding_box for polygon in (case.directrix, case.generatrix)]
+    width, height = (
+        max(high[axis] - low[axis] for low, high in boxes) * case.integer_scale for axis in (0, 1)
+    )
     return 2 * width * height
 
 
-def _rounds_products(s: Sweep) -> bool:
-    for ring in (*s.directrix.rings, *s.generatrix.rings):
+def _rounds_products(case: AnsweredPair) -> bool:
+    for ring in _list_rings(case):
         widths, heights = ([q[i] - p[i] for p, q in _edges(ring)] for i in (0, 1))
         next_widths, next_heights = widths[1:] + widths[:1], heights[1:] + heights[:1]
         for first, second in (widths, next_heights), (heights, next_widths):
@@ -175,13 +147,13 @@ def _rounds_products(s: Sweep) -> bool:
     return False
 
 
-def _slopes(s: Sweep) -> Iterator[str]:
-    d, g = (_directions(shape.rings) for shape in (s.directrix, s.generatrix))
+def _slopes(case: AnsweredPair) -> Iterator[str]:
+    d, g = (_directions(shape.rings) for shape in (case.directrix, case.generatrix))
     if any(x == 0 for x, _ in d | g):
         yield "vertical-edge"
     if d & g:
         yield "parallel-edges"
-    ordered = sorted(d | g, key=_slope)
+    ordered = sorted(d | g, key=way_key)
     if any(_near(u, v) for u, v in pairwise((*ordered, ordered[0]))):
         yield "near-parallel"
 
@@ -191,24 +163,17 @@ def _directions(rings: PointRings) -> set[Vector]:
     found = set()
     for p, q in chain.from_iterable(map(_edges, rings)):
         dx, dy = q.x - p.x, q.y - p.y
-        slope = Fraction(dy, dx) if dx else None
-        found.add((0, 1) if slope is None else (slope.denominator, slope.numerator))
+        found.add((0, 1) if dx == 0 else Fraction(dy, dx).as_integer_ratio()[::-1])
     return found
-
-
-def _slope(vector: Vector) -> tuple[int, Fraction]:
-    x, y = vector
-    return (1, Fraction(0)) if x == 0 else (0, Fraction(y, x))
 
 
 def _near(u: Vector, v: Vector) -> bool:
     """Decide whether two directions differ by less than one part in 10**14, and do differ."""
-    cross = u[0] * v[1] - u[1] * v[0]
-    return 0 < cross * cross < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
+    return 0 < cross(u, v) ** 2 < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
 
 
-def _all_edges(s: Sweep) -> Iterator[tuple[Point, Point]]:
-    return chain.from_iterable(map(_edges, (*s.directrix.rings, *s.generatrix.rings)))
+def _all_edges(case: AnsweredPair) -> Iterator[tuple[Point, Point]]:
+    return chain.from_iterable(map(_edges, _list_rings(case)))
 
 
 def _edges(ring: Sequence[Point]) -> Iterator[tuple[Point, Point]]:

@@ -68,25 +68,22 @@ class Summary(NamedTuple):
     title: str
 
 
-def list_summaries(
-    *,
-    prefix: str = "",
-    flags: Iterable[str] = (),
-    kind: str | None = None,
-    max_size: int | None = None,
-) -> Iterator[Summary]:
-    """Yield what a list of the cases needs, without reading the polygons; else as `cases`.
+def list_summaries(**filters: Any) -> Iterator[Summary]:
+    """Yield the summaries of cases, without reading the polygons; filters are those of `cases`.
 
     Example:
         >>> next(list_summaries(prefix="fits-")).title
         'A square into a slot as wide'
     """
-    for data in _match(prefix, flags, kind, max_size):
+    for data in _match(**filters):
         yield Summary(data["id"], data["class"], _size(data), data["title"])
 
 
 def _match(
-    prefix: str, flags: Iterable[str], kind: str | None, max_size: int | None
+    prefix: str = "",
+    flags: Iterable[str] = (),
+    kind: str | None = None,
+    max_size: int | None = None,
 ) -> Iterator[dict[str, Any]]:
     if not (isinstance(prefix, str) and isinstance(max_size, int | None)):
         raise TypeError  # here, and not where the first case is asked for

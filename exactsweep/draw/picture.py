@@ -76,11 +76,7 @@ class Picture:
 
     def area(self, loop: Iterable[Vertex], look: Look, label: str | None = None) -> None:
         """Fill, hatch and outline a loop; equal labels share one entry of the legend."""
-        if self._window is not None:
-            self.shape([loop], look, label)
-            return
-        xs, ys = self._columns(loop)
-        self.axes.fill(xs, ys, label=self._once(label), **look.as_area)
+        self.shape([loop], look, label)
 
     def ring(
         self, outer: Iterable[Vertex], inner: Iterable[Vertex], look: Look, label: str | None = None
@@ -124,15 +120,8 @@ class Picture:
         self, chains: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
         """Draw several chains as one item."""
-        xs: list[float] = []
-        ys: list[float] = []
-        for chain in chains:
-            if xs:
-                xs.append(nan)
-                ys.append(nan)
-            more_xs, more_ys = self._columns(chain)
-            xs += more_xs
-            ys += more_ys
+        parted = [place for chain in chains for place in ((nan, nan), *self.scale.places(chain))]
+        xs, ys = ([place[axis] for place in parted[1:]] for axis in (0, 1))
         self.axes.plot(xs, ys, label=self._once(label), **look.as_line)
 
     def text(self, at: Vertex, words: str, *, color: str = "black") -> None:
@@ -225,10 +214,6 @@ class Picture:
 
         assert self._window is not None
         return Bbox([self.scale.place(corner) for corner in self._window]).expanded(of, of)
-
-    def _columns(self, points: Iterable[Vertex]) -> tuple[list[float], list[float]]:
-        places = self.scale.places(points)
-        return [x for x, _ in places], [y for _, y in places]
 
     def _once(self, label: str | None) -> str | None:
         if label is None or label in self._named:

@@ -212,10 +212,7 @@ def draw_loops(picture: Picture, s: Sweep) -> None:
 @tells_arguments
 def draw_shape(picture: Picture, shape: AnyPolygon, look: Look, label: str | None = None) -> None:
     """Draw a polygon with its holes."""
-    if len(shape.rings) > 1:
-        picture.shape(shape.rings, look, label)
-    else:
-        picture.area(shape.vertices, look, label)
+    picture.shape(shape.rings, look, label)
 
 
 @tells_arguments

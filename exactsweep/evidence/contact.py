@@ -24,7 +24,7 @@ from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, find_direction, lay_point, make_segment
-from exactsweep.geometry.vectors import cross, is_between, minus
+from exactsweep.geometry.vectors import cross
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
@@ -195,36 +195,6 @@ def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contac
     return contacts - implied
 
 
-class MonotoneOutline(Outline):
-    """The outline of an X-monotone polygon, with fast look-ups of features at a point.
-
-    Args:
-        loop: vertices, counter-clockwise; they number the features.
-    """
-
-    def __init__(self, loop: Sequence[Vertex]) -> None:
-        super().__init__([loop])
-        size = len(loop)
-        left, right = min(range(size), key=loop.__getitem__), max(range(size), key=loop.__getitem__)
-        self._chains = []
-        for start, end, sign in (left, right, 1), (right, left, -1):
-            numbers = [k % size for k in range(start, start + (end - start) % size)]
-            self._chains.append((sign, [sign * loop[k][0] for k in numbers], numbers))
-
-    def scaled(self, factor: int) -> MonotoneOutline:
-        """Return the boundary enlarged by a positive factor. Cost: O(n)."""
-        return MonotoneOutline([(factor * x, factor * y) for x, y in self.vertices])
-
-    def edges_through(self, point: Vertex) -> Iterator[int]:
-        """Find the numbers of the edges with a point in their interior. Cost: O(log n)."""
-        for sign, xs, numbers in self._chains:
-            x = sign * point[0]
-            first = max(bisect_left(xs, x) - 1, 0)
-            for k in numbers[first : bisect_right(xs, x)]:
-                if is_between(point, *self.edge(k)):
-                    yield k
-
-
 def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Contact]:
     """Find all contacts of G + t with D, VV among them.
 
@@ -237,21 +207,20 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
         Sorted contacts: VV of equal vertices; EV and VE of a vertex inside an edge; EE of edges
         that overlap in positive length.
 
-    Cost: O((m + n) log(m + n)) for two MonotoneOutlines, O(m n) for others.
+    Cost: O((m + n) log(m + n)) where few edges are near each vertex, O(m n) at worst.
     """
+    # On a lattice with the translation all numbers are ints, which is ten times as fast.
     scale = lcm(t[0].denominator, t[1].denominator)
-    if scale > 1:
-        # On a lattice with the translation all numbers are ints, which is ten times as fast.
-        generatrix, directrix = generatrix.scaled(scale), directrix.scaled(scale)
-    t = int(scale * t[0]), int(scale * t[1])
+    tx, ty = int(scale * t[0]), int(scale * t[1])
     found: set[Contact] = set()
-    for i, w in enumerate(generatrix.vertices):
-        point = w[0] + t[0], w[1] + t[1]
+    for i, (x, y) in enumerate(generatrix.vertices):
+        point = x * scale + tx, y * scale + ty
         # Where rings touch, a point may be a vertex of one and inside an edge of another.
-        found.update(Contact("VV", i, j) for j in directrix.vertices_at(point))
-        found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
-    for j, v in enumerate(directrix.vertices):
-        found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
+        found.update(Contact("VV", i, j) for j in directrix.vertices_at(point, scale))
+        found.update(Contact("VE", i, j) for j in directrix.edges_through(point, scale))
+    for j, (x, y) in enumerate(directrix.vertices):
+        point = x * scale - tx, y * scale - ty
+        found.update(Contact("EV", i, j) for i in generatrix.edges_through(point, scale))
     # The common part of two edges has an end towards the start of G's edge. It is that start or an
     # end of D's edge, so one of the contacts above.
     for event, i, j in list(found):

@@ -12,10 +12,13 @@ from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures.any_shape import ShapeSolution
 from exactsweep.procedures.monotone import MonotoneSolution
-from exactsweep.procedures.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+Solution = MonotoneSolution | ShapeSolution
+"""The loops and exact fits of a pair, each computed when it is first read."""
 
 
 class Display(NamedTuple):
@@ -122,7 +125,7 @@ def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | Non
 
 def place_loop(loop: Sequence[Point], reference: Point = ORIGIN) -> Polygon:
     """Convert a canonical loop of positions of G's origin to a Polygon for a reference point."""
-    return Polygon._from_canonical(_move(loop, reference))
+    return Polygon._trust(_move(loop, reference))
 
 
 def place_fits(fits: Iterable[Fit], reference: Point) -> tuple[Fit, ...]:

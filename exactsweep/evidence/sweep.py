@@ -11,7 +11,6 @@ from typing import Any, ClassVar
 from exactsweep.evidence.certificate import FORMAT, VERSION, write_direction, write_drawn
 from exactsweep.evidence.contact import (
     Contact,
-    MonotoneOutline,
     find_contacts,
     find_edge_contacts,
     list_edges,
@@ -116,15 +115,12 @@ class Sweep(Shown):
     def _boundaries(self) -> tuple[Outline, Outline]:
         """The features of G and of D in the frame."""
         s = self.solution
-        return self._outline(s.generatrix), self._outline(s.directrix)
-
-    def _outline(self, rings: Sequence[Sequence[Vertex]]) -> Outline:
-        return Outline(rings) if self.direction is None else MonotoneOutline(rings[0])
+        return Outline(s.generatrix), Outline(s.directrix)
 
     @cached_property
     def _route(self) -> Outline:
         """The trajectory of G's origin in the frame, for look-ups of points on it."""
-        return self._outline([self._enter(self.solution.trajectory)])
+        return Outline([self._enter(self.solution.trajectory)])
 
     def _enter(self, points: Iterable[Point]) -> list[Vertex]:
         return list(map(self.solution.frame.enter_point, points))

@@ -144,10 +144,10 @@ class Candidate(NamedTuple):
         Only transformations and curves produce them: a product has the digits of all factors.
         """
         points = self.vertices()
-        numbers = split_ratios([c for point in points for c in point])
-        bits = max(map(int.bit_length, chain(*numbers)), default=0)
+        numerators, denominators = split_ratios([*chain.from_iterable(points)])
+        longest = max((0, *denominators, *numerators)) | -min((0, *numerators))
         # A bit is 0.30103 digits, rounded up.
-        if bits * 30_103 > answer_digits() * 100_000:
+        if longest.bit_length() * 30_103 > answer_digits() * 100_000:
             raise NumberError(f"a coordinate has more than {answer_digits()} digits (max_digits)")
         return points
 

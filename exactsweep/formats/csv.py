@@ -7,18 +7,21 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from io import StringIO
+from itertools import chain
+from sys import maxsize
 from threading import RLock
 
 from exactsweep.formats.candidate import Candidate, allow_faults
-from exactsweep.formats.decimals import read_decimal
+from exactsweep.formats.decimals import read_each
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
 from exactsweep.formats.wkt import parse_wkt
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.point import Point, make_points
 
 _NAMES = ("name", "id", "part", "polygon")
 _WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")
@@ -88,40 +91,39 @@ def parse_csv(text: str) -> list[Candidate]:
 def _parse(text: str) -> list[Candidate]:
     sample = re.sub(r'"[^"]*+"', "", text.lstrip().partition("\n")[0])
     separator = next((mark for mark in ";\t" if mark in sample), ",")
-    rows = csv.reader(StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
+    reader = csv.reader(StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
+    rows: Iterator[tuple[int, list[str]]]
+    rows = ((reader.line_num, row) for row in reader if any(map(str.strip, row)))
+    first = next(rows, (0, []))
+    head = [cell.strip().lower() for cell in first[1]]
+    columns = {cell: k for k, cell in enumerate(head) if cell in _COLUMNS}
+    twice = next((cell for cell in columns if head.count(cell) > 1), None)
+    if twice:
+        raise FormatError(f"line {first[0]}: two columns {quote(twice)}")
+    needed = ["x", "y"]
+    if not columns.keys() >= {*needed}:
+        needed = [cell for cell in _WKT if cell in columns][:1]
+        if not needed:
+            needed, columns, rows = ["x", "y"], {"x": 0, "y": 1}, chain([first], rows)
+    places = [columns[cell] for cell in needed]
+    naming = [columns[cell] for cell in _NAMES if cell in columns]
+    others = [columns.get(cell, maxsize) for cell in ("polygon", "ring")]
     polygons: dict[tuple[str, str], _RowsByRing] = {}
     written: list[Candidate] = []
-    columns: dict[str, int] | None = None
-    wanted: str | None = None
     point = "," if separator == "," else "."
-    for row in rows:
-        if not any(cell.strip() for cell in row):
-            continue
-        if columns is None:
-            head = [cell.strip().lower() for cell in row]
-            columns = {cell: k for k, cell in enumerate(head) if cell in _COLUMNS}
-            twice = next((cell for cell in columns if head.count(cell) > 1), None)
-            if twice:
-                raise FormatError(f"line {rows.line_num}: two columns {quote(twice)}")
-            wanted = next((cell for cell in _WKT if cell in columns), None)
-            wanted = None if {"x", "y"} <= columns.keys() else wanted
-            if wanted or {"x", "y"} <= columns.keys():
-                continue
-            columns = {"x": 0, "y": 1}
-        if len(row) <= max(columns[cell] for cell in ([wanted] if wanted else "xy")):
-            shown = wanted or "x and y"
-            raise FormatError(f"line {rows.line_num}: {len(row)} cells, without {shown}")
-        named = {word: row[k] for word, k in columns.items() if k < len(row)}
-        name = next((named[word] for word in _NAMES if word in named), "")
-        if wanted:
-            written += _read_wkt(row[columns[wanted]], rows.line_num, name or None)
+    for line, row in rows:
+        if len(row) <= max(places):
+            raise FormatError(f"line {line}: {len(row)} cells, without {' and '.join(needed)}")
+        name = next((row[k] for k in naming if k < len(row)), "")
+        cells = [row[k] for k in places]
+        if len(cells) == 1:
+            written += _read_wkt(cells[0], line, name or None)
             continue
         # Each polygon has at least three vertices.
         require_count(len(polygons), 3 * VERTEX, "polygons")
-        rings = polygons.setdefault((named.get("polygon", ""), name), {})
-        x, y = (row[columns[cell]].replace(",", point) for cell in "xy")
-        cells = rows.line_num, x, y
-        rings.setdefault(named.get("ring", ""), []).append(cells)
+        polygon, ring = (row[k] if k < len(row) else "" for k in others)
+        x, y = (cell.replace(",", point) for cell in cells)
+        polygons.setdefault((polygon, name), {}).setdefault(ring, []).append((line, x, y))
     return [*allow_faults(written), *(_candidate(n, rings) for (_, n), rings in polygons.items())]
 
 
@@ -144,14 +146,16 @@ def _candidate(name: str, rings: _RowsByRing) -> Candidate:
     return Candidate.of_rings(readers, name=name or None)
 
 
-def _vertices(cells: Iterable[tuple[int, str, str]]) -> Sequence[Point]:
-    found = []
-    for line, x, y in cells:
-        try:
-            found.append(Point(read_decimal(x.strip()), read_decimal(y.strip())))
-        except ValueError as error:
-            raise FormatError(f"line {line}: {error}") from None
-    return found
+def _vertices(cells: Sequence[tuple[int, str, str]]) -> list[Point]:
+    _, xs, ys = zip(*cells, strict=True)  # pragma: no mutate: all rows have three
+    try:
+        return make_points(read_each(xs), read_each(ys))
+    except ValueError:
+        found = []
+        for line, x, y in cells:
+            with name_refusals(f"line {line}", FormatError):
+                found.append(Point(*read_each([x, y])))
+        return found
 
 
 def write_csv_rows(rows: Iterable[Sequence[object]]) -> str:

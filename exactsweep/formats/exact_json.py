@@ -11,6 +11,7 @@ from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.size import require_text, weigh
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
 from exactsweep.numbers.point import Point
 
@@ -167,10 +168,8 @@ def read_number(value: object, path: str) -> Fraction:
     """Read a number that `parse_json` kept as text; the path is for messages."""
     if not isinstance(value, str):
         raise FormatError(f"{path} is {describe_kind(value)}, not a number")
-    try:
+    with name_refusals(path, FormatError):
         return to_fraction(value)
-    except NumberError as error:
-        raise FormatError(f"{path}: {error}") from None
 
 
 @tells_arguments
@@ -189,10 +188,8 @@ def read_certificate(path: str) -> object:
     Example:
         >>> certificate = read_certificate("proof.json")  # doctest: +SKIP
     """
-    try:
+    with name_refusals(show_path(path), FormatError):
         return parse_certificate(read_text(path))
-    except ValueError as error:
-        raise FormatError(f"{show_path(path)}: {error}") from None
 
 
 def quote_fraction(value: Fraction) -> str:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import os
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from glob import glob, has_magic
 from pathlib import Path
 from typing import NamedTuple, TypeVar, Unpack
@@ -178,18 +181,13 @@ def make_unique(names: Sequence[str]) -> list[str]:
     ['cut', 'cut-3', 'cut-2', 'cut-4']
     """
     taken = set(names)
+    numbers: defaultdict[str, Iterator[int]] = defaultdict(partial(itertools.count, 2))
     seen: set[str] = set()
-    last: dict[str, int] = {}
     found = []
     for name in names:
-        new = name
-        if name in seen:
-            number = last.get(name, 1) + 1
-            while f"{name}-{number}" in taken:
-                number += 1
-            last[name] = number
-            new = f"{name}-{number}"
-            taken.add(new)
+        spellings = (f"{name}-{number}" for number in numbers[name])
+        new = next(one for one in spellings if one not in taken) if name in seen else name
         seen.add(name)
+        taken.add(new)
         found.append(new)
     return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import partial
+from typing import Any
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
@@ -74,10 +75,7 @@ def _outline(node: JsonNode, name: str | None, notes: dict[str, None]) -> Candid
     """Make the outline of the rings of a Polygon."""
     try:
         rings = [*node.each("a list of rings")]
-        level = [
-            JsonNode([_drop_height(position) for position in ring.entries(_VERTICES)], ring.path)
-            for ring in rings
-        ]
+        level = [JsonNode(_drop_heights(ring.entries(_VERTICES)), ring.path) for ring in rings]
     except FormatError as error:
         return Candidate.refused(error, name)
     if not rings:
@@ -88,8 +86,8 @@ def _outline(node: JsonNode, name: str | None, notes: dict[str, None]) -> Candid
     return Candidate.of_rings(readers, node.path, name)
 
 
-def _drop_height(position: object) -> object:
-    return position[:2] if isinstance(position, list) and len(position) == 3 else position
+def _drop_heights(ring: list[Any]) -> list[Any]:
+    return [p[:2] if isinstance(p, list) and len(p) == 3 else p for p in ring]
 
 
 def _ring(value: object, path: str) -> list[Point]:

@@ -14,6 +14,7 @@ from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import ORIGIN, Point
 from exactsweep.words import suggest
@@ -193,10 +194,8 @@ def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate
 
 
 def _simple(ring: Sequence[Point], name: str) -> Polygon:
-    try:
+    with name_refusals(name):
         return Polygon(ring)
-    except PolygonError as error:
-        raise PolygonError(f"{name}: {error}") from None
 
 
 def _is_around(outer: Polygon, inner: Polygon, names: tuple[str, str]) -> bool:

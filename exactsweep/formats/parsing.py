@@ -95,19 +95,15 @@ def _read_json(text: str, notes: dict[str, None]) -> Sequence[Candidate]:
     try:
         document = parse_json(text)
     except FormatError as error:
-        lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
-        if "Extra data" not in str(error) or not _is_json(lines[0][1]):
+        if "Extra data" not in str(error):
             raise
+        lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
+        try:
+            parse_json(lines[0][1])
+        except FormatError:
+            raise error from None
         return allow_faults(found for k, line in lines for found in _read_line(line, k, notes))
     return find_candidates(document, notes=notes)
-
-
-def _is_json(text: str) -> bool:
-    try:
-        parse_json(text)
-    except FormatError:
-        return False
-    return True
 
 
 def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candidate]:

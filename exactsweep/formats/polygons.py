@@ -1,8 +1,7 @@
 """Readers of polygons from text and files; they recognize the format by the content."""
 
 import os
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import TypeVar, Unpack
 
 from exactsweep.formats.candidate import (
@@ -20,6 +19,7 @@ from exactsweep.formats.reading import Options
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import name_refusals
 
 _Taken = TypeVar("_Taken")
 
@@ -294,10 +294,6 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     return path[:k], path[k + 1 :]
 
 
-@contextmanager
-def name_file(file: str) -> Iterator[None]:
-    """Begin the message of every refusal with the name of the file."""
-    try:
-        yield
-    except ValueError as error:
-        raise FormatError(f"{show_path(file)}: {error}") from None
+def name_file(file: str) -> name_refusals:
+    """Begin the message of every refusal inside a `with` block with the name of the file."""
+    return name_refusals(show_path(file), FormatError)

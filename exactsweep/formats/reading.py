@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TypedDict
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count, require_size
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import NumberError, abridge, quote, to_fraction
+from exactsweep.numbers.number import abridge, quote, to_fraction
 
 MAX_LINES = 20_000
 """The most lines that one curve becomes."""
@@ -177,20 +178,22 @@ class Reading:
         self.passed[reason] += 1
         return True
 
-    def is_level(self, heights: Iterable[Fraction]) -> bool:
-        """Decide whether heights are equal, or within the distance of joined ends."""
-        found = [*heights]
-        return not found or max(found) - min(found) <= (self.join or 0)
+    def require_level(self, heights: Sequence[Fraction]) -> None:
+        """Refuse heights above the plane that differ by more than the distance of joined ends."""
+        # Most are one object, so that no two are compared.
+        if all(height is heights[0] for height in heights):
+            return
+        if max(heights) - min(heights) > (self.join or 0):
+            allowed = "" if self.join else " (--join allows a distance)"
+            raise FormatError(f"not level: its points are at different heights{allowed}")
 
 
 def read_positive(value: object, name: str) -> Fraction | None:
     """Read a positive number of a caller, as `to_fraction` does; None stays None."""
     if value is None:
         return None
-    try:
+    with name_refusals(name, FormatError):
         number = to_fraction(value)
-    except NumberError as error:
-        raise FormatError(f"{name}: {error}") from None
     if number <= 0:
         raise FormatError(f"{name}, {abridge(number)}, is not positive")
     return number

@@ -13,7 +13,7 @@ axis without square roots, and the loops do not depend on the choice of u.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cmp_to_key
 from itertools import groupby
@@ -75,26 +75,22 @@ class Directions:
 
     def __and__(self, other: Directions) -> Directions:
         """Intersect two sets of directions. Cost: O(n), a cross product for each critical one."""
-        critical: list[Vector] = []
-        at: list[bool] = []
-        after: list[bool] = []
-        i = j = 0
-        while i < len(self.critical) or j < len(other.critical):
-            # The state before the first critical direction is that after the last one.
-            mine, others = self.after[i - 1], other.after[j - 1]
-            turn = -1 if j == len(other.critical) else i == len(self.critical)
-            if not turn:
-                turn = _turn(self.critical[i], other.critical[j])
-            critical.append(self.critical[i] if turn <= 0 else other.critical[j])
-            if turn <= 0:
-                mine = self.at[i]
-                i += 1
-            if turn >= 0:
-                others = other.at[j]
-                j += 1
-            at.append(mine and others)
-            after.append(self.after[i - 1] and other.after[j - 1])
-        return Directions(tuple(critical), tuple(at), tuple(after))
+        critical = sorted(dict.fromkeys(self.critical + other.critical), key=angle_key)
+        states = zip(self._follow(critical), other._follow(critical), strict=True)
+        found = [
+            (at and also_at, after and also_after) for (at, after), (also_at, also_after) in states
+        ]
+        at, after = zip(*found, strict=True)
+        return Directions(tuple(critical), at, after)
+
+    def _follow(self, critical: Iterable[Vector]) -> Iterator[tuple[bool, bool]]:
+        """Yield `at` and `after` of directions by angle, all critical ones among them."""
+        known = dict(zip(self.critical, zip(self.at, self.after, strict=True), strict=True))
+        # The state before the first critical direction is that after the last one.
+        state = self.after[-1]
+        for u in critical:
+            at, state = known.get(u, (state, state))
+            yield at, state
 
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal arcs as pairs (first, last), counter-clockwise, both included.

@@ -12,7 +12,7 @@ from math import inf
 
 from exactsweep.numbers.point import Rational
 
-_FEW = 100
+_FEW = 400
 """The number of boxes up to which all pairs are compared."""
 
 _Numbered = tuple[Rational, Rational, Rational, Rational, int]

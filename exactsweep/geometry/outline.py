@@ -7,8 +7,10 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
+from exactsweep.geometry.overlap import EdgeIndex
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
+from exactsweep.numbers.number import ratio
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
@@ -44,6 +46,7 @@ class Outline:
             self.after += [*range(first + 1, first + size), first]
             self.before += [first + size - 1, *range(first, first + size - 1)]
         self.numbers = {vertex: k for k, vertex in enumerate(self.vertices)}
+        self._index = EdgeIndex(rings)
 
     def edge(self, k: int) -> Edge:
         """Return edge k."""
@@ -84,11 +87,14 @@ class Outline:
             found[vertex].append(k)
         return found
 
-    def vertices_at(self, point: Vertex) -> Sequence[int]:
-        """Find the numbers of the vertices at a point; several if rings touch there.
+    def vertices_at(self, point: Vertex, scale: int = 1) -> Sequence[int]:
+        """Find the numbers of the vertices at a point, multiplied by a scale.
 
-        Cost: O(1), and O(n) the first time for several rings.
+        There are several if rings touch there. Cost: O(1), and O(n) the first time for several
+        rings.
         """
+        if scale != 1:
+            point = ratio(point[0], scale), ratio(point[1], scale)
         if len(self.starts) == 1:
             return (self.numbers[point],) if point in self.numbers else ()
         return self._all_numbers.get(point, ())
@@ -108,16 +114,13 @@ class Outline:
         near = self.vertices_between(min(p[0], q[0]), max(p[0], q[0]))
         return [i for i in near if is_between(self.vertices[i], p, q)]
 
-    def scaled(self, factor: int) -> Outline:
-        """Return the outline enlarged by a positive factor. Cost: O(n)."""
-        larger = Outline([[(factor * x, factor * y) for x, y in self.vertices]])
-        larger.after, larger.before, larger.starts = self.after, self.before, self.starts
-        return larger
+    def edges_through(self, point: Vertex, scale: int = 1) -> Iterator[int]:
+        """Find the numbers of the edges with a point, multiplied by a scale, in their interior.
 
-    def edges_through(self, point: Vertex) -> Iterator[int]:
-        """Find the numbers of the edges with a point in their interior. Cost: O(n)."""
-        tx, _ = point
-        for k, p in enumerate(self.vertices):
-            q = self.vertices[self.after[k]]
-            if (p[0] <= tx <= q[0] or q[0] <= tx <= p[0]) and is_between(point, p, q):
-                yield k
+        Cost: that of `EdgeIndex.near`, and O(n log n) the first time.
+        """
+        x, y = point
+        box = x // scale, -(-x // scale), y // scale, -(-y // scale)
+        for _, _, _, _, ax, ay, bx, by, ring, k in self._index.near(box):
+            if is_between(point, (ax * scale, ay * scale), (bx * scale, by * scale)):
+                yield self.starts[ring] + k

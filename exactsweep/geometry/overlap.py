@@ -143,7 +143,8 @@ class EdgeIndex:
         return _is_between((edge[4:8] for edge in edges), x, y, factor, self.unbounded)
 
 
-_CrossingEdges = tuple[BoxedEdge, BoxedEdge]
+_CrossingEdges = tuple[int, int, int, int]
+"""Two edges that cross, each by the number of its ring and its number there."""
 
 
 def relate(
@@ -170,27 +171,25 @@ def relate(
     x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
     (left, right, low, high), (west, east, south, north) = a.box, b.box
     west, east, south, north = west + x0, east + x1, south + y0, north + y1
-    window = (
-        left if left > west else west,
-        right if right < east else east,
-        low if low > south else south,
-        high if high < north else north,
-    )
-    left, right, low, high = window
+    left, right = left if left > west else west, right if right < east else east
+    low, high = low if low > south else south, high if high < north else north
     if left > right or low > high:
         return Relation.APART, None
-    ours, theirs = a.near(window), b.near((left - x1, right - x0, low - y1, high - y0))
+    window = left, right, low, high
+    ours = a.near(window)
+    theirs = b.near((left - x1, right - x0, low - y1, high - y0)) if ours else []
     few = len(ours) <= _FEW
     on_a: Places = defaultdict(set)
     on_b: Places = defaultdict(set)
     # The middle of a common piece of both boundaries, times two, is inside neither.
     middles: set[Vertex] = set()
-    for edge in theirs:
-        west, east, south, north, ax, ay, bx, by, ring, number = edge
+    for west, east, south, north, ax, ay, bx, by, ring, number in theirs:
         west, east, south, north = west + x0, east + x1, south + y0, north + y1
-        ax, ay, bx, by = ax * scale + x, ay * scale + y, bx * scale + x, by * scale + y
-        for other in ours if few else a.near((west, east, south, north)):
-            left, right, low, high, px, py, qx, qy, k, i = other
+        if scale != 1:
+            ax, ay, bx, by = ax * scale, ay * scale, bx * scale, by * scale
+        ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
+        near = ours if few else a.near((west, east, south, north))
+        for left, right, low, high, px, py, qx, qy, k, i in near:
             if left > east:
                 break
             if right < west or low > north or high < south:
@@ -205,27 +204,37 @@ def relate(
                 continue
             shared = touch((ax, ay), (bx, by), (px, py), (qx, qy))
             if shared is None:
-                return Relation.OVERLAP, (other, edge)
+                return Relation.OVERLAP, (k, i, ring, number)
             if shared:
                 on_a[k, i].update(shared)
                 on_b[ring, number].update(shared)
                 middles.add((shared[0][0] + shared[-1][0], shared[0][1] + shared[-1][1]))
-    left, right, low, high = (2 * scale * end for end in window)
-    for mine, others, near, places, shift, back in (
+    if not on_a and not a.unbounded and window != a.box and _leaves(b.box, a.box, x1, x0, y1, y0):
+        return Relation.APART, None
+    unit = 2 * scale
+    left, right, low, high = (unit * end for end in window)
+    for mine, others, edges, places, shift, back in (
         (a, b, ours, on_a, (0, 0), (2 * x, 2 * y)),
         (b, a, theirs, on_b, (x, y), (0, 0)),
     ):
-        rings = {k: mine.rings[k] for k in {edge[8] for edge in near}}
+        rings = {k: mine.rings[k] for k in {edge[8] for edge in edges} or {0}}
         dx, dy = back
         for px, py in find_points_between(rings, places, scale, shift):
             if (
                 left <= px <= right
                 and low <= py <= high
                 and (px, py) not in middles
-                and others.holds(px - dx, py - dy, 2 * scale)
+                and others.holds(px - dx, py - dy, unit)
             ):
                 return Relation.OVERLAP, None
     return Relation.CONTACT if on_a else Relation.APART, None
+
+
+def _leaves(inner: Bounds, outer: Bounds, x1: int, x0: int, y1: int, y0: int) -> bool:
+    """Decide whether a box, moved by (x0, y0) to (x1, y1), is not inside another one."""
+    left, right, low, high = outer
+    west, east, south, north = inner
+    return bool(west + x1 < left or east + x0 > right or south + y1 < low or north + y0 > high)
 
 
 class Overlap:
@@ -258,9 +267,18 @@ class Overlap:
         scale = lcm(d, e)
         x, y = n * (scale // d), m * (scale // e)
         if self._last is not None:
-            (a, b, c, f, *_), (p, q, r, s, *_) = (edge[4:] for edge in self._last)
-            moved = (p * scale + x, q * scale + y), (r * scale + x, s * scale + y)
-            if touch((a * scale, b * scale), (c * scale, f * scale), *moved) is None:
+            k, i, j, h = self._last
+            fixed, moved = self._shapes[0].rings[k], self._shapes[1].rings[j]
+            a, b, p, q = fixed[i], fixed[i + 1 - len(fixed)], moved[h], moved[h + 1 - len(moved)]
+            if (
+                touch(
+                    (a[0] * scale, a[1] * scale),
+                    (b[0] * scale, b[1] * scale),
+                    (p[0] * scale + x, p[1] * scale + y),
+                    (q[0] * scale + x, q[1] * scale + y),
+                )
+                is None
+            ):
                 return True
         relation, crossing = relate(*self._shapes, x, y, scale)
         self._last = crossing or self._last

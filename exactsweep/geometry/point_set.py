@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import Any, NamedTuple, Self, overload
 
 from exactsweep.geometry.overlap import is_inside
@@ -19,6 +19,7 @@ from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.number import NumberError
 from exactsweep.numbers.point import Point
+from exactsweep.words import write_pair, write_size
 
 _ONE, _ZERO = Fraction(1), Fraction(0)
 
@@ -53,6 +54,11 @@ class PointSet:
     @property
     def vertices(self) -> tuple[Point, ...]:
         """The vertices of all `rings`, one ring after another."""
+        return tuple(chain.from_iterable(self.rings))
+
+    @property
+    def area(self) -> Fraction:
+        """The area."""
         raise NotImplementedError
 
     @property
@@ -61,8 +67,30 @@ class PointSet:
         xs, ys = zip(*self.rings[0], strict=True)
         return min(xs), min(ys), max(xs), max(ys)
 
+    @property
+    def bounding_box(self) -> tuple[Point, Point]:
+        """The lower left and the upper right corner of the least axis-parallel rectangle."""
+        left, low, right, high = self.bounds
+        return Point(left, low), Point(right, high)
+
     def _image(self, under: AffineMap) -> Self:
         raise NotImplementedError
+
+    def _facts(self) -> list[tuple[str, str]]:
+        """List what the table of a notebook says of the shape, with its name."""
+        raise NotImplementedError
+
+    def _repr_svg_(self) -> str:
+        from exactsweep.canvas.svg import draw_rings
+
+        return draw_rings(self.rings, write_size(len(self.vertices), self.area))
+
+    def _repr_html_(self) -> str:
+        from exactsweep.canvas.svg import put_beside
+
+        low, high = map(write_pair, self.bounding_box)
+        count = "vertices", str(len(self.vertices))
+        return put_beside(self._repr_svg_(), [count, *self._facts(), ("from", low), ("to", high)])
 
     def translated(self, by: Iterable[object]) -> Self:
         """Return the shape moved by a vector.

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import lcm
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, cast
 
 from exactsweep.geometry.canonical import (
     PolygonError,
@@ -17,7 +17,6 @@ from exactsweep.geometry.reading import read_interface, read_point, refuse_numbe
 from exactsweep.geometry.simplicity import are_chains_monotone
 from exactsweep.numbers.number import abridge, divide_all, divide_exactly
 from exactsweep.numbers.point import Point, Vertex, make_points
-from exactsweep.words import write_pair, write_size
 
 if TYPE_CHECKING:
     import sympy
@@ -81,19 +80,17 @@ class Polygon(PointSet):
         self._directions = None
 
     @classmethod
-    def _from_canonical(cls, vertices: Sequence[Point]) -> Self:
-        """Trust that the vertices are canonical."""
-        polygon = cls.__new__(cls)
-        polygon._vertices, polygon._lattice = tuple(vertices), None
-        polygon._convex = polygon._monotone = polygon._directions = None
-        polygon._vertex_index = polygon._edge_index = range(len(vertices))
-        return polygon
+    def _trust(cls, points: Sequence[Vertex], scale: int | None = None) -> Self:
+        """Trust that the points, each divided by the scale, are canonical.
 
-    @classmethod
-    def _from_lattice(cls, points: Sequence[Vertex], scale: int) -> Self:
-        """Trust that the points, each divided by the scale, are canonical."""
+        Without a scale, they are vertices.
+        """
         polygon = cls.__new__(cls)
-        polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
+        polygon._vertices = polygon._lattice = None
+        if scale is None:
+            polygon._vertices = cast(tuple[Point, ...], tuple(points))
+        else:
+            polygon._lattice = reduce_lattice(scale, tuple(points))
         polygon._convex = polygon._monotone = polygon._directions = None
         polygon._vertex_index = polygon._edge_index = range(len(points))
         return polygon
@@ -192,12 +189,6 @@ class Polygon(PointSet):
             self._monotone = are_chains_monotone(points)
         return self._monotone
 
-    @property
-    def bounding_box(self) -> tuple[Point, Point]:
-        """The lower left and the upper right corner of the least axis-parallel rectangle."""
-        xs, ys = zip(*self.vertices, strict=True)
-        return Point(min(xs), min(ys)), Point(max(xs), max(ys))
-
     def _image(self, under: AffineMap) -> "Polygon":
         """Return the image under an affine map, vertices and edges numbered as before."""
         old, points = self.lattice()
@@ -215,10 +206,10 @@ class Polygon(PointSet):
         first = image.index(min(image))
         image = image[first:] + image[:first]
         if all(type(part) is int for point in image for part in point):
-            polygon = Polygon._from_lattice(image, scale)
+            polygon = Polygon._trust(image, scale)
         else:
             # Unrelated denominators: the lattice of such a polygon is its vertices.
-            polygon = Polygon._from_canonical(
+            polygon = Polygon._trust(
                 [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in image]
             )
         polygon._vertex_index = vertex_index[first:] + vertex_index[:first]
@@ -280,23 +271,8 @@ class Polygon(PointSet):
         shown = [f"({', '.join(map(abridge, v))})" for v in self._head()]
         return " ".join(shown + self._more())
 
-    def _repr_svg_(self) -> str:
-        from exactsweep.canvas.svg import draw_rings
-
-        return draw_rings([self.vertices], write_size(len(self), self.area))
-
-    def _repr_html_(self) -> str:
-        from exactsweep.canvas.svg import put_beside
-
-        low, high = self.bounding_box
-        rows = [
-            ("vertices", str(len(self))),
-            ("area", abridge(self.area)),
-            ("convex", "yes" if self.is_convex else "no"),
-            ("from", write_pair(low)),
-            ("to", write_pair(high)),
-        ]
-        return put_beside(self._repr_svg_(), rows)
+    def _facts(self) -> list[tuple[str, str]]:
+        return [("area", abridge(self.area)), ("convex", "yes" if self.is_convex else "no")]
 
     def _head(self) -> tuple[Point, ...]:
         return self.vertices[:_SHOWN_VERTICES]

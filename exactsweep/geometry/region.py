@@ -19,7 +19,7 @@ from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import abridge
 from exactsweep.numbers.point import Point, Vertex
-from exactsweep.words import write_pair, write_size
+from exactsweep.words import write_pair
 
 Vertices = Polygon | Iterable[Iterable[object]]
 
@@ -103,11 +103,6 @@ class Region(PointSet):
         """The vertices of the exterior and of each hole, all counter-clockwise."""
         return (self.exterior.vertices, *(hole.vertices for hole in self.holes))
 
-    @property
-    def vertices(self) -> tuple[Point, ...]:
-        """The vertices of all `rings`, one after another."""
-        return tuple(chain.from_iterable(self.rings))
-
     def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
         """Return the region on the coarsest integer lattice that holds it.
 
@@ -132,11 +127,6 @@ class Region(PointSet):
     def is_convex(self) -> bool:
         """Decide whether the region is convex; it is not if it has a hole."""
         return not self.holes and self.exterior.is_convex
-
-    @property
-    def bounding_box(self) -> tuple[Point, Point]:
-        """The lower left and the upper right corner of the least axis-parallel rectangle."""
-        return self.exterior.bounding_box
 
     def _image(self, under: AffineMap) -> Region:
         return _restore([ring._image(under) for ring in (self.exterior, *self.holes)], self._firsts)
@@ -194,23 +184,8 @@ class Region(PointSet):
     def __str__(self) -> str:
         return "; hole ".join(map(str, (self.exterior, *self.holes)))
 
-    def _repr_svg_(self) -> str:
-        from exactsweep.canvas.svg import draw_rings
-
-        return draw_rings(self.rings, write_size(len(self), self.area))
-
-    def _repr_html_(self) -> str:
-        from exactsweep.canvas.svg import put_beside
-
-        low, high = self.bounding_box
-        rows = [
-            ("vertices", str(len(self))),
-            ("holes", str(len(self.holes))),
-            ("area", abridge(self.area)),
-            ("from", write_pair(low)),
-            ("to", write_pair(high)),
-        ]
-        return put_beside(self._repr_svg_(), rows)
+    def _facts(self) -> list[tuple[str, str]]:
+        return [("holes", str(len(self.holes))), ("area", abridge(self.area))]
 
 
 def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:

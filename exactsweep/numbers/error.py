@@ -13,9 +13,11 @@ class name_refusals:  # noqa: N801
 
     Args:
         name: the name of the input, such as "generatrix" or "hole 2".
+        refusal: the type of the error to raise, for any ValueError; None keeps the type of a
+            refusal, and other errors as they are.
 
     Raises:
-        ExactSweepError: the refusal, with the same type, and the name before its message.
+        ExactSweepError: the refusal, with the name before its message.
 
     Example:
         >>> with name_refusals("hole 2"):
@@ -24,15 +26,15 @@ class name_refusals:  # noqa: N801
         exactsweep.numbers.error.ExactSweepError: hole 2: zero area
     """
 
-    def __init__(self, name: str) -> None:
-        self.name = name
+    def __init__(self, name: str, refusal: type[ExactSweepError] | None = None) -> None:
+        self.name, self.refusal = name, refusal
 
     def __enter__(self) -> None:
         pass
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        if isinstance(error, ExactSweepError):
-            raise type(error)(f"{self.name}: {error}") from None
+        if isinstance(error, ValueError if self.refusal else ExactSweepError):
+            raise (self.refusal or type(error))(f"{self.name}: {error}") from None
 
 
 @contextmanager

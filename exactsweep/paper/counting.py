@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import gc
 import tracemalloc
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -16,6 +16,7 @@ from time import process_time
 from typing import Any, Protocol
 
 from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.growth import Bound, Growth, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 
@@ -99,7 +100,7 @@ for _make, _names in (
         setattr(Counted, f"__{_name}__", _make(f"__{_name}__"))
 
 
-def make_counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+def make_counted(chain: Iterable[Vertex]) -> list[tuple[Any, Any]]:
     """The same points in counted ints.
 
     >>> with watch_operations() as tally:
@@ -148,6 +149,18 @@ class PairFamily(Protocol):
         """Return the pair."""
 
 
+def count_chains(family: PairFamily, m: int, n: int) -> Chains:
+    """The chains of a pair of a family in counted ints."""
+    return Chains(*map(make_counted, SweepPair(*family(m, n)).chains))
+
+
+def count_operations(run: Callable[..., Iterable[Any]], *arguments: Any) -> int:
+    """Multiplications, comparisons and additions of counted ints, and what comes out."""
+    with watch_operations() as tally:
+        out = sum(1 for _ in run(*arguments))
+    return tally.total + out
+
+
 def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
     """Multiplications, comparisons and additions of coordinates, and vertices that come out.
 
@@ -155,10 +168,7 @@ def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
     >>> operations(lambda chains: chains.directrix, Chains([(1, 1)], [(0, 0)], [(0, 0), (1, 0)]))
     2
     """
-    fed = Chains(*(make_counted(chain) for chain in chains))  # type: ignore[arg-type]
-    with watch_operations() as tally:
-        out = sum(1 for _ in run(fed))
-    return tally.total + out
+    return count_operations(run, Chains(*map(make_counted, chains)))
 
 
 def vertices(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:

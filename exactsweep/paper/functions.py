@@ -9,6 +9,8 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from exactsweep.check import ReferenceLoops, reference_loops, reference_no_fit
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Fit, Vertex
 from exactsweep.paper.laws import Law
@@ -137,6 +139,14 @@ def no_fit_is_the_definition(pair: SweepPair) -> str:
     if holes != expected.holes:
         return f"{len(holes)} holes, not the {len(expected.holes)} of the definition"
     return tell_fits(found.exact_fits, expected.exact_fits)
+
+
+def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
+    """A frame around a polygon, with room for a part between the two rims."""
+    room = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
+    (left, low), (right, high) = shape.bounding_box
+    left, low, right, high = left - room, low - room, right + room, high + room
+    return Region([(left, low), (right, low), (right, high), (left, high)], [shape])
 
 
 def tell_fits(found: Sequence[Fit], expected: Sequence[Fit]) -> str:

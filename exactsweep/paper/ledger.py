@@ -19,7 +19,7 @@ from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import quote
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, find_first_failure
 from exactsweep.paper.laws import Trial
-from exactsweep.paper.tiny import SHAPES, search_grid
+from exactsweep.paper.tiny import search_grid
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
@@ -35,8 +35,8 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
         trial.of(resolve_name(f"{CHECKS}.{law}"), pairs)
     found = [Evidence(trial.tried, trial.failure, sampled=trial.sampled)]
     for law, side, most, generatrix, directrix in row.get("search", ()):
-        shapes = SHAPES[generatrix], SHAPES[directrix]
-        found.append(search_grid(side, most, *shapes, resolve_name(f"{CHECKS}.{law}")))
+        fails = resolve_name(f"{CHECKS}.{law}")
+        found.append(search_grid(side, most, generatrix, directrix, fails))
     if "check" in row:
         found.append(resolve_name(f"{CHECKS}.{row['check']}")(effort))
     if "figure" in row:

@@ -6,7 +6,9 @@ marker, and the next seven in dashes, too.
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Sequence
+from importlib.resources import files
 from importlib.util import find_spec
 from io import BytesIO
 from itertools import cycle
@@ -20,18 +22,9 @@ STYLES = tuple(
     for dash in ("-", "--")
     for colour, marker in zip(PALETTE, "os^Dv<>", strict=True)
 )
-SETTINGS: dict[str, Any] = {
-    "font.size": 8,
-    "legend.fontsize": 7,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "grid.color": "#DDDDDD",
-    "grid.linewidth": 0.5,
-    "lines.markersize": 4,
-    "lines.linewidth": 1,
-    "svg.hashsalt": "exactsweep",
-}
+SETTINGS: dict[str, Any] = tomllib.loads(
+    files("exactsweep.paper").joinpath("plots.toml").read_text(encoding="utf-8")
+)
 
 
 def available() -> bool:

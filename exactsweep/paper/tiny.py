@@ -17,8 +17,6 @@ from exactsweep.paper.claim import Counterexample, Evidence
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import split
 
-RingTest = Callable[[Ring], bool]
-
 
 @cache
 def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
@@ -51,27 +49,15 @@ def _size(ring: Sequence[tuple[int, int]]) -> tuple[int, Sequence[tuple[int, int
     return max(x for x, _ in ring) + max(y for _, y in ring), ring
 
 
-def is_any(ring: Ring) -> bool:
-    """Decide whether a polygon is one."""
-    return True
+SHAPES: dict[str, Callable[[Ring], bool]] = {
+    "any": lambda ring: True,
+    "convex": lambda ring: Polygon(ring).is_convex,
+    "bent": lambda ring: not Polygon(ring).is_convex,
+}
+"""The polygons that a search tries for G or for D."""
 
 
-def is_convex(ring: Ring) -> bool:
-    """Decide whether a polygon is convex."""
-    return Polygon(ring).is_convex
-
-
-def is_bent(ring: Ring) -> bool:
-    """Decide whether a polygon is not convex."""
-    return not Polygon(ring).is_convex
-
-
-SHAPES: dict[str, RingTest] = {"any": is_any, "convex": is_convex, "bent": is_bent}
-
-
-def list_tiny_pairs(
-    side: int, most: int, generatrix: RingTest, directrix: RingTest
-) -> Iterator[SweepPair]:
+def list_tiny_pairs(side: int, most: int, generatrix: str, directrix: str) -> Iterator[SweepPair]:
     """All pairs on a grid with no more than so many vertices in all, smallest first."""
     for total in range(6, most + 1):
         pairs = []
@@ -83,15 +69,15 @@ def list_tiny_pairs(
 
 
 @cache
-def _choose(side: int, vertices: int, shape: RingTest) -> list[Ring]:
-    return [ring for ring in map(list, list_polygons(side, vertices)) if shape(ring)]
+def _choose(side: int, vertices: int, shape: str) -> list[Ring]:
+    return [ring for ring in map(list, list_polygons(side, vertices)) if SHAPES[shape](ring)]
 
 
 def search_grid(
     side: int,
     most: int,
-    generatrix: RingTest,
-    directrix: RingTest,
+    generatrix: str,
+    directrix: str,
     fails: Callable[[SweepPair], str],
 ) -> Evidence:
     """Look for the first pair on a grid with which a statement fails.
@@ -99,7 +85,7 @@ def search_grid(
     Args:
         side: of the grid, whose coordinates are 0, ..., side.
         most: vertices of both polygons together.
-        generatrix: which polygons are tried for G.
+        generatrix: a key of SHAPES: which polygons are tried for G.
         directrix: the same for D.
         fails: what goes wrong with a pair; empty if nothing does.
 
@@ -109,7 +95,7 @@ def search_grid(
     Example:
         >>> def four_corners(pair):
         ...     return "a square" if len(pair.generatrix) == 4 else ""
-        >>> search_grid(2, 7, is_convex, is_convex, four_corners).against.generatrix
+        >>> search_grid(2, 7, "convex", "convex", four_corners).against.generatrix
         [(0, 0), (1, 0), (2, 1), (1, 1)]
     """
     where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"

@@ -18,11 +18,11 @@ from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures import ss
 from exactsweep.procedures.free_positions import Free
 from exactsweep.procedures.pockets import find_mouths
-from exactsweep.procedures.solution import Solution, made_once
+from exactsweep.procedures.solution import Kind, made_once
 
 
-class ShapeSolution(Solution):
-    """The Solution of a pair of any shape.
+class ShapeSolution:
+    """The loops and exact fits of a pair of any shape, in the form of `MonotoneSolution`.
 
     Args:
         generatrix: G.
@@ -30,7 +30,7 @@ class ShapeSolution(Solution):
         scale: the scale of their lattice; some vertices may be off the lattice.
     """
 
-    kind = "SS"
+    kind: Kind = "SS"
 
     def __init__(self, generatrix: Region, directrix: Region, scale: int | None = None) -> None:
         self._pair = generatrix, directrix
@@ -76,8 +76,8 @@ class ShapeSolution(Solution):
 
     @made_once
     def _around_path(self) -> ShapeSolution:
-        """The Solution of I(G) around T's inside, for the points that are not swept."""
-        path = Region(Polygon._from_canonical(self.trajectory))
+        """The sweep of I(G) around T's inside, for the points that are not swept."""
+        path = Region(Polygon._trust(self.trajectory))
         # A lattice with T's corners at crossings of contact segments would be huge.
         return ShapeSolution(self._pair[0].reflected(), path, self.frame.scale)
 

@@ -47,12 +47,12 @@ class KeptChain(list[Vertex]):
     @made_once
     def inverted(self) -> KeptChain:
         """The inverse of the chain."""
-        return KeptChain(_inverse(self))
+        return KeptChain(inverse(list(self)))
 
     @made_once
     def width(self) -> Rational | None:
         """The width of the chain, as `measure_width` returns it."""
-        return _measure_width(self)
+        return measure_width(list(self))
 
 
 def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
@@ -64,10 +64,8 @@ def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
     >>> inverse([(2, 0), (1, 3), (0, 0)])
     [(-2, 0), (-1, -3), (0, 0)]
     """
-    return chain.inverted if type(chain) is KeptChain else _inverse(chain)
-
-
-def _inverse(chain: Sequence[Vertex]) -> list[Vertex]:
+    if type(chain) is KeptChain:
+        return chain.inverted
     return [
         (-x, -y) if type(x) is int and type(y) is int else (negate(x), negate(y)) for x, y in chain
     ]
@@ -102,10 +100,8 @@ def measure_width(chain: Sequence[Vertex]) -> Rational | None:
     >>> measure_width([(0, 0), (2, 1), (3, 0)])
     3
     """
-    return chain.width if type(chain) is KeptChain else _measure_width(chain)
-
-
-def _measure_width(chain: Sequence[Vertex]) -> Rational | None:
+    if type(chain) is KeptChain:
+        return chain.width
     kinds = set(map(type, link.from_iterable(chain)))
     if kinds == {int} or (chain and all(issubclass(kind, int) for kind in kinds)):
         return chain[-1][0] - chain[0][0]

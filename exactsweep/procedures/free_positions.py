@@ -21,11 +21,12 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from functools import cmp_to_key
 from itertools import chain, groupby
 from operator import itemgetter
 from typing import NamedTuple
 
+from exactsweep.geometry.canonical import find_least
+from exactsweep.geometry.vectors import is_on_segment, way_key
 from exactsweep.numbers.number import divide_exactly
 from exactsweep.numbers.point import Fit, Point, Vertex
 from exactsweep.procedures.contact_lines import ReducedPoint, Stretch, StretchPlace
@@ -181,19 +182,13 @@ def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[
     """Find the first piece counter-clockwise from the way back."""
     x, y = -piece[2], -piece[3]
 
-    def turned(k: int) -> tuple[bool, int]:
-        """Decide whether a piece is more than half a turn on."""
+    def mirrored(k: int) -> Vertex:
+        """Return the direction of a piece, turned so that the way back is the X axis, clockwise."""
         _, _, dx, dy = pieces[k]
-        turn = x * dy - y * dx
-        return turn < 0 or (turn == 0 and x * dx + y * dy > 0), k
+        return x * dx + y * dy, y * dx - x * dy
 
-    def compare(a: tuple[bool, int], b: tuple[bool, int]) -> int:
-        if a[0] != b[0]:
-            return a[0] - b[0]
-        (_, _, px, py), (_, _, qx, qy) = pieces[a[1]], pieces[b[1]]
-        return qx * py - qy * px
-
-    return min(map(turned, leaving), key=cmp_to_key(compare))[1]
+    # Clockwise, it is the last one, and the way back itself comes before all others.
+    return max(leaving, key=lambda k: way_key(mirrored(k)))
 
 
 def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_FreeEdge]]:
@@ -211,18 +206,6 @@ def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_Free
     yield way
 
 
-def _find_least(points: Sequence[ReducedPoint]) -> int:
-    """Find the index of the lexicographically least point."""
-    least = 0
-    xn, xd, yn, yd = points[0]
-    for k, (n, d, m, e) in enumerate(points):
-        right = n * xd - xn * d
-        if right < 0 or (right == 0 and m * yd < yn * e):
-            least = k
-            xn, xd, yn, yd = n, d, m, e
-    return least
-
-
 def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:
     """Return the canonical loop of a ring, and whether the ring runs counter-clockwise."""
     corners = [
@@ -230,10 +213,11 @@ def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point],
         for (_, _, bx, by), (start, _, dx, dy) in zip([ring[-1], *ring[:-1]], ring, strict=True)
         if bx != dx or by != dy
     ]
-    first = _find_least([corner[0] for corner in corners])
+    points = [_leave(corner[0], scale) for corner in corners]
+    first = find_least(points)
     # The least vertex is a convex corner.
     _, bx, by, dx, dy = corners[first]
-    points = [_leave(corner[0], scale) for corner in corners[first:] + corners[:first]]
+    points = points[first:] + points[:first]
     if bx * dy > by * dx:
         return points, True
     return [points[0], *points[:0:-1]], False
@@ -270,8 +254,7 @@ def _join(
 
 
 def _lies_on(vertex: ReducedPoint, fit: tuple[ReducedPoint, ReducedPoint]) -> bool:
-    p, a, b = (_leave(place, 1) for place in (vertex, *fit))
-    return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and a <= p <= b
+    return is_on_segment(*(_leave(place, 1) for place in (vertex, *fit)))
 
 
 def _hang(

@@ -6,7 +6,7 @@ lower sweep of both polygons after half a turn.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from math import lcm
 
@@ -23,7 +23,7 @@ from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.mm import inner_mm, outer_mm, trajectory_mm
 from exactsweep.procedures.pockets import find_pockets
-from exactsweep.procedures.solution import Kind, Solution, made_once, pause_collector
+from exactsweep.procedures.solution import Kind, made_once, pause_collector
 
 KEPT_VERTICES = 256
 """The largest number of vertices of a polygon with cached chains."""
@@ -117,18 +117,30 @@ def _keep(lattice: Lattice, frame: Frame) -> tuple[KeptChain, KeptChain]:
     return KeptChain(bottom), KeptChain(top)
 
 
-class MonotoneSolution(Solution):
-    """The Solution of a monotone pair, by the paper's procedures.
+class MonotoneSolution:
+    """The loops and exact fits of a monotone pair, by the paper's procedures.
+
+    Each is computed when it is first read. Positions are those of G's origin. Loops are canonical:
+    counter-clockwise, corners only, the least vertex first, not closed.
 
     Args:
         generatrix: G.
         directrix: D.
         direction: the shared direction of monotonicity, a primitive integer vector.
+
+    Attributes:
+        kind: the class of the pair.
+        holes: the loops around free positions inside the trajectory; none.
+        unswept: the holes of the swept area beside the inner loop; none.
     """
+
+    holes: Sequence[list[Point]] = ()
+    unswept: Sequence[list[Point]] = ()
 
     def __init__(self, generatrix: Polygon, directrix: Polygon, direction: Vector) -> None:
         self._pair = generatrix, directrix
-        self.kind = "MM" if not generatrix.is_convex else "CC" if directrix.is_convex else "CM"
+        g, d = self._pair
+        self.kind: Kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
         self._direction = direction
 
     @made_once

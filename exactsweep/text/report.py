@@ -190,7 +190,10 @@ def _tell(
     terminal_width: int | None,
     everything: bool,
 ) -> str:
-    texts = _texts(loops) | _fit_texts(fits)
+    ends = {f"exact fit {k}": tuple(dict.fromkeys(fit)) for k, fit in enumerate(fits)}
+    # rich breaks lines at blanks, but must not break a vertex.
+    texts = {called: str(loop).replace(", ", ",") for called, loop in loops.items()}
+    texts |= {called: " ".join(map(write_pair, points)) for called, points in ends.items()}
     width = max(map(len, [*facts, *shapes, name, *texts]))
     sizes = make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
     for called, shape in shapes.items():
@@ -199,8 +202,8 @@ def _tell(
     tables = [list_facts(facts, width), sizes]
     if everything:
         # A table takes long for long numbers.
-        lines = {**{n: loop.vertices for n, loop in loops.items()}, **_fit_ends(fits)}
-        told = (f"{n:<{width}}  {' '.join(map(_write_point, ends))}\n" for n, ends in lines.items())
+        lines = {n: loop.vertices for n, loop in loops.items()} | ends
+        told = (f"{n:<{width}}  {' '.join(map(_write_point, line))}\n" for n, line in lines.items())
         return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
     return lay_out([*tables, *([list_facts(texts, width)] if texts else [])], terminal_width)
 
@@ -277,19 +280,6 @@ def _area(area: Fraction) -> tuple[str, str]:
     return "" if rounded == exact else rounded, exact
 
 
-def _texts(loops: Mapping[str, Polygon]) -> dict[str, str]:
-    # rich breaks lines at blanks, but must not break a vertex.
-    return {name: str(loop).replace(", ", ",") for name, loop in loops.items()}
-
-
-def _fit_texts(fits: Iterable[Fit]) -> dict[str, str]:
-    return {name: " ".join(map(write_pair, ends)) for name, ends in _fit_ends(fits).items()}
-
-
-def _fit_ends(fits: Iterable[Fit]) -> dict[str, tuple[Point, ...]]:
-    return {f"exact fit {k}": tuple(dict.fromkeys(fit)) for k, fit in enumerate(fits)}
-
-
 def approximate(value: Fraction, *, up: bool = False) -> str:
     """Round a number to six significant digits, the nearest ones or the next ones up.
 
@@ -297,6 +287,8 @@ def approximate(value: Fraction, *, up: bool = False) -> str:
     ('-6.66667', '30', '6.33825e+29')
     >>> approximate(Fraction(1, 3), up=True), approximate(Fraction(1, 4), up=True)
     ('0.333334', '0.25')
+    >>> [approximate(Fraction(10) ** k) for k in (-7, -6, 12, 13)]
+    ['1e-7', '0.000001', '1000000000000', '1e+13']
     """
     context = _UPWARD if up else _NEAREST
     n, d = value.as_integer_ratio()

@@ -9,7 +9,7 @@ too. Features that touch only at a stop are found by the page itself when G is t
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -23,7 +23,7 @@ from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Fit, Point
 from exactsweep.text.results import list_numbers
-from exactsweep.view.meetings import find_meetings
+from exactsweep.view.meetings import Meetings, find_meetings
 from exactsweep.words import CLASSES
 
 if TYPE_CHECKING:
@@ -52,17 +52,19 @@ class Stop(NamedTuple):
 
 def list_tracks(s: Sweep) -> list[Track]:
     """List the trajectory, the holes of the no-fit polygon and the exact fits."""
-    holes = [Track(f"hole {k}", hole.vertices) for k, hole in enumerate(s.no_fit_holes)]
-    fits = [
-        Track(f"exact fit {k}", tuple(dict.fromkeys(fit))) for k, fit in enumerate(s.exact_fits)
-    ]
-    return [Track("the trajectory", s.trajectory.vertices), *holes, *fits]
+    loops = [s.trajectory.vertices, *(hole.vertices for hole in s.no_fit_holes)]
+    return _name_tracks(loops, s.exact_fits, "the trajectory")
 
 
-def find_stops(s: Sweep) -> list[Stop]:
-    """Find all stops of the trajectory, as `track_stops` does."""
-    found, _ = track_stops(s, list_tracks(s)[:1])
-    return found[0]
+def _name_tracks(
+    loops: Sequence[Sequence[Point]], fits: Iterable[Fit], first: str = ""
+) -> list[Track]:
+    """Name loops and exact fits; `first` is the name of a first loop around holes, if it is one."""
+    found = [Track(first, loops[0])] if first else []
+    word = "hole" if first else "loop"
+    found += [Track(f"{word} {k}", loop) for k, loop in enumerate(loops[len(found) :])]
+    ends = (tuple(dict.fromkeys(fit)) for fit in fits)
+    return [*found, *(Track(f"exact fit {k}", corners) for k, corners in enumerate(ends))]
 
 
 def track_stops(s: Sweep, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
@@ -76,20 +78,36 @@ def track_stops(s: Sweep, listed: Sequence[Track]) -> tuple[list[list[Stop]], bo
     Cost: that of `Sweep.contacts_along`, `undercuts`, `exact_fits` and `Meetings`, plus O(log u)
     for each stretch, for u positions of undercuts and ends of exact fits.
     """
-    landmarks = _landmarks(s)
     meetings = find_meetings(s, sum(len(track.corners) for track in listed))
     loops = [track.corners for track in listed if len(track.corners) > 1]
-    pieces_of_loops = cut_loops(s, loops)
+    return _cut_tracks(listed, cut_loops(s, loops), _landmarks(s), meetings), meetings is not None
+
+
+def _cut_tracks(
+    listed: Iterable[Track],
+    stretches: Iterator[list[ContactStretch]],
+    landmarks: Sequence[Point],
+    meetings: Meetings | None,
+) -> list[list[Stop]]:
+    """Find the stops of tracks; `stretches` has those of each track that is not a single position.
+
+    A stretch begins at a stop. It is cut at landmarks, and where vertices meet.
+    """
     found = []
-    for track in listed:
-        if len(track.corners) == 1:
-            found.append([Stop(track.corners[0], 0, ())])
+    for _, corners in listed:
+        if len(corners) == 1:
+            found.append([Stop(corners[0], 0, ())])
             continue
-        pieces = _cut(next(pieces_of_loops), landmarks)
+        pieces = _cut(next(stretches), landmarks)
         if meetings is not None:
-            pieces = _cut(pieces, meetings.on_edges(track.corners))
-        found.append(_read_stops(pieces, track.corners))
-    return found, meetings is not None
+            pieces = _cut(pieces, meetings.on_edges(corners))
+        found.append(
+            [
+                Stop(start, edge if start == corners[edge] else None, contacts)
+                for edge, start, _, contacts in pieces
+            ]
+        )
+    return found
 
 
 def gather_page_data(
@@ -111,7 +129,7 @@ def gather_page_data(
         A dict. Places are flat lists x, y, x, y, ... of floats; those of G are relative to the
         point whose path the page shows. "exact" has the coordinates as strings, in the same order.
 
-    Cost: that of `find_stops` and of the loops.
+    Cost: that of `track_stops` and of the loops.
     """
     tell("the loops")
     outer, moved = s.outer.vertices, trace_anchor(s).vertices
@@ -124,10 +142,9 @@ def gather_page_data(
     found, has_meetings = track_stops(s, listed)
     number = {stop.position: k for k, stop in enumerate(found[0])}
     stops = {track.name: on_track for track, on_track in zip(listed, found, strict=True)}
-    loops, shapes = len(s.no_fit_holes) + 1, gather_shapes(s, scale, names, "Sweep", y_down)
     return (
-        shapes
-        | _gather_tracks(s, scale, stops, s.exact_fits, loops=loops, outside=1)
+        gather_shapes(s, scale, names, "Sweep", y_down)
+        | _gather_tracks(s, scale, stops, s.exact_fits, outside=1)
         | {
             "class": CLASSES[s.kind],
             "asked": "sweep",
@@ -176,33 +193,23 @@ def gather_positions(
     Cost: that of all positions, and linear in their size.
     """
     shapes = Positions.of(found)
-    loops = [loop.vertices for loop in shapes.loops]
-    fits = [tuple(dict.fromkeys(fit)) for fit in shapes.exact_fits]
     is_outside = shapes.exterior is not None
-    word, inside = ("hole", loops[1:]) if is_outside else ("loop", loops)
-    tracks = {f"{word} {k}": corners for k, corners in enumerate(inside)}
-    tracks |= {f"exact fit {k}": fit for k, fit in enumerate(fits)}
-    if is_outside:
-        tracks = {"the exterior": loops[0], **tracks}
-    if not tracks:
+    loops = [loop.vertices for loop in shapes.loops]
+    listed = _name_tracks(loops, shapes.exact_fits, "the exterior" if is_outside else "")
+    if not listed:
         raise DrawError("there is no position: the part does not fit")
-    paths = [p for corners in tracks.values() for p in move_to_anchor(corners, shapes)]
+    paths = [p for track in listed for p in move_to_anchor(track.corners, shapes)]
     scale = Scale.of(shapes.directrix.vertices, paths)
     meetings = find_meetings(shapes, len(paths), shapes.placed, inside=not is_outside)
-    landmarks = sorted({end for fit in fits for end in fit})
-    stops = {}
-    for name, corners in tracks.items():
-        edges = enumerate(pairwise([*corners, corners[0]]))
-        pieces = _cut([ContactStretch(k, *edge, ()) for k, edge in edges], landmarks)
-        if meetings is not None:
-            pieces = _cut(pieces, meetings.on_edges(corners))
-        stops[name] = _read_stops(pieces, corners)
+    edges = (enumerate(pairwise([*c, c[0]])) for _, c in listed if len(c) > 1)
+    stretches = ([ContactStretch(k, *edge, ()) for k, edge in around] for around in edges)
+    landmarks = sorted({end for fit in shapes.exact_fits for end in fit})
+    found_stops = _cut_tracks(listed, stretches, landmarks, meetings)
+    stops = {track.name: on_track for track, on_track in zip(listed, found_stops, strict=True)}
     where, title = ("around", "No-fit polygon") if is_outside else ("in", "Inner fit")
     return {
         **gather_shapes(shapes, scale, names, title, y_down, where),
-        **_gather_tracks(
-            shapes, scale, stops, shapes.exact_fits, loops=len(loops), outside=int(is_outside)
-        ),
+        **_gather_tracks(shapes, scale, stops, shapes.exact_fits, outside=int(is_outside)),
         "class": "",
         "asked": "positions",
         "area": format_fraction(found.area),
@@ -219,12 +226,12 @@ def _gather_tracks(
     s: Moving,
     scale: Scale,
     stops: Mapping[str, Sequence[Stop]],
-    fits: Iterable[Fit],
+    fits: Sequence[Fit],
     *,
-    loops: int,
     outside: int,
 ) -> dict[str, Any]:
     """Collect the tracks by name, loops first, and the exact fits, which may hang on these."""
+    loops = len(stops) - len(fits)
     on_loops = {stop.position for on_track in [*stops.values()][:loops] for stop in on_track}
     return {
         "loops": loops,
@@ -243,14 +250,6 @@ def _gather_tracks(
             for fit in fits
         ],
     }
-
-
-def _read_stops(pieces: Iterable[ContactStretch], corners: Sequence[Point]) -> list[Stop]:
-    """Make the stops at which stretches of a track begin."""
-    return [
-        Stop(start, edge if start == corners[edge] else None, contacts)
-        for edge, start, _, contacts in pieces
-    ]
 
 
 def gather_shapes(
@@ -281,10 +280,8 @@ def gather_shapes(
 
 def show_points(scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
     """Return the places of points, and their coordinates as text."""
-    return {
-        "places": [c for point in points for c in scale.place(point)],
-        "exact": _exact(points),
-    }
+    places = [c for point in points for c in scale.place(point)]
+    return {"places": places, "exact": _exact(points)}
 
 
 def show_positions(s: Moving, scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
@@ -321,16 +318,10 @@ def _on_line(p: Point, a: Point, b: Point) -> bool:
 
 
 def _around_anchor(s: Moving, scale: Scale) -> dict[str, Any]:
-    x, y = find_anchor(s)
-    corners = s.generatrix.vertices
-    return {
-        "places": [
-            float(part)
-            for v in corners
-            for part in ((v.x - x) / scale.x.unit, (v.y - y) / scale.y.unit)
-        ],
-        "exact": [format_fraction(c) for v in corners for c in v],
-    }
+    (x, y), corners = find_anchor(s), s.generatrix.vertices
+    units = scale.x.unit, scale.y.unit
+    parts = (part for v in corners for part in ((v.x - x) / units[0], (v.y - y) / units[1]))
+    return {"places": [*map(float, parts)], "exact": _exact(corners)}
 
 
 def _number(shape: AnyPolygon) -> dict[str, list[int]]:

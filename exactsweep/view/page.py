@@ -20,15 +20,8 @@ if TYPE_CHECKING:
 
 # d3-zoom and its dependencies, in the order of dependence; see vendor/README.md.
 _LIBRARIES = (
-    "d3-color",
-    "d3-dispatch",
-    "d3-ease",
-    "d3-timer",
-    "d3-selection",
-    "d3-interpolate",
-    "d3-drag",
-    "d3-transition",
-    "d3-zoom",
+    *("color", "dispatch", "ease", "timer", "selection"),
+    *("interpolate", "drag", "transition", "zoom"),
 )
 _SCRIPTS = tuple(
     f"{name}.js"
@@ -73,7 +66,7 @@ def make_page(
     else:
         tell("all positions")
         data = gather_positions(s, names=names, y_down=y_down)
-    library = "\n".join(_text(f"vendor/{name}.min.js") for name in _LIBRARIES)
+    library = "\n".join(_text(f"vendor/d3-{name}.min.js") for name in _LIBRARIES)
     notice = _text("vendor/LICENSE").strip()
     script = "\n".join(map(_text, _SCRIPTS))
     scripts = [f"/*\n{notice}\n*/\n{library}", f'"use strict";\n(() => {{\n{script}}})();\n']

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from exactsweep.check import boxes, reference_no_fit, uncovered
 from exactsweep.check.boxes import BoxTree, Rectangle, find_box, meet
-from exactsweep.check.size import UNLIMITED, Budget
+from exactsweep.check.no_fit import UNLIMITED
+from exactsweep.check.standalone import Work
 from exactsweep.numbers.point import Vertex
 
 NUMBERS = st.integers(-20, 20) | st.integers(-900, 900)
@@ -68,7 +69,7 @@ def test_far_boxes_are_not_looked_at(way: tuple[int, int], monkeypatch: pytest.M
 
 def test_what_is_not_asked_for_is_not_looked_for() -> None:
     """Of 4,096 boxes in one place the first comes before most branches are looked at."""
-    budget = Budget(10**9)
+    budget = Work(10**9)
     tree = BoxTree([(0, 1, 0, 1)] * 4096, budget)
     before = budget.left
     assert next(tree.near((0, 1, 0, 1))) == 0
@@ -85,7 +86,7 @@ def test_of_a_saw_the_sets_near_a_line_are_looked_at(monkeypatch: pytest.MonkeyP
     sets: list[int] = []
 
     class Counted(BoxTree):
-        def __init__(self, known: Sequence[Rectangle], budget: Budget) -> None:
+        def __init__(self, known: Sequence[Rectangle], budget: Work) -> None:
             super().__init__(known, budget)
             sets.append(len(known))
 

@@ -23,7 +23,9 @@ from exactsweep.check import (
     uncovered,
     verify,
 )
-from exactsweep.check.size import UNLIMITED, Budget, measure_bits
+from exactsweep.check.convex import measure_bits
+from exactsweep.check.no_fit import UNLIMITED
+from exactsweep.check.standalone import Work
 
 Points = list[tuple[int, int]]
 HOOK = [(0, 0), (6, 0), (6, 6), (1, 6), (1, 3), (2, 3), (2, 5), (5, 5), (5, 1), (0, 1)]
@@ -111,15 +113,15 @@ class Ledger:
         self.watch(standalone, "lies", "_take_all_pairs", lambda *_: 1)
         self.watch(convex_sums, "_measure_width", "__init__", lambda _: 6)
         self.watch(boxes, "meet", "near", lambda *_: 0.15)
-        take = Budget.take
+        take = Work.take
 
-        def count_steps(budget: Budget, steps: int, bits: int = 0) -> None:
+        def count_steps(budget: Work, steps: int, bits: int = 0) -> None:
             # The one of them that takes steps by a function of its own is `_find_diagonal`.
             caller = sys._getframe(1).f_code.co_name
             self.steps[diagonals if caller == "<lambda>" else caller] += steps
             take(budget, steps, bits)
 
-        monkeypatch.setattr(Budget, "take", count_steps)
+        monkeypatch.setattr(Work, "take", count_steps)
 
     def watch(self, module: Any, name: str, payer: str, cost: Callable[..., float]) -> None:
         do = getattr(module, name)
@@ -227,7 +229,7 @@ def test_numbers_over_others_count_more() -> None:
 
 def test_each_question_takes_steps() -> None:
     """One step for a set that holds the point, or does not, if only its box does."""
-    budget = Budget(10**6)
+    budget = Work(10**6)
     sets = uncovered.OpenSets([[(0, 0), (9, 0), (0, 9)]], [[(0, 0), (1, 0), (0, 1)]], budget)
     for point, inside in (((1, 1), True), ((7, 7), False)):
         before = budget.left

@@ -139,7 +139,7 @@ def test_the_input_may_be_of_any_length() -> None:
 def reading_steps(item: Any) -> int:
     work = Work(10**9)
     work.read(item)
-    return 10**9 - work.left
+    return int(10**9 - work.left)
 
 
 def test_reading_counts_in_steps() -> None:

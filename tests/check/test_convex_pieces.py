@@ -16,8 +16,8 @@ from exactsweep import Polygon
 from exactsweep.check import convex
 from exactsweep.check.arrangement import WalkedLoop
 from exactsweep.check.convex import cut_to_convex
+from exactsweep.check.no_fit import UNLIMITED
 from exactsweep.check.shape import bring_to_integers
-from exactsweep.check.size import UNLIMITED
 from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
 from exactsweep.geometry import convex as kernel_convex
 from exactsweep.geometry.canonical import find_doubled_area, find_turns

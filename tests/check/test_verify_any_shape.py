@@ -219,7 +219,7 @@ def test_reason_names_the_place_in_a_claim(change: dict[str, Any], reason: str) 
 def test_null_after_the_last_entry_of_a_list_is_refused(name: str) -> None:
     certificate = no_fit_certificate(C, UNIT)
     result = verify({**certificate, name: [*certificate[name], None]})
-    assert result.reason == f"{name}: not in order, or one is listed twice"
+    assert result.reason == f"{name}[{len(certificate[name])}]: not in the answer"
 
 
 def test_many_edges_are_refused_at_once_for_any_shape() -> None:

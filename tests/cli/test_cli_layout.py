@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 from xml.etree import ElementTree
 
 import nests
 import pytest
-from command import refusal, run
+from command import run
 
 from exactsweep.corpus import find_layout_case, layout_cases
 
@@ -50,24 +49,6 @@ def test_notes_are_told(nest: Path) -> None:
     )
 
 
-def test_spacing_and_margin_are_what_is_asked_for(nest: Path) -> None:
-    file = str(nest / "layout.json")
-    done = run("layout", file, "--spacing", "0.001")
-    assert done.exit_code == 1
-    assert "1 too close" in done.stdout
-    assert run("layout", file, "--margin", "1e-9").exit_code == 1
-    assert "is negative" in run("layout", file, "--spacing", "-1").stderr
-    assert run("layout", file, "--spacing", "x").exit_code == 2
-
-
-def test_the_container_is_chosen(nest: Path) -> None:
-    file = str(nest / "drawing.svg")
-    assert run("layout", file, "--container", "sheet").exit_code == 0
-    done = run("layout", file, "--container", "a")
-    assert "2 outside" in done.stdout
-    assert "no polygon has the name" in refusal(run("layout", file, "--container", "x"))
-
-
 def test_everything_is_written(tmp_path: Path) -> None:
     file = case_file(tmp_path, "all-at-once")
     names = "p.html", "p.svg", "proof.json", "out.json"
@@ -101,42 +82,6 @@ def test_a_wrong_convention_is_named(tmp_path: Path) -> None:
     file.write_text(json.dumps(data), encoding="utf-8")
     said = "note: with moves divided by 10, 0 of 5 faults would be left\n"
     assert said in run("layout", str(file)).stdout
-
-
-def test_folders_are_judged_in_a_table(tmp_path: Path) -> None:
-    slugs = ["tiles", "overlap-1e-30", "gap-1e-30"]
-    for slug in slugs:
-        case_file(tmp_path, slug)
-    (tmp_path / "broken.json").write_text("{", encoding="utf-8")
-    done = run("layout", str(tmp_path), "--workers", "2")
-    assert done.exit_code == 1
-    rows = [re.split(r"  +", line) for line in done.stdout.splitlines()]
-    assert rows[0] == ["layout", "placements", "verdict", "worst or nearest"]
-    assert [Path(row[0]).stem for row in rows[1:5]] == ["broken", *sorted(slugs)]
-    assert rows[1][1].startswith(f"{tmp_path}/broken.json: line 1")
-    assert rows[2][1:] == ["2", "valid", "1e-30 apart"]
-    assert rows[3][1:] == ["2", "not valid: 1 overlap", "1e-30 deep"]
-    assert rows[5] == ["2 of 4 valid"]
-    data = json.loads(run("layout", str(tmp_path), "--json", "--workers", "1").stdout)
-    assert [row["valid"] for row in data] == [None, True, False, True]
-
-
-def test_pictures_are_of_one_layout(tmp_path: Path) -> None:
-    for slug in ("tiles", "plug"):
-        case_file(tmp_path, slug)
-    done = run("layout", str(tmp_path), "--html", str(tmp_path / "p.html"))
-    assert done.exit_code == 2
-    assert "for a single layout" in done.stderr
-
-
-def test_what_is_no_layout_is_refused(tmp_path: Path) -> None:
-    file = tmp_path / "file.json"
-    file.write_text("[]", encoding="utf-8")
-    assert refusal(run("layout", str(file))).startswith(f"{file}: ")
-    file.write_text('{"container": {}, "parts": [], "placements": []}', encoding="utf-8")
-    assert "container" in refusal(run("layout", str(file)))
-    assert "No such file" in refusal(run("layout", str(tmp_path / "none.json")))
-    assert run("layout").exit_code == 2
 
 
 def test_exit_codes_say_whether_layouts_are_valid(tmp_path: Path) -> None:

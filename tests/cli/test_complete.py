@@ -4,10 +4,9 @@ import os
 import subprocess
 from collections.abc import Callable, Iterable
 
-import click
 import pytest
 from click.shell_completion import ShellComplete
-from command import EXACTSWEEP, PATIENCE, list_commands, run
+from command import EXACTSWEEP, PATIENCE, run
 
 from exactsweep.cli import main
 from exactsweep.cli.complete import (
@@ -99,16 +98,3 @@ def test_blanks_are_escaped_where_the_shell_does_not(shell: str, text: str) -> N
         [EXACTSWEEP], env=environment, capture_output=True, text=True, timeout=PATIENCE
     )
     assert text in done.stdout
-
-
-@pytest.mark.parametrize("name", [name for name, _ in list_commands()])
-def test_help_names_all_that_a_command_takes(name: str) -> None:
-    shown = run(*name.split(), "--help").stdout
-    for parameter in dict(list_commands())[name].params:
-        if getattr(parameter, "hidden", False):
-            continue
-        for word in (*parameter.opts, *parameter.secondary_opts):
-            if word.startswith("-"):
-                assert word in shown
-        if isinstance(parameter, click.Option):
-            assert parameter.help, f"{name} {parameter.opts}"

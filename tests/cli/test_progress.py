@@ -50,6 +50,16 @@ def test_after_a_second_something_is_said_on_a_terminal() -> None:
     assert say(Soon, terminal=False) == ""
 
 
+@pytest.mark.parametrize("terminal", [True, False, None])
+def test_only_a_terminal_is_told(terminal: bool | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Stream(StringIO):
+        def isatty(self) -> bool:
+            return bool(terminal)
+
+    monkeypatch.setattr("sys.stderr", None if terminal is None else Stream())
+    assert working._has_terminal() is bool(terminal)
+
+
 PAIR = (HOUSE, NOTCH)
 
 
@@ -67,6 +77,8 @@ PROVED = ("sweep", *PAIR, "--certificate", "-o", "proof.json")
         (("ifp", *PAIR), ["reading", "reading", "reading", "computing"]),
         (("verify", "proof.json"), ["checking the certificate"]),
         (("convert", HOUSE, "--to", "json"), ["reading", "reading"]),
+        (("view", "-o", "a.html"), ["making the page"]),
+        (("layout", "wrong.json"), ["judging 2 placements", "measuring fault 1 of 1", "writing"]),
     ],
     ids=lambda item: item[0],
 )
@@ -75,6 +87,7 @@ def test_commands_say_what_they_do(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert run(*PROVED).exit_code == 0
+    Path("wrong.json").write_text(run("corpus", "layouts", "layouts-missing").stdout)
     said: list[str] = []
 
     @contextmanager
@@ -82,8 +95,8 @@ def test_commands_say_what_they_do(
         yield said.append
 
     monkeypatch.setattr(bar, "words", listen)
-    assert run(*command).exit_code == 0
+    code = run(*command).exit_code
     assert said == []
     monkeypatch.setattr(working, "_has_terminal", lambda: True)
-    assert run(*command).exit_code == 0
+    assert run(*command).exit_code == code
     assert said[: len(words)] == words

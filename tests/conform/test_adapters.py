@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command import PATIENCE
+from command import PATIENCE, eventually, processes
 from strategies import points
 
+from exactsweep import Point
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
-from exactsweep.conform.adapters.adapter import prepare_ring
+from exactsweep.conform.adapters.adapter import build_frame, prepare_ring
 from exactsweep.conform.adapters.names import NPM
 from exactsweep.conform.adapters.npm import SCRIPT
 from exactsweep.conform.adapters.orbit import sort_out
@@ -25,6 +26,7 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
+from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus import Case, find_case, generate
 
@@ -267,6 +269,7 @@ def test_a_package_of_npm_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_p
     adapter = load("polygon-clipping")
     try:
         assert (adapter.hello.name, adapter.hello.shapes) == ("polygon-clipping 1.2.3", "simple")
+        assert adapter.hello.numbers == "binary64"
         d, g = [(0.0, 0.0), (4.5, 0.0), (0.0, 4.0)], [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
         (rings,) = adapter.answer(d, g).values()
         assert max(float(x) for ring in rings for x, _ in ring) == 4.5
@@ -275,6 +278,45 @@ def test_a_package_of_npm_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_p
             adapter.answer(many, g)
     finally:
         adapter.close()
+
+
+@pytest.mark.parametrize(
+    ("name", "title", "numbers"),
+    [
+        ("libnfporb", "libnfporb, long double", "binary64"),
+        ("libnfporb-rational", "libnfporb, rational", "rational"),
+        ("cgal-full", "CGAL 6.0, full", "rational"),
+    ],
+)
+def test_a_program_on_the_path_is_asked(
+    name: str, title: str, numbers: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """A stand-in for a compiled program, of one answer."""
+    for program in ("exactsweep-nfporb", "exactsweep-nfporb-rational", "exactsweep-cgal"):
+        (tmp_path / program).write_text(
+            f"#!{sys.executable}\nimport sys\n"
+            "print('6.0') if 'version' in sys.argv else None\n"
+            "for line in sys.stdin if 'version' not in sys.argv else ():\n"
+            "    print('1 4 0 0 2 0 2 2 0 2', flush=True)\n"
+        )
+        (tmp_path / program).chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    adapter = load(name)
+    assert (adapter.hello.name, adapter.hello.numbers) == (title, numbers)
+    shape = [(0, 0), (1, 0), (0, 1)]
+    given: Any = [shape] if adapter.hello.shapes == "any" else shape
+    (ring,) = adapter.answer(given, given, parts=["no_fit"])["no_fit"]
+    found = [Point(Fraction(x), Fraction(y)) for x, y in ring]
+    assert found == list(points((0, 0), (2, 0), (2, 2), (0, 2)))
+    assert processes(str(tmp_path))
+    adapter.close()
+    eventually(lambda: not processes(str(tmp_path)))
+
+
+def test_a_frame_is_wider_than_what_moves_inside() -> None:
+    container, moving = [(0, 0), (4, 0), (4, 3)], [(5, 7), (6, 7), (6, 9)]
+    frame = [(-2, -3), (6, -3), (6, 6), (-2, 6)]
+    assert build_frame(container, moving) == [frame, container[::-1]]
 
 
 def test_versions_of_npm_packages_are_pinned() -> None:
@@ -293,9 +335,15 @@ def test_who_is_exact_on_what_is_one_page(tmp_path: Path) -> None:
     )
     peer = CallablePeer(lambda *_: next(answers), hello)
     path = tmp_path / "a.sweep"
-    with Journal(path, command=[], hello=hello, seconds=1) as journal:
+    with Journal(path, Terms([]), hello) as journal:
         for _ in range(3):
             journal.add(judge_case(peer, case))
+    asked = Hello("another", (), questions=("no_fit",), shapes="any")
+    other = CallablePeer(lambda *_: {"no_fit": loop}, asked)
+    with Journal(tmp_path / "b.no_fit", Terms([]), asked) as journal:
+        journal.add(judge_case(other, case))
+    both = write_page([tmp_path / "b.no_fit", path], "four cases").split("## All verdicts")
+    assert "| another | no-fit polygon | 1 | 1 |  |  |" in both[1]
     by_kind, verdicts = write_page([path], "three cases").split("## All verdicts")
     *_, head, _, row = by_kind.strip().splitlines()
     assert head.startswith("| program | convex | monotone |")

@@ -10,28 +10,13 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from command import EXACTSWEEP, refusal, run
+from command import EXACTSWEEP, run
 from judged import CONVEX, CORRECT, FAULTY, TWO, write_cases
-
-from exactsweep.conform.run.cases import read_cases
-from exactsweep.formats import FormatError
 
 
 @pytest.fixture
 def two(tmp_path: Path) -> str:
     return write_cases(tmp_path / "two.jsonl", TWO)
-
-
-def test_a_table_and_a_last_line_sum_up(two: str) -> None:
-    done = run("conform", "--accept", "equivalent", "--cases", two, "--", *FAULTY, "fit-dropped")
-    assert done.exit_code == 1
-    table, _, rest = done.stdout.partition("\n\n")
-    rows = [re.split(r"\s{2,}", line.strip()) for line in table.splitlines()]
-    assert rows[0] == ["cases", "exact", "equivalent except for exact fits"]
-    assert rows[1:4] == [["all", "2", "1", "1"], ["CC", "1", "1"], ["CM", "1", "1"]]
-    failure, ending = rest.splitlines()
-    assert failure.startswith("equivalent except for exact fits  mine-slot  ")
-    assert ending == "faulty: fit-dropped: failed, 2 of 2 cases judged, 1 worse than equivalent"
 
 
 @pytest.mark.parametrize(
@@ -60,12 +45,6 @@ def test_conform_and_compare_pass_the_same(
     assert run("compare", *options, str(case), str(answer)).exit_code == code
 
 
-def test_a_mistake_made_throughout_is_said_first() -> None:
-    done = run("conform", "--filter", "id=figures", "--", *FAULTY, "sign-of-g")
-    first = done.stdout.partition("\n\n")[2].splitlines()[0]
-    assert first.endswith(" answers that differ: exact for D + G, G not reflected")
-
-
 @pytest.mark.long
 def test_filters_choose_cases_of_the_corpus_and_of_files(two: str) -> None:
     done = run("conform", "--filter", "id=worked-", "--filter", "class=CC", "--", *CONVEX)
@@ -77,43 +56,6 @@ def test_filters_choose_cases_of_the_corpus_and_of_files(two: str) -> None:
     ):
         done = run("conform", "--cases", two, "--filter", text, "--json", "-", "--", *CORRECT)
         assert [outcome["id"] for outcome in json.loads(done.stdout)["outcomes"]] == [name]
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        (("--filter", "flag=exact-fits"), "did you mean 'exact-fit'?"),
-        (("--filter", "class=XX"), "no class 'XX'"),
-        (("--filter", "id=none"), "no case is like that"),
-        (("--cases", "/none"), "/none: No such file or directory"),
-        (("--journal", "/none/journal"), "/none/journal: No such file or directory"),
-    ],
-)
-def test_what_cannot_be_run_is_refused(options: tuple[str, ...], message: str) -> None:
-    assert message in refusal(run("conform", *options, "--", *CONVEX))
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("{}\n", "line 1: $ has no 'expected'"),
-        ("\n[]\n", "line 2: '[]"),
-        ("x" * 60, "is no JSON line"),
-        ("\xff", "line 1: 'utf-8' codec"),
-    ],
-)
-def test_cases_that_are_none_are_refused(tmp_path: Path, text: str, message: str) -> None:
-    path = tmp_path / "cases"
-    path.write_bytes(text.encode("latin-1"))
-    with pytest.raises(FormatError, match=re.escape(message)):
-        list(read_cases(str(path)))
-
-
-def test_two_cases_with_one_id_are_refused(two: str, tmp_path: Path) -> None:
-    double = tmp_path / "double"
-    double.write_text(Path(two).read_text() * 2)
-    said = refusal(run("conform", "--cases", str(double), "--", *CONVEX))
-    assert said == "two cases have the id 'mine-slot'"
 
 
 def test_files_of_the_working_directory_do_not_get_in_the_way(

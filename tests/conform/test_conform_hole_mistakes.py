@@ -89,5 +89,6 @@ def test_the_cause_of_all_answers_of_a_run_comes_first_in_every_report() -> None
     (fault,) = run.list_faults()
     assert (fault.count, cause in fault.name) == (3, True)
     assert all(o.reason.startswith(cause) for o in [*run.list_outcomes(), *run.show()])
+    assert all(part["reason"].startswith(cause) for o in run.show() for part in o.parts[:1])
     assert write_junit(run).count(f'message="{escape(cause)}') == 3
     assert close(run).splitlines()[1].endswith("(and 2 more like it)")

@@ -44,6 +44,7 @@ REFUSED = {
 }
 AFTER_BYE = {
     "never-ends": "did not end within 0.3 s after bye",
+    "lingers": "closed its output, but did not end within 0.3 s after bye",
     "speaks-after-bye": "wrote on after bye: 'one thing more'",
 }
 
@@ -94,7 +95,7 @@ def test_what_does_not_start_is_refused(command: str) -> None:
 def test_what_goes_on_after_bye_is_ended_and_told(
     kind: str, mark: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    seconds = 0.3 if kind == "never-ends" else 600
+    seconds = 600 if kind == "speaks-after-bye" else 0.3
     monkeypatch.setattr("exactsweep.conform.run.process.TO_END", seconds)
     peer = ProcessPeer([*HOSTILE, kind, mark])
     assert judge_case(peer, CASE).verdict == "unsupported"

@@ -21,6 +21,7 @@ from exactsweep.conform.run.cases import SelectionError
 from exactsweep.conform.run.journal import Journal, JournalError
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.pool import JudgeError, Judges
+from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import (
     Hello,
     ProtocolError,
@@ -137,7 +138,7 @@ def test_a_hello_is_read_as_it_was_written() -> None:
 @pytest.mark.parametrize("workers", [1, 3])
 @pytest.mark.long
 def test_all_workers_come_to_the_same(workers: int) -> None:
-    with Judges(CORRECT, workers=workers) as judges:
+    with Judges(Terms(CORRECT), workers) as judges:
         outcomes = list(judges.judge(FEW))
         judges.finish()
     assert sorted(outcome.id for outcome in outcomes) == sorted(case.id for case in FEW)
@@ -153,7 +154,7 @@ def test_cases_are_taken_as_they_are_needed() -> None:
             taken.append(k)
             yield FEW[k % len(FEW)]
 
-    with Judges(CORRECT) as judges:
+    with Judges(Terms(CORRECT)) as judges:
         outcomes = judges.judge(endless())
         for _ in range(5):
             next(outcomes)
@@ -163,7 +164,7 @@ def test_cases_are_taken_as_they_are_needed() -> None:
 def test_a_case_that_contradicts_itself_ends_the_run() -> None:
     wrong = replace(FEW[0], trajectory=FEW[1].trajectory, id="wrong")
     run = Run(Hello("mine"))
-    with Judges(CORRECT) as judges:
+    with Judges(Terms(CORRECT)) as judges:
         judge_cases(run, judges, [FEW[2], wrong, *FEW[3:]])
     assert run.interrupted
     assert run.complaints[0].startswith("case 'wrong': ")
@@ -187,7 +188,7 @@ def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.Monkey
 
 
 def test_a_worker_that_is_killed_ends_the_run() -> None:
-    with Judges(CORRECT) as judges:
+    with Judges(Terms(CORRECT)) as judges:
         outcomes = judges.judge(FEW)
         next(outcomes)
         os.kill(next(iter(judges._pool._executor._processes)), signal.SIGKILL)
@@ -288,7 +289,7 @@ def test_a_full_disk_is_refused_once(tmp_path: Path) -> None:
 
 
 def write_journal(path: Path) -> None:
-    with Journal(path, command=[], hello=Hello("mine"), seconds=1) as journal:
+    with Journal(path, Terms([]), Hello("mine")) as journal:
         journal.add(Outcome("a", "CC", (), Verdict.WRONG, "why" * 1000))
 
 

@@ -17,6 +17,7 @@ from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.vectors import is_on_segment
+from exactsweep.numbers.limits import limits
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
@@ -42,6 +43,16 @@ def test_many_rings_are_judged_as_few_are() -> None:
     assert (lost.verdict, lost.diagnosis) == ("conservative", ("lacks 1 of 64 holes",))
     tiny = [[[k, 9], [k + 1, 9], [k, 10]] for k in range(0, 1200, 2)]
     assert judge(SLOT, tiny).verdict is Verdict.WRONG
+
+
+def test_what_is_no_ring_is_named() -> None:
+    assert judge(SLOT, [[[0, 0]], 7]).reason == "$.trajectory[1] is 7, not a ring"
+
+
+def test_a_loop_that_is_too_large_is_refused() -> None:
+    with limits(max_mib=0.001):
+        found = judge(SLOT, [[k, k * k] for k in range(100)])
+    assert found.reason == "$.trajectory has more than 65 vertices (max_mib)"
 
 
 def box(width: Any, height: Any) -> list[Any]:

@@ -36,6 +36,14 @@ def test_a_lost_fit_is_shrunk_to_a_slot() -> None:
     assert small.size <= 12
 
 
+def test_both_polygons_are_moved_to_the_origin_at_once() -> None:
+    d, g = [(100, 200), (104, 200), (100, 205)], [(300, 500), (303, 500), (300, 504)]
+    small = shrink(Case.of("far", "", d, g, (7, 9)), lambda case: "wrong", tries=3)
+    assert (small.id, small.title) == ("far-shrunk", "shrunk: ")
+    assert small.directrix == Polygon([(0, 0), (4, 0), (0, 5)])
+    assert (small.generatrix, small.reference) == (Polygon([(0, 0), (3, 0), (0, 4)]), ORIGIN)
+
+
 def test_numbers_are_no_larger_than_the_failure_needs() -> None:
     case = Case.of(
         "large", "", [(0, 0), (10**9, 1), (10**9, 10**9), (7, 10**9)], [(3, 3), (5, 3), (4, 9)]

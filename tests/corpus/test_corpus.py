@@ -2,7 +2,6 @@
 
 import json
 from collections import Counter
-from collections.abc import Callable
 from fractions import Fraction
 from importlib.resources import files
 from typing import Any
@@ -14,13 +13,10 @@ from jsonschema import Draft202012Validator
 from shipped_cases import shipped_cases
 from tiers import few_or_all
 
-from exactsweep.corpus import Case, UnknownNameError, cases, find_case, notes, themes
+from exactsweep.corpus import Case, cases, notes, themes
 from exactsweep.corpus.case import KINDS
-from exactsweep.corpus.generator.growing import bumps
 from exactsweep.corpus.representable import find_types
 from exactsweep.corpus.shipped import read_schema, read_theme
-from exactsweep.procedures.chain import split
-from exactsweep.procedures.mm import outer_mm, trajectory_mm
 
 SCHEMA = json.loads(read_schema())
 A_CASE = Draft202012Validator(SCHEMA)
@@ -58,34 +54,6 @@ def test_schema_describes_every_file(step: int) -> None:
         assert (data["theme"], data["title"]) == (theme, title)
 
 
-@pytest.mark.parametrize(
-    "spoil",
-    [
-        lambda case: case.pop("reference"),
-        lambda case: case.update(more=1),
-        lambda case: case.update({"id": "Upper-Case"}),
-        lambda case: case.update({"class": "XX"}),
-        lambda case: case.update(integer_scale="0"),
-        lambda case: case.update(representable=["int16"]),
-        lambda case: case["directrix"].pop(),
-        lambda case: case["directrix"][0].append("1"),
-        lambda case: case["directrix"].insert(0, [0, "0"]),
-        lambda case: case["directrix"].insert(0, ["-0", "0"]),
-        lambda case: case["directrix"].insert(0, ["1/0", "0"]),
-        lambda case: case["directrix"].insert(0, ["0.5", "0"]),
-        lambda case: case["directrix"].insert(0, ["01", "0"]),
-        lambda case: case["expected"].pop("area"),
-        lambda case: case["expected"]["counts"].update(trajectory=2),
-        lambda case: case["expected"]["exact_fits"].append([["0", "0"]]),
-    ],
-)
-def test_schema_refuses_what_is_not_a_case(spoil: Callable[[Any], object]) -> None:
-    case = json.loads(json.dumps(theme_file("worked")["cases"][1]))
-    A_CASE.validate(case)
-    spoil(case)
-    assert not A_CASE.is_valid(case)
-
-
 def test_every_flag_has_a_note_and_every_note_a_case(shipped: list[Case]) -> None:
     used = {flag for case in shipped for flag in case.flags} | {"generated"}
     assert used == set(notes())
@@ -93,18 +61,6 @@ def test_every_flag_has_a_note_and_every_note_a_case(shipped: list[Case]) -> Non
     for note in notes().values():
         assert note.meaning.endswith(".")
         assert note.catches.endswith((".", "?"))
-
-
-@pytest.mark.parametrize("sizes", [(2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 8, 10)])
-def test_figure_10_s_family_has_its_number_of_outer_edges(sizes: tuple[int, int, int]) -> None:
-    m_b, n_t, n_b = sizes
-    generatrix, directrix = bumps(*sizes)
-    case = Case.of("bumps", "bumps", directrix, generatrix)
-    d_bottom, _ = split(case.directrix.vertices)
-    g_bottom, g_top = split(case.generatrix.vertices)
-    assert (len(d_bottom) - 1, len(g_top) - 1, len(g_bottom) - 1) == sizes
-    outer = list(outer_mm(g_bottom, trajectory_mm(g_top, d_bottom)))
-    assert len(outer) - 1 == m_b * n_t * n_b // 4 + 4
 
 
 def input_of(case: Case) -> list[Fraction]:
@@ -197,22 +153,3 @@ def test_cases_are_read_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Case, "representable", property(lambda case: 1 / 0))
     with pytest.raises(ZeroDivisionError):
         next(found)
-
-
-@pytest.mark.parametrize(
-    ("ask", "message"),
-    [
-        (lambda: cases(flags=["exact-fits"]), "no flag 'exact-fits'; did you mean 'exact-fit'?"),
-        (lambda: cases(kind="cm"), "no class 'cm'; there are CC, CM, MM"),
-        (lambda: find_case("fits-sqare"), "no case 'fits-sqare'; did you mean 'fits-square'?"),
-        (lambda: find_case(""), "no case ''; there are "),
-        (lambda: find_case("gen-fit-1-2"), "no family 'fit'; did you mean 'fits'?"),
-        (lambda: find_case("gen-fits-1"), "'gen-fits-1' is not of the form gen-FAMILY-SEED-NUM"),
-        (lambda: find_case("gen-fits-01-2"), "'gen-fits-01-2' is not of the form"),
-    ],
-)
-def test_unknown_names_get_a_suggestion(ask: Callable[[], object], message: str) -> None:
-    with pytest.raises(UnknownNameError) as error:
-        ask()
-    assert str(error.value).startswith(message)
-    assert issubclass(UnknownNameError, ValueError)

@@ -1,6 +1,5 @@
 """The generator: the same cases everywhere, and the families what they say."""
 
-from collections.abc import Callable
 from functools import cache
 from itertools import islice
 
@@ -79,73 +78,6 @@ def test_flags_are_known(family: str) -> None:
     for case in drawn(family):
         assert "generated" in case.flags
         assert set(case.flags) <= set(notes())
-
-
-def has(*flags: str) -> Callable[[Case], bool]:
-    return lambda case: set(flags) <= set(case.flags)
-
-
-def of_any_shape(case: Case) -> bool:
-    return case.kind == "SS"
-
-
-def holds(number_type: str) -> Callable[[Case], bool]:
-    return lambda case: number_type in case.representable
-
-
-@pytest.mark.parametrize(
-    ("family", "aim", "least"),
-    [
-        ("convex", lambda case: case.kind == "CC", EACH),
-        ("notched", lambda case: case.kind == "CM", EACH - 1),
-        ("monotone", lambda case: case.kind == "MM", EACH - 1),
-        ("grid", has("parallel-edges"), EACH - 1),
-        ("rectilinear", has("exact-fit"), 2),
-        ("fits", has("exact-fit"), EACH - 2),
-        ("equal-slopes", has("parallel-edges"), EACH),
-        ("turned", has("turned"), EACH // 2),
-        ("respelled", has("collinear-vertex"), EACH - 1),
-        ("respelled", has("repeated-vertex"), EACH - 1),
-        ("respelled", has("clockwise"), EACH // 4),
-        ("rounded-crossings", has("rounded-answer"), EACH - 1),
-        ("far", holds("binary64"), EACH),
-        ("fractions", has("fractional-input"), EACH),
-        ("slivers", has("sliver"), EACH),
-        ("near-parallel", has("near-parallel"), EACH - 1),
-        ("near-parallel", holds("binary64"), EACH),
-        ("near-fits", has("exact-fit"), 1),
-        ("near-fits", lambda case: "exact-fit" not in case.flags, 1),
-        ("near-fits", holds("binary64"), EACH),
-        ("perturbed", has("near-parallel"), 1),
-        ("perturbed", holds("binary64"), EACH),
-        ("int32-edge", has("overflow-int32", "product-overflow-int32"), EACH - 1),
-        ("int64-edge", has("overflow-int64", "product-overflow-int64"), EACH - 1),
-        ("binary64-edge", holds("binary64"), EACH),
-        ("binary64-edge", has("tiny"), 1),
-        ("binary64-edge", has("huge"), 1),
-        ("long", lambda case: case.size > 40, EACH),
-        ("polyominoes", of_any_shape, 2),
-        ("jigsaw", has("exact-fit"), 3),
-        ("jigsaw", of_any_shape, 1),
-        ("mould", has("hole", "single-position"), EACH - 1),
-        ("cave", has("no-fit-hole"), 1),
-        ("cave", has("exact-fit"), EACH // 2),
-        ("spiral", of_any_shape, EACH // 2),
-        ("rings", has("hole"), EACH),
-        ("rings", has("single-position"), 2),
-        ("stars", of_any_shape, 3),
-        ("tangles", of_any_shape, 1),
-        ("plate", has("hole", "exact-fit"), EACH // 2),
-        ("plate", has("several-rooms"), 2),
-        ("container", has("exact-fit-inside"), 4),
-        ("container", has("does-not-fit"), 1),
-        ("combs", has("exact-fit"), EACH - 2),
-    ],
-)
-def test_families_aim_at_what_they_say(
-    family: str, aim: Callable[[Case], bool], least: int
-) -> None:
-    assert sum(map(aim, drawn(family))) >= least
 
 
 @pytest.mark.parametrize(

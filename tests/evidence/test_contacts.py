@@ -13,7 +13,6 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, PolygonError, Region, sweep
 from exactsweep.evidence.contact import (
-    MonotoneOutline,
     find_contacts,
     find_facing,
 )
@@ -198,15 +197,12 @@ BOOT = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 3), (0, 2)]
     ("g", "d"), [(BLOCK, BRACKET), (KITE, BOOT), (BOOT, KITE), (BOOT, BLOCK), (KITE, KITE)]
 )
 def test_contacts_at_all_positions_of_a_grid(g: list[Vertex], d: list[Vertex]) -> None:
-    """Of outlines that are searched and of those that are walked along."""
     twice = [(2 * x, 2 * y) for x, y in d]
     for x, y in product(range(-5, 9), range(-7, 11)):
         moved = [(2 * u + x, 2 * v + y) for u, v in g]
         expected = sorted(meetings(moved, twice))
         t = Fraction(x, 2), Fraction(y, 2)
         assert find_contacts(Outline([g]), Outline([d]), t) == expected
-        if d is not BRACKET:
-            assert find_contacts(MonotoneOutline(g), MonotoneOutline(d), t) == expected
 
 
 COMPASS = [(x, y) for x, y in product(range(-2, 3), repeat=2) if 2 in (abs(x), abs(y))]
@@ -233,22 +229,6 @@ def test_an_edge_faces_the_corners_that_lie_to_its_right() -> None:
             for k, (x, y) in ways.items()
             if turn > 0 and all(x * w <= y * v for v, w in (forward, back))
         }
-
-
-def staircase(size: int) -> list[Vertex]:
-    """An X-monotone ring with a wall in the middle of its bottom chain, and one at either end."""
-    bottom = [(2 * k, k % 2) for k in range(size)]
-    bottom[size // 2 : size // 2] = [(bottom[size // 2][0], -3)]
-    return [*bottom, *((x, y + 4) for x, y in bottom[::-1] if y >= 0)]
-
-
-@pytest.mark.parametrize("size", range(2, 9))
-def test_edges_through_a_point_are_found_by_its_x(size: int) -> None:
-    ring = staircase(size)
-    walked, searched = Outline([ring]), MonotoneOutline(ring)
-    for x, y in product(range(-1, 4 * size), range(-7, 11)):
-        point = Fraction(x, 2), Fraction(y, 2)
-        assert sorted(searched.edges_through(point)) == [*walked.edges_through(point)]
 
 
 def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:

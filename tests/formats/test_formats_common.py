@@ -12,13 +12,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_formats_dxf import dxf, polyline
 
-from exactsweep import Point, Polygon, PolygonError, Region, limits
+from exactsweep import Point, Polygon, limits
 from exactsweep.formats import (
     FORMATS,
     FormatError,
     NamedPolygon,
     format_polygons,
-    from_wkt,
     parse_polygons,
     parse_regions,
     parts_from_shapely,
@@ -30,7 +29,6 @@ from exactsweep.formats.parsing import measure_written
 from exactsweep.formats.reading import Reading
 
 UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
-RING = "((0 0, 1 0, 1 1, 0 1, 0 0))"
 
 
 def test_entities_that_draw_too_much_are_refused() -> None:
@@ -57,16 +55,6 @@ def test_geometries_of_shapely_are_parts() -> None:
     assert [part.name for part in named] == ["7", "7"]
     with pytest.raises(FormatError, match="Point is not a polygon"):
         parts_from_shapely([shapely.Point(0, 0)])
-
-
-def test_from_wkt_reads_one_polygon() -> None:
-    assert from_wkt(f"POLYGON {RING}") == UNIT
-    holed = from_wkt("POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2, 1 1))")
-    assert isinstance(holed, Region)
-    with pytest.raises(FormatError, match="holds 2 polygons"):
-        from_wkt(f"POLYGON {RING} POLYGON {RING}")
-    with pytest.raises(PolygonError):
-        from_wkt("POLYGON ((0 0, 1 1, 2 2, 0 0))")
 
 
 coordinates = st.integers(-50, 50).map(float)

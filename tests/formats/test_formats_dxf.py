@@ -16,7 +16,6 @@ from exactsweep.formats import (
     FormatError,
     format_polygons,
     parse_polygon,
-    parse_polygons,
     read_polygon,
     read_polygons,
 )
@@ -102,30 +101,6 @@ def test_lines_in_any_order_are_joined_exactly(polygon: Polygon, random: object)
     random.shuffle(lines)  # type: ignore[attr-defined]
     expected = Polygon([(Fraction(x, 10**7), Fraction(y, 10**7)) for x, y in polygon.lattice()[1]])
     assert parse_polygon(dxf(*lines)) == expected
-
-
-def test_outlines_are_chosen_by_layer_or_index() -> None:
-    def draw(space: Modelspace) -> None:
-        space.add_lwpolyline(CORNERS, close=True, dxfattribs={"layer": "cut"})
-        space.add_line((0, 0), (1, 1), dxfattribs={"layer": "fold"})
-        for x in (10, 20):
-            corners = [(x, 0), (x + 1, 0), (x, 1)]
-            space.add_lwpolyline(corners, close=True, dxfattribs={"layer": "two"})
-
-    text = written(draw)
-    assert parse_polygon(text, "cut") == parse_polygon(text, "0") == SQUARE
-    assert parse_polygon(text, "2").area == Fraction(1, 2)
-    message = "2 polygons have the layer 'two'; choose one by index: #2, #3"
-    with pytest.raises(FormatError, match=f"^{message}$"):
-        parse_polygon(text, "two")
-    with pytest.raises(FormatError, match=r"LINE: the end \(0,0\) meets no other end exactly \("):
-        parse_polygon(text, "fold")
-    with pytest.raises(
-        FormatError, match=r"holds 3 polygons; .* as in FILE#cut: #0 'cut', #2 'two"
-    ):
-        parse_polygon(text)
-    found = parse_polygons(text.replace("\nLINE\n", "\nTEXT\n"))
-    assert [part.layer for part in found] == ["cut", "two", "two"]
 
 
 def test_old_code_pages_and_binary_files(tmp_path: Path) -> None:

@@ -12,8 +12,11 @@ from tiers import examples
 from exactsweep import Point, Polygon, PolygonError, Region
 from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
+    FormatError,
     from_shapely,
+    from_wkt,
     parse_regions,
+    to_shapely,
 )
 from exactsweep.geometry.overlap import Overlap
 
@@ -123,6 +126,9 @@ def test_interiors_of_shapely_are_holes() -> None:
     found = from_shapely(shapely.box(0, 0, 4, 4) - shapely.box(1, 1, 2, 2))
     assert found == PLATE
     assert isinstance(from_shapely(shapely.box(0, 0, 4, 4)), Polygon)
+    assert from_wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))") == PLATE
+    with pytest.raises(FormatError, match=r"^hole 0, vertex 1: 4/3 is not a float; nearest"):
+        to_shapely(Region(OUTER, [[(1, 1), ("4/3", 1), (1, 2)]]))
     crossing = shapely.Polygon(OUTER, [[(3, 1), (9, 1), (3, 2)]])
     with pytest.raises(PolygonError, match="the exterior, edge 1, and hole 0, edge 0 cross"):
         from_shapely(crossing)

@@ -48,32 +48,34 @@ def corners(layout: dict[str, Any]) -> list[set[tuple[Fraction, Fraction]]]:
 @pytest.mark.parametrize("name", nests.FILES)
 def test_one_layout_is_read_from_each_format(name: str) -> None:
     found = read(*nests.FILES[name])
-    one = {(Fraction(x), Fraction(y)) for x, y in nests.L}
+    one = nests.L
     other = {(4 - x, 3 - y) for x, y in one}
     assert [shape for layout in found for shape in corners(layout.data)] == [one, other]
     for layout in found:
-        box = {tuple(Fraction(str(c)) for c in p) for p in layout.data["container"]["exterior"]}
-        assert box == {(Fraction(x), Fraction(y)) for x, y in nests.BOX}
+        box = {
+            (Fraction(str(x)), Fraction(str(y))) for x, y in layout.data["container"]["exterior"]
+        }
+        assert box == nests.BOX
     assert len(found) == (2 if name in ("bins.json", "deepnest.svg") else 1)
 
 
 def test_a_drawing_of_dxf() -> None:
-    regions = parse_regions(nests.DRAWING_SVG)
+    regions = parse_regions(nests.FILES["drawing.svg"][0])
     (found,) = read(format_polygons(regions, "dxf"))
     assert len(found.data["parts"]) == 2
 
 
 def test_files_are_named_in_refusals(tmp_path: Path) -> None:
     file, instance = tmp_path / "file", tmp_path / "instance"
-    file.write_text(nests.SVGNEST_SVG, encoding="utf-8")
+    file.write_text(nests.FILES["svgnest.svg"][0], encoding="utf-8")
     instance.write_text("[]", encoding="utf-8")
-    assert read_layout(str(file)) == read(nests.SVGNEST_SVG)[0].data
+    assert read_layout(str(file)) == read(nests.FILES["svgnest.svg"][0])[0].data
     with pytest.raises(FormatError, match=f"{instance}: not an instance"):
         read_layouts(str(file), instance=str(instance))
-    file.write_text(nests.DEEPNEST_SVG, encoding="utf-8")
+    file.write_text(nests.FILES["deepnest.svg"][0], encoding="utf-8")
     with pytest.raises(FormatError, match=f"{file}: 2 layouts, not one"):
         read_layout(str(file))
-    assert read_layouts(f"{file}#1") == [read(nests.DEEPNEST_SVG)[1]]
+    assert read_layouts(f"{file}#1") == [read(nests.FILES["deepnest.svg"][0])[1]]
     with pytest.raises(FormatError, match=f"{file}: no sheet has the number '2'; there are 2"):
         read_layouts(f"{file}#2")
     file.write_text("", encoding="utf-8")

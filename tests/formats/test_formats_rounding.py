@@ -53,23 +53,6 @@ def tiny(v: Point) -> Polygon:
     return Polygon([(v.x - by, v.y - by), (v.x + by, v.y - by), (v.x, v.y + by)])
 
 
-def test_holes_go_the_other_way() -> None:
-    plate = Region(
-        [(0, 0), ("9.5", 0), ("9.5", "9.5"), (0, "9.5")],
-        [[("1.5", "1.5"), ("4.5", "1.5"), ("4.5", "4.5")], [(6, 6), ("6.5", 6), ("6.5", "6.5")]],
-    )
-    grown = round_region(plate, 0, "outward")
-    assert grown.region is not None
-    assert contains(grown.region, plate)
-    assert len(grown.region.holes) == 1
-    assert grown.left_out == 1
-    shrunk = round_region(plate, 0, "inward")
-    assert shrunk.region is not None
-    assert contains(plate, shrunk.region)
-    assert len(shrunk.region.holes) == 2
-    assert shrunk.left_out == 0
-
-
 @fewer
 @given(strategies.simple_polygons(), st.integers(0, 3))
 @example(Polygon([(0, 0), (1, 0), (0, 1)]), 0)
@@ -82,13 +65,6 @@ def test_rings_are_no_farther_apart_than_is_said(polygon: Polygon, places: int) 
             edges = [(other.vertices[k - 1], other.vertices[k]) for k in range(len(other))]
             nearest = min(square_to_edge(p, *edge) for edge in edges)
             assert nearest <= found.distance**2
-
-
-def test_the_distance_of_a_filled_notch_is_its_depth() -> None:
-    top = [("5.8", 9), ("5.5", "8.5"), ("5.2", 9)]
-    found = round_region(Region([(0, 0), (9, 0), (9, 9), *top, (0, 9)]), 0, "outward")
-    assert found.region == Region([(0, 0), (9, 0), (9, 9), (0, 9)])
-    assert Fraction(1, 2) <= found.distance < 1
 
 
 def test_the_hull_is_left_where_nothing_closer_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:

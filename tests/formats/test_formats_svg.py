@@ -1,7 +1,5 @@
 from fractions import Fraction
-from math import radians, tan
 
-import pytest
 import strategies
 from hypothesis import given
 from hypothesis import strategies as st
@@ -53,15 +51,3 @@ def test_any_path_is_read_or_refused(data: str) -> None:
     except ValueError as error:
         message = str(error)
     assert message.isprintable()
-
-
-@pytest.mark.parametrize("degrees", [30, -60, 89, "100.5"])
-def test_a_skew_moves_by_the_tangent(degrees: object) -> None:
-    shape = f'<path transform="{{}}({degrees})" d="M0 0H3V2Z"/>'
-    along = parse_polygon(svg(shape.format("skewX")), tolerance="1e-3")
-    tangent = tan(radians(float(str(degrees))))
-    for x, y in [(0.0, 0), (3.0, 0), (3 + 2 * tangent, 2)]:
-        assert min(abs(p.x - x) + abs(p.y - y) for p in along.vertices) < 1e-3
-    across = parse_polygon(svg(shape.format("skewY")), tolerance="1e-3")
-    for x, v in [(0, 0.0), (3, 3 * tangent), (3, 3 * tangent + 2)]:
-        assert min(abs(p.x - x) + abs(p.y - v) for p in across.vertices) < 1e-3

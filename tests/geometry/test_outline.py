@@ -8,32 +8,31 @@ import families
 from small_pairs import draw_touching
 
 from exactsweep import Polygon, Region
-from exactsweep.evidence.contact import MonotoneOutline
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.vectors import is_on_segment
+from exactsweep.geometry.vectors import is_between, is_on_segment
 
 
-def test_monotone_outlines_find_what_others_do_and_each_once() -> None:
+def test_features_at_a_point_are_those_of_the_definition() -> None:
+    """For points on the lattice and between, with more edges than a search looks at one by one."""
     rng = Random(4)
-    for _ in range(25):
+    for n in range(25):
         loop = Polygon(families.jagged(rng, 0.5, (1, 3))).lattice()[1]
-        slow, quick = Outline([loop]), MonotoneOutline(loop)
+        outline = Outline([loop, *([[(x, y + 50) for x, y in loop]] if n % 2 else [])])
         (left, right), (low, high) = (
-            (min(p[k] for p in loop), max(p[k] for p in loop)) for k in (0, 1)
+            (int(min(p[k] for p in loop)), int(max(p[k] for p in loop))) for k in (0, 1)
         )
-        xs, ys = (
-            [Fraction(k, 2) for k in range(2 * int(a) - 1, 2 * int(b) + 2)]
-            for a, b in ((left, right), (low, high))
-        )
-        for point in product(xs, ys):
-            assert sorted(quick.edges_through(point)) == sorted(slow.edges_through(point))
-        enlarged = quick.scaled(3)
-        assert enlarged.vertices == [(3 * x, 3 * y) for x, y in loop]
-        assert enlarged.edges == slow.scaled(3).edges
-        for low, high in [(0, 0), (1, 3), (-2, 1)]:
-            found = slow.vertices_between(low, high)
-            assert {*found} == {k for k, (x, _) in enumerate(loop) if low <= x <= high}
-            assert [loop[k][0] for k in found] == sorted(loop[k][0] for k in found)
+        for x, y in product(range(2 * left - 1, 2 * right + 2), range(2 * low - 1, 2 * high + 2)):
+            point = Fraction(x, 2), Fraction(y, 2)
+            expected = [k for k, edge in enumerate(outline.edges) if is_between(point, *edge)]
+            assert sorted(outline.edges_through(point)) == expected
+            assert sorted(outline.edges_through((x, y), 2)) == expected
+            corners = [k for k, vertex in enumerate(outline.vertices) if vertex == point]
+            assert [*outline.vertices_at(point)] == [*outline.vertices_at((x, y), 2)] == corners
+        for start, end in [(0, 0), (1, 3), (-2, 1)]:
+            found = outline.vertices_between(start, end)
+            assert {*found} == {k for k, (x, _) in enumerate(outline.vertices) if start <= x <= end}
+            places = [outline.vertices[k][0] for k in found]
+            assert places == sorted(places)
 
 
 def test_features_are_counted_through_all_rings() -> None:
@@ -43,9 +42,6 @@ def test_features_are_counted_through_all_rings() -> None:
     assert outline.before == [3, 0, 1, 2, 6, 4, 5]
     assert outline.edge(6) == ((2, 1), (1, 1))
     assert [*outline.edges_through((Fraction(3, 2), 1))] == [6]
-    assert outline.scaled(2).edges == [
-        ((2 * a, 2 * b), (2 * c, 2 * d)) for (a, b), (c, d) in outline.edges
-    ]
 
 
 def test_vertices_of_other_rings_inside_edges_are_found() -> None:

@@ -4,12 +4,14 @@ No text depends on fonts, on a layout that matplotlib computes, or on the way a 
 """
 
 import json
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, replace
 from fractions import Fraction
 from hashlib import sha256
 from importlib import import_module
-from itertools import islice
+from itertools import chain, islice
+from pathlib import Path
 from pkgutil import walk_packages
 from typing import Any
 from unittest.mock import patch
@@ -22,7 +24,9 @@ from exactsweep import (
     InnerFit,
     NoFitPolygon,
     Region,
+    Sweep,
     __version__,
+    free_positions,
     inner_fit_polygon,
     no_fit_polygon,
     sweep,
@@ -30,7 +34,7 @@ from exactsweep import (
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.canvas.window import Window
-from exactsweep.corpus import FAMILIES, case_to_json, find_case, generate, generator
+from exactsweep.corpus import FAMILIES, Case, case_to_json, find_case, generate, generator
 from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.describe import describe
 from exactsweep.corpus.export import cases_to_geojson, cases_to_svg, cases_to_wkt
@@ -61,63 +65,30 @@ from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.view.data import gather_page_data, gather_positions
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
-SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
-ROOM = [(0, 0), (5, 0), (5, 6), (3, 6), (3, 4), (4, 4), (4, 1), (1, 1), (1, 4), (2, 4), (2, 6)]
-# Holes in which the square has room, just slides, and just fits.
-PLATE = Region(
-    [(0, 0), (9, 0), (9, 5), (0, 5)],
-    [
-        [(1, 1), (4, 1), (4, 3), (1, 3)],
-        [(5, 1), (6, 1), (6, 4), (5, 4)],
-        [(7, 2), (8, 2), (8, 3), (7, 3)],
-    ],
-)
-# Two rooms, two slots and two holes that the square fills: one of each kind is shown.
-TWICE = Region(
-    [(0, 0), (14, 0), (14, 5), (0, 5)],
-    [
-        [(x, y), (x + wide, y), (x + wide, y + high), (x, y + high)]
-        for wide, high, corners in (
-            (2, 2, ((1, 1), (4, 1))),
-            (1, 3, ((7, 1), (9, 1))),
-            (1, 1, ((11, 1), (12, 3))),
-        )
-        for x, y in corners
-    ],
-)
-RING = Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
-WIDE = [(0, 0), (1000, 0), (1000, 600), (300, 600), (300, 100), (299, 100), (299, 600), (0, 600)]
-UNEQUAL = sweep(
-    [(0, 0), (1, 0), (1, 1), ("1/2", 2), (0, 1)],
-    [(0, 0), (1000, 0), (1000, 600), (600, 600), (599, 598), (598, 600), (0, 600)],
-)
-FLAT = sweep(
-    [(0, 0), (30, 0), (30, "1/20"), (0, "1/10")],
-    [(0, 0), (100, 0), (100, "1/5"), (60, "1/5"), (50, "1/20"), (40, "1/5"), (0, "1/5")],
-)
-FAR = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 3 * 10**40))
-CAVE = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8), (8, 2), (2, 2), (2, 8), (3, 8), (3, 10)]
+PAIRS = json.loads(Path(__file__).with_name("pairs.json").read_text(encoding="utf-8"))
+
+
+def read_pair(pair: list[Any]) -> list[Any]:
+    """Two shapes, each a list of vertices, or an exterior with holes."""
+    return [Region(**shape) if isinstance(shape, dict) else shape for shape in pair]
+
+
 SWEEPS = {
     "example": EXAMPLE,
-    "slot": sweep(SQUARE, SLOT),
-    "plate": sweep(SQUARE, PLATE),
-    "cave": sweep(SQUARE, [*CAVE, (0, 10)]),
-    "unequal": UNEQUAL,
-    "flat": FLAT,
-    "far": FAR,
+    **{name: sweep(*read_pair(pair)) for name, pair in PAIRS["sweeps"].items()},
+    "far": sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 3 * 10**40)),
 }
 POSITIONS: dict[str, NoFitPolygon | InnerFit] = {
-    "no fit": no_fit_polygon(PLATE, SQUARE),
-    "door": no_fit_polygon([*ROOM, (0, 6)], SQUARE),
-    "inner fit": inner_fit_polygon(PLATE, SQUARE),
-    "twice": no_fit_polygon(TWICE, SQUARE),
-    "ring": no_fit_polygon(SQUARE, RING),
-    "small": no_fit_polygon(WIDE, SQUARE),
-    "channel": inner_fit_polygon([(0, 0), (5, 0), (5, 1), (0, 1)], SQUARE),
-    "none": inner_fit_polygon(SQUARE, PLATE),
+    name: answer(*read_pair(pair))
+    for asked, answer in (("no fit", no_fit_polygon), ("inner fit", inner_fit_polygon))
+    for name, pair in PAIRS[asked].items()
 }
+POSITIONS["placed"] = free_positions(
+    [(0, 0), (9, 0), (9, 5), (0, 5)], [[(3, 2), (5, 2), (4, 3)], [(6, 4), (8, 4), (7, 5)]], SQUARE
+)
 CASES = [
     *("fits-square", "worked-roof", "caves-open-thirds", "holes-hole-at-the-rim"),
+    "spelling-clockwise-both",
     *("holes-as-large", "containers-too-low", "gen-fractions-3-1"),
 ]
 SIZES = ("vertices", "edges", "holes", "undercuts")
@@ -169,11 +140,19 @@ def list_artists(axes: Axes) -> Iterator[str]:
             yield from list_artists(child)
 
 
+def write_places(s: Sweep, columns: int) -> str:
+    """The places of a picture, alone or not, and of its legend."""
+    axes = plot_sweep(s, make_figure(columns=columns).axes[0])
+    legend: Any = axes.get_legend()
+    corner = legend.get_bbox_to_anchor().transformed(axes.transAxes.inverted()).p0
+    return f"placed {write_points([*axes.get_position(original=True).get_points(), corner])}"
+
+
 def list_looks() -> Iterator[str]:
     """All looks and colours of the style."""
     for name, value in vars(style).items():
         looks = value if isinstance(value, dict) else {"": value}
-        if name.isupper() and name != "_SETTINGS":
+        if name.isupper() and not name.startswith("_"):
             shown = {k: asdict(v) if isinstance(v, Look) else v for k, v in looks.items()}
             yield f"{name} {shown}"
     yield from (f"chain {k} {asdict(style.choose_chain_look(k))}" for k in range(8))
@@ -185,6 +164,7 @@ def list_pictures() -> Iterator[str]:
         yield f"== {name}"
         yield from list_artists(plot_sweep(s, make_figure().axes[0]))
         yield from (_write(stretch) for stretch in cut_trajectory(s))
+        yield from (write_places(s, columns) for columns in (1, 2))
     for name, found in POSITIONS.items():
         yield f"== {name}"
         yield from list_artists(plot_positions(found, make_figure().axes[0]))
@@ -249,7 +229,8 @@ def _write(value: Any) -> str:
 
 def list_exports() -> Iterator[str]:
     """Cases of the corpus in the formats of other programs, and in words."""
-    shown = [find_case(id) for id in CASES]
+    beyond = Case.of("beyond", "Beyond doubles", [(0, 0), (10**309, 0), (0, 1)], SQUARE)
+    shown = [*map(find_case, CASES), beyond]
     yield from cases_to_wkt(shown)
     yield from cases_to_geojson(shown)
     yield from cases_to_svg(shown)
@@ -275,9 +256,10 @@ def list_growing() -> Iterator[str]:
 
 
 def list_generated() -> Iterator[str]:
-    """The digests of generated inputs, family by family, and three families' cases in full.
+    """The digests and flags of generated cases, family by family, and three of them in full.
 
     The first three cases of seed 7 must never change, nor must any other: ids keep their meaning.
+    The flags show whether a family aims at what it says.
     """
     parts = "id", "directrix", "generatrix", "reference", "directrix_holes", "generatrix_holes"
     for family in FAMILIES:
@@ -285,6 +267,9 @@ def list_generated() -> Iterator[str]:
             drawn = [case_to_json(case) for case in islice(generate(family, 7), start, end)]
             found = [[case[part] for part in parts if part in case] for case in drawn]
             yield f"{family} {start} {end} {sha256(repr(found).encode()).hexdigest()[:12]}"
+        known = [(case.kind, *case.flags, *case.representable) for case in generate(family, 11, 12)]
+        counts = Counter(chain.from_iterable(known))
+        yield f"{family} of 12: {', '.join(f'{flag} {counts[flag]}' for flag in sorted(counts))}"
     for id in ("gen-convex-7-0", "gen-container-7-1", "gen-plate-7-2"):
         yield case_to_line(find_case(id)).rstrip()
 

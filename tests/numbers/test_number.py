@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from refusals import list_refusals, require_refused
 
 from exactsweep.numbers.limits import (
-    LimitError,
     answer_digits,
     get_max_bytes,
     limits,
@@ -95,38 +94,9 @@ def test_refusals_name_what_is_no_number(call: str, said: str) -> None:
     require_refused(call, said)
 
 
-@pytest.mark.parametrize(
-    ("value", "message"),
-    [
-        (np.True_, NOT_A_FRACTION),
-        (sympy.true, NOT_A_FRACTION),
-        (np.float32("nan"), r"nan.* is not a finite number$"),
-        (np.complex64(1), NOT_A_FRACTION),
-        (np.array([1, 2]), r"is not a number$"),
-        (Unprintable(), r"^<Unprintable> is not a rational number$"),
-        (sympy.pi, r"^pi is not a rational number$"),
-        (sympy.sqrt(2), r"^sqrt\(2\) is not a rational number$"),
-        (sympy.Symbol("x"), r"^x is not a rational number$"),
-        (sympy.I, NOT_A_FRACTION),
-        (sympy.oo, NOT_A_FRACTION),
-        (sympy.zoo, NOT_A_FRACTION),
-        (sympy.nan, NOT_A_FRACTION),
-        (sympy.Float("0.1", 50), r"has no exact value as a float; give it as a fraction$"),
-        (gmpy2.mpfr("nan"), r"is not a finite number$"),
-        (gmpy2.mpfr("1e99999999"), r"is not a finite number$"),
-        ("1e" + NINES, r"has more than 5002 digits"),
-        (NINES[:9] + "e" + "9" * 15, r"has more than 4300 digits"),
-        (Decimal(NINES + "e4300"), r"has more than 5007 digits"),
-        (MILLION, r"^'9{36}\.\.\. has more than 137607 digits \(max_digits\)$"),
-        ("1/" + MILLION, r"has more than 137607 digits"),
-        ("0." + MILLION, r"has more than 137607 digits"),
-        (Decimal(MILLION), r"has more than 137607 digits"),
-    ],
-)
-def test_refusals_name_the_value(value: object, message: str) -> None:
-    with pytest.raises(NumberError, match=message) as caught:
-        to_fraction(value)
-    assert len(str(caught.value)) < 100
+def test_what_cannot_be_shown_is_named_by_its_type() -> None:
+    with pytest.raises(NumberError, match=r"^<Unprintable> is not a rational number$"):
+        to_fraction(Unprintable())
 
 
 def test_limits_can_be_moved_and_end_with_their_block() -> None:
@@ -169,18 +139,6 @@ def test_limits_bound_what_is_written_not_what_is_exact_already() -> None:
         assert to_fraction("0.12") == Fraction(3, 25)
         assert to_fraction(12345) == 12345
         assert to_fraction(Fraction(1, 10**5)) == Fraction(1, 10**5)
-
-
-@pytest.mark.parametrize("bad", [0, -5, "5", 1.5, True])
-def test_limits_are_positive(bad: object) -> None:
-    with pytest.raises(LimitError, match=r"^max_digits must be an int, at least 1$"):
-        limits(max_digits=bad).__enter__()  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize("bad", [0, 0.0, -5, "5", float("nan"), float("inf"), 2**20 + 1, True])
-def test_so_are_those_on_texts(bad: object) -> None:
-    with pytest.raises(LimitError, match=r"^max_mib must be a number above 0, at most 1048576$"):
-        limits(max_mib=bad).__enter__()  # type: ignore[arg-type]
 
 
 def test_each_limit_is_moved_by_itself() -> None:

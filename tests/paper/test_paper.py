@@ -12,6 +12,7 @@ from click.testing import CliRunner
 from command import ROOT
 from goldens.texts import show_row
 
+from exactsweep import Polygon
 from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.paper.claim import (
@@ -27,9 +28,9 @@ from exactsweep.paper.claim import (
 from exactsweep.paper.data import write_data
 from exactsweep.paper.growth import Growth, Size, double
 from exactsweep.paper.laws import Trial, break_law, shrink
-from exactsweep.paper.ledger import CHECKS, CLAIMS, UnknownClaimError, find, read_rows
+from exactsweep.paper.ledger import CHECKS, CLAIMS, find, read_rows
 from exactsweep.paper.pairs import SweepPair, draw_pair, draw_pairs
-from exactsweep.paper.tiny import is_any, is_convex, list_polygons, search_grid
+from exactsweep.paper.tiny import list_polygons, search_grid
 from exactsweep.procedures.chain import split
 
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]
@@ -142,22 +143,6 @@ def test_a_check_that_breaks_off_fails() -> None:
     assert row.disagreement == "ZeroDivisionError: by zero"
 
 
-@pytest.mark.parametrize(
-    ("name", "meant"),
-    [
-        ("Lema 5.3", "did you mean 'Lemma 5.3'?"),
-        ("5.8", "did you mean 'Corollary 5.8'?"),
-        ("trajectory", "'Sum with the trajectory' or 'Trajectory_CC'"),
-        ("", "'--list' shows them all"),
-        ("xyzzy", "'--list' shows them all"),
-    ],
-)
-def test_an_unknown_name_is_refused_with_a_suggestion(name: str, meant: str) -> None:
-    with pytest.raises(UnknownClaimError) as refusal:
-        find(name)
-    assert meant in str(refusal.value)
-
-
 def test_names_are_found_in_any_spelling() -> None:
     assert find("  lemma   A.1").name == "Lemma A.1"
 
@@ -173,7 +158,7 @@ def test_random_pairs_are_of_their_class(strict: bool) -> None:
     walls = 0
     for number in range(60):
         pair = draw_pair(Prng(str(number)), "CM", strict=strict)
-        assert is_convex(pair.generatrix)
+        assert Polygon(pair.generatrix).is_convex
         for ring in pair:
             split(ring)
             walls += sum(p[0] == q[0] for p, q in pairwise([*ring, ring[0]]))
@@ -200,10 +185,10 @@ def test_all_polygons_of_a_tiny_grid_are_there() -> None:
 
 
 def test_the_smallest_pair_comes_first() -> None:
-    found = search_grid(2, 7, is_convex, is_any, lambda p: "" if len(p[0]) < 4 else "four")
+    found = search_grid(2, 7, "convex", "any", lambda p: "" if len(p[0]) < 4 else "four")
     assert found.against is not None
     assert found.against[2:] == ([(0, 0), (1, 0), (2, 1), (1, 1)], [(0, 0), (1, 0), (2, 1)])
-    nothing = search_grid(2, 6, is_any, is_any, lambda p: "")
+    nothing = search_grid(2, 6, "any", "any", lambda p: "")
     assert nothing == Evidence(
         "All 256 pairs with up to 6 vertices on the 3 by 3 grid.", searched=256
     )

@@ -140,29 +140,12 @@ def test_a_row_whose_evidence_fails_gives_exit_code_1(tmp_path: Path) -> None:
     assert "Rows whose evidence fails" in (tmp_path / "report.md").read_text(encoding="utf-8")
 
 
-def test_an_unknown_name_is_one_line_on_standard_error() -> None:
-    result = run("Lemma 5.33")
-    assert result.exit_code == 1
-    assert result.stdout == ""
-    assert re.fullmatch(
-        r"Error: no claim 'Lemma 5.33'; did you mean 'Lemma 5.3'[^\n]*\?\n", result.stderr
-    )
-
-
 def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "file"
     file.write_text("")
     result = run("Slope", "--quick", "--out", str(file / "folder"))
     assert result.exit_code == 1
     assert result.stderr.startswith("Error: ")
-
-
-def test_all_statements_are_listed_in_order() -> None:
-    lines = run("--list").output.splitlines()
-    assert [line.strip() for line in lines[1::2]] == [claim.words for claim in CLAIMS]
-    named = [line.partition(", ")[2].rpartition(": ")[0] for line in lines[::2]]
-    assert named == [claim.name for claim in CLAIMS]
-    assert run("--list", "Slope").output.startswith("3, Slope: misprint (sampled, exhaustive)\n")
 
 
 def test_the_citation_is_two_files_of_this_version(tmp_path: Path) -> None:

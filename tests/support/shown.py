@@ -12,6 +12,7 @@ from command import EXAMPLE, PATIENCE
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.numbers.number import to_fraction
+from exactsweep.view.data import Stop, list_tracks, track_stops
 
 FLAGS = [
     "--no-sandbox",
@@ -96,6 +97,12 @@ class Shown:
 
 Open = Callable[..., Shown]
 """Opens the page of a sweep; takes the options of a tab."""
+
+
+def find_stops(s: Sweep) -> list[Stop]:
+    """Find all stops of the trajectory."""
+    found, _ = track_stops(s, list_tracks(s)[:1])
+    return found[0]
 
 
 def scale_example(factor: Fraction) -> Sweep:

@@ -13,6 +13,7 @@ import pytest
 from command import EXAMPLE, HOUSE, NOTCH, refusal, run
 from contacts import between, without_parts
 from hypothesis import given
+from shown import find_stops
 from strategies import pairs, points
 from tiers import examples
 
@@ -21,7 +22,7 @@ from exactsweep.draw import Scale
 from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.view import make_page
-from exactsweep.view.data import find_stops, gather_page_data
+from exactsweep.view.data import gather_page_data
 from exactsweep.view.meetings import Meetings
 from exactsweep.view.page import embed_json
 
@@ -85,12 +86,19 @@ def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
     assert Contact("VV", 3, 3) in s.contacts_at(halfway)
 
 
-@pytest.mark.parametrize("limit", ["_MOST_PAIRS", "_MOST_LOOKS"])
+@pytest.mark.parametrize(
+    ("limit", "most"),
+    [
+        ("_MOST_PAIRS", len(EXAMPLE.generatrix) * len(EXAMPLE.directrix)),
+        ("_MOST_LOOKS", len(Meetings(EXAMPLE).translations) * len(EXAMPLE.trajectory)),
+    ],
+)
 def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
-    monkeypatch: pytest.MonkeyPatch, limit: str
+    monkeypatch: pytest.MonkeyPatch, limit: str, most: int
 ) -> None:
+    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", most)
     assert gather_page_data(EXAMPLE)["hasMeetings"]
-    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", 1)
+    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", most - 1)
     assert not gather_page_data(EXAMPLE)["hasMeetings"]
     assert [stop.position for stop in find_stops(EXAMPLE)] == list(EXAMPLE.trajectory.vertices)
 
@@ -113,19 +121,6 @@ def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
             # Two places, each rounded once, and their sum.
             for a, b, parts in zip(shown, exact, ((px, qx), (py, qy)), strict=True):
                 assert abs(Fraction(a) - Fraction(b)) <= 2 * ulp(max(1.0, *map(abs, parts)))
-
-
-def test_what_stands_still_is_scaled_exactly() -> None:
-    big = sweep(*([(x * 10**30, y * 10**30) for x, y in p.vertices] for p in (
-        EXAMPLE.generatrix, EXAMPLE.directrix)))  # fmt: skip
-    data = gather_page_data(big)
-    for name in ("directrix", "inner", "outer"):
-        loop = getattr(EXAMPLE, name).vertices
-        assert places(data[name]["places"]) == [(float(x), float(y)) for x, y in loop]
-        assert exact_points(data[name]["exact"]) == points(
-            *((x * 10**30, y * 10**30) for x, y in loop)
-        )
-    assert data["fits"] == []
 
 
 def test_features_have_the_numbers_of_the_input() -> None:

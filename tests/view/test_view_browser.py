@@ -8,12 +8,11 @@ from math import ulp
 
 import pytest
 from command import EXAMPLE
-from shown import HEIGHT, Open, Shown, scale_example
+from shown import HEIGHT, Open, Shown, find_stops, scale_example
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.draw import Scale
 from exactsweep.draw.sweeps import trace_anchor
-from exactsweep.view.data import find_stops
 
 SLOT = sweep(
     [(0, 0), (1, 0), (1, 1), (0, 1)],
@@ -67,47 +66,8 @@ def test_g_is_painted_where_it_is(show: Open) -> None:
         assert here.getpixel(beyond) == away.getpixel(beyond)
 
 
-def test_the_contact_is_named(show: Open) -> None:
+def test_keys_zoom_and_move_the_picture(show: Open) -> None:
     shown = show(EXAMPLE)
-    shown.slide(9 * PARTS + PARTS // 2)
-    assert shown.text("contacts") == "VE vertex 1 of G on edge 3 of D"
-    assert shown.text("where") == "between stops 9 and 10 of 16"
-    shown.slide(10 * PARTS)
-    assert shown.text("position") == "(13/5, 13/5)"
-    assert shown.text("where") == "vertex 6 of the trajectory, stop 10 of 16"
-    assert shown.text("contacts").splitlines() == [
-        "VE vertex 1 of G on edge 3 of D, until here",
-        "VE vertex 0 of G on edge 4 of D, from here on",
-    ]
-    shown.slide(0)
-    assert "VV vertex 2 of G on vertex 0 of D" in shown.text("contacts").splitlines()
-    assert not shown.tab.is_visible("#incomplete")
-    wedge = [(0, 0), (3, 0), (5, 4), (6, 4), (6, -1), (-3, -1), (-3, 4), (-2, 4)]
-    s = sweep([(0, 0), (3, 0), (3, 1), (0, 1)], wedge)
-    box = show(s)
-    floor = Point(Fraction(0), Fraction(0))
-    box.slide([stop.position for stop in find_stops(s)].index(floor) * PARTS)
-    assert "EE edge 0 of G on edge 0 of D, here only" in box.text("contacts").splitlines()
-
-
-def test_the_keyboard_does_all(show: Open) -> None:
-    shown = show(EXAMPLE)
-    at = [stop.position for stop in find_stops(EXAMPLE)]
-    shown.press("PageDown", "PageDown")
-    assert shown.position == at[2]
-    shown.press("PageUp")
-    assert shown.position == at[1]
-    shown.press("ArrowRight")
-    assert shown.position == Point(at[1].x + (at[2].x - at[1].x) / 50, at[1].y)
-    shown.press("Shift+ArrowLeft", "PageUp")
-    assert shown.position == at[1]
-    shown.press("u")
-    assert shown.position == EXAMPLE.undercuts[0].positions[0]
-    assert "undercut 0, area 8/5" in shown.text("pointed")
-    shown.press("Home")
-    assert shown.position == at[0]
-    shown.press("End", "PageUp")
-    assert shown.position == at[-1]
     before = shown.pixels
     shown.press("+")
     assert shown.pixels != before
@@ -116,9 +76,7 @@ def test_the_keyboard_does_all(show: Open) -> None:
     shown.tab.focus("#top")
     shown.press("ArrowRight")
     assert [x - y for (x, _), (y, _) in zip(before, shown.pixels, strict=True)] == [60] * 5
-    shown.tab.focus("#slider")
-    shown.press("Home", "PageDown")
-    assert shown.position == at[1]
+    assert not shown.tab.is_visible("#incomplete")
 
 
 def test_playing_moves_g_until_paused(show: Open) -> None:
@@ -243,24 +201,6 @@ def test_a_loop_of_10000_vertices_works(show: Open) -> None:
     shown.press("+", "+", "PageDown")
     assert_in_place(shown, s, shown.position)
     assert shown.position != before
-
-
-def test_several_undercuts_closed_at_one_stop_are_visited_in_turn(show: Open) -> None:
-    # A peak in the notch of the example, as high as G comes down.
-    notch, peak = Point(Fraction(3), Fraction(1)), (Fraction(18, 5), Fraction(13, 5))
-    block = EXAMPLE.directrix.vertices
-    k = block.index(notch)
-    s = sweep(EXAMPLE.generatrix, [*block[:k], (4, 2), peak, *block[k:]])
-    first, second = s.undercuts
-    assert first.positions == second.positions == EXAMPLE.undercuts[0].positions
-    shown = show(s)
-    told = []
-    for _ in range(3):
-        shown.press("u")
-        told.append(shown.text("pointed").splitlines()[0])
-    assert told[0] == told[2] != told[1]
-    shown.press("f")
-    assert shown.text("pointed") == "There is no exact fit."
 
 
 def test_long_numbers_are_told_in_short_too(show: Open) -> None:

@@ -60,41 +60,16 @@ def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) 
             assert without_parts(s, here) == set(stop.contacts)
 
 
-def test_a_shape_that_just_fits_touches_all_round(show: Open) -> None:
-    shown = show(EXAMPLE)
-    shown.tab.select_option("#track", "3")
-    shown.settle()
-    told = shown.text("contacts").splitlines()
-    assert [line for line in told if line.startswith("EE")] == [
-        f"EE edge {i} of G on edge {12 + i} of D, here only" for i in range(4)
-    ]
-
-
 def test_g_can_be_played_on_every_track(show: Open) -> None:
     shown = show(EXAMPLE)
-    seen = []
-    for _ in NAMES:
-        seen.append(track_of(shown))
-        before = shown.position
-        shown.press("PageDown")
-        if seen[-1] == NAMES[-1]:
-            assert shown.position == before == points((13, 3))[0]
-        else:
-            assert shown.position != before
+    for name in NAMES:
+        assert track_of(shown) == name
         shown.press("Space")
         shown.tab.wait_for_timeout(60)
         shown.press("Space")
-        assert track_of(shown) == seen[-1]
+        assert track_of(shown) == name
         shown.press("t")
-    assert seen == NAMES
     assert track_of(shown) == NAMES[0]
-    shown.tab.select_option("#track", "1")
-    shown.settle()
-    assert shown.text("where") == "vertex 0 of hole 0, stop 0 of 4"
-    shown.slide(500_000)
-    assert shown.position == points(("7/2", 2))[0]
-    assert shown.text("where") == "between stops 0 and 1 of 4, hole 0"
-    assert shown.text("contacts") == "EE edge 0 of G on edge 4 of D"
 
 
 def test_g_is_dragged_into_holes_and_fits_and_out_again(show: Open) -> None:
@@ -113,21 +88,6 @@ def test_g_is_dragged_into_holes_and_fits_and_out_again(show: Open) -> None:
     assert shown.position.y == 4
     drag(shown, (20, 12))
     assert (track_of(shown), shown.position) == ("the trajectory", points((20, 12))[0])
-
-
-def test_fits_are_visited_in_turn_and_tell_of_themselves(show: Open) -> None:
-    shown = show(EXAMPLE)
-    shown.press("f")
-    assert shown.text("pointed") == (
-        "exact fit 0: G could slide from (9, 2) to (9, 8), touching D on both sides"
-    )
-    shown.press("f")
-    assert shown.text("pointed") == "exact fit 1: G fits at (13, 3) and cannot move"
-    assert shown.position == points((13, 3))[0]
-    shown.press("f")
-    assert track_of(shown) == "exact fit 0"
-    shown.press("u")
-    assert shown.text("pointed") == "There is no undercut."
 
 
 def test_holes_of_d_and_g_are_not_painted(show: Open) -> None:
@@ -151,5 +111,3 @@ def test_a_pair_of_one_track_has_no_choice_of_it(show: Open) -> None:
     shown = show(sweep(SQUARE, SQUARE))
     assert not shown.tab.is_visible("#track")
     assert not shown.tab.is_visible("#hole")
-    shown.press("t")
-    assert shown.position == points((-2, -2))[0]

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple, cast
 
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
-from exactsweep.corpus.case import Shapes
+from exactsweep.corpus.answered import Shapes
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import to_fraction

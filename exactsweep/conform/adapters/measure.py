@@ -20,6 +20,7 @@ from exactsweep.conform.adapters.names import NAMES, load
 from exactsweep.conform.adapters.page import write_page
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.pool import Judges
+from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import QUESTIONS
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.runner import judge_cases
@@ -38,11 +39,12 @@ def judge(name: str, question: str, chosen: Iterator[Case], seconds: float, fold
     """Judge a program by one question, and keep its outcomes."""
     command = [sys.executable, "-m", "exactsweep.conform.adapters", name, "--ask", question]
     with ExitStack() as stack:
-        judges = stack.enter_context(Judges(command, seconds=seconds))
+        terms = Terms(command, seconds)
+        judges = stack.enter_context(Judges(terms))
         path = folder / f"{name}.{question}"
         # Only the name of the interpreter may differ from machine to machine.
         journal = stack.enter_context(
-            Journal(path, command=command[1:], hello=judges.hello, seconds=seconds, resume=True)
+            Journal(path, terms._replace(command=command[1:]), judges.hello, resume=True)
         )
         run = Run(judges.hello, command)
         judge_cases(run, judges, chosen, journal=journal)

@@ -17,24 +17,20 @@ environment variable EXACTSWEEP_SVGNEST names, and is run by node: see `nest.js`
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from shutil import which
 from typing import Any
 
 from exactsweep.conform.adapters.adapter import (
     Adapter,
-    AnsweredRings,
-    AskedRing,
     AskedShape,
     MissingError,
     Position,
     refer,
 )
 from exactsweep.conform.adapters.nest import start
-from exactsweep.conform.adapters.program import Program, write_shape
+from exactsweep.conform.adapters.program import Program, write_fraction, write_shape
+from exactsweep.conform.judge.boundary import are_collinear
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
-from exactsweep.corpus.case import Shapes
-from exactsweep.geometry.vectors import turn
 
 
 def adapter(name: str) -> Adapter:
@@ -43,56 +39,34 @@ def adapter(name: str) -> Adapter:
     Raises:
         MissingError: the program is not to be found.
     """
-    if name == "svgnest-orbit":
+    numbers: Numbers = "binary64"
+    questions: tuple[Question, ...] = ("no_fit",)
+    if is_svgnest := name == "svgnest-orbit":
         version, program = start("svgnest", "orbit")
-        return _adapter(
-            f"SVGnest {version}, orbiting",
-            "binary64",
-            ("no_fit", "inner_fit"),
-            "any",
-            lambda part, d, g: program.ask(f"{part} {write_shape(d, repr)} {write_shape(g, repr)}"),
-            program.close,
-        )
-    command = "exactsweep-nfporb" + ("-rational" if name.endswith("-rational") else "")
-    found = which(command)
-    if found is None:
-        raise MissingError(f"{name} is not installed: no program {command}, see nfporb.cpp")
-    running = Program([found])
-    rational = command.endswith("-rational")
-    return _adapter(
-        f"libnfporb, {'rational' if rational else 'long double'}",
-        "rational" if rational else "binary64",
-        ("no_fit",),
-        "any",
-        lambda _, d, g: running.ask(f"{write_shape(d)} {write_shape(g)}"),
-        running.close,
-    )
+        title, questions = f"SVGnest {version}, orbiting", ("no_fit", "inner_fit")
+    else:
+        title, command = "libnfporb, long double", "exactsweep-nfporb"
+        if name.endswith("-rational"):
+            numbers, title, command = "rational", "libnfporb, rational", f"{command}-rational"
+        found = which(command)
+        if found is None:
+            raise MissingError(f"{name} is not installed: no program {command}, see nfporb.cpp")
+        program = Program([found])
 
-
-def _adapter(
-    name: str,
-    numbers: Numbers,
-    questions: tuple[Question, ...],
-    shapes: Shapes,
-    orbit: Callable[[str, AskedShape, AskedShape], AnsweredRings],
-    close: Callable[[], object],
-) -> Adapter:
     def ask(part: str, directrix: AskedShape, generatrix: AskedShape) -> dict[str, Any]:
         if len(generatrix) > 1:
             raise NotImplementedError("holes of G")
         if part == "inner_fit" and len(directrix) > 1:
             raise NotImplementedError("a container with holes")
-        ring = _from_least(generatrix[0])
-        found = orbit(part, directrix, [ring])
-        rings, fits = sort_out([refer(one, ring[0]) for one in found])
+        first = generatrix[0].index(min(generatrix[0]))
+        ring = [*generatrix[0][first:], *generatrix[0][:first]]
+        write = repr if is_svgnest else write_fraction
+        words = [write_shape(directrix, write), write_shape([ring], write)]
+        answer = program.ask(" ".join([part, *words] if is_svgnest else words))
+        rings, fits = sort_out([refer(one, ring[0]) for one in answer])
         return {part: rings, "exact_fits" if part == "no_fit" else "inner_exact_fits": fits}
 
-    return Adapter(Hello(name, (), numbers, "origin", questions, shapes), ask, close)
-
-
-def _from_least(ring: AskedRing) -> AskedRing:
-    first = ring.index(min(ring))
-    return [*ring[first:], *ring[:first]]
+    return Adapter(Hello(title, (), numbers, "origin", questions, "any"), ask, program.close)
 
 
 def sort_out(
@@ -111,9 +85,8 @@ def sort_out(
         distinct = list(dict.fromkeys(ring))
         if not distinct:
             continue
-        low, high = min(distinct), max(distinct)
-        if not any(turn(low, high, p) for p in distinct):
-            fits.append((low, high))
+        if are_collinear(distinct):
+            fits.append((min(distinct), max(distinct)))
         else:
             rings.append(ring)
     return rings, fits

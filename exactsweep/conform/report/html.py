@@ -188,30 +188,22 @@ def _scene(
     case: Mapping[str, Any], result: Mapping[str, Any], name: str, part: Mapping[str, Any] | None
 ) -> _Scene:
     witness = next(iter(list_witnesses(part)), {}) if part else {}
-    placed = witness.get("translation")
-    seen = None
     d, g = (
         tuple(map(_ring, (case[polygon], *case.get(f"{polygon}_holes", ()))))
         for polygon in ("directrix", "generatrix")
     )
-    layers: list[Layer] = [("directrix", d, True)]
-    if placed is not None:
-        (t,) = _ring([placed])
-        (r,) = _ring([case["reference"]])
-        moved = tuple([Point(x + t.x, y + t.y) for x, y in ring] for ring in g)
-        layers.append(("generatrix", moved, True))
+    seen = next(iter(_ring([witness.get("point")])), None)
+    for t in _ring([witness.get("translation")]):
+        g = tuple([Point(x + t.x, y + t.y) for x, y in ring] for ring in g)
         if name in OF_POSITIONS:
+            (r,) = _ring([case["reference"]])
             seen = Point(r.x + t.x, r.y + t.y)
-    else:
-        layers.append(("generatrix", g, True))
-    if seen is None and witness.get("point") is not None:
-        (seen,) = _ring([witness["point"]])
+    layers: list[Layer] = [("directrix", d, True), ("generatrix", g, True)]
     closed = name not in FITS
-    exact, theirs = list_expected_rings(case, name), result.get(name)
     if not closed:
         layers.append(("faint", tuple(_rings(list_expected_rings(case, FITS[name]))), True))
-    layers.append(("exact", tuple(_rings(exact)), closed))
-    layers.append(("theirs", tuple(_rings(theirs)), closed))
+    layers.append(("exact", tuple(_rings(list_expected_rings(case, name))), closed))
+    layers.append(("theirs", tuple(_rings(result.get(name))), closed))
     squares = part and part["distance_squared"]
     return _Scene(tuple(layers), seen, take_root(read_any_length(squares[1])) if squares else None)
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import suppress
-from fractions import Fraction
 from os import SEEK_END
 from pathlib import Path
 from typing import Any, BinaryIO, Self
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
+from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import show_path
 from exactsweep.numbers.error import ExactSweepError
@@ -35,11 +35,8 @@ class Journal:
 
     Args:
         path: the file.
-        command: the judged command; a journal of another command is refused.
+        terms: the judged command, and what it may take; a journal on other terms is refused.
         hello: the implementation's hello, likewise.
-        seconds: that an answer may take, likewise.
-        rounding: the bound that coordinate errors must stay below, likewise.
-        most: bytes of memory that the program may hold, or None, likewise.
         resume: whether the file may be there and is gone on with.
 
     Raises:
@@ -47,17 +44,7 @@ class Journal:
             something else; it cannot be read or written.
     """
 
-    def __init__(
-        self,
-        path: Path,
-        *,
-        command: Sequence[str],
-        hello: Hello,
-        seconds: float,
-        rounding: Fraction | None = None,
-        most: int | None = None,
-        resume: bool = False,
-    ) -> None:
+    def __init__(self, path: Path, terms: Terms, hello: Hello, *, resume: bool = False) -> None:
         self._path, self._name = path, show_path(str(path))
         self._file: BinaryIO
         # Where the outcomes of before are, by the digest of their case.
@@ -65,11 +52,11 @@ class Journal:
         head = {
             "format": FORMAT,
             "version": VERSION,
-            "command": list(command),
+            "command": list(terms.command),
             "hello": hello.to_json(),
-            "seconds": seconds,
-            "rounding": rounding and format_fraction(rounding),
-            "memory": most,
+            "seconds": terms.seconds,
+            "rounding": terms.rounding and format_fraction(terms.rounding),
+            "memory": terms.most,
         }
         try:
             if resume and path.exists():

@@ -81,13 +81,13 @@ class Outcome:
             said = part["diagnosis"]
             if cause in said:
                 others = [words for words in said if words != cause]
-                reason = part["reason"].replace(said[0], cause, 1)
+                reason = part["reason"].replace(said[0], cause)
                 part = {**part, "diagnosis": [cause, *others], "reason": reason}
             parts.append(part)
         return replace(
             self,
-            reason=self.reason.replace(first, cause, 1),
-            fault=self.fault.replace(write_cause(first), write_cause(cause), 1),
+            reason=self.reason.replace(first, cause),
+            fault=self.fault.replace(write_cause(first), write_cause(cause)),
             diagnosis=(cause, *(words for words in self.diagnosis if words != cause)),
             parts=tuple(parts),
         )

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
-from fractions import Fraction
 from typing import Any, Self
 
 from exactsweep.conform.run.outcome import Outcome, judge_case, shrink_outcome
-from exactsweep.conform.run.peer import SECONDS
-from exactsweep.conform.run.process import TO_START, ProcessPeer
+from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
 from exactsweep.numbers.error import ExactSweepError
@@ -34,12 +32,8 @@ class Judges:
     Nothing that was started is left running after the `with` block, however it ends.
 
     Args:
-        command: the program and its arguments.
-        seconds: that an answer may take.
+        terms: the program, and what it may take.
         workers: how many cases are worked on at a time.
-        to_start: seconds that the implementation may take to say hello.
-        rounding: the bound that coordinate errors must stay below, as for `compare`.
-        most: bytes of memory that each process of it may hold, or None.
 
     Attributes:
         hello: the implementation's first line, about itself.
@@ -51,25 +45,14 @@ class Judges:
         JudgeError: a process that judges was killed, or cannot be started.
     """
 
-    def __init__(
-        self,
-        command: Sequence[str],
-        *,
-        seconds: float = SECONDS,
-        workers: int = 1,
-        to_start: float = TO_START,
-        rounding: Fraction | None = None,
-        most: int | None = None,
-    ) -> None:
+    def __init__(self, terms: Terms, workers: int = 1) -> None:
         self.complaints: list[str] = []
         try:
             self._pool = Pool(workers)
         except OSError as error:
             raise JudgeError(f"no process can be started: {error.strerror or error}") from None
         try:
-            hellos: list[Hello] = self._call_in_each(
-                _start, list(command), seconds, to_start, rounding, most, list_limits()
-            )
+            hellos: list[Hello] = self._call_in_each(_start, terms, list_limits())
             self.hello = hellos[0]
             if any(hello != self.hello for hello in hellos):
                 raise ProtocolError("not all its processes say the same hello")
@@ -133,7 +116,7 @@ class Judges:
             except BrokenProcessPool:
                 raise JudgeError(f"case {quote(id)}: {_ENDED}") from None
             # One more for each process, so that none waits for the next case to be made.
-            if len(pending) >= 2 * self._pool.count:
+            if len(pending) >= 2 * self._pool.count:  # pragma: no mutate: costs only time
                 yield from _take_results(pending)
         while pending:
             yield from _take_results(pending)
@@ -161,28 +144,21 @@ def _take_results(pending: dict[Future[Outcome], str]) -> Iterator[tuple[str, Ou
 # The functions below run in the processes that judge.
 
 _peer: ProcessPeer
-_rounding: Fraction | None
+_terms: Terms
 _limits: Limits
 
 
-def _start(
-    command: Sequence[str],
-    seconds: float,
-    to_start: float,
-    rounding: Fraction | None,
-    most: int | None,
-    held: Limits,
-) -> Hello:
-    global _peer, _rounding, _limits
-    _rounding, _limits = rounding, held
+def _start(terms: Terms, held: Limits) -> Hello:
+    global _peer, _terms, _limits
+    _terms, _limits = terms, held
     with limits(**_limits):
-        _peer = ProcessPeer(command, seconds, to_start, most)
+        _peer = ProcessPeer(terms.command, terms.seconds, most=terms.most)
     return _peer.hello
 
 
 def _judge(case: Case) -> Outcome:
     with limits(**_limits):
-        return judge_case(_peer, case, _rounding)
+        return judge_case(_peer, case, _terms.rounding)
 
 
 def _shrink(outcome: Outcome, seconds: float) -> Outcome:

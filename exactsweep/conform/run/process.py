@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.channel import (
@@ -29,6 +31,22 @@ TO_START = 30.0
 """Seconds that an implementation may take to say hello."""
 TO_END = 2.0
 """Seconds that it may take to end after bye."""
+
+
+class Terms(NamedTuple):
+    """The terms on which a program is judged.
+
+    Attributes:
+        command: the program and its arguments.
+        seconds: that an answer may take.
+        rounding: the bound that coordinate errors must stay below, as for `compare`.
+        most: bytes of memory that each process of it may hold, or None.
+    """
+
+    command: Sequence[str]
+    seconds: float = SECONDS
+    rounding: Fraction | None = None
+    most: int | None = None
 
 
 class ProcessPeer:

@@ -34,14 +34,13 @@ import json
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, Literal, Self, cast, get_args
+from typing import Any, Literal, Self, TypeVar, cast, get_args
 
 from exactsweep.corpus import Case
-from exactsweep.corpus.case import SHAPES, Shapes
+from exactsweep.corpus.answered import SHAPES, Shapes
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.point_set import PointSet
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import format_fraction, quote
 from exactsweep.numbers.point import ORIGIN, Fit, Loop, Point
@@ -49,6 +48,8 @@ from exactsweep.numbers.point import ORIGIN, Fit, Loop, Point
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]
 Question = Literal["sweep", "no_fit", "inner_fit"]
+
+Put = TypeVar("Put", bound=PointSet)
 
 LOOPS = ("trajectory", "inner", "outer")
 NUMBERS: tuple[Numbers, ...] = get_args(Numbers)
@@ -292,14 +293,11 @@ def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:
     def ring(points: Iterable[Point], by: Point = ORIGIN) -> Loop:
         return tuple(Point(x * k + by.x, y * k + by.y) for x, y in points)
 
-    def loop(polygon: Polygon, by: Point = ORIGIN) -> Polygon:
-        return Polygon(ring(polygon.vertices, by))
-
-    def region(shape: Region) -> Region:
-        return Region(loop(shape.exterior, by), [loop(hole, by) for hole in shape.holes])
-
     def fits(found: Iterable[Fit]) -> tuple[Fit, ...]:
         return tuple((p, q) for p, q in (ring(fit, by) for fit in found))
+
+    def move(shape: Put) -> Put:
+        return shape.scaled(k).translated(by)
 
     return replace(
         case,
@@ -308,13 +306,13 @@ def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:
         directrix_holes=tuple(map(ring, case.directrix_holes)),
         generatrix_holes=tuple(map(ring, case.generatrix_holes)),
         reference=ring([case.reference], by)[0],
-        trajectory=loop(case.trajectory, by),
-        inner=loop(case.inner),
-        outer=loop(case.outer),
-        unswept=tuple(map(loop, case.unswept)),
+        trajectory=move(case.trajectory),
+        inner=case.inner.scaled(k),
+        outer=case.outer.scaled(k),
+        unswept=tuple(loop.scaled(k) for loop in case.unswept),
         area=case.area * k * k,
-        holes=tuple(loop(hole, by) for hole in case.holes),
+        holes=tuple(map(move, case.holes)),
         exact_fits=fits(case.exact_fits),
-        inner_regions=case.inner_regions and tuple(map(region, case.inner_regions)),
+        inner_regions=case.inner_regions and tuple(map(move, case.inner_regions)),
         inner_exact_fits=fits(case.inner_exact_fits),
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from functools import partial
 from inspect import cleandoc
 from itertools import count as count_from
 from typing import Any, NamedTuple
@@ -35,7 +34,7 @@ class Family(NamedTuple):
 
     name: str
     level: str
-    make: Callable[[Prng], tuple[Any, Any]]
+    make: Callable[[Prng], Any]
     flags: tuple[str, ...] = ()
     respelled: bool = False
 
@@ -50,35 +49,36 @@ class Family(NamedTuple):
         return self.description.partition("\n")[0]
 
 
-FAMILIES: dict[str, Family] = {
-    family.name: family
-    for family in [
-        Family("convex", "easy", plain.convex_pair),
-        Family("notched", "easy", plain.notched_pair),
-        Family("monotone", "easy", plain.monotone_pair),
-        Family("grid", "degenerate", plain.grid_pair),
-        Family("rectilinear", "degenerate", plain.rectilinear_pair),
-        Family("fits", "degenerate", plain.fitting_pair),
-        Family("equal-slopes", "degenerate", plain.equal_slopes_pair),
-        Family("tangent", "degenerate", plain.tangent_pair, ("tangent",)),
-        Family("turned", "degenerate", plain.turned_pair),
-        Family("respelled", "degenerate", plain.respelled_pair, respelled=True),
-        Family("rounded-crossings", "numeric", numeric.rounded_crossings_pair),
-        Family("far", "numeric", numeric.far_pair),
-        Family("fractions", "numeric", numeric.fractions_pair),
-        Family("slivers", "numeric", numeric.sliver_pair, ("sliver",)),
-        Family("near-parallel", "numeric", numeric.near_parallel_pair),
-        Family("near-fits", "numeric", numeric.near_fit_pair, ("near-fit",)),
-        Family("perturbed", "numeric", numeric.perturbed_pair),
-        Family("int32-edge", "numeric", numeric.int32_edge_pair),
-        Family("int64-edge", "numeric", numeric.int64_edge_pair),
-        Family("binary64-edge", "numeric", numeric.binary64_edge_pair),
-        Family("unequal", "large", large.unequal_pair),
-        Family("lower-bound", "large", large.lower_bound_pair, ("lower-bound",)),
-        Family("long", "large", large.long_pair),
-        *(Family(name, "any shape", draw) for name, draw in any_shape.SHAPES.items()),
-    ]
+LEVELS = {
+    "easy": (plain, "convex notched monotone"),
+    "degenerate": (plain, "grid rectilinear fits equal-slopes tangent turned respelled"),
+    "numeric": (
+        numeric,
+        "rounded-crossings far fractions slivers near-parallel near-fits perturbed int32-edge "
+        "int64-edge binary64-edge",
+    ),
+    "large": (large, "unequal lower-bound long"),
 }
+"""The families of rings, by level; the function of a family has its name."""
+FLAGS = {
+    "tangent": "tangent",
+    "slivers": "sliver",
+    "near-fits": "near-fit",
+    "lower-bound": "lower-bound",
+}
+
+
+def _list_families() -> Iterator[Family]:
+    for level, (module, names) in LEVELS.items():
+        for name in names.split():
+            make = getattr(module, f"{name.replace('-', '_')}_pair")
+            flags = (FLAGS[name],) if name in FLAGS else ()
+            yield Family(name, level, make, flags, respelled=name == "respelled")
+    for name, draw in any_shape.SHAPES.items():
+        yield Family(name, "any shape", draw)
+
+
+FAMILIES: dict[str, Family] = {family.name: family for family in _list_families()}
 
 
 @tells_arguments
@@ -140,11 +140,9 @@ def generate_case(id: str) -> Case:
 
 def _make(family: Family, seed: int, number: int) -> Case:
     random = Prng(f"{family.name}:{seed}:{number}")
-    of_any_shape = family.name in any_shape.SHAPES
-    make: Callable[[Prng], tuple[Any, Any]] = family.make
-    if of_any_shape:
-        make = partial(any_shape.place, draw=family.make)
-    generatrix, directrix = make(random)
+    of_any_shape = family.level == "any shape"
+    pair = any_shape.place(random, family.make) if of_any_shape else family.make(random)
+    generatrix, directrix = pair
     corner = generatrix.vertices[0] if of_any_shape else generatrix[-1]
     if not (family.respelled or of_any_shape):
         generatrix, directrix = Polygon(generatrix), Polygon(directrix)

@@ -6,7 +6,7 @@ from exactsweep.corpus.generator.growing import bumps, comb
 from exactsweep.corpus.generator.numeric import RationalRings
 from exactsweep.corpus.generator.plain import RingPair, grid_pair, monotone_pair
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import Grid, IntegerPoint, Ring, draw_convex, draw_monotone
+from exactsweep.corpus.generator.shapes import Grid, draw_convex, draw_monotone
 
 
 def lower_bound_pair(random: Prng) -> RingPair:
@@ -14,8 +14,7 @@ def lower_bound_pair(random: Prng) -> RingPair:
     if random.chance(1, 2):
         sizes = random.choice([(2, 4, 6), (2, 6, 6), (4, 4, 6), (2, 4, 8), (4, 4, 4), (4, 6, 4)])
         slope = random.between(-3, 3)
-        generatrix, directrix = (_shear(ring, slope) for ring in bumps(*sizes))
-        return generatrix, directrix
+        return [[(x, y + slope * x) for x, y in ring] for ring in bumps(*sizes)]
     generatrix = draw_convex(random, 12, 40)
     width = max(x for x, _ in generatrix) - min(x for x, _ in generatrix)
     # Wider than G: it turns about each tooth; narrower: it rests on two of them.
@@ -38,8 +37,3 @@ def unequal_pair(random: Prng) -> RationalRings:
     ratio = Fraction(10) ** (random.between(6, 12) * random.choice([1, -1]))
     generatrix = [(x * ratio, y * ratio) for x, y in rings[0]]
     return generatrix, [(Fraction(x), Fraction(y)) for x, y in rings[1]]
-
-
-def _shear(ring: Ring, slope: int) -> Ring:
-    sheared: list[IntegerPoint] = [(x, y + slope * x) for x, y in ring]
-    return sheared

@@ -1,8 +1,9 @@
 """Families aimed at the numbers: rounding, cancellation, overflow, slopes that hardly differ."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 
-from exactsweep.corpus.generator.plain import RingPair, fitting_pair, grid_pair, monotone_pair
+from exactsweep.corpus.generator.plain import RingPair, fits_pair, grid_pair, monotone_pair
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import (
     Grid,
@@ -17,7 +18,7 @@ from exactsweep.geometry.hull import find_hull
 
 NEAR = 10**15
 Rationals = list[tuple[Fraction, Fraction]]
-RationalRings = tuple[Rationals, Rationals]
+RationalRings = Sequence[Rationals]
 
 
 def rounded_crossings_pair(random: Prng) -> RingPair:
@@ -38,20 +39,20 @@ def near_parallel_pair(random: Prng) -> RingPair:
     return _ripple(random), _ripple(random)
 
 
-def near_fit_pair(random: Prng) -> RingPair:
+def near_fits_pair(random: Prng) -> RingPair:
     """A pair of the family "fits", up to 2**48 times larger, its walls moved by one or not at all.
 
     Slots are then wider or narrower than G, or as wide, by one part in 2**48.
     """
-    return _perturb(random, *fitting_pair(random))
+    return _perturb(random, fits_pair(random))
 
 
 def perturbed_pair(random: Prng) -> RingPair:
     """A pair of the family "grid", up to 2**48 times larger, its vertices moved by one or not."""
-    return _perturb(random, *grid_pair(random))
+    return _perturb(random, grid_pair(random))
 
 
-def sliver_pair(random: Prng) -> RingPair:
+def slivers_pair(random: Prng) -> RingPair:
     """Polygons of height 1 to 3 on a length of 10**5 to 10**9."""
     length = 10 ** random.between(5, 9)
     unit = length // 4
@@ -75,8 +76,8 @@ def int64_edge_pair(random: Prng) -> RingPair:
 
 def far_pair(random: Prng) -> RingPair:
     """A small pair, each polygon moved by up to 2**52: the digits that count are the last ones."""
-    generatrix, directrix = random.choice([grid_pair, monotone_pair, fitting_pair])(random)
-    return _move(random, generatrix, 2**52), _move(random, directrix, 2**52)
+    rings = random.choice([grid_pair, monotone_pair, fits_pair])(random)
+    return [_move(random, ring, 2**52) for ring in rings]
 
 
 def binary64_edge_pair(random: Prng) -> RationalRings:
@@ -85,18 +86,16 @@ def binary64_edge_pair(random: Prng) -> RationalRings:
     At times one of the family "perturbed", whose coordinates take all 53 bits.
     """
     exponent = random.choice([-1074, -1060, -1022, -540, -300, 300, 480, 960, 1010])
-    make = random.choice([grid_pair, monotone_pair, fitting_pair, perturbed_pair])
+    make = random.choice([grid_pair, monotone_pair, fits_pair, perturbed_pair])
     # Sums of all coordinates stay below 2**1024.
     unit = Fraction(2) ** min(exponent, 960 if make is perturbed_pair else 1010)
-    generatrix, directrix = ([(x * unit, y * unit) for x, y in ring] for ring in make(random))
-    return generatrix, directrix
+    return [[(x * unit, y * unit) for x, y in ring] for ring in make(random)]
 
 
 def fractions_pair(random: Prng) -> RationalRings:
     """Coordinates with small denominators; or with some up to a million that share few factors."""
     most = random.choice([9, 10**6])
-    generatrix, directrix = (_fractional(random, ring, most) for ring in monotone_pair(random))
-    return generatrix, directrix
+    return [_fractional(random, ring, most) for ring in monotone_pair(random)]
 
 
 def _ripple(random: Prng) -> Ring:
@@ -113,10 +112,9 @@ def _ripple(random: Prng) -> Ring:
     return close_between(random, bottom, top)
 
 
-def _perturb(random: Prng, *rings: Ring) -> RingPair:
+def _perturb(random: Prng, rings: RingPair) -> RingPair:
     scale = 2 ** random.choice([10, 24, 40, 48])
-    first, second = (_nudge(random, ring, scale) for ring in rings)
-    return first, second
+    return [_nudge(random, ring, scale) for ring in rings]
 
 
 def _nudge(random: Prng, ring: Ring, scale: int) -> Ring:

@@ -1,5 +1,7 @@
 """Families without malice, and families where features coincide."""
 
+from collections.abc import Sequence
+
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import (
     Grid,
@@ -13,7 +15,8 @@ from exactsweep.corpus.generator.shapes import (
     walk,
 )
 
-RingPair = tuple[Ring, Ring]
+RingPair = Sequence[Ring]
+"""A generatrix and a directrix."""
 
 TINY_GRID = Grid(cells=(1, 5), widths=(1, 1, 1, 2), height=2, walls=2)
 # Rows of invertible integer matrices, one of them turning the plane over.
@@ -63,7 +66,7 @@ def rectilinear_pair(random: Prng) -> RingPair:
     return generatrix, draw_rectilinear(random, (2, 7), widths, 3)
 
 
-def fitting_pair(random: Prng) -> RingPair:
+def fits_pair(random: Prng) -> RingPair:
     """A block with slots as wide as G, or as parts of it, and as deep, or deeper, or less deep."""
     widths = [random.between(1, 3) for _ in range(random.between(1, 3))]
     heights = [random.between(1, 4) for _ in widths]
@@ -76,8 +79,8 @@ def fitting_pair(random: Prng) -> RingPair:
     cells.append((random.between(1, 2), 0))
     bottom = build_columns([w for w, _ in cells], [h for _, h in cells])
     lid = max(h for _, h in cells) + 1
-    rings = generatrix, [*bottom, (bottom[-1][0], lid), (0, lid)]
-    return rings if random.chance(1, 2) else (turn_half(rings[0]), turn_half(rings[1]))
+    rings = [generatrix, [*bottom, (bottom[-1][0], lid), (0, lid)]]
+    return rings if random.chance(1, 2) else [turn_half(ring) for ring in rings]
 
 
 def equal_slopes_pair(random: Prng) -> RingPair:
@@ -115,10 +118,9 @@ def turned_pair(random: Prng) -> RingPair:
 
     As a rule it is then no longer monotone to the x-axis.
     """
-    rings = random.choice([grid_pair, monotone_pair, fitting_pair])(random)
+    rings = random.choice([grid_pair, monotone_pair, fits_pair])(random)
     (a, b), (c, d) = random.choice(MATRICES)
-    generatrix, directrix = ([(a * x + b * y, c * x + d * y) for x, y in ring] for ring in rings)
-    return generatrix, directrix
+    return [[(a * x + b * y, c * x + d * y) for x, y in ring] for ring in rings]
 
 
 def respelled_pair(random: Prng) -> RingPair:
@@ -126,8 +128,7 @@ def respelled_pair(random: Prng) -> RingPair:
 
     Any vertex may be the first.
     """
-    generatrix, directrix = (_respell(random, ring) for ring in grid_pair(random))
-    return generatrix, directrix
+    return [_respell(random, ring) for ring in grid_pair(random)]
 
 
 def _on_grid(random: Prng) -> Ring:

@@ -14,7 +14,7 @@ to go a quarter turn from t = 0 to t = 1, nor to an end that is itself a rationa
 
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, starmap
 from math import isqrt
 
 from exactsweep.formats.curved.affine import Affine
@@ -137,7 +137,7 @@ def require_sharp(image: Affine, points: Sequence[Point], reading: Reading) -> N
 def place_points(points: Sequence[Point], image: Affine, reading: Reading) -> list[Point]:
     """Map points, exactly, or rounded as `round_points` does where the map is irrational."""
     require_sharp(image, points, reading)
-    found = [image.point(*point) for point in points]
+    found = [*starmap(image.point, points)]
     return round_points(found, reading.allow_curve()) if image.off else found
 
 

@@ -25,12 +25,13 @@ from exactsweep.formats.curved.join import OpenLine, gather
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.point import Point
 
 # Entities without an outline: fillings, which repeat one, and lines without an end.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
-_FULL = Fraction(360)
+_FULL, _ZERO = Fraction(360), Fraction(0)
 _PointReader = Callable[[], Sequence[Point]]
 
 
@@ -68,9 +69,15 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
 
 
 def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
-    place, layer = placed.place, placed.layer
+    place, layer, kind = placed.place, placed.layer, placed.entity.kind
     try:
-        drawn = _read(placed, reading)
+        if placed.fault:
+            raise FormatError(placed.fault)
+        if kind in _ORNAMENTS:
+            raise OrnamentError("no outline")
+        if kind not in _READERS:
+            raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
+        drawn = _READERS[kind](placed.entity, placed.image, reading)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
@@ -81,63 +88,54 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
     return OpenLine(place, ends, points, drawn.shape, drawn.is_exact, layer=layer)
 
 
-def _read(placed: PlacedEntity, reading: Reading) -> _Drawn:
-    if placed.fault:
-        raise FormatError(placed.fault)
-    if placed.entity.kind in _ORNAMENTS:
-        raise OrnamentError("no outline")
-    reader = _READERS.get(placed.entity.kind)
-    if reader is None:
-        raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
-    return reader(placed.entity, placed.image, reading)
-
-
 def _name_place(place: str, points: _PointReader) -> Sequence[Point]:
-    try:
+    with name_refusals(place):
         return points()
-    except FormatError as error:
-        raise FormatError(f"{place}: {error}") from None
 
 
 def _read_line(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
-    entity.require_level(reading, 30, 31)
-    corners = [(entity.point(code), Fraction(0)) for code in (10, 11)]
-    return _open(corners, image, reading)
+    reading.require_level(entity.take(30, 31, default=0))
+    x, y, u, v = entity.take(10, 20, 11, 21)
+    return _open([Point(x, y), Point(u, v)], [], image, reading)
 
 
 def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     if entity.kind == "LWPOLYLINE":
-        corners = entity.corners()
+        points, bulges = entity.corners()
     elif entity.flags() & _MESH:
         raise FormatError("a mesh")
     else:
-        corners = entity.vertex_corners(reading)
+        points, bulges = entity.vertex_corners(reading)
     if entity.kind == "LWPOLYLINE" or not entity.flags() & _IN_SPACE:
         image = image @ entity.plane
-    if all(corner == corners[0][0] for corner, _ in corners):
+    if all(point == points[0] for point in points):
         raise OrnamentError("a point")
-    first, last = corners[0][0], corners[-1][0]
     if entity.flags() & _CLOSED:
-        corners.append((first, Fraction(0)))
-    elif first != last:
-        return _open(corners, image, reading)
-    return _Drawn(partial(_follow, corners, image, reading))
+        points.append(points[0])
+    elif points[0] != points[-1]:
+        return _open(points, bulges, image, reading)
+    return _Drawn(partial(_follow, points, bulges, image, reading))
 
 
-def _open(corners: Sequence[tuple[Point, Fraction]], image: Affine, reading: Reading) -> _Drawn:
-    ends = place_points([corners[0][0], corners[-1][0]], image, reading)
-    shape = tuple(corners) if len(corners) > 2 or corners[0][1] else ()
-    return _Drawn(partial(_follow, corners, image, reading), ends, shape, not image.off)
+def _open(
+    points: Sequence[Point], bulges: Sequence[Fraction], image: Affine, reading: Reading
+) -> _Drawn:
+    ends = place_points([points[0], points[-1]], image, reading)
+    shape = (*points, *bulges) if len(points) > 2 or any(bulges[:1]) else ()
+    return _Drawn(partial(_follow, points, bulges, image, reading), ends, shape, not image.off)
 
 
 def _follow(
-    corners: Sequence[tuple[Point, Fraction]], image: Affine, reading: Reading
+    points: Sequence[Point], bulges: Sequence[Fraction], image: Affine, reading: Reading
 ) -> list[Point]:
     """Go along a polyline; a bulge is the tangent of a fourth of the angle of an arc."""
-    placed = place_points([corner for corner, _ in corners], image, reading)
+    placed = place_points(points, image, reading)
+    if not any(bulges):
+        return placed
     found: list[Point] = []
-    for k, ((start, bulge), (end, _)) in enumerate(pairwise(corners)):
+    for k, (start, end) in enumerate(pairwise(points)):
         found.append(placed[k])
+        bulge = bulges[k]
         if bulge and start != end:
             center = find_arc_center(start, end, (1 - bulge * bulge) / (2 * bulge))
             found += flatten_arc(center, start, end, bulge > 0, image, reading)[1:-1]
@@ -151,14 +149,13 @@ def _read_circle(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
         raise FormatError("the radius is not positive")
     image = image @ entity.plane @ make_affine(radius, 0, 0, radius, *center)
     if entity.kind == "CIRCLE":
-        return _turn(image, Fraction(0), _FULL, reading)
+        return _turn(image, _ZERO, _FULL, reading)
     return _turn(image, entity.number(50), entity.number(51), reading)
 
 
 def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.allow_curve()
-    if not reading.is_level([Fraction(0), entity.number(31, 0)]):
-        raise FormatError("not level: an axis rises")
+    reading.require_level([_ZERO, entity.number(31, 0)])
     center, (x, y), ratio = entity.point(10), entity.point(11), entity.number(40)
     if not (x or y) or not ratio:
         raise FormatError("an axis has no length")
@@ -175,7 +172,7 @@ def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _D
     gap = min(span, _FULL - span) / 50  # no less than in radians
     seen = 16 * gap * (1 + sum(map(abs, image[:4]))) > reading.allow_curve()
     if start == end or (abs(end - start) > _FULL / 2 and not seen):
-        first = Point(Fraction(1), Fraction(0))
+        first = Point(Fraction(1), _ZERO)
         return _Drawn(partial(Arc(image, first, first).flatten, reading))
     arc = make_arc(image, start, end, reading)
     return _Drawn(partial(arc.flatten, reading), arc.ends, arc, is_exact=False)
@@ -183,8 +180,8 @@ def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _D
 
 def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.allow_curve()
-    entity.require_level(reading, 30 if entity.numbers(10) else 31)
     points = entity.points(10)
+    reading.require_level(entity.numbers(30 if points else 31))
     if points:
         weights = entity.numbers(41)
         plain = weights if any(weight != 1 for weight in weights) else []
@@ -202,10 +199,10 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
 
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     """Read a filled triangle or quadrangle, whose last two corners are the wrong way round."""
-    entity.require_level(reading, 30, 31, 32, 33)
+    reading.require_level(entity.take(30, 31, 32, 33, default=0))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
-    corners = [(entity.point(code), Fraction(0)) for code in (*codes, 10)]
-    return _Drawn(partial(_follow, corners, image @ entity.plane, reading))
+    corners = [entity.point(code) for code in (*codes, 10)]
+    return _Drawn(partial(_follow, corners, [], image @ entity.plane, reading))
 
 
 _READERS: dict[str, Callable[[Entity, Affine, Reading], _Drawn]] = {

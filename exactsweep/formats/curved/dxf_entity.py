@@ -8,12 +8,13 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
-from exactsweep.formats.decimals import read_decimal
+from exactsweep.formats.decimals import read_each
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.number import quote, to_fraction
+from exactsweep.numbers.point import Point, make_points
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
@@ -28,13 +29,6 @@ _LONG = 40
 _GROUP = 4
 FROZEN = "frozen"
 """Why a layer does not show, and no block that is put on it."""
-
-
-def require_level(reading: Reading, heights: Iterable[Fraction]) -> None:
-    """Refuse points at different heights above the plane."""
-    if not reading.is_level(heights):
-        allowed = "" if reading.join else " (--join allows a distance)"
-        raise FormatError(f"not level: its points are at different heights{allowed}")
 
 
 Tags = Sequence[tuple[int, str]]
@@ -83,12 +77,12 @@ class Entity:
     def number(self, code: int, default: int | None = None) -> Fraction:
         """Return the number with a group code; refuse if it is missing without a default."""
         if default is not None and code not in self.values:
-            return Fraction(default)
-        return _read_group(code, self._text(code, None))
+            return to_fraction(default)
+        return _read_group(code, [self._text(code, None)])[0]
 
     def point(self, code: int) -> Point:
         """Return the point whose x has a group code, and its y that code plus ten."""
-        return Point(self.number(code), self.number(code + 10))
+        return Point(*self.take(code, code + 10))
 
     def flags(self) -> int:
         """Return the bits of group 70."""
@@ -103,18 +97,21 @@ class Entity:
 
     def numbers(self, code: int) -> list[Fraction]:
         """Return all numbers with a group code."""
-        return [_read_group(code, value) for own, value in self.tags if own == code]
+        return _read_group(code, [value for own, value in self.tags if own == code])
 
     def points(self, code: int) -> list[Point]:
         """Return all points whose x has a group code."""
         xs, ys = self.numbers(code), self.numbers(code + 10)
         if len(xs) != len(ys):
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
-        return [*map(Point, xs, ys)]
+        return make_points(xs, ys)
 
-    def require_level(self, reading: Reading, *codes: int) -> None:
-        """Refuse points at different heights above the plane; one that is not there is 0."""
-        require_level(reading, [z for code in codes for z in self.numbers(code) or [Fraction(0)]])
+    def take(self, *codes: int, default: int | None = None) -> list[Fraction]:
+        """Return the numbers with several group codes, as `number` does each."""
+        try:
+            return read_each([self.values.get(code, str(default)) for code in codes])
+        except ValueError:
+            return [self.number(code, default) for code in codes]
 
     @property
     def plane(self) -> Affine:
@@ -131,30 +128,26 @@ class Entity:
         """The name in group 2."""
         return self._text(_NAME, None)
 
-    def corners(self) -> list[tuple[Point, Fraction]]:
-        """Return the vertices of an LWPOLYLINE, each with the bulge of the edge that follows."""
-        bulges: dict[int, Fraction] = {}
+    def corners(self) -> tuple[list[Point], list[Fraction]]:
+        """Return the vertices of an LWPOLYLINE, and the bulges of the edges that follow them."""
+        points = self.points(10)
+        # The last one is for a bulge before all points.
+        bulges = [Fraction(0)] * (len(points) + 1)
         place = -1
         for code, value in self.tags:
             place += code == 10
             if code == _BULGE:
-                bulges[place] = _read_group(_BULGE, value)
-        zero = Fraction(0)
-        return [(point, bulges.get(k, zero)) for k, point in enumerate(self.points(10))]
+                (bulges[place],) = _read_group(_BULGE, [value])
+        return points, bulges[:-1]
 
-    def vertex_corners(self, reading: Reading) -> list[tuple[Point, Fraction]]:
+    def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
-        found, heights = [], []
-        for vertex in self.vertices:
-            try:
-                # The frame of a fitted curve is not drawn.
-                if not vertex.flags() & _FRAME:
-                    found.append((vertex.point(10), vertex.number(_BULGE, 0)))
-                    heights.append(vertex.number(30, 0))
-            except ValueError as error:
-                raise FormatError(f"{vertex.place}: {error}") from None
-        require_level(reading, heights)
-        return found
+        flags = _read_column(self.vertices, _FLAGS, 0)
+        # The frame of a fitted curve is not drawn.
+        drawn = [v for v, bits in zip(self.vertices, flags, strict=True) if not int(bits) & _FRAME]
+        points = make_points(_read_column(drawn, 10), _read_column(drawn, 20))
+        reading.require_level(_read_column(drawn, 30, 0))
+        return points, _read_column(drawn, _BULGE, 0)
 
     def _text(self, code: int, default: str | None) -> str:
         value = self.values.get(code, default)
@@ -237,27 +230,29 @@ def _read_sections(text: str) -> dict[str, list[Entity]]:
 def _divide(text: str) -> Iterator[Entity]:
     """Divide a text into entities; a line has a group code, the next one its value."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    tags: list[tuple[int, str]] = []
-    start = count = 0
-    for k, (word, value) in enumerate(zip(lines[::2], lines[1::2], strict=False)):
-        try:
-            code = int(word)
-        except ValueError:
-            shown = quote(word)
-            raise FormatError(f"not DXF: line {2 * k + 1}: {shown} is no group code") from None
-        if code == 0:
-            if tags:
-                yield Entity(tags, start)
-            count += 1
-            # Vertices of old polylines among them.
-            require_count(count, ENTITY, "entities")
-            tags, start = [(0, value)], 2 * k + 2
-            if value.strip() == "EOF":
-                break
-        elif code != _COMMENT and tags:
-            tags.append((code, value))
-    if tags:
-        yield Entity(tags, start)
+    words, values = lines[::2], lines[1::2]
+    codes: list[int] = []
+    try:
+        for word in words[: len(values)]:
+            codes.append(int(word))
+    except ValueError:
+        # The end of the file may come first.
+        words = words[: len(codes) + 1]
+    has_comments = _COMMENT in codes
+    starts = [k for k, code in enumerate(codes) if code == 0]
+    # Vertices of old polylines among them.
+    require_count(len(starts), ENTITY, "entities")
+    for start, end in pairwise([*starts, len(codes)]):
+        is_last = values[start].strip() == "EOF"
+        if end == len(codes) < len(values) and not is_last:
+            place = f"line {2 * end + 1}: {quote(words[end])}"
+            raise FormatError(f"not DXF: {place} is no group code")
+        tags = [*zip(codes[start:end], values[start:end], strict=True)]
+        if has_comments:
+            tags = [tag for tag in tags if tag[0] != _COMMENT]
+        yield Entity(tags, 2 * start + 2)
+        if is_last:
+            break
 
 
 def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
@@ -302,8 +297,21 @@ def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
     return None
 
 
-def _read_group(code: int, text: str) -> Fraction:
+def _read_group(code: int, texts: Sequence[str]) -> list[Fraction]:
+    with name_refusals(f"group {code}", FormatError):
+        return read_each(texts)
+
+
+def _read_column(
+    entities: Sequence[Entity], code: int, default: int | None = None
+) -> list[Fraction]:
+    """Read the number with a group code of each entity; a refusal names the entity."""
+    texts = [entity.values.get(code, str(default)) for entity in entities]
     try:
-        return read_decimal(text.strip())
-    except ValueError as error:
-        raise FormatError(f"group {code}: {error}") from None
+        return read_each(texts)
+    except ValueError:
+        found = []
+        for entity in entities:
+            with name_refusals(entity.place):
+                found.append(entity.number(code, default))
+        return found

@@ -42,14 +42,15 @@ class OpenLine(NamedTuple):
 
 
 class _Joined(NamedTuple):
-    """A line, and the joints that its ends are moved to."""
+    """A line, and the joints that its ends are moved to: their numbers and places."""
 
     line: OpenLine
-    joints: tuple[Point, Point]
+    joints: tuple[int, int]
+    ends: tuple[Point, Point]
 
     def points(self) -> list[Point]:
-        first, last = self.joints
-        return [first, *self.line.points()[1:-1], last]
+        first, last = self.ends
+        return [first, *(self.line.points()[1:-1] if self.line.shape else ()), last]
 
 
 def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Candidate]:
@@ -87,28 +88,24 @@ def join(lines: Sequence[OpenLine], reading: Reading) -> Iterator[tuple[int, Can
     """
     layer = lines[0].layer
     joints = Joints(reading.join or Fraction(0))
-    exact = {end: joints.find(end) for line in lines if line.is_exact for end in line.ends}
+    exact = [[*map(joints.find, line.ends)] if line.is_exact else [] for line in lines]
     if reading.tolerance is not None:
         reach = max(reading.tolerance / 4, joints.reach)
-        joints = Joints(reach, dict.fromkeys(exact.values()), reading.tolerance)
-    found: dict[tuple[frozenset[Point], Hashable], _Joined] = {}
-    lost: defaultdict[Point, list[OpenLine]] = defaultdict(list)
-    for line in lines:
+        joints = Joints(reach, joints.points, reading.tolerance)
+    found: dict[tuple[frozenset[int], Hashable], _Joined] = {}
+    lost: defaultdict[int, list[OpenLine]] = defaultdict(list)
+    for line, ends in zip(lines, exact, strict=True):
         try:
-            if line.is_exact:
-                ends = exact[line.ends[0]], exact[line.ends[1]]
-            else:
-                ends = joints.find(line.ends[0]), joints.find(line.ends[1])
-            if ends[0] != ends[1]:
-                key = frozenset(ends), line.shape
-                same = found.setdefault(key, _Joined(line, ends)).line
-                if {*same.ends} != {*line.ends}:
-                    lost[ends[0]].append(line)
+            i, k = ends or map(joints.find, line.ends)
+            joined = _Joined(line, (i, k), (joints.points[i], joints.points[k]))
+            if i != k:
+                same = found.setdefault((frozenset((i, k)), line.shape), joined).line
+                if same is not line and sorted(same.ends) != sorted(line.ends):
+                    lost[i].append(line)
             elif _is_long(line, 4 * joints.reach):
-                joined = _Joined(line, ends)
                 yield line.order, Candidate(line.place, joined.points, line.name, layer)
             elif line.ends[0] != line.ends[1]:
-                lost[ends[0]].append(line)
+                lost[i].append(line)
         except FormatError as error:
             yield line.order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
     passed = {joint for line in found.values() for joint in line.joints}
@@ -138,62 +135,78 @@ class Joints:
         reach: how far an end may be moved.
         known: joints that there are from the start.
         tolerance: new ones are rounded as `round_points` does; None not to round them.
+
+    Attributes:
+        points: the joints.
     """
 
     def __init__(
         self, reach: Fraction, known: Iterable[Point] = (), tolerance: Fraction | None = None
     ) -> None:
         self.reach, self.tolerance = reach, tolerance
-        self.cells: defaultdict[tuple[object, object], list[Point]] = defaultdict(list)
+        self.points: list[Point] = []
+        self._cells: defaultdict[tuple[object, object], list[int]] = defaultdict(list)
+        # Ints are hashed in a tenth of the time of Fractions.
+        self._found: dict[tuple[int, ...], int] = {}
         for joint in known:
-            self.cells[self._cell(joint)].append(joint)
+            self._add(joint)
 
-    def find(self, end: Point) -> Point:
-        """Return the closest joint within reach; if there is none, make one."""
-        if not self.reach:
-            return end
+    def find(self, end: Point) -> int:
+        """Return the number of the closest joint within reach; if there is none, make one."""
+        key = end.x.numerator, end.x.denominator, end.y.numerator, end.y.denominator
+        if key not in self._found:
+            self._found[key] = self._find_closest(end) if self.reach else self._add(end)
+        return self._found[key]
+
+    def _find_closest(self, end: Point) -> int:
         x, y = self._cell(end)
-        close = [
-            j for i in (-1, 0, 1) for k in (-1, 0, 1) for j in self.cells.get((x + i, y + k), ())
-        ]
+        cells = (self._cells.get((x + i, y + k), ()) for i in (-1, 0, 1) for k in (-1, 0, 1))
+        close = [joint for cell in cells for joint in cell]
         if len(close) > _MAX_CROWD:
             raise FormatError(
                 f"more than {_MAX_CROWD} ends within reach of the end {write_pair(end)}"
             )
-        near = [((j.x - end.x) ** 2 + (j.y - end.y) ** 2, j) for j in close]
-        near = [(square, j) for square, j in near if square <= self.reach**2]
-        if near:
-            return min(near)[1]
+        near = [
+            ((p.x - end.x) ** 2 + (p.y - end.y) ** 2, p, k) for k in close for p in [self.points[k]]
+        ]
+        square, _, closest = min(near, default=(self.reach**2 + 1, end, -1))
+        if square <= self.reach**2:
+            return closest
         if self.tolerance is not None:
             (end,) = round_points([end], self.tolerance)
-        self.cells[self._cell(end)].append(end)
-        return end
+        return self._add(end)
+
+    def _add(self, joint: Point) -> int:
+        if self.reach:
+            self._cells[self._cell(joint)].append(len(self.points))
+        self.points.append(joint)
+        return len(self.points) - 1
 
     def _cell(self, point: Point) -> tuple[int, int]:
         return point.x // self.reach, point.y // self.reach
 
 
 def _outlines(
-    lines: Sequence[_Joined], layer: str | None, lost: Container[Point], reading: Reading
+    lines: Sequence[_Joined], layer: str | None, lost: Container[int], reading: Reading
 ) -> Iterator[tuple[int, Candidate]]:
-    at: defaultdict[Point, list[int]] = defaultdict(list)
+    at: defaultdict[int, list[int]] = defaultdict(list)
     for k, line in enumerate(lines):
         for joint in line.joints:
             at[joint].append(k)
     seen: set[int] = set()
-    passed: set[Point] = set()
+    passed: set[int] = set()
     for first in range(len(lines)):
         if first in seen:
             continue
         together, fault = [first], ""
         seen.add(first)
         for k in together:
-            for joint in lines[k].joints:
+            for joint, end in zip(lines[k].joints, lines[k].ends, strict=True):
                 # Each joint once: there may be very many lines at one.
                 if joint in passed:
                     continue
                 passed.add(joint)
-                fault = fault or _fault(lines[k].line, joint, len(at[joint]), reading)
+                fault = fault or _fault(lines[k].line, end, len(at[joint]), reading)
                 new = [other for other in at[joint] if other not in seen]
                 seen.update(new)
                 together += new
@@ -220,7 +233,7 @@ def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
 
 def _walk(lines: Sequence[_Joined]) -> list[Point]:
     """Walk along lines, each of whose ends meets one other, back to the start."""
-    at: defaultdict[Point, list[_Joined]] = defaultdict(list)
+    at: defaultdict[int, list[_Joined]] = defaultdict(list)
     for line in lines:
         for joint in line.joints:
             at[joint].append(line)

@@ -14,9 +14,9 @@ from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, gather
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
-from exactsweep.formats.curved.svg_style import Style, name_kind
+from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
-from exactsweep.formats.decimals import count_decimals, read_decimals
+from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 _GROUPS = {"svg", "g", "a"}
 _CONDITIONS = {"requiredExtensions", "requiredFeatures", "systemLanguage"}
 _INVISIBLE = ("hidden", "collapse")
-_LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 MAX_DEPTH = 32
 """The greatest depth of nested uses."""
@@ -104,7 +103,7 @@ class _Document:
         elements = list(root.iter())
         self.by_id = {e.attrib["id"]: e for e in reversed(elements) if "id" in e.attrib}
         self.used = 0
-        linked = {e.get(link, "").removeprefix("#") for e in elements for link in _LINKS}
+        linked = {find_link(e).removeprefix("#") for e in elements}
         # Definitions that nothing draws.
         self.spare = {
             child
@@ -149,7 +148,7 @@ class _Document:
             yield placed
 
     def _follow_use(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
-        link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
+        link = find_link(placed.element)
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
             # The target is missing. The reader of shapes reports it.
@@ -209,10 +208,7 @@ def _name(shape: PlacedElement) -> str | None:
 def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     text = shape.element.get("points", "")
     reading.allow_vertices(count_decimals(text) // 2)
-    numbers = read_decimals(text)
-    if len(numbers) % 2:
-        raise FormatError("points: an odd number of coordinates")
-    points = [Point(*pair) for pair in zip(numbers[::2], numbers[1::2], strict=True)]
+    points = read_points(text)
     if not points:
         raise FormatError("points: none")
     if name_kind(shape.element) == "polygon":

@@ -2,7 +2,9 @@
 
 import re
 from collections.abc import Callable
+from contextlib import suppress
 from fractions import Fraction
+from itertools import accumulate
 from math import ceil
 from typing import NoReturn
 
@@ -15,19 +17,23 @@ from exactsweep.formats.curved.curves import (
     flatten_bezier,
     place_points,
 )
-from exactsweep.formats.decimals import DECIMAL, read_decimal
+from exactsweep.formats.decimals import DECIMAL, read_decimal, read_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.number import NumberError, quote
-from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.geometry.lattice import to_lattice
+from exactsweep.numbers.number import NumberError, divide_all, quote
+from exactsweep.numbers.point import ORIGIN, Point, make_points
 
 _GAP = re.compile(r"[\s,]*")
 _NUMBER = re.compile(rf"[\s,]*({DECIMAL})")
+# The pairs of lines, between which the command may be repeated; not more at a time, so that
+# vertices are counted before there are too many.
+_PAIR = rf"[\s,]*+{DECIMAL}[\s,]*+{DECIMAL}"
+_LINES = {letter: re.compile(rf"(?:[\s,]*+{letter}?+{_PAIR}){{1,4096}}+") for letter in "Ll"}
 _FLAG = re.compile(r"[\s,]*([01])")
 # The arguments of each command: coordinates, numbers, and flags.
-_ARGUMENTS = {"M": "xy", "L": "xy", "H": "x", "V": "y", "C": "xyxyxy", "S": "xyxy"}
+_ARGUMENTS = {"M": "", "L": "", "H": "x", "V": "y", "C": "xyxyxy", "S": "xyxy"}
 _ARGUMENTS |= {"Q": "xyxy", "T": "xy", "A": "nnnffxy", "Z": ""}
-_LINES = str.maketrans("Mm", "Ll")
 
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[list[Point]]:
@@ -83,7 +89,7 @@ class _Path:
                 self._refuse("the path does not begin with M", start)
             elif not self.found[-1] and kind != "Z":
                 # After Z, the next subpath begins where the last one did.
-                self._line(self.current)
+                self._add([self.current])
             self._draw(kind, start)
         found = [line for line in self.found if line]
         if not found:
@@ -91,8 +97,11 @@ class _Path:
         return found
 
     def _draw(self, kind: str, start: int) -> None:
-        """Read the arguments of a command, and draw it."""
+        """Read the arguments of a command, and draw it; those of all lines after it at once."""
         before, (kinds, control) = self.current, self.control
+        if kind in "ML":
+            self._draw_lines(kind)
+            return
         values = [self._argument(sort) for sort in _ARGUMENTS[kind]]
         points = [Point(*pair) for pair in zip(values[::2], values[1::2], strict=False)]
         self.control = ("", before)
@@ -102,55 +111,65 @@ class _Path:
             self.found.append([])
             self.current = self.start
         elif kind == "H":
-            self._line(Point(values[0], before.y))
+            self._add([Point(values[0], before.y)])
         elif kind == "V":
-            self._line(Point(before.x, values[0]))
+            self._add([Point(before.x, values[0])])
         elif kind == "A":
-            self._arc(values, start)
-        elif kind in "ML":
-            self._line(points[0])
-            if kind == "M":
-                self.start = self.current
-            # Further pairs after M are lines.
-            self.command = self.command.translate(_LINES)
+            rx, ry, angle, large, left = values[:5]
+            end = Point(*values[5:])
+            if rx and ry and end != before:
+                angle = angle if abs(rx) != abs(ry) else Fraction(0)
+                shape = (abs(rx), abs(ry)), angle, (bool(large), bool(left))
+                self._curve(end, start, flatten_elliptic_arc, (before, end), *shape)
+            else:
+                self._add([end])
         else:
             if kind in "ST":
                 smooth = Point(2 * before.x - control.x, 2 * before.y - control.y)
                 points.insert(0, smooth if kind in kinds else before)
-            curve = [before, *points]
-            self._curve(curve[-1], lambda: flatten_bezier(curve, self.matrix, self.reading), start)
-            self.control = ("CS" if kind in "CS" else "QT", curve[-2])
+            self._curve(points[-1], start, flatten_bezier, [before, *points])
+            self.control = ("CS" if kind in "CS" else "QT", points[-2])
 
-    def _line(self, end: Point) -> None:
-        self.reading.allow_vertices(1)
-        self.current = end
-        if self.matrix.off:
-            self.found[-1] += place_points([end], self.matrix, self.reading)
-        else:
-            self.found[-1].append(self.matrix.point(*end))
+    def _draw_lines(self, kind: str) -> None:
+        # Further pairs after M are lines.
+        self.command = "L" if self.command.isupper() else "l"
+        ends = self._read_pairs(self.command)
+        if self.command == "l":
+            scale, steps = to_lattice(*zip(self.current, *ends, strict=True))
+            columns = (accumulate(column) for column in zip(*steps, strict=True))
+            ends = make_points(*(divide_all(column, scale) for column in columns))[1:]
+        if kind == "M":
+            self.start = ends[0]
+        self._add(ends)
+        self.control = ("", ORIGIN)
 
-    def _curve(self, end: Point, flat: Callable[[], list[Point]], start: int) -> None:
+    def _read_pairs(self, letter: str) -> list[Point]:
+        run = _LINES[letter].match(self.data, self.place)
+        if run:
+            with suppress(NumberError):
+                points = read_points(run[0].replace(letter, " "))
+                self.place = run.end()
+                return points
+            self.data = self.data.replace(letter, " ")
+        # A number is missing or too long.
+        while True:
+            self._argument("n")
+
+    def _add(self, ends: list[Point]) -> None:
+        self.reading.allow_vertices(len(ends))
+        self.current = ends[-1]
+        self.found[-1] += place_points(ends, self.matrix, self.reading)
+
+    def _curve(
+        self, end: Point, start: int, flatten: Callable[..., list[Point]], *shape: object
+    ) -> None:
         try:
-            found = flat()
+            found = flatten(*shape, self.matrix, self.reading)
         except FormatError as error:
             self._refuse(str(error), start)
         self.reading.allow_vertices(len(found))
         self.found[-1] += found[1:]
         self.current = end
-
-    def _arc(self, values: list[Fraction], start: int) -> None:
-        rx, ry, angle, large, left, x, y = values
-        ends, radii = (self.current, Point(x, y)), (abs(rx), abs(ry))
-        if not rx or not ry or ends[0] == ends[1]:
-            self._line(ends[1])
-            return
-        angle = angle if radii[0] != radii[1] else Fraction(0)
-        flags = bool(large), bool(left)
-        self._curve(
-            ends[1],
-            lambda: flatten_elliptic_arc(ends, radii, angle, flags, self.matrix, self.reading),
-            start,
-        )
 
     def _argument(self, sort: str) -> Fraction:
         """Read a number; of a small letter, a coordinate counts from the current point."""

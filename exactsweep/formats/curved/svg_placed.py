@@ -13,6 +13,7 @@ from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import UNITS, Reading
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import quote
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ class PlacedElement:
         """The map of the element's coordinates to those of the drawing."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
         attributes = self.element.attrib
-        try:
+        with name_refusals(self.place, FormatError):
             styled = self._style and self._style.find(self.element, "transform")
             if "transform" in attributes.get("style", "") or (
                 styled and styled != attributes.get("transform")
@@ -89,8 +90,6 @@ class PlacedElement:
                 at = make_affine(1, 0, 0, 1, self.length("x"), self.length("y"))
                 return compose(product, at)
             return compose(product, self._view()) if name_kind(self.element) in _VIEWS else product
-        except ValueError as error:
-            raise FormatError(f"{self.place}: {error}") from None
 
     @cached_property
     def layer(self) -> str | None:
@@ -114,10 +113,8 @@ class PlacedElement:
         if text is None:
             raise FormatError(f"{name} is missing")
         number, unit = _split(text.strip())
-        try:
+        with name_refusals(name, FormatError):
             return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
-        except ValueError as error:
-            raise FormatError(f"{name}: {error}") from None
 
     def _whole(self, name: str) -> Fraction:
         """The length of which an attribute may be a percentage: a side of what is around."""

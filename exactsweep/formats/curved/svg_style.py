@@ -71,3 +71,8 @@ def name_kind(element: Element) -> str:
     """Return the name of an element of SVG."""
     # Comments and processing instructions have a function for a tag.
     return element.tag.removeprefix(SPACE) if isinstance(element.tag, str) else ""
+
+
+def find_link(element: Element) -> str:
+    """Return the reference of an element, such as "#part"; "" if it has none."""
+    return element.get("href", element.get("{http://www.w3.org/1999/xlink}href", ""))

@@ -62,14 +62,6 @@ def compose(outer: Affine, inner: Affine) -> Affine:
     return product
 
 
-def _translate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
-    return make_affine(1, 0, 0, 1, numbers[0], numbers[1] if len(numbers) > 1 else 0)
-
-
-def _scale(numbers: Sequence[Fraction], reading: Reading) -> Affine:
-    return make_affine(numbers[0], 0, 0, numbers[-1], 0, 0)
-
-
 def _rotate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     angle, *center = numbers
     turn = make_rotation(angle, reading)
@@ -79,8 +71,9 @@ def _rotate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     return make_affine(1, 0, 0, 1, x, y) @ turn @ make_affine(1, 0, 0, 1, -x, -y)
 
 
-def _tangent(angle: Fraction, reading: Reading) -> Affine:
+def _skew_x(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     """A map whose c is the tangent, within its `off`."""
+    (angle,) = numbers
     if angle % 45 == 0 and angle % 180 != 90:
         return make_affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)
     turn = make_rotation(angle, reading)
@@ -91,16 +84,16 @@ def _tangent(angle: Fraction, reading: Reading) -> Affine:
 
 
 def _skew_y(numbers: Sequence[Fraction], reading: Reading) -> Affine:
-    skew = _tangent(numbers[0], reading)
+    skew = _skew_x(numbers, reading)
     return skew._replace(b=skew.c, c=skew.b)
 
 
 _Make = Callable[[Sequence[Fraction], Reading], Affine]
 _FUNCTIONS: dict[str, tuple[_Make, tuple[int, ...]]] = {
-    "matrix": (lambda numbers, reading: Affine(*numbers), (6,)),
-    "translate": (_translate, (1, 2)),
-    "scale": (_scale, (1, 2)),
+    "matrix": (lambda numbers, _: Affine(*numbers), (6,)),
+    "translate": (lambda n, _: make_affine(1, 0, 0, 1, n[0], n[1] if n[1:] else 0), (1, 2)),
+    "scale": (lambda n, _: make_affine(n[0], 0, 0, n[-1], 0, 0), (1, 2)),
     "rotate": (_rotate, (1, 3)),
-    "skewX": (lambda numbers, reading: _tangent(numbers[0], reading), (1,)),
+    "skewX": (_skew_x, (1,)),
     "skewY": (_skew_y, (1,)),
 }

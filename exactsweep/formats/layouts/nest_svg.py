@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
 from exactsweep.formats.curved.svg import read_svg
-from exactsweep.formats.curved.svg_style import name_kind
+from exactsweep.formats.curved.svg_style import find_link, name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
@@ -34,7 +34,6 @@ _MOTION = re.compile(
     rf"\s*translate\(\s*({DECIMAL})(?:[\s,]+({DECIMAL}))?\s*\)"
     rf"(?:[\s,]*rotate\(\s*({DECIMAL})\s*\))?\s*"
 )
-_LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 _SHEET = "#00ff00"
 
 
@@ -80,7 +79,7 @@ def _jagua(
     for use in named["items"]:
         if name_kind(use) != "use":
             continue
-        link = next((use.attrib[name] for name in _LINKS if name in use.attrib), "")
+        link = find_link(use)
         name = link.removeprefix("#item_")
         if f"item_{name}" not in named:
             raise FormatError(f"line {line(use)}: use: no item {quote(link)}")

@@ -35,7 +35,7 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_any, is_bent, is_convex, search_grid
+from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import find_convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
@@ -84,8 +84,8 @@ def find_passing_events(effort: Effort) -> Evidence:
                 return f"at ({step.end.x}, {step.end.y}), in passing: {_name(contacts)}"
         return ""
 
-    found = search_grid(2, 7, is_convex, is_any, stuck)
-    parallel = search_grid(2, 7, is_convex, is_convex, _parallel_edges).against
+    found = search_grid(2, 7, "convex", "any", stuck)
+    parallel = search_grid(2, 7, "convex", "convex", _parallel_edges).against
     if found.against is None or parallel is None:
         return replace(found, failure="no events in passing, or no parallel edges of a convex G")
     text = f"{found.against.text}; besides, {parallel.text}"
@@ -134,7 +134,7 @@ def contact_moves_right(pair: SweepPair) -> str:
 
 def find_contact_moving_left(effort: Effort) -> Evidence:
     """Show that it takes a convex G."""
-    found = search_grid(2, 8, is_bent, is_any, contact_moves_right)
+    found = search_grid(2, 8, "bent", "any", contact_moves_right)
     if found.against is None:
         return replace(found, failure="no G that is not convex breaks it")
     _, _, g, d = found.against
@@ -258,11 +258,11 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
 
     def count(m: int, n: int) -> tuple[int, float]:
         top, _, directrix = SweepPair(*family(m, n)).chains
-        edges = make_counted(inverse(top))  # type: ignore[arg-type]
+        edges = make_counted(inverse(top))
         with watch_operations() as tally:
             pieces = [
                 Envelope.of(merge_by_slope(edges, part))
-                for part in find_convex_parts(make_counted(directrix))  # type: ignore[arg-type]
+                for part in find_convex_parts(make_counted(directrix))
             ]
             handed_in = sum(len(piece.pieces) for piece in pieces)
             partial, before = _watch_slots(pieces[0]), tally.total

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import product
+from importlib.resources import files
+from itertools import chain, product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import (
@@ -19,7 +21,13 @@ from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.functions import list_edges, no_fit_is_the_definition, show_fits, tell_fits
+from exactsweep.paper.functions import (
+    frame_around,
+    list_edges,
+    no_fit_is_the_definition,
+    show_fits,
+    tell_fits,
+)
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
 
@@ -33,21 +41,9 @@ ROOM = SweepPair(
     [(0, 0), (2, 0), (2, 2), (0, 2)],
     [(0, 0), (5, 0), (5, 5), (2, 5), (2, 4), (4, 4), (4, 1), (1, 1), (1, 5), (0, 5)],
 )
-# Containers for that square: of two square rooms with one position in common, and just as wide.
-ROOMS = [(0, 0), (4, 0), (4, 2), (6, 2), (6, 6), (2, 6), (2, 4), (0, 4)]
-SLOT = [(0, 0), (2, 0), (2, 5), (0, 5)]
-# A container with a defect, and a part that passes between its tip and the wall in one position.
-DIAMOND = [(0, -1), (1, 0), (0, 1), (-1, 0)]
-NARROW = Region([(0, 0), (12, 0), (12, 12), (0, 12)], [[(6, 2), (8, 4), (6, 6), (4, 4)]])
-# A plate with three defects; and three rooms in a row, with doors too narrow for the square.
-PLATE = Region(
-    [(0, 0), (20, 0), (20, 8), (0, 8)],
-    [[(x, 3), (x + 1, 3), (x + 1, 5), (x, 5)] for x in (4, 9, 14)],
-)
-FLAT = [
-    *[(0, 0), (3, 0), (3, 1), (4, 1), (4, 0), (7, 0), (7, 1), (8, 1), (8, 0), (11, 0)],
-    *[(11, 4), (8, 4), (8, 2), (7, 2), (7, 4), (4, 4), (4, 2), (3, 2), (3, 4), (0, 4)],
-]
+CONTAINERS = tomllib.loads(
+    files("exactsweep.paper.checks").joinpath("containers.toml").read_text(encoding="utf-8")
+)["container"]
 
 
 def loops_are_simple(pair: SweepPair) -> str:
@@ -165,20 +161,17 @@ def compare_inner_fits(container: Region | Ring, part: Ring) -> str:
 
 def inner_fit_is_in_a_frame(pair: SweepPair) -> str:
     """The inner fit is the inside of the no-fit polygon of a frame around the container."""
-    container = _enlarge(pair.directrix)
-    part = Polygon(pair.generatrix)
-    wide = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
-    (left, low), (right, high) = Polygon(container).bounding_box
-    left, low, right, high = left - wide, low - wide, right + wide, high + wide
-    frame = [(left, low), (right, low), (right, high), (left, high)]
-    around = no_fit_polygon(Region(frame, [container]), part)
+    container, part = Polygon(_enlarge(pair.directrix)), Polygon(pair.generatrix)
+    frame = frame_around(container, part)
+    around = no_fit_polygon(frame, part)
     found = inner_fit_polygon(container, part)
     if around.holes != tuple(region.exterior for region in found.regions):
         return "the holes of the frame's no-fit polygon are not the regions of the inner fit"
 
     def is_inside(t: Point) -> bool:
         """Decide whether the part stands inside the frame, and not around one of its corners."""
-        (a, b), (c, d) = part.translated(t).bounding_box
+        boxes = frame.bounding_box, part.translated(t).bounding_box
+        (left, low), (right, high), (a, b), (c, d) = chain(*boxes)
         return left < a and low < b and c < right and d < high
 
     if tuple(fit for fit in around.exact_fits if is_inside(fit[0])) != found.exact_fits:
@@ -193,20 +186,15 @@ def _enlarge(ring: Ring) -> Ring:
 def find_touching_loops(effort: Effort) -> Evidence:
     """Show regions that touch in a point, loops of a region that do, defects and an exact fit."""
     failures = []
-    for container, part, holes, place in (
-        (ROOMS, ROOM.generatrix, [0, 0], (2, 2)),
-        (NARROW, DIAMOND, [1], (6, 1)),
-        (SLOT, ROOM.generatrix, [], (0, 0)),
-        (PLATE, DIAMOND, [3], None),
-        (FLAT, ROOM.generatrix, [0, 0, 0], None),
-    ):
+    for case in CONTAINERS:
+        container, part = Region(case["exterior"], case["defects"]), case["part"]
         found = inner_fit_polygon(container, part)
         loops = [loop for region in found.regions for loop in (region.exterior, *region.holes)]
         failures.append(compare_inner_fits(container, part))
-        if [len(region.holes) for region in found.regions] != holes:
+        if [len(region.holes) for region in found.regions] != case["holes"]:
             failures.append(f"{len(loops)} loops")
-        if place and any(point_in_polygon(place, loop) != 0 for loop in loops):
-            failures.append(f"a loop is off {place}")
+        if any(point_in_polygon(p, loop) != 0 for p in case["common"] for loop in loops):
+            failures.append(f"a loop is off {case['common']}")
         if len(found.exact_fits) != (not loops):
             failures.append(f"exact fits {show_fits(found.exact_fits)}")
     return Evidence("And 5 cases by hand.", find_first_failure(iter(failures)))

@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
-from exactsweep import Point, Polygon, Region, Sweep, sweep
+from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
+from exactsweep.check.piecewise import LinearPiece, PiecewiseLinear, mirror, take_least_sum
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.claim import (
     Counterexample,
     Effort,
     Evidence,
+    find_first_failure,
 )
-from exactsweep.paper.functions import evaluate, look_up, no_fit_is_the_definition, take_bottom
+from exactsweep.paper.functions import (
+    frame_around,
+    look_up,
+    no_fit_is_the_definition,
+    take_bottom,
+    tell_difference,
+)
 from exactsweep.paper.laws import break_law, shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_convex, search_grid
+from exactsweep.paper.tiny import search_grid
 
 # Points on an edge at which nothing begins or ends as a rule, and a step too short to matter.
 SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
@@ -111,11 +120,8 @@ def swept_by_contact(s: Sweep, p: Point) -> bool:
     outside of it nor wholly inside, which is outside of a frame around it.
     """
     inverse, path = s.generatrix.reflected(), s.trajectory
-    (left, low), (right, high) = path.bounding_box
-    size = sum(b - a for shape in (path, inverse) for a, b in zip(*shape.bounding_box, strict=True))
-    left, low, right, high = left - size, low - size, right + size, high + size
-    frame = Region([(left, low), (right, low), (right, high), (left, high)], [path])
-    return all(classify(shape, inverse, p).verdict != "FREE" for shape in (path, frame))
+    shapes = path, frame_around(path, inverse)
+    return all(classify(shape, inverse, p).verdict != "FREE" for shape in shapes)
 
 
 def area_is_covered(pair: SweepPair) -> str:
@@ -162,7 +168,7 @@ def find_overlap_along_directrix(effort: Effort) -> Evidence:
                 return f"with its vertex {reference_point} on ({x}, {y}), G overlaps D"
         return ""
 
-    found = search_grid(2, 6, is_convex, is_convex, overlaps)
+    found = search_grid(2, 6, "convex", "convex", overlaps)
     if found.against is None:
         return replace(found, failure="none of them overlap")
     text, _, *pair = found.against
@@ -181,30 +187,17 @@ def path_is_not_the_directrix(pair: SweepPair) -> str:
 
 def sum_is_the_swept_area(pair: SweepPair) -> str:
     """The Minkowski sum of G and T, evaluated as functions of x, has the loops of the sweep."""
-    s, (top, bottom, _) = sweep(*pair), pair.chains
-    path = take_bottom(s.trajectory.vertices)
-    for name, loop, chain, best in (
-        ("outer", s.outer, bottom, min),
-        ("inner", s.inner, top[::-1], max),
-    ):
-        for x, y in take_bottom(loop.vertices):
-            found = _sum(path, chain, Fraction(x), best)
-            if found != y:
-                return f"over {x} the sum of G and T is at {found}, the {name} loop at {y}"
-    return ""
-
-
-def _sum(
-    path: Sequence[Vertex],
-    chain: Sequence[Vertex],
-    x: Fraction,
-    best: Callable[[Iterable[Rational]], Rational],
-) -> Rational:
-    """The least or the greatest T(u) + G(x - u); either is at a vertex of T or of G."""
-    places = {Fraction(u) for u, _ in path} | {x - v for v, _ in chain}
-    left, right = x - chain[-1][0], x - chain[0][0]
-    return best(
-        evaluate(path, u) + evaluate(chain, x - u)
-        for u in places
-        if left <= u <= right and path[0][0] <= u <= path[-1][0]
+    s, (top, bottom, directrix) = sweep(*pair), pair.chains
+    path, low, high = map(_read_function, (take_bottom(s.trajectory.vertices), bottom, top[::-1]))
+    ends = directrix[0][0], directrix[-1][0]
+    outer = take_least_sum(path, low)
+    inner = mirror(take_least_sum(mirror(path), mirror(high), ends))
+    return find_first_failure(
+        tell_difference(f"the {name} loop", take_bottom(loop.vertices), chain, "as a sum")
+        for name, loop, pieces in (("outer", s.outer, outer), ("inner", s.inner, inner))
+        for chain in [[*(piece[:2] for piece in pieces), pieces[-1][2:]]]
     )
+
+
+def _read_function(chain: Sequence[Vertex]) -> PiecewiseLinear:
+    return tuple(LinearPiece(*p, *q) for p, q in pairwise(chain))

@@ -30,7 +30,7 @@ from exactsweep.paper.functions import (
     tell_difference,
 )
 from exactsweep.paper.pairs import SweepPair, draw_pairs
-from exactsweep.paper.tiny import is_convex, search, search_grid
+from exactsweep.paper.tiny import search, search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.monotone import LowerSweep
 
@@ -192,9 +192,7 @@ def vertices_belong_to_events(pair: SweepPair) -> str:
 
 def find_passing_vertices(effort: Effort) -> Evidence:
     """Try all convex pairs on a tiny grid, and all pairs of an apex and teeth on another."""
-    convex = search_grid(
-        2, 6 if effort.quick else 8, is_convex, is_convex, vertices_belong_to_events
-    )
+    convex = search_grid(2, 6 if effort.quick else 8, "convex", "convex", vertices_belong_to_events)
     found = search(_apexes_and_teeth(), vertices_belong_to_events, "of an apex and teeth")
     failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
     count = effort.cases(300)

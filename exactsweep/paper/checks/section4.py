@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from exactsweep import Point, sweep
 from exactsweep.check import classify, point_in_polygon
@@ -26,8 +26,7 @@ from exactsweep.paper.functions import (
     sample_between,
     take_bottom,
 )
-from exactsweep.paper.laws import Trial
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.pairs import SweepPair, draw_pairs
 from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
@@ -92,7 +91,7 @@ def few_undercuts(pair: SweepPair) -> str:
 
 
 def bottom_chains_have_two_forms(pair: SweepPair) -> str:
-    """Decide whether all undercuts have the form that goes with what closes them."""
+    """Closed in a point: a piece of G's boundary; along a segment: one edge, parallel to it."""
     s = sweep(*pair)
     failures = (_form(undercut, pair) for undercut in s.undercuts)
     return find_first_failure(failures) or undercuts_fill_the_inner_loop(pair)
@@ -108,24 +107,16 @@ def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
     return ""
 
 
-def check_two_forms(effort: Effort) -> Evidence:
-    """Compare the form of every undercut with the way in which it is closed."""
-    forms: Counter[str] = Counter()
-
-    def law(pair: SweepPair) -> str:
-        """Closed in a point: a piece of G's boundary; along a segment: one edge, parallel to it."""
-        forms.update(undercut.intersection for undercut in sweep(*pair).undercuts)
-        return bottom_chains_have_two_forms(pair)
-
-    trial = Trial(effort).of(law, "150 CM, 40 CM resting")
-    failure = trial.failure
-    if not failure and min(forms["point"], forms["segment"]) == 0:
-        failure = "one of the two forms is never seen"
-    tried = (
-        f"{trial.tried} Undercuts: {forms['point']} closed in a point, "
-        f"{forms['segment']} along a segment."
+def count_forms(effort: Effort) -> Evidence:
+    """Count the undercuts of each form."""
+    random = draw_pairs(effort, "CM", effort.cases(150))
+    resting = draw_pairs(effort, "CM", effort.cases(40), "resting")
+    swept = (sweep(*pair) for pair in chain(random, resting))
+    forms = Counter(undercut.intersection for s in swept for undercut in s.undercuts)
+    return Evidence(
+        f"Undercuts: {forms['point']} closed in a point, {forms['segment']} along a segment.",
+        "" if len(forms) == 2 else "one of the two forms is never seen",
     )
-    return Evidence(tried, failure, sampled=trial.sampled)
 
 
 def _form(undercut: Undercut, pair: SweepPair) -> str:

@@ -29,7 +29,7 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_any, is_bent, is_convex, search_grid
+from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
@@ -179,8 +179,8 @@ def find_missing_edge(effort: Effort) -> Evidence:
 
         return fails
 
-    found = search_grid(2, 6, is_convex, is_convex, lacks("inner"))
-    outer = search_grid(3, 8, is_bent, is_bent, lacks("outer"))
+    found = search_grid(2, 6, "convex", "convex", lacks("inner"))
+    outer = search_grid(3, 8, "bent", "bent", lacks("outer"))
     near = shrink(edges_are_near, NARROW)
     how = "by hand, made smaller as long as both edges are there and too near"
     failure = "" if outer.against else "no edge of an outer loop is missing"
@@ -251,9 +251,9 @@ def inside_of_the_outer_loop(pair: SweepPair) -> str:
 
 def find_path_inside(effort: Effort) -> Evidence:
     """Look for a pair of which G's path inside the outer loop is not the trajectory."""
-    convex = search_grid(2, 7, is_convex, is_convex, inside_of_the_outer_loop)
+    convex = search_grid(2, 7, "convex", "convex", inside_of_the_outer_loop)
     failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
-    found = search_grid(2, 7, is_convex, is_any, inside_of_the_outer_loop)
+    found = search_grid(2, 7, "convex", "any", inside_of_the_outer_loop)
     return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
 
 

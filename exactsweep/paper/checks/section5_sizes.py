@@ -36,7 +36,7 @@ from exactsweep.paper.counting import grow_pairs
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
 from exactsweep.paper.growth import MN, MN2, double
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_bent, search_grid
+from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import trajectory_mm
@@ -81,7 +81,7 @@ def window_is_full(segments: Sequence[Stroke]) -> tuple[str, list[str]]:
 
 def fill_windows(effort: Effort) -> Evidence:
     """Count the pieces of trajectories that hold many envelopes of segments."""
-    found = search_grid(3, 8, is_bent, is_bent, outgrows_its_parts)
+    found = search_grid(3, 8, "bent", "bent", outgrows_its_parts)
     results = [window_is_full(segments) for segments in BEST]
     table = Table(
         "Lower envelopes of s segments, the best that a search has found, and a trajectory, of "

@@ -22,6 +22,8 @@ from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_
 from exactsweep.paper.costs import INNER, STEPS
 from exactsweep.paper.counting import (
     PairFamily,
+    count_chains,
+    count_operations,
     grow_pairs,
     make_counted,
     watch_operations,
@@ -45,14 +47,13 @@ from exactsweep.procedures.mm import inner_mm, trajectory_mm
 def count_one_merge(effort: Effort) -> Evidence:
     """Count the operations of one merge, and merge all tiny chains."""
 
+    def merge(*chains: list[Vertex]) -> Envelope:
+        return lower_envelope_mm([Envelope.of(make_counted(chain)) for chain in chains])
+
     def count(m: int, n: int) -> tuple[int, float]:
         first = [(2 * k, (k % 2) * 10) for k in range(m)]
         second = [(2 * k, 6 - (k % 2)) for k in range(n)]
-        with watch_operations() as tally:
-            chains = [Envelope.of(make_counted(chain)) for chain in (first, second)]
-            merged = lower_envelope_mm(chains)
-            out = len(list(merged))
-        return tally.total + out, m + n
+        return count_operations(merge, first, second), m + n
 
     # Nothing but the ends keeps the counts from being in proportion.
     growth = grow("operations of one merge", "zigzags", "m + n", double(64, 4), count, limit=1.005)
@@ -100,7 +101,7 @@ def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool 
         top, _, directrix = SweepPair(*family(m, n)).chains
         with watch_operations() as tally:
             chains = [
-                trajectory_cm(make_counted(inverse(part)), make_counted(directrix))  # type: ignore[arg-type]
+                trajectory_cm(make_counted(inverse(part)), make_counted(directrix))
                 for part in find_convex_parts(inverse(top))
             ]
             size = sum(len(chain.pieces) for chain in chains)
@@ -203,11 +204,9 @@ def _inner_grows(
     """Operations beyond the trajectory, on a family that is touched almost everywhere."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Chains(*(make_counted(chain) for chain in SweepPair(*rim(m, n)).chains))  # type: ignore[arg-type]
+        chains = count_chains(rim, m, n)
         trajectory = trajectory_mm(*chains[::2])
-        with watch_operations() as tally:
-            out = len(inner(chains, trajectory))
-        return tally.total + out, bound[1](m, n)
+        return count_operations(inner, chains, trajectory), bound[1](m, n)
 
     return grow(f"operations of the inner boundary, {what}", rim.__name__, bound[0], sizes, count)
 

@@ -18,7 +18,7 @@ from itertools import pairwise
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.pairs import SweepPair
 
-Stroke = tuple[int, int, int, int]
+Stroke = Sequence[int]
 
 _DATA = json.loads(
     files("exactsweep.paper.checks").joinpath("segments.json").read_text(encoding="utf-8")
@@ -26,9 +26,7 @@ _DATA = json.loads(
 
 # The most pieces that a search by simulated annealing found for each number of segments; for up to
 # five that is as many as there can be at all, the longest Davenport-Schinzel sequence of order 3.
-BEST: tuple[tuple[Stroke, ...], ...] = tuple(
-    tuple((x0, y0, x1, y1) for x0, y0, x1, y1 in segments) for segments in _DATA["best"]
-)
+BEST: list[list[Stroke]] = _DATA["best"]
 FINE = 64
 
 # (m_b, n_t, n_b) = (2, 2, 2): 10, (2, 4, 4): 36, (2, 4, 6): 49

@@ -9,12 +9,12 @@ from exactsweep.numbers.point import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, weigh
-from exactsweep.paper.counting import make_counted, watch_operations
+from exactsweep.paper.counting import count_chains, count_operations, watch_operations
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, write_chain
-from exactsweep.paper.growth import Growth, double, grow
+from exactsweep.paper.growth import double, grow
 from exactsweep.paper.literal import split_at_reflex
-from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.paper.tiny import is_any, search_grid
+from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 
@@ -48,22 +48,15 @@ def inner_is_ready_before(pair: SweepPair) -> str:
 
 
 def count_step_3(effort: Effort) -> Evidence:
-    """Count the operations of SweepI_CM beyond the trajectory."""
-    return weigh("", grow_beyond_trajectory(effort))
-
-
-def grow_beyond_trajectory(effort: Effort) -> Growth:
-    """Operations of step 3 over close teeth."""
+    """Count the operations of SweepI_CM beyond the trajectory, over close teeth."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Chains(*(make_counted(chain) for chain in SweepPair(*cm_undercut(m, n)).chains))  # type: ignore[arg-type]
-        trajectory = trajectory_cm(chains.top, chains.directrix)
-        with watch_operations() as tally:
-            out = len(sweep_inner_cm(chains.top, chains.directrix, trajectory))
-        return tally.total + out, m * n
+        top, _, directrix = count_chains(cm_undercut, m, n)
+        trajectory = trajectory_cm(top, directrix)
+        return count_operations(sweep_inner_cm, top, directrix, trajectory), m * n
 
     sizes = double(16, 2 if effort.quick else 4)
-    return grow("operations of step 3", "cm_undercut", "mn", sizes, count)
+    return weigh("", grow("operations of step 3", "cm_undercut", "mn", sizes, count))
 
 
 def boundary_is_trajectory(pair: SweepPair) -> str:
@@ -85,7 +78,7 @@ def find_loops_apart(effort: Effort) -> Evidence:
             return ""
         return f"G = {known.generatrix} and D = {known.directrix} have them, too, and other loops"
 
-    return search_grid(2, 7, is_any, is_any, fails)
+    return search_grid(2, 7, "any", "any", fails)
 
 
 def generatrix_sweeps_again(pair: SweepPair) -> str:
@@ -122,7 +115,7 @@ def count_calls(effort: Effort) -> Evidence:
     """Count the operations of all calls of Trajectory_CC beside the edges of the trajectory."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Chains(*(make_counted(chain) for chain in SweepPair(*wide(m, n)).chains))  # type: ignore[arg-type]
+        chains = count_chains(wide, m, n)
         edges = len(keep_corners(trajectory_cm(*chains[::2]))) - 1
         with watch_operations() as tally:
             for part in split_at_reflex(chains.directrix):

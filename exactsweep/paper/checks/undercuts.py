@@ -23,14 +23,14 @@ from exactsweep.paper.costs import INNER
 from exactsweep.paper.counting import PairFamily, grow_pairs
 from exactsweep.paper.growth import MN2, Growth, double, grow
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_bent, search_grid
+from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.mm import sweep_mm
 from exactsweep.procedures.pockets import find_pockets
 
 
 def find_long_undercut(effort: Effort) -> Evidence:
     """Look for an undercut with more edges than G_t, and count the edges over needles."""
-    found = search_grid(3, 8, is_bent, is_bent, long_undercut)
+    found = search_grid(3, 8, "bent", "bent", long_undercut)
     last = 3 if effort.quick else 5
     growth = tuple(
         grow_pairs("vertices", "inner boundary", INNER, needles, MN2, sizes)

@@ -31,9 +31,9 @@ class PaperFigure(NamedTuple):
         sweeps: the sweeps drawn, each with the positions in which G is drawn.
     """
 
-    facts: Sequence[tuple[str, object]]
-    laws: Sequence[tuple[str, object, object]]
-    shapes: Mapping[str, Sequence[Any]]
+    facts: Sequence[tuple[str, object]] = ()
+    laws: Sequence[tuple[str, object, object]] = ()
+    shapes: Mapping[str, Sequence[Any]] = {}
     words: Mapping[str, Sequence[str]] = {}
     sweeps: Sequence[tuple[Sweep, Iterable[Vertex]]] = ()
 
@@ -45,6 +45,27 @@ class PaperFigure(NamedTuple):
         for name, found, expected in self.laws:
             if found != expected:
                 yield f"{name}: {found}, not {expected}"
+
+
+def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
+    """Join panels by their letters. The key "" has the rest of the figure, whose names stay.
+
+    >>> dict(join_panels({"a": PaperFigure(shapes={"top": [(0, 0)]})}).shapes)
+    {'a_top': [(0, 0)]}
+    """
+    facts, laws, sweeps = (
+        [one for panel in panels.values() for one in getattr(panel, part)]
+        for part in ("facts", "laws", "sweeps")
+    )
+    shapes, words = (
+        {
+            f"{letter}_{name}".lstrip("_"): value
+            for letter, panel in panels.items()
+            for name, value in getattr(panel, part).items()
+        }
+        for part in ("shapes", "words")
+    )
+    return PaperFigure(facts, laws, shapes, words, sweeps)
 
 
 def load(name: str) -> PaperFigure:
@@ -87,14 +108,11 @@ def take_half(s: Sweep) -> LowerSweep:
     return LowerSweep(s.kind, top, bottom, split(s.directrix.vertices)[0])
 
 
-def list_loops(s: Sweep, panel: str = "") -> dict[str, Sequence[Any]]:
+def list_loops(s: Sweep) -> dict[str, Sequence[Any]]:
     """The shapes of a sweep by name: D, the three loops, the undercuts."""
-    return {
-        f"{panel}directrix": s.directrix.vertices,
-        f"{panel}trajectory": s.trajectory.vertices,
-        f"{panel}inner": s.inner.vertices,
-        f"{panel}outer": s.outer.vertices,
-        f"{panel}undercuts": [u.polygon.vertices for u in s.undercuts],
+    names = ("directrix", "trajectory", "inner", "outer")
+    return {name: getattr(s, name).vertices for name in names} | {
+        "undercuts": [u.polygon.vertices for u in s.undercuts]
     }
 
 

@@ -2,34 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from fractions import Fraction
-
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Rational, Vertex
-from exactsweep.paper.figures.figure import PaperFigure, list_loops, shift
+from exactsweep.check import classify
+from exactsweep.paper.figures.figure import PaperFigure, join_panels, list_loops, shift
 from exactsweep.paper.figures.minkowski import invert_generatrix, sweep_example
-from exactsweep.paper.functions import evaluate
-from exactsweep.procedures.chain import complement, split
+from exactsweep.paper.functions import frame_around
 from exactsweep.sweep import no_fit_polygon
-
-
-def _find_least_gap(ring: Sequence[Vertex], around: Polygon) -> Fraction:
-    """The least vertical gap of a polygon in another one; below 0 if it sticks out sideways.
-
-    Both are X-monotone.
-    """
-    chains = [split(ring), split(around.vertices)]
-    (low, high), (floor, ceiling) = [(bottom, complement(top)) for bottom, top in chains]
-    xs = {x for chain in (low, high, floor, ceiling) for x, _ in chain if not _beside(x, low)}
-    if any(_beside(x, floor) for x in xs):
-        return Fraction(-1)
-    gaps = [evaluate(low, x) - evaluate(floor, x) for x in map(Fraction, xs)]
-    return min(gaps + [evaluate(ceiling, x) - evaluate(high, x) for x in map(Fraction, xs)])
-
-
-def _beside(x: Rational, chain: Sequence[Vertex]) -> bool:
-    return not chain[0][0] <= x <= chain[-1][0]
 
 
 def compute() -> PaperFigure:
@@ -42,7 +19,12 @@ def compute() -> PaperFigure:
         "a": [s.inner.vertices[k] for k in (0, 2, 4, 7)],
         "b": [s.outer.vertices[k] for k in (0, 4, 12, 20)],
     }
-    return PaperFigure(
+    turned = {
+        letter: [shift(inverted.vertices, p) for p in found] for letter, found in places.items()
+    }
+    beyond = frame_around(s.trajectory, inverted)
+    inside = [classify(beyond, inverted, p).verdict for p in s.inner.vertices]
+    whole = PaperFigure(
         facts=[
             ("edges of the trajectory", len(s.trajectory)),
             ("edges of the inner loop, retraced inside", len(s.inner)),
@@ -50,21 +32,10 @@ def compute() -> PaperFigure:
         ],
         laws=[
             ("the loop outside is the outer one", outside == s.outer, True),
-            *(
-                (
-                    f"least gap above and below I(G) at ({x}, {y})",
-                    _find_least_gap(shift(inverted.vertices, (x, y)), s.trajectory),
-                    0,
-                )
-                for x, y in s.inner.vertices
-            ),
+            ("verdicts on I(G) and the outside at the inner vertices", {*inside}, {"CONTACT"}),
         ],
-        shapes=list_loops(s)
-        | {f"{letter}_places": found for letter, found in places.items()}
-        | {
-            f"{letter}_turned": [shift(inverted.vertices, p) for p in found]
-            for letter, found in places.items()
-        }
-        | {"widest": [shift(inverted.vertices, p) for p in places["b"]]},
+        shapes=list_loops(s) | {"widest": turned["b"]},
         sweeps=[(s, [])],
     )
+    drawn = {k: PaperFigure(shapes={"places": places[k], "turned": turned[k]}) for k in "ab"}
+    return join_panels({"": whole} | drawn)

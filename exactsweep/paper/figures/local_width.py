@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import isqrt
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from exactsweep.check import point_in_polygon
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Point, Vertex
 from exactsweep.paper.checks.section5 import NARROW
-from exactsweep.paper.figures.figure import PaperFigure, find_middle, list_loops, shift
+from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, list_loops, shift
 from exactsweep.paper.figures.minkowski import invert_generatrix, sweep_example
 from exactsweep.paper.functions import evaluate, take_bottom
 from exactsweep.sweep import Sweep, sweep
@@ -49,6 +49,10 @@ class Widths(NamedTuple):
         """A point by its distances from another one, along e and to the left of e."""
         dx, dy = self.direction
         return Point(start[0] + along * dx - across * dy, start[1] + along * dy + across * dx)
+
+    def turn_at(self, p: Vertex) -> list[Vertex]:
+        """I(G) at a position."""
+        return shift(invert_generatrix(self.sweep).vertices, p)
 
     def find_foot(self, p: Point) -> Point:
         """The foot of the perpendicular from a point to e."""
@@ -89,54 +93,40 @@ def measure_widths() -> tuple[Widths, Widths]:
     )
 
 
-def _equal(letters: str, value: Fraction) -> list[str]:
-    return [f"${letters} = {format_fraction(value)}$"]
+def _show(letter: str, found: Widths, across: Sequence[Point], share: Fraction) -> PaperFigure:
+    s = found.sweep
+    distances = {"d'": found.inner, "d''": found.outer, "d": found.width}
+    laws = []
+    for loop, p in ((s.inner, found.inside), (s.outer, found.outside)):
+        for on_e in (found.go(p, by * found.length) for by in NINTHS):
+            height = evaluate(take_bottom(loop.vertices), on_e.x)
+            laws.append((f"height over {on_e.x}", height, on_e.y))
+    written = [[f"${name} = {format_fraction(value)}$"] for name, value in distances.items()]
+    return PaperFigure(
+        facts=[(f"({letter}) {name}", value) for name, value in distances.items()],
+        laws=laws,
+        shapes=list_loops(s)
+        | {"placed": [found.turn_at(p) for p in (found.inside, found.outside)], "at": found.at}
+        | {"inside": found.inside, "near": [found.inside, found.find_foot(found.inside)]}
+        | {"outside": found.outside, "far": [found.outside, found.find_foot(found.outside)]}
+        | {"across": across, "beside": find_middle(*across, share=share)},
+        words=dict(zip(("inner", "outer", "width"), written, strict=True)),
+        sweeps=[(s, [])],
+    )
 
 
 def compute() -> PaperFigure:
     """Compute the figure."""
     first, near = measure_widths()
-    facts: list[tuple[str, object]] = []
-    laws: list[tuple[str, object, object]] = [
-        ("(a) d' + d''", first.inner + first.outer, first.width),
-        ("(b) d' + d'', d", (near.inner + near.outer, near.width), (11 * THIRD, 16 * THIRD)),
-    ]
-    shapes: dict[str, Sequence[Any]] = {}
-    words: dict[str, Sequence[str]] = {}
-    for letter, found in (("a", first), ("b", near)):
-        s = found.sweep
-        turned = invert_generatrix(s).vertices
-        placed = [shift(turned, p) for p in (found.inside, found.outside)]
-        facts += [
-            (f"({letter}) {name}", value)
-            for name, value in (("d'", found.inner), ("d''", found.outer), ("d", found.width))
+    whole = PaperFigure(
+        laws=[
+            ("(a) d' + d''", first.inner + first.outer, first.width),
+            ("(b) d' + d'', d", (near.inner + near.outer, near.width), (11 * THIRD, 16 * THIRD)),
         ]
-        for loop, p in ((s.inner, found.inside), (s.outer, found.outside)):
-            for by in NINTHS:
-                on_e = found.go(p, by * found.length)
-                height = evaluate(take_bottom(loop.vertices), on_e.x)
-                laws.append((f"height over {on_e.x}", height, on_e.y))
-        if letter == "a":
-            foot = found.go(found.at, Fraction(-14, 5))
-            across = [found.go(foot, Fraction(0), by) for by in (found.inner, -found.outer)]
-            share = Fraction(3, 4)
-        else:
-            x, high = found.at.x - 4, Fraction(max(y for _, y in placed[1]))
-            across = [Point(x, high), Point(x, high - found.width)]
-            share = Fraction(2, 3)
-        shapes |= list_loops(s, f"{letter}_") | {
-            f"{letter}_placed": placed,
-            f"{letter}_at": found.at,
-            f"{letter}_inside": found.inside,
-            f"{letter}_outside": found.outside,
-            f"{letter}_near": [found.inside, found.find_foot(found.inside)],
-            f"{letter}_far": [found.outside, found.find_foot(found.outside)],
-            f"{letter}_across": across,
-            f"{letter}_beside": find_middle(*across, share=share),
-        }
-        words |= {
-            f"{letter}_inner": _equal("d'", found.inner),
-            f"{letter}_outer": _equal("d''", found.outer),
-            f"{letter}_width": _equal("d", found.width),
-        }
-    return PaperFigure(facts, laws, shapes, words, [(first.sweep, []), (near.sweep, [])])
+    )
+    foot = first.go(first.at, Fraction(-14, 5))
+    across = [first.go(foot, Fraction(0), by) for by in (first.inner, -first.outer)]
+    x, high = near.at.x - 4, Fraction(max(y for _, y in near.turn_at(near.outside)))
+    upright = [Point(x, high), Point(x, high - near.width)]
+    shown = _show("a", first, across, Fraction(3, 4)), _show("b", near, upright, Fraction(2, 3))
+    return join_panels({"": whole, "a": shown[0], "b": shown[1]})

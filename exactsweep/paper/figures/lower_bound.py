@@ -5,11 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
 
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
 from exactsweep.numbers.point import Edge, Vertex
-from exactsweep.paper.figures.figure import PaperFigure, find_middle, list_loops, place, take_half
+from exactsweep.paper.figures.figure import (
+    PaperFigure,
+    find_middle,
+    join_panels,
+    list_loops,
+    place,
+    take_half,
+)
 from exactsweep.paper.functions import take_bottom
 from exactsweep.sweep import Sweep, sweep
 
@@ -46,46 +52,40 @@ def _place_numbers(edges: Sequence[Edge]) -> Iterator[Vertex]:
             yield 7 * dy / (dx + abs(dy)), -14 if k >= 9 and k % 2 and dx < 3 else -7
 
 
+def _show(letter: str, s: Sweep) -> PaperFigure:
+    size, lower = _count_sizes(s), take_bottom(s.outer.vertices)
+    edges = list(pairwise(lower))
+    # G is drawn where a peak of it is under a tooth.
+    at = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
+    return PaperFigure(
+        facts=[(f"({letter}) (m_b, n_t, n_b): edges", f"{size}: {len(edges)}")],
+        laws=[(f"edges for {size}", len(edges), edges_of_bumps(*size))],
+        shapes=list_loops(s)
+        | {"placed": place(s, [at]), "name": (at.x + 10, at.y), "edges": edges, "lower": lower}
+        | {"middles": [find_middle(*e) for e in edges], "offsets": list(_place_numbers(edges))},
+        words={"title": [f"({letter}) {len(edges)} edges"]}
+        | {"numbers": [str(k + 1) for k in range(len(edges))]},
+        sweeps=[(s, [])],
+    )
+
+
 def compute() -> PaperFigure:
     """Compute the figure."""
+    first, second = sweep_example(1), sweep_example(2)
     facts: list[tuple[str, object]] = []
-    laws: list[tuple[str, object, object]] = []
-    shapes: dict[str, Sequence[Any]] = {}
-    words: dict[str, Sequence[str]] = {}
-    pairs = {"a": sweep_example(1), "b": sweep_example(2)}
-    for letter, s in pairs.items():
-        size, lower = _count_sizes(s), take_bottom(s.outer.vertices)
-        edges = list(pairwise(lower))
-        facts.append((f"({letter}) (m_b, n_t, n_b): edges", f"{size}: {len(edges)}"))
-        laws.append((f"edges for {size}", len(edges), edges_of_bumps(*size)))
-        # G is drawn where a peak of it is under a tooth.
-        at = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
-        shapes |= list_loops(s, f"{letter}_") | {
-            f"{letter}_placed": place(s, [at]),
-            f"{letter}_name": (at.x + 10, at.y),
-            f"{letter}_edges": edges,
-            f"{letter}_lower": lower,
-            f"{letter}_middles": [find_middle(*edge) for edge in edges],
-            f"{letter}_offsets": list(_place_numbers(edges)),
-        }
-        words[f"{letter}_title"] = [f"({letter}) {len(edges)} edges"]
-        words[f"{letter}_numbers"] = [str(k + 1) for k in range(len(edges))]
-    laws += [
-        ("sizes", _count_sizes(pairs["a"]), (2, 4, 6)),
-        ("edges", len(shapes["a_edges"]), printed_count(2, 4, 6)),
+    laws: list[tuple[str, object, object]] = [
+        ("sizes", _count_sizes(first), (2, 4, 6)),
+        ("edges", len(take_bottom(first.outer.vertices)) - 1, printed_count(2, 4, 6)),
     ]
     cells: list[str] = []
     for size in SIZES:
-        s = sweep(*bumps(*size))
+        s, printed = sweep(*bumps(*size)), printed_count(*size)
         found = len(take_bottom(s.outer.vertices)) - 1
-        facts.append(
-            (f"family, {size}: edges, formula of the paper", f"{found}, {printed_count(*size)}")
-        )
+        facts.append((f"family, {size}: edges, formula of the paper", f"{found}, {printed}"))
         laws.append((f"edges for {size}", found, len(take_half(s).outer) - 1))
         laws.append((f"edges for {size}", found, edges_of_bumps(*size)))
-        cells += [str(size), str(printed_count(*size)), str(found)]
+        cells += [str(size), str(printed), str(found)]
     rows = range(1, len(SIZES) + 1)
-    shapes["cells"] = [(x, 16 - Fraction(5, 2) * row) for row in rows for x in COLUMNS]
-    return PaperFigure(
-        facts, laws, shapes, words | {"cells": cells}, [(s, []) for s in pairs.values()]
-    )
+    places = [(x, 16 - Fraction(5, 2) * row) for row in rows for x in COLUMNS]
+    whole = PaperFigure(facts, laws, {"cells": places}, {"cells": cells})
+    return join_panels({"a": _show("a", first), "b": _show("b", second), "": whole})

@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from importlib.resources import files
-from itertools import combinations
 from pkgutil import resolve_name
 from types import CodeType, FrameType
 from typing import Any
@@ -16,7 +15,7 @@ from typing import Any
 from exactsweep.corpus.generator import growing
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper import literal
-from exactsweep.paper.figures.figure import PaperFigure
+from exactsweep.paper.figures.figure import PaperFigure, join_panels
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures import cc, cm, mm
@@ -37,20 +36,7 @@ LITERAL: dict[str, str] = _DATA["literal"]
 MADE: list[tuple[str, str]] = [(one, other) for one, other in _DATA["made"]]
 """The calls among these."""
 HIGH = 16
-ROOM = 6
-"""The height of a box, and the least distance of two, in points."""
-
-
-def _find_narrow(places: Mapping[str, Vertex]) -> list[str]:
-    """Find boxes that are nearer to each other than an arrow needs."""
-    rims = {name: _rim(name, place) for name, place in places.items()}
-    found = []
-    for one, other in combinations(rims, 2):
-        (left, low), (right, high) = rims[one][0], rims[one][2]
-        (start, bottom), (end, top) = rims[other][0], rims[other][2]
-        if max(start - right, left - end, bottom - high, low - top) < ROOM:
-            found.append(f"{one} and {other}")
-    return found
+"""The height of a box, in points."""
 
 
 def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vertex, Vertex]:
@@ -105,33 +91,34 @@ def watch_kernel() -> set[tuple[str, str]]:
     )
 
 
+def _show(
+    letter: str, thing: str, places: Mapping[str, Vertex], calls: Sequence[tuple[str, str]]
+) -> PaperFigure:
+    return PaperFigure(
+        facts=[(f"({letter}) {thing}, calls", f"{len(places)}, {len(calls)}")],
+        shapes={"calls": [_draw_call(places, *call) for call in calls]}
+        | {"boxes": [_rim(*box) for box in places.items()], "middles": list(places.values())},
+        words={"names": list(places)},
+    )
+
+
 def compute() -> PaperFigure:
     """Compute the figure."""
     called = {name for call in PRINTED for name in call}
     to_the_letter = set(PRINTED) - {("SweepI_CM", "Trajectory_CM")}
-    ours = {name: place for name, (_, place) in KERNEL.items()}
-    shapes: dict[str, Sequence[Any]] = {}
-    laws: list[tuple[str, object, object]] = [
-        ("calls to the letter", watch_literal(), to_the_letter),
-        ("procedures that neither call nor are called", set(PLACES) - called, {"SweepI_CC"}),
-        ("calls of the kernel", watch_kernel(), set(MADE)),
-    ]
-    for letter, places, calls in (("a", PLACES, PRINTED), ("b", ours, MADE)):
-        laws.append((f"({letter}) boxes too near", _find_narrow(places), []))
-        shapes |= {
-            f"{letter}_calls": [_draw_call(places, *call) for call in calls],
-            f"{letter}_boxes": [_rim(*box) for box in places.items()],
-            f"{letter}_middles": list(places.values()),
-        }
-    return PaperFigure(
-        facts=[
-            ("(a) procedures, calls", f"{len(PLACES)}, {len(PRINTED)}"),
-            ("(b) functions, calls", f"{len(KERNEL)}, {len(MADE)}"),
-        ],
-        laws=laws,
-        shapes=shapes,
-        words={"a_names": list(PLACES), "b_names": list(KERNEL)},
+    whole = PaperFigure(
+        laws=[
+            ("calls to the letter", watch_literal(), to_the_letter),
+            ("procedures that neither call nor are called", {*PLACES} - called, {"SweepI_CC"}),
+            ("calls of the kernel", watch_kernel(), set(MADE)),
+        ]
     )
+    ours = {name: place for name, (_, place) in KERNEL.items()}
+    panels = {
+        "a": _show("a", "procedures", PLACES, PRINTED),
+        "b": _show("b", "functions", ours, MADE),
+    }
+    return join_panels({"": whole} | panels)
 
 
 def _rim(name: str, place: Vertex) -> list[Vertex]:

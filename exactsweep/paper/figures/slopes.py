@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
+from exactsweep.corpus.generator.shapes import walk
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,
+    join_panels,
     list_loops,
     place,
     shift,
@@ -21,11 +23,11 @@ from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import inverse
 from exactsweep.sweep import Sweep, sweep
 
+Owner = Literal["D_b", "G_t", "G_b"]
 GENERATRIX = [(0, 0), (2, -1), (5, -2), (6, 1), (3, 3), (2, 3)]
 DIRECTRIX = [(0, 5), (2, 1), (4, -1), (8, -2), (10, -1), (7, 6)]
 STEPS = 4
-
-Owner = Literal["D_b", "G_t", "G_b"]
+OWNERS: tuple[Owner, Owner] = ("D_b", "G_t")
 
 
 class Move(NamedTuple):
@@ -67,10 +69,7 @@ def sort_by_slope(*owners: Owner) -> list[Move]:
 
 def lay(start: Vertex, moves: Sequence[Move]) -> list[Point]:
     """Edges laid end to end."""
-    path = [Point(Fraction(start[0]), Fraction(start[1]))]
-    for move in moves:
-        path.append(Point(path[-1].x + move.by[0], path[-1].y + move.by[1]))
-    return path
+    return [Point(Fraction(x), Fraction(y)) for x, y in walk((m.by for m in moves), start)]
 
 
 def find_stations() -> list[Point]:
@@ -85,44 +84,39 @@ def write_slope(move: Move) -> str:
 
 def compute() -> PaperFigure:
     """Compute the figure."""
-    s, path, order = sweep_example(), find_stations(), sort_by_slope("D_b", "G_t")
-    half = take_half(s)
-    facts: list[tuple[str, object]] = []
-    laws: list[tuple[str, object, object]] = [
-        ("trajectory", shift(trajectory_cc(half.top, half.directrix), s.reference), path)
-    ]
-    shapes: dict[str, Sequence[Any]] = list_loops(s)
-    words: dict[str, Sequence[str]] = {}
-    for step, letter in enumerate("abcd"):
-        taken, done = order[step], order[:step]
-        # The next edges of D_b and of reversed G_t, from the vertex of D_b that G's vertex is at.
-        ours, theirs = (
-            next(move for move in list_edges()[owner] if move not in done)
-            for owner in ("D_b", "G_t")
-        )
-        x, y = lay(half.directrix[0], [move for move in done if move.owner == "D_b"])[-1]
-        on_d = [(x, y), (x + ours.by[0], y + ours.by[1])]
-        on_g = [(x, y), (x - theirs.by[0], y - theirs.by[1])]
-        placed, moved = place(s, path[step : step + 2])
-        facts.append(
-            (
-                f"({letter}) slopes ahead on D_b and on G_t",
-                f"{ours.slope}, {theirs.slope}: {taken.owner} is next",
-            )
-        )
-        first = min(ours, theirs, key=lambda move: move.slope)
-        laws.append((f"edge taken in step {step}", taken, first))
-        contacts = [c.event for c in s.contacts_at(path[step])]
-        laws.append((f"contacts before step {step}", contacts, ["VV"]))
-        shapes |= {
-            f"{letter}_placed": placed,
-            f"{letter}_moved": moved,
-            f"{letter}_path": path[: step + 1],
-            f"{letter}_met": [(x, y)],
-            f"{letter}_edge": on_d if taken == ours else on_g,
-            f"{letter}_middles": [find_middle(*on_d), find_middle(*on_g)],
-        }
-        words |= {f"{letter}_ours": [write_slope(ours)], f"{letter}_theirs": [write_slope(theirs)]}
-    shapes["across"] = [(x, 0) for ring in place(s, path[: STEPS + 1]) for x, _ in ring]
-    facts.append(("edges of the trajectory", len(path) - 1))
-    return PaperFigure(facts, laws, shapes, words, [(s, path)])
+    s, path, half = sweep_example(), find_stations(), take_half(sweep_example())
+    found = shift(trajectory_cc(half.top, half.directrix), s.reference)
+    across = [(x, 0) for ring in place(s, path[: STEPS + 1]) for x, _ in ring]
+    whole = PaperFigure(
+        facts=[("edges of the trajectory", len(path) - 1)],
+        laws=[("trajectory", found, path)],
+        shapes=list_loops(s) | {"across": across},
+        sweeps=[(s, path)],
+    )
+    steps = {letter: _show(letter, s, path, step) for step, letter in enumerate("abcd")}
+    return join_panels(steps | {"": whole})
+
+
+def _show(letter: str, s: Sweep, path: Sequence[Point], step: int) -> PaperFigure:
+    """The next edges of D_b and of reversed G_t, from the vertex of D_b that G's vertex is at."""
+    taken, done = sort_by_slope("D_b", "G_t")[step], sort_by_slope("D_b", "G_t")[:step]
+    ours, theirs = (
+        next(move for move in list_edges()[owner] if move not in done) for owner in OWNERS
+    )
+    x, y = lay(take_half(s).directrix[0], [move for move in done if move.owner == "D_b"])[-1]
+    on_d = [(x, y), (x + ours.by[0], y + ours.by[1])]
+    on_g = [(x, y), (x - theirs.by[0], y - theirs.by[1])]
+    placed, moved = place(s, path[step : step + 2])
+    slopes = f"{ours.slope}, {theirs.slope}: {taken.owner} is next"
+    first = min(ours, theirs, key=lambda move: move.slope)
+    return PaperFigure(
+        facts=[(f"({letter}) slopes ahead on D_b and on G_t", slopes)],
+        laws=[
+            (f"edge taken in step {step}", taken, first),
+            (f"contacts before step {step}", [c.event for c in s.contacts_at(path[step])], ["VV"]),
+        ],
+        shapes={"placed": placed, "moved": moved, "path": path[: step + 1], "met": [(x, y)]}
+        | {"edge": on_d if taken == ours else on_g}
+        | {"middles": [find_middle(*on_d), find_middle(*on_g)]},
+        words={"ours": [write_slope(ours)], "theirs": [write_slope(theirs)]},
+    )

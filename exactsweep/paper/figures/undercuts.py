@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.region import Vertices
-from exactsweep.paper.figures.figure import PaperFigure, list_loops, place, shift, take_half
+from exactsweep.paper.figures.figure import (
+    PaperFigure,
+    join_panels,
+    list_loops,
+    place,
+    shift,
+    take_half,
+)
 from exactsweep.paper.functions import take_bottom
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts
@@ -38,35 +42,29 @@ def find_undercut(s: Sweep) -> Undercut:
 
 def compute() -> PaperFigure:
     """Compute the figure."""
-    facts: list[tuple[str, object]] = []
-    laws: list[tuple[str, object, object]] = []
-    shapes: dict[str, Sequence[Any]] = {}
-    for letter, s, kind in zip("ab", sweep_examples(), ("point", "segment"), strict=True):
-        found, half = find_undercut(s), take_half(s)
-        facts += [
+    panels = zip("ab", sweep_examples(), ("point", "segment"), strict=True)
+    return join_panels({letter: _show(letter, s, kind) for letter, s, kind in panels})
+
+
+def _show(letter: str, s: Sweep, kind: str) -> PaperFigure:
+    found, half, gap = find_undercut(s), take_half(s), s.inner.area - s.directrix.area
+    parts = (trajectory_cc(half.top, part) for part in find_convex_parts(half.directrix))
+    first, *others = place(s, found.positions)
+    return PaperFigure(
+        facts=[
             (f"({letter}) undercuts", len(s.undercuts)),
             (f"({letter}) the sub-trajectories meet in a", found.intersection),
             (f"({letter}) edges of the bottom chain", len(found.bottom) - 1),
             (f"({letter}) contact points", " ".join(f"({p.x}, {p.y})" for p in found.extremes)),
-        ]
-        gap = s.inner.area - s.directrix.area
-        laws += [
+        ],
+        laws=[
             ("kind", found.intersection, kind),
             ("positions", len(found.positions), 1 if kind == "point" else 2),
             ("area between D and the inner loop", gap, found.polygon.area),
-        ]
-        placed = place(s, found.positions)
-        shapes |= list_loops(s, f"{letter}_") | {
-            f"{letter}_first": placed[0],
-            f"{letter}_others": placed[1:],
-            f"{letter}_parts": [
-                shift(trajectory_cc(half.top, part), s.reference)
-                for part in find_convex_parts(half.directrix)
-            ],
-            f"{letter}_path": take_bottom(s.trajectory.vertices),
-            f"{letter}_bottom": found.bottom,
-            f"{letter}_touched": found.extremes,
-            f"{letter}_positions": found.positions,
-        }
-    sweeps = [(s, find_undercut(s).positions) for s in sweep_examples()]
-    return PaperFigure(facts, laws, shapes, sweeps=sweeps)
+        ],
+        shapes=list_loops(s)
+        | {"first": first, "others": others, "parts": [shift(part, s.reference) for part in parts]}
+        | {"path": take_bottom(s.trajectory.vertices), "bottom": found.bottom}
+        | {"touched": found.extremes, "positions": found.positions},
+        sweeps=[(s, found.positions)],
+    )

@@ -63,6 +63,12 @@ def never_ends(line: str) -> None:
     ignores_termination(line)
 
 
+def lingers(line: str) -> None:
+    """Answer well, then close the output and do not end."""
+    answer(line)
+    closes_output(line)
+
+
 def speaks_after_bye(line: str) -> None:
     answer(line)
     sys.stdin.readline()
@@ -90,6 +96,7 @@ AFTER_A_CASE: dict[str, Callable[[str], object]] = {
     "closes-output": closes_output,
     "dies": lambda line: os.kill(os.getpid(), signal.SIGKILL),
     "never-ends": never_ends,
+    "lingers": lingers,
     "speaks-after-bye": speaks_after_bye,
 }
 AT_ONCE: dict[str, Callable[[str], object]] = {

@@ -1,0 +1,149 @@
+"""A pair of polygons, exactly as given, and the exact answers about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import chain
+from math import lcm
+from typing import Literal, get_args
+
+from exactsweep.corpus.representable import find_types
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import AnyPolygon, Region
+from exactsweep.numbers.point import Fit, Loop, Point
+from exactsweep.procedures.solution import Kind
+from exactsweep.sweep import Sweep, sweep
+
+Shapes = Literal["convex", "monotone", "simple", "any"]
+SHAPES: tuple[Shapes, ...] = get_args(Shapes)
+"""The kinds of pairs; each includes those before it. A pair without holes is simple."""
+_SHAPES_OF: dict[Kind, Shapes] = {
+    "CC": "convex",
+    "CM": "monotone",
+    "MM": "monotone",
+    "SS": "simple",
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class AnsweredPair:
+    """A pair of polygons with the exact answers about it.
+
+    Attributes:
+        directrix_ring: D, or its exterior, as the case gives it: tuple of Point, not closed, and
+            with the orientation, collinear vertices and repeated vertices of the input.
+        generatrix_ring: G, likewise.
+        reference: the point of G whose path the trajectory is.
+        kind: "CC", "CM", "MM" or "SS", as of the sweep.
+        trajectory: the expected trajectory, a Polygon, and so for the inner and outer loop.
+        inner: the expected inner loop.
+        outer: the expected outer loop.
+        exact_fits: the expected exact fits, as `Sweep.exact_fits` has them.
+        area: the expected swept area.
+        directrix_holes: the holes of D, each a ring as given.
+        generatrix_holes: those of G.
+        holes: the expected holes of the no-fit polygon, whose exterior is the trajectory.
+        unswept: the expected further holes of the swept area.
+        inner_regions: the expected regions of positions of G inside D; None where that is not
+            asked. It is, of all cases of class "SS", and of containers of any class.
+        inner_exact_fits: the expected exact fits of G inside D.
+    """
+
+    directrix_ring: Loop
+    generatrix_ring: Loop
+    reference: Point
+    kind: Kind
+    trajectory: Polygon
+    inner: Polygon
+    outer: Polygon
+    exact_fits: tuple[Fit, ...]
+    area: Fraction
+    directrix_holes: tuple[Loop, ...] = ()
+    generatrix_holes: tuple[Loop, ...] = ()
+    holes: tuple[Polygon, ...] = ()
+    unswept: tuple[Polygon, ...] = ()
+    inner_regions: tuple[Region, ...] | None = None
+    inner_exact_fits: tuple[Fit, ...] = ()
+
+    @property
+    def directrix_rings(self) -> tuple[Loop, ...]:
+        """The exterior and the holes of D as given."""
+        return (self.directrix_ring, *self.directrix_holes)
+
+    @property
+    def generatrix_rings(self) -> tuple[Loop, ...]:
+        """The exterior and the holes of G as given."""
+        return (self.generatrix_ring, *self.generatrix_holes)
+
+    @cached_property
+    def directrix(self) -> AnyPolygon:
+        """D in canonical form; a Region if it has holes."""
+        return make_shape(self.directrix_rings)
+
+    @cached_property
+    def generatrix(self) -> AnyPolygon:
+        """G in canonical form; a Region if it has holes."""
+        return make_shape(self.generatrix_rings)
+
+    def sweep(self) -> Sweep:
+        """Sweep the pair anew."""
+        return sweep(self.generatrix, self.directrix, reference=self.reference)
+
+    @property
+    def shapes(self) -> Shapes:
+        """The least of SHAPES that holds the pair."""
+        if self.directrix_holes or self.generatrix_holes:
+            return "any"
+        return _SHAPES_OF[self.kind]
+
+    @property
+    def size(self) -> int:
+        """The vertices of all rings as given."""
+        return sum(map(len, (*self.directrix_rings, *self.generatrix_rings)))
+
+    @cached_property
+    def integer_scale(self) -> int:
+        """The least positive int by which every coordinate of the input becomes an integer.
+
+        The input is D, G and the reference point. The answer at this scale may still have
+        fractions: then the case has the flag "rounded-answer".
+        """
+        return lcm(*(c.denominator for c in self.list_input()))
+
+    @cached_property
+    def representable(self) -> frozenset[str]:
+        """The number types that hold the input, every coordinate of it, without rounding.
+
+        "int32" and "int64" when the type holds the input times `integer_scale`; "binary64" when
+        that type holds the input as it is. (Where "int32" is named, binary64 holds the input times
+        `integer_scale`, too.)
+        """
+        return find_types(list(self.list_input()), self.integer_scale)
+
+    @cached_property
+    def answer_representable(self) -> frozenset[str]:
+        """The number types that hold the expected answer, in the same sense and scale.
+
+        The answer is the trajectory, the inner and outer loop and the exact fits.
+        """
+        return find_types(list(self.list_answer()), self.integer_scale)
+
+    def list_input(self) -> Iterator[Fraction]:
+        """List the coordinates of D, of G and of the reference point."""
+        rings = *self.directrix_rings, *self.generatrix_rings, (self.reference,)
+        return chain(*chain(*rings))
+
+    def list_answer(self) -> Iterator[Fraction]:
+        """List the coordinates of all expected loops and exact fits."""
+        loops = (self.trajectory, self.inner, self.outer, *self.holes, *self.unswept)
+        rings = [shape.vertices for shape in (*loops, *(self.inner_regions or ()))]
+        return chain(*chain(*rings, *self.exact_fits, *self.inner_exact_fits))
+
+
+def make_shape(rings: tuple[Loop, ...]) -> AnyPolygon:
+    """A Polygon, or a Region where there are holes."""
+    exterior, *holes = rings
+    return Region(exterior, holes) if holes else Polygon(exterior)
