@@ -135,9 +135,31 @@ def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
         "": "'': Is a directory",
         f"{tmp_path}/none/out.jsonl": "No such file or directory",
         f"{tmp_path}/pipe": "a pipe or a device, which cannot be resumed",
+        f"{tmp_path}/{'x' * 300}": "x: File name too long",
     }.items():
         with pytest.raises(BatchError, match=f"{message}$"):
             run_batch(take_all_pairs(PARTS, PARTS), output)
+
+
+@pytest.mark.parametrize("most", [9, 2**20])
+def test_chunks_hold_all_pairs_after_the_first_ones(
+    most: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No chunk has more pairs or, but for its last line, more bytes than it may."""
+    monkeypatch.setattr("exactsweep.batch.job._CHUNK_BYTES", most)
+    lines = [b"%d\n" % (10 + k) for k in range(36)]
+    (tmp_path / "pairs").write_bytes(b"\n".join(lines))
+    listed, every = take_listed_pairs(str(tmp_path / "pairs")), take_all_pairs(PARTS * 4, PARTS)
+    for job, pairs in ((listed, lines), (every, range(36))):
+        for start in range(0, 38, 5):
+            chunks = [*job.chunks(start)]
+            found = [(chunk.first + k, p) for chunk in chunks for k, p in enumerate(chunk.pairs)]
+            assert found == [*enumerate(pairs)][start:]
+            assert all(len(chunk.pairs) <= CHUNK_PAIRS for chunk in chunks)
+    for chunk in [*listed.chunks(0)][:-1]:
+        *before, last = map(len, lines[chunk.first :][: len(chunk.pairs)])
+        assert sum(before) <= most
+        assert len(chunk.pairs) == CHUNK_PAIRS or sum(before) + last > most
 
 
 def test_lines_that_come_later_do_not_count(tmp_path: Path) -> None:
@@ -151,14 +173,24 @@ def test_lines_that_come_later_do_not_count(tmp_path: Path) -> None:
         run_batch(job, str(path), workers=1)
 
 
-def test_a_fault_of_the_program_is_an_error_record(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (AssertionError("no"), "internal error: AssertionError: no"),
+        (RecursionError("maximum depth"), "nested too deeply"),
+        (MemoryError(), "out of memory"),
+    ],
+)
+def test_a_fault_of_the_program_is_an_error_record(
+    error: Exception, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def fail(*_: object) -> None:
-        raise AssertionError("no")
+        raise error
 
     monkeypatch.setattr(work, "sweep", fail)
     assert line_record(f"{PAIR}}}") == {
         "index": 0,
-        "error": "internal error: AssertionError: no",
+        "error": said,
         "generatrix": "square",
         "directrix": "notch",
     }

@@ -1,5 +1,6 @@
 """Inputs are never written over, addresses are checked first, numbers never become infinite."""
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -7,7 +8,8 @@ from command import HOUSE, NOTCH, refusal, run
 
 from exactsweep.batch import BatchError, take_all_pairs
 from exactsweep.batch import run as run_batch
-from exactsweep.formats import NamedPolygon
+from exactsweep.batch.cluster import _require_address
+from exactsweep.formats import FormatError, NamedPolygon
 from exactsweep.geometry.polygon import Polygon
 
 UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -41,6 +43,20 @@ def test_what_is_no_address_is_refused_before_any_connection(address: str, tmp_p
     job = take_all_pairs([NamedPolygon(UNIT, "a")], [NamedPolygon(UNIT, "b")])
     with pytest.raises(BatchError, match=r"^no Dask scheduler at .*: not as in tcp://host:8786$"):
         run_batch(job, str(tmp_path / "o.jsonl"), scheduler=address)
+
+
+def test_addresses_have_a_port_or_none() -> None:
+    for address in ("local", "127.0.0.1", "tcp://host:1", "[::1]:65535"):
+        _require_address(address)
+
+
+def test_without_distributed_no_scheduler_is_asked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    job = take_all_pairs([NamedPolygon(UNIT, "a")], [NamedPolygon(UNIT, "b")])
+    with pytest.raises(FormatError, match=r"^a scheduler needs distributed: .*\[distributed\]'$"):
+        run_batch(job, str(tmp_path / "o.jsonl"), scheduler="local")
 
 
 def test_areas_beyond_floats_are_no_infinities(tmp_path: Path) -> None:

@@ -1,29 +1,31 @@
 import json
 from pathlib import Path
+from typing import Any
 
 import pyarrow.parquet
 import pytest
 from partlist import part_list
 
-from exactsweep.batch import run, take_all_pairs
+from exactsweep.batch import Part, Rounding, run, take_all_pairs
 from exactsweep.batch.output import Output
 from exactsweep.batch.table import write_parquet
+from exactsweep.formats import NamedPolygon
 
-PARTS = part_list(8)
+PARTS: list[NamedPolygon | Part] = [*part_list(8), Part("bad", "no polygon")]
 
 
 @pytest.mark.parametrize("what", ["trajectory", "loops", "areas", "nfp"])
-@pytest.mark.parametrize("rows", [1, 5, 1000])
+@pytest.mark.parametrize(("rows", "rounding"), [(1, None), (5, Rounding(2)), (1000, None)])
 def test_a_table_has_the_same_records(
-    tmp_path: Path, what: str, rows: int, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, what: str, rows: int, rounding: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("exactsweep.batch.table._ROWS", rows)
-    job = take_all_pairs(PARTS, PARTS[:3], what)
+    job = take_all_pairs(PARTS, PARTS[:3], what, rounding)
     lines = b"".join(line for chunk in job.chunks(0) for line in job.work.lines(chunk))
     path, part = tmp_path / "out.parquet", tmp_path / "out.parquet.part"
     with Output(str(path), job):
         part.write_bytes(lines)
-    assert run(job, str(path)).resumed == 24
+    assert run(job, str(path)).resumed == 27
     assert list(tmp_path.iterdir()) == [path]
     table = pyarrow.parquet.read_table(path).to_pylist()
     for line, row in zip(lines.splitlines(), table, strict=True):
@@ -45,7 +47,7 @@ def test_a_table_interrupted_while_it_is_written_is_written_again(tmp_path: Path
     (tmp_path / "out.parquet.tmp").write_bytes(b"half")
     path.write_bytes(b"half")
     run(job, str(path))
-    assert pyarrow.parquet.read_table(path).num_rows == 24
+    assert pyarrow.parquet.read_table(path).num_rows == 27
 
 
 def test_directions_of_any_length_and_ids_are_text(tmp_path: Path) -> None:

@@ -22,7 +22,7 @@ def on_a_terminal(command: str) -> str:
     end, terminal = pty.openpty()
     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
     environment = {**os.environ, "PAGER": "sed s/^/page:/", "TERM": "xterm"}
-    for name in ("COLUMNS", "LINES"):
+    for name in ("COLUMNS", "LINES", "NO_COLOR"):
         environment.pop(name, None)
     child = subprocess.Popen(
         [EXACTSWEEP, *command.split()],
@@ -43,9 +43,11 @@ def on_a_terminal(command: str) -> str:
     return shown.decode()
 
 
-def test_a_long_story_pages_on_a_terminal_and_a_short_one_does_not() -> None:
+def test_a_long_story_pages_on_a_terminal_and_a_short_one_has_bold_words() -> None:
     assert on_a_terminal("explain").startswith("page:Class CM")
-    assert "page:" not in on_a_terminal("sweep")
+    shown = on_a_terminal("sweep")
+    assert "page:" not in shown
+    assert "\x1b[1m" in shown
 
 
 def test_a_proof_is_one_that_the_standalone_checker_reads(tmp_path: Path) -> None:

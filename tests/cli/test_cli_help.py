@@ -1,20 +1,21 @@
-"""Help, suggestions, colours and completion."""
+"""Help, suggestions, the width of reports, and completion."""
 
+import json
 import os
-import pty
 import re
 import shlex
-import subprocess
 from io import StringIO
 from pathlib import Path
 
 import click
 import pytest
-from command import EXACTSWEEP, NOTCH, list_commands, run, shell
+from command import HOUSE, NOTCH, list_commands, run, shell
 from partlist import part_list
 from rich.console import Console
 
+from exactsweep.cli import output
 from exactsweep.cli.working import show_bar
+from exactsweep.corpus import find_layout_case
 from exactsweep.formats import format_polygons
 
 
@@ -57,27 +58,34 @@ def test_words_are_completed(words: str, completed: str) -> None:
     assert completed in done.stdout.splitlines()
 
 
-def on_terminal(command: list[str]) -> str:
-    """Run a command with a terminal for all its output, and return that."""
-    ours, theirs = pty.openpty()
-    environment = {**os.environ, "TERM": "xterm"}
-    environment.pop("NO_COLOR", None)
-    process = subprocess.Popen(command, stdout=theirs, stderr=theirs, env=environment)
-    os.close(theirs)
-    shown = b""
-    try:
-        while data := os.read(ours, 65536):
-            shown += data
-    except OSError:
-        pass  # how Linux says that the other side is closed
-    os.close(ours)
-    assert process.wait(60) == 0
-    return shown.decode()
-
-
-def test_colours_are_for_terminals() -> None:
-    assert "\x1b[1m" in on_terminal([EXACTSWEEP, "sweep"])
-    assert "\x1b" not in run("sweep").output
+@pytest.mark.parametrize(
+    "command",
+    [
+        "sweep",
+        "nfp {notch} {house}",
+        "nfp {parts} {parts}",
+        "ifp {notch} {house}",
+        "layout {layout}",
+        pytest.param("layout {layout} {layout}", marks=pytest.mark.long),
+    ],
+)
+def test_reports_fit_a_terminal_and_are_plain_in_files(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On a terminal words may break, but none are missing."""
+    layout, parts, file = (tmp_path / name for name in ("layout.json", "parts.json", "report"))
+    layout.write_text(json.dumps(find_layout_case("layouts-all-at-once").data))
+    parts.write_text(format_polygons(part_list(2), "json"))
+    name, *given = command.format(house=HOUSE, notch=NOTCH, layout=layout, parts=parts).split()
+    plain = run(name, *given).stdout
+    monkeypatch.setattr(
+        output, "measure_terminal", lambda to: os.terminal_size((40, 24)) if to == "-" else None
+    )
+    run(name, *given, "-o", str(file))
+    assert file.read_text() == plain
+    shown = re.sub(r"\x1b\[[\d;]*m", "", run(name, *given).stdout)
+    assert max(map(len, shown.splitlines())) <= 40 < max(map(len, plain.splitlines()))
+    assert sorted("".join(shown.split())) == sorted("".join(plain.split()))
 
 
 def test_a_bar_with_rate_and_time_begins_after_a_second() -> None:

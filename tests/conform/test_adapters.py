@@ -16,6 +16,7 @@ from strategies import points
 
 from exactsweep import Point
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
+from exactsweep.conform.adapters.__main__ import _write
 from exactsweep.conform.adapters.adapter import build_frame, prepare_ring
 from exactsweep.conform.adapters.names import NPM
 from exactsweep.conform.adapters.npm import SCRIPT
@@ -27,7 +28,7 @@ from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.process import Terms
-from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.protocol import Hello, read_hello
 from exactsweep.corpus import Case, find_case, generate
 
 BOX = [(0, 0), (4, 0), (4, 4), (0, 4)]
@@ -41,10 +42,13 @@ PACKAGES = SCRIPT.with_name("package.json")
 
 
 def installed(name: str) -> Adapter:
+    """Load the adapter of a program, whose hello the runner reads."""
     try:
-        return load(name)
+        adapter = load(name)
     except MissingError as error:
         pytest.skip(str(error))
+    assert read_hello(json.dumps(adapter.hello.to_json())) == adapter.hello
+    return adapter
 
 
 def verdicts(name: str, cases: Iterator[Case]) -> set[Verdict]:
@@ -87,11 +91,11 @@ def test_sums_have_no_exact_fits(name: str) -> None:
     }
 
 
-@pytest.mark.parametrize("name", ["pyclipper", "clipper2"])
-def test_what_is_beyond_the_promised_range_is_not_asked(name: str) -> None:
-    large = [(0, 0), (2**62, 0), (0, 2**62)]
-    case = Case.of("large", "", large, large)
-    assert verdicts(name, iter([case])) == {Verdict.UNSUPPORTED}
+@pytest.mark.parametrize(("name", "bits"), [("pyclipper", 62), ("clipper2", 61)])
+def test_what_is_beyond_the_promised_range_is_not_asked(name: str, bits: int) -> None:
+    for reach, is_asked in ((2**bits - 2, True), (2**bits - 1, False), (2**62, False)):
+        case = Case.of("large", "", [(0, 0), (reach, 0), (0, reach)], [(0, 0), (1, 0), (0, 1)])
+        assert (verdicts(name, iter([case])) != {Verdict.UNSUPPORTED}) == is_asked
 
 
 def test_pyclipper_loses_a_vertex_of_a_convex_integer_pair() -> None:
@@ -130,6 +134,10 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
 def test_programs_are_listed() -> None:
     done = subprocess.run(COMMAND, capture_output=True, text=True, timeout=PATIENCE, check=True)
     assert [line.split()[0] for line in done.stdout.splitlines()] == list(NAMES)
+
+
+def test_answers_are_written_exactly() -> None:
+    assert json.dumps([Fraction(1, 3), 0.1], default=_write) == '["1/3", 0.1]'
 
 
 def test_what_is_not_installed_is_refused_by_name(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -301,7 +309,7 @@ def test_a_program_on_the_path_is_asked(
         )
         (tmp_path / program).chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path))
-    adapter = load(name)
+    adapter = installed(name)
     assert (adapter.hello.name, adapter.hello.numbers) == (title, numbers)
     shape = [(0, 0), (1, 0), (0, 1)]
     given: Any = [shape] if adapter.hello.shapes == "any" else shape

@@ -81,6 +81,12 @@ def test_what_is_far_off_does_not_hide_the_rest() -> None:
     assert 0 < whole.witness[0] < SIDE
 
 
+@pytest.mark.parametrize(("far", "panels"), [(39, 1), ("39.001", 2)])
+def test_what_is_twenty_times_as_far_is_seen_in_the_whole(far: Any, panels: int) -> None:
+    case = Case.of("a", "", SQUARE, SQUARE)
+    assert len(draw_panels(outcome_of(case, [(-1, -1), (far, -1), (1, 1), (-1, 1)]))) == panels
+
+
 @pytest.mark.parametrize(
     "theirs", ["text", [], [[]], [1, 2], [("x", 0), (0, float("nan"))], {}, None, [[None]], [[[]]]]
 )

@@ -5,21 +5,23 @@ import os
 import resource
 import signal
 import subprocess
-import time
 from collections import Counter
 from dataclasses import replace
+from itertools import count
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from command import EXACTSWEEP, eventually, processes, run
 from judged import CORRECT, FAULTY, HOSTILE, SQUARE, WATCHED, write_cases
 
-from exactsweep import sweep
+from exactsweep import limits, sweep
 from exactsweep.conform import Verdict
 from exactsweep.conform.run.cases import SelectionError
 from exactsweep.conform.run.journal import Journal, JournalError
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
+from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.pool import JudgeError, Judges
 from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import (
@@ -102,13 +104,18 @@ def test_not_implemented_is_unsupported() -> None:
     assert not run.passed  # nothing was judged
 
 
-def test_a_late_answer_is_a_timeout() -> None:
-    def late(directrix: Any, generatrix: Any, reference: Any) -> dict[str, Any]:
-        time.sleep(0.02)
-        return exact(directrix, generatrix, reference)
-
-    run = conform(late, FEW[:1], name="mine", seconds=0.01)
-    assert run.outcomes[0].verdict == "timeout"
+@pytest.mark.parametrize("seconds", [0.5, 1])
+def test_each_answer_has_its_time_and_a_late_one_is_a_timeout(
+    seconds: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each function takes a second."""
+    monkeypatch.setattr(
+        "exactsweep.conform.run.peer.time", SimpleNamespace(monotonic=count().__next__)
+    )
+    functions: list[Any] = [exact, lambda *_: 3, lambda *_: {}, lambda *_: 1 / 0]
+    found = [CallablePeer(one, Hello("mine"), seconds).ask(THIRDS) for one in functions]
+    late = ["timeout"] * 3 if seconds < 1 else [None, "malformed", None]
+    assert [(one.verdict, one.seconds) for one in found] == [(v, 1) for v in (*late, "crash")]
 
 
 def test_two_cases_with_one_id_are_refused() -> None:
@@ -173,7 +180,6 @@ def test_a_case_that_contradicts_itself_ends_the_run() -> None:
 
 def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
     from exactsweep.conform.run import outcome as judging
-    from exactsweep.conform.run.peer import CallablePeer
 
     def endless(*arguments: object, **options: object) -> None:
         while True:
@@ -291,6 +297,12 @@ def test_a_full_disk_is_refused_once(tmp_path: Path) -> None:
 def write_journal(path: Path) -> None:
     with Journal(path, Terms([]), Hello("mine")) as journal:
         journal.add(Outcome("a", "CC", (), Verdict.WRONG, "why" * 1000))
+
+
+def test_a_line_beyond_the_limit_is_not_read(tmp_path: Path) -> None:
+    write_journal(tmp_path / "journal")
+    with limits(max_mib=2000 / 2**20), pytest.raises(JournalError, match="line 2: not of a"):
+        Journal(tmp_path / "journal", Terms([]), Hello("mine"), resume=True)
 
 
 def test_the_journal_of_something_else_is_refused(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from exactsweep.formats import (
     parse_polygon,
     read_polygon,
 )
+from exactsweep.formats.geojson import read_geojson
 from exactsweep.text.results import sweep_to_json
 
 POLYGONS = Path(__file__).parents[1] / "support" / "polygons"
@@ -119,3 +120,9 @@ def test_a_byte_order_mark_is_ignored(tmp_path: Path) -> None:
     path = tmp_path / "marked.json"
     path.write_text("[[0, 0], [1, 0], [0, 1]]", encoding="utf-8-sig")
     assert read_polygon(str(path)) == Polygon([(0, 0), (1, 0), (0, 1)])
+
+
+def test_geojson_needs_no_place_for_notes() -> None:
+    ring = [[x, y, "9"] for x, y in ("00", "10", "01", "00")]
+    (found,) = read_geojson({"type": "Polygon", "coordinates": [ring]})
+    assert found.shape() == Polygon([(0, 0), (1, 0), (0, 1)])

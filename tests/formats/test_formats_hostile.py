@@ -116,11 +116,14 @@ def test_what_is_drawn_again_counts_again(form: str) -> None:
 
 
 def test_a_file_stops_at_the_vertex_that_is_too_many() -> None:
-    """In one path or in several."""
-    for data in (["h1" * 5000], ["h1" * 900, "h1" * 900]):
+    """In one path or in several; a path that reaches the limit with its last command is read."""
+    most = 1000 * VERTEX / 2**20
+    with limits(max_mib=most):
+        assert len(parse_polygon(f'<svg><path d="M0 0{"h1" * 997}V9z"/></svg>').vertices) == 3
+    for data in (["h1" * 998], ["h1" * 5000], ["h1" * 900, "h1" * 900]):
         paths = "".join(f'<path d="M0 0{some}V9z"/>' for some in data)
-        few = limits(max_mib=1000 * VERTEX / 2**20)
-        with few, pytest.raises(FormatError, match=r"^more than 1,000 vertices are drawn \(max"):
+        refusal = r"^more than 1,000 vertices are drawn \(max_mib\)$"
+        with limits(max_mib=most), pytest.raises(FormatError, match=refusal):
             parse_polygons(f"<svg>{paths}</svg>")
 
 
