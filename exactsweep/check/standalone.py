@@ -23,7 +23,8 @@ two "Areas and answers".
    (b) The sides of listed sums are covered, end to end, by listed sums and edges of L. So all of
        the boundary of U is in L: a component of the plane without L is in U or apart from U.
    (c) Listed sums have a side along the left of each loop, and along both sides of each fit, but
-       for points. No edge of L is along another.
+       for points. No edge of L is along another. A fit of one point is on a side, and on no other
+       edge of L: all around it is U.
    O is connected and avoids L, so O is U. Let W be the sum of the winding numbers of all loops. It
    is the same on all of O, and one less right of each loop, where O is not. A point far away is not
    in U, so it is right of a loop; there W is 0, and it is 1 on O. Each component of the plane
@@ -56,9 +57,11 @@ two "Areas and answers".
        so its inside is connected: each section leads to D. It meets Q, as Q is in E, but not the
        edges of Q, so it is in Q.
    (d) Contacts are listed, all of them: of each edge of T the sums of two edges, or of an edge and
-       a corner, that have more than a point of it. There the least sum in (e) is attained, so they
-       are among the edges of sums of parts. The sum of two vertical edges, one of a lower and one
-       of an upper chain, is inside P.
+       a corner between whose edges its way is, that have more than a point of it. There the least
+       sum in (e) is attained, so they are among the edges of sums of parts. Two vertical edges of
+       one way, of a lower and of an upper chain, are no contact, for their sum is inside P: let a
+       point of the lower chain move up, and one of the upper as far down, to the other side; to
+       the left or to the right, both get inside.
    (e) A + B is in Q, for regions of loops. The lower chain of A + B at x is the least sum A(u) +
        B(x - u), with the lower ends of jumps. Where it is attained, A at u and B at x - u have a
        slope in common, or to move u would make it less: a left turn has all slopes from the one
@@ -739,7 +742,8 @@ def share(a: Node, b: Node, p: Node, q: Node) -> Span | None:
             Fraction((e[k] * a[2] - a[k] * e[2]) * b[2], (b[k] * a[2] - a[k] * b[2]) * e[2])
             for e in (p, q)
         )
-        return (s, t) if s <= t else (t, s)
+        s, t = min(s, t), max(s, t)
+        return (s, t) if s <= 1 and t >= 0 else None
     other = line(p, q)
     at_a, at_b = side(other, a) * b[2], side(other, b) * a[2]
     if at_p * at_q > 0 or at_a * at_b > 0 or at_a == at_b:

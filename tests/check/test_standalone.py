@@ -194,6 +194,18 @@ def test_entries_of_sums_are_a_number_and_a_chain_for_each_side() -> None:
         assert not proves(put(inside, ("proof", "sums"), [entry, *rest])), entry
 
 
+def test_entries_of_chains_have_points_of_the_side() -> None:
+    fork = [(0, 0), (5, 0), (5, 4), (4, 4), (4, 1), (1, 1), (1, 4), (0, 4)]
+    true = add_proof(json.loads(json.dumps(no_fit_polygon(fork, SQUARE).certificate())))
+    sums = true["proof"]["sums"]
+    left, right = -7, -3  # the upper edges of both tips, on one line
+    k = next(k for k, entry in enumerate(sums) if left in entry)
+    places = ("proof", "sums", k, sums[k].index(left))
+    assert proves(put(true, places, [left, left]))
+    for chain in ([right, left], [left, right]):
+        assert not proves(put(true, places, chain)), chain
+
+
 def test_a_frame_leaves_pieces_outside() -> None:
     wide = [(0, 0), (3, 0), (3, 3), (0, 3)]
     true = add_proof(json.loads(json.dumps(inner_fit_polygon(wide, SQUARE).certificate())))
