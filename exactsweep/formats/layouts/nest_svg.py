@@ -114,7 +114,7 @@ def _nested(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator
 
 
 def _is_sheet(element: Element) -> bool:
-    stroke = element.get("stroke", "") + element.get("style", "").replace(" ", "")
+    stroke = element.get("stroke", "") + element.get("style", "")
     return "bin" in element.get("class", "").split() or (
         _SHEET in stroke.lower() and name_kind(element) != "g"
     )
