@@ -8,6 +8,7 @@ those of nesting programs are.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
@@ -35,8 +36,9 @@ RECORDS = ((24, 8), (28, 8), (30, 12), (48, 20), (99, 8), (64, 12), (50, 116), (
 """Placements and vertices of a part, as published records have them."""
 DOUBLINGS = (625, 1250, 2500, 5000, 10_000)
 GROWING = 52
-CGAL_BAR, SHAPELY_BAR = 5.0, 10.0
-"""The least speed of the judge beside CGAL, and its greatest time beside shapely."""
+OPERATIONS = {"CGAL": "intersection", "CGAL meet": "meet"}
+BARS = (", at most 10 asked for", ", at least 5 asked for", "")
+"""Of the judge's time beside shapely, and of its speed beside the operations of CGAL."""
 
 Pairs = set[tuple[int, int]]
 Offsets = list[tuple[int, int]]
@@ -162,40 +164,33 @@ def write_shapes(shapes: list[Region]) -> str:
 
 
 class Beside(NamedTuple):
-    """Median times in ms for one layout, and whether all found the same pairs."""
+    """Median times of the programs in ms for one layout, and whether all found the same pairs."""
 
     name: str
     placements: int
     vertices: int
-    ours: float
-    shapely: float
-    cgal: float | None
-    cgal_meet: float | None
+    times: dict[str, float]
     same: bool
 
 
 def measure(name: str, layout: Layout, cgal: Path | None, seconds: float = 0.2) -> Beside:
-    """Judge a layout by all three, in turn, twice."""
-    shapes = place_all(layout)
+    """Judge a layout by all programs, in turn, twice."""
+    *placed, outside = place_all(layout)
+    shapes = [*placed, outside]
     by_shapely = make_shapely(shapes)
     given = write_shapes(shapes)
-    ours: list[float] = []
-    floats: list[float] = []
-    exact: dict[str, list[float]] = {"intersection": [], "meet": []}
+    taken: defaultdict[str, list[float]] = defaultdict(list)
     found = judge_ours(layout)
     same = found == by_shapely()
     for _ in range(2):
-        ours += milliseconds(partial(judge_ours, layout), seconds)
-        floats += milliseconds(by_shapely, seconds)
-        for operation, taken in exact.items() if cgal else ():
-            assert cgal is not None
-            times, *pairs = run([cgal, operation, str(seconds)], given, 100.0).splitlines()
-            taken += map(float, times.split())
+        taken["ours"] += milliseconds(partial(judge_ours, layout), seconds)
+        taken["shapely"] += milliseconds(by_shapely, seconds)
+        for program, operation in OPERATIONS.items() if cgal else ():
+            times, *pairs = run([str(cgal), operation, str(seconds)], given, 100.0).splitlines()
+            taken[program] += map(float, times.split())
             same = same and found == {(int(a), int(b)) for a, b in map(str.split, pairs)}
-    vertices = sum(map(len, shapes[:-1])) // (len(shapes) - 1)
-    made, met = (median(taken) if taken else None for taken in exact.values())
-    count = len(shapes) - 1
-    return Beside(name, count, vertices, median(ours), median(floats), made, met, same)
+    medians = {program: median(times) for program, times in taken.items()}
+    return Beside(name, len(placed), sum(map(len, placed)) // len(placed), medians, same)
 
 
 def compare_all(cgal: Path | None, *, quick: bool) -> Iterator[Beside]:
@@ -246,30 +241,25 @@ def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
         cgal = cgal or compile_judge(Path(folder))
         found = list(compare_all(cgal, quick=quick))
     beside = Table(title="Layouts judged, median ms of processor time")
-    for name in ("parts with", "placements", "vertices", "ours", "shapely", "CGAL", "CGAL meet"):
-        beside.add_column(name, justify="right")
-    for name in ("ours / shapely", "CGAL / ours", "CGAL meet / ours", "same pairs"):
-        beside.add_column(name, justify="right")
+    programs = [*found[0].times]
+    ratios = [("ours", "shapely"), *((program, "ours") for program in programs[2:])]
+    for column in ("parts with", "placements", "vertices", *programs):
+        beside.add_column(column, justify="right")
+    for ratio in ratios:
+        beside.add_column(" / ".join(ratio), justify="right")
+    beside.add_column("same pairs")
     for row in found:
         beside.add_row(
-            row.name,
-            *map(str, (row.placements, row.vertices)),
-            *(f"{time:.2f}" for time in (row.ours, row.shapely)),
-            *("" if time is None else f"{time:.2f}" for time in (row.cgal, row.cgal_meet)),
-            f"{row.ours / row.shapely:.1f}",
-            *("" if t is None else f"{t / row.ours:.1f}" for t in (row.cgal, row.cgal_meet)),
+            *(row.name, str(row.placements), str(row.vertices)),
+            *(f"{row.times[program]:.2f}" for program in programs),
+            *(f"{row.times[a] / row.times[b]:.1f}" for a, b in ratios),
             "yes" if row.same else "no",
         )
     yield beside
     for name in (GAP, TOUCHING):
-        rows = [row for row in found if row.name == name]
-        slower = median(row.ours / row.shapely for row in rows)
-        yield f"{name}: ours / shapely: median {slower:.1f}, at most {SHAPELY_BAR:g} asked for"
-        if cgal is not None:
-            faster = median(row.cgal / row.ours for row in rows if row.cgal is not None)
-            meeting = median(row.cgal_meet / row.ours for row in rows if row.cgal_meet is not None)
-            yield f"{name}: CGAL / ours: median {faster:.1f}, at least {CGAL_BAR:g} asked for"
-            yield f"{name}: CGAL meet / ours: median {meeting:.1f}"
+        for (a, b), bar in zip(ratios, BARS, strict=False):
+            half = median(row.times[a] / row.times[b] for row in found if row.name == name)
+            yield f"{name}: {a} / {b}: median {half:.1f}{bar}"
     growth = Table(title=f"Tilings by parts of {GROWING} vertices, seconds, and MB at most")
     for name in ("placements", "verdict", "least distance", "memory"):
         growth.add_column(name, justify="right")

@@ -135,18 +135,23 @@ class Work:
         self.left -= steps * (weight(bits) if bits else self.weight)
         need(self.left >= 0, self.reason)
 
-    def read(self, item: Any, levels: int = 8) -> int:
-        """Take the steps of reading data; return the digits of its longest number."""
-        if type(item) in (dict, list) and levels:
-            self.take(1 + len(item) // 8)
-            parts = item.values() if type(item) is dict else item
-            return max((self.read(part, levels - 1) for part in parts), default=0)
-        is_text = type(item) is str
-        self.numbers += is_text
-        digits: int = len(item) if is_text else item.bit_length() // 3 if type(item) is int else 0
-        # To parse it, and to see that it is in lowest terms.
-        self.take(digits * isqrt(digits) // 1000 + digits**2 // 400_000)
-        return digits
+    def read(self, item: Any, levels: int = 7) -> int:
+        """Take the steps of reading an object or a list; return its longest number's digits."""
+        self.take(1 + len(item) // 8)
+        longest = 0
+        for part in item.values() if type(item) is dict else item:
+            kind, digits = type(part), 0
+            if kind is str:
+                self.numbers += 1
+                digits = len(part)
+            elif kind is int:
+                digits = part.bit_length() // 3
+            elif kind in (dict, list) and levels:
+                longest = max(longest, self.read(part, levels - 1))
+            if digits > 99:  # to parse it, and to see that it is in lowest terms
+                self.take(digits * isqrt(digits) // 1000 + digits**2 // 400_000)
+            longest = max(longest, digits)
+        return longest
 
     def fit(self, rings: list[Ring]) -> None:
         """Choose a scale for shapes like these."""
@@ -530,7 +535,7 @@ class Layout:
         unique = {*map(type, self.ids)} <= {str} and len({*self.ids}) == len(self.ids)
         need(unique, "parts: ids are strings, each of one part")
         self.rings = [shape(part, f"id {rules}") for part in parts]
-        both = zip(items(cut, len(parts)), self.rings, strict=True)
+        both = zip(items(cut, len(parts)), self.rings, strict=True)  # pragma: no mutate: as long
         pieces = [[] if e is None else solid(rings, e, work) for e, rings in both]
         self.facts: list[tuple[int, Any, bool]] = []
         self.placed: list[Placed] = []
@@ -617,7 +622,7 @@ class Layout:
             need(whole, f"{a} and {b}: no normal that parts them")
             return
         near = [(j, box) for j, box in enumerate(other.boxes) if are_near(box, one.box, reach)]
-        self.work.take(len(one.pieces) * len(near) // 4)
+        self.work.take(len(one.pieces) * len(near) // 4)  # pragma: no mutate: steps alone
         for i, piece in enumerate(one.pieces):
             for j in [j for j, box in near if are_near(box, one.boxes[i], reach)]:
                 self.work.take(len(piece) + len(other.pieces[j]))
@@ -714,7 +719,7 @@ def add_convex(one: Ring, other: Ring) -> Ring:
 def clip(sides: list[Node], a: Node, b: Node) -> Span | None:
     """Return the shares of a segment inside open half-planes, from -1 or to 2 if beyond an end."""
     (x, y, w), (u, v, z) = a, b
-    low, high = (-1, 1), (2, 1)
+    low, high = (-1, 1), (2, 1)  # pragma: no mutate: any that are beyond the ends
     for k, m, n in sides:
         at_a, at_b = (k * x + m * y + n * w) * z, (k * u + m * v + n * z) * w
         if at_a <= 0:
@@ -972,8 +977,7 @@ class Part(NamedTuple):
         """Return the part of it that has slopes of another one."""
         start = bisect_left(self.lines, 0, key=lambda of: -by_way(of, other.least))
         end = bisect_right(self.lines, 0, start, key=lambda of: by_way(other.greatest, of))
-        corners = slice(start, end + 1)
-        return Part(self.points[corners], self.numbers[corners], self.lines[start:end])
+        return Part(self.points[start:], self.numbers[start:], self.lines[start:end])
 
 
 class Chain(NamedTuple):
@@ -1202,14 +1206,14 @@ class Monotone:
 
     def prove_drawn(self, name: str, drawn: MonotoneLoop, listed: Any) -> None:
         """Prove that the features listed for each edge of a loop draw it, all of it."""
-        for k, entries in enumerate(under(name, items, listed, len(drawn.lines))):
-            where, of = f"{name}[{k}]", drawn.lines[k]
-            pairs = [items(entry, 2) for entry in under(where, items, entries)]
+        lists = under(name, items, listed, len(drawn.lines))
+        for k, (of, ends) in enumerate(zip(drawn.lines, edges(drawn.points), strict=True)):
+            where = f"{name}[{k}]"
+            pairs = [items(entry, 2) for entry in under(where, items, lists[k])]
             self.work.take(len(pairs))
             pieces = [extent(of, self.t.feature(p), self.g.feature(q)) for p, q in pairs]
             once = len(pairs) < 2 or len({*map(str, pairs)}) == len(pairs)
             need(once, f"{where}: a drawing is there twice")
-            ends = drawn.feature(["edge", k])
             self.prove_covered(where, extent(of, ends), pieces, ends[0])
 
     def prove_covered(
@@ -1294,7 +1298,7 @@ def prove(certificate: Any, max_steps: int = MAX_STEPS) -> str:
     check_format(certificate)
     need(type(max_steps) is int, "max_steps: not an int")
     work, kind, claim = Work(max_steps), certificate.get("kind"), certificate.get("claim")
-    work.read(certificate.get("area"))
+    work.read([certificate.get("area")])
     longest = work.read({k: item for k, item in certificate.items() if k not in UNREAD})
     work.weight = weight(longest * 10 // 3)
     work.take(work.numbers)

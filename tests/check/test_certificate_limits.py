@@ -148,11 +148,11 @@ def test_reading_counts_in_steps() -> None:
     7,874**2 is 155 * 400,000 less 124, and 7,875**2 is more; 88**2 is below both.
     """
     assert reading_steps(["1", {"a": ["2"] * 7}, 3, ["4"] * 8, None]) == 1 + 1 + 1 + 2
-    assert reading_steps("7" * 20_000) == 2820 + 1000
-    assert [reading_steps("7" * n) for n in (99, 100)] == [0, 1]
+    assert reading_steps(["7" * 20_000]) == 1 + 2820 + 1000
+    assert [reading_steps(["7" * n]) for n in (99, 100)] == [1, 2]
     for n, squares in ((7874, 154), (7875, 155)):
-        assert reading_steps("7" * n) == n * 88 // 1000 + squares
-    assert reading_steps(1 << 60_000) == reading_steps("7" * 20_000)
+        assert reading_steps(["7" * n]) == 1 + n * 88 // 1000 + squares
+    assert reading_steps([1 << 60_000]) == reading_steps(["7" * 20_000])
     certificate = {**sweep(UNIT, SLOT).certificate(), "area": "9" * 10**7}
     assert verify(certificate, max_steps=10**8).reason == (
         "too large: to check it would take more than 100000000 steps"

@@ -77,6 +77,12 @@ def test_certificates_of_every_kind_are_proved(name: str) -> None:
     assert verify(certificate).proved
 
 
+@pytest.mark.parametrize("ask", [sweep, no_fit_polygon, inner_fit_polygon])
+def test_certificates_of_minute_shapes_are_proved(ask: Callable[..., Any]) -> None:
+    cave, part = ([(x / Fraction(999), y / Fraction(999)) for x, y in s] for s in (CAVE, SQUARE))
+    assert prove(add_proof(ask(cave, part).certificate()))
+
+
 def test_it_says_what_is_proved() -> None:
     assert prove(CERTIFICATES["CC"]) == (
         "CC sweep of 5 around 4 vertices, trajectory 6, inner 4, outer 8, area 22"
@@ -366,6 +372,8 @@ def test_the_file_proves_certificates_by_itself(
         "g": json.dumps(SQUARE),
         "d": '{"exterior": [[0, 0], [8, 0.0], ["8", 5e0], [7, 5], [3, 1], [2, 5], [0, 5]],'
         ' "holes": null}',
+        "fit": json.dumps(CERTIFICATES["inside exactly"]),
+        "slot": json.dumps(SLOT),
         "claim": json.dumps({k: v for k, v in CERTIFICATES["SS"].items() if k != "proof"}),
         "twice": '{"format": 1, "format": 1}',
         "nan": '{"format": NaN}',
@@ -382,6 +390,9 @@ def test_the_file_proves_certificates_by_itself(
     assert run(at["proof"])[0] == 0
     assert standalone.main([at["proof"], at["g"], at["d"]]) == 0
     assert capsys.readouterr().out == said
+    assert standalone.main([at["fit"], at["g"], at["slot"]]) == 0
+    assert standalone.main([at["fit"], at["slot"], at["g"]]) == 1
+    assert capsys.readouterr().out.endswith("not proved: part: not the polygon that is given\n")
     assert run(at["proof"], at["d"], at["g"]) == (
         1,
         "not proved: generatrix: not the polygon that is given\n",

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 from itertools import product
-from math import ceil, floor
+from math import ceil, floor, lcm
 from random import Random
 
 import pytest
@@ -15,11 +15,8 @@ from polyominoes import Matrix
 from exactsweep import Point, Region
 from exactsweep.check import classify
 from exactsweep.corpus.generator.cells import Cell, grow
-from exactsweep.geometry.overlap import (
-    Overlap,
-    is_inside,
-    touch,
-)
+from exactsweep.geometry import overlap
+from exactsweep.geometry.overlap import EdgeIndex, Overlap, Relation, is_inside, relate, touch
 from exactsweep.numbers.point import Rational, Vertex
 
 ORIGIN = Point(Fraction(0), Fraction(0))
@@ -50,23 +47,28 @@ def test_interiors_meet_where_the_definition_says() -> None:
         # Off the lattice a point and its floor may lie in different columns of edges.
         aside = rng.choice([None, None, Fraction(1, 3), Fraction(5, 7)]) or Fraction(0)
         rings: list[list[Vertex]] = [[(x + aside, y) for x, y in ring] for ring in d.lattice()[1]]
-        overlap = Overlap(rings if aside else d.lattice()[1], g.lattice()[1])
+        test = Overlap(rings if aside else d.lattice()[1], g.lattice()[1])
         for _ in range(10):
             (v, _), (p, q) = (edge_of(rng, shape) for shape in pair)
             share = Fraction(rng.randint(0, 2), 2)
             beside = rng.choice([Fraction(0), Fraction(0), Fraction(1, 3)])
             t = Point(*(b + share * (c - b) - a + beside for a, b, c in zip(v, p, q, strict=True)))
             there = classify(d, g, t).verdict == "OVERLAP"
-            assert overlap.at(Point(t.x + aside, t.y)) == there, (pair, t, aside)
+            assert test.at(Point(t.x + aside, t.y)) == there, (pair, t, aside)
             found[there] += 1
     assert min(found.values()) > 200
 
 
+@pytest.mark.parametrize("few", [0, 24])
 @pytest.mark.parametrize("matrix", [(1, 0, 0, 1), (0, -1, 1, 0), (2, 1, 1, 2), (1, -3, 0, 2)])
-def test_interiors_of_polyominoes_meet_where_squares_do(matrix: Matrix) -> None:
-    """At places of the grid, halfway between them, and off all of them."""
-    rng = Random(matrix[1])
+def test_interiors_of_polyominoes_meet_where_squares_do(
+    matrix: Matrix, few: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On the grid, halfway between its places, and off them; with and without columns."""
+    monkeypatch.setattr(overlap, "_FEW", few)
+    rng = Random(matrix[1] + few)
     found: Counter[tuple[bool, bool]] = Counter()
+    relations: Counter[Relation] = Counter()
     for _ in range(40):
         d, g = (grow(rng.randrange(10**6) for _ in range(rng.randrange(n))) for n in (24, 4))
         (outer, orbiting) = (loops_of(cells, matrix, rng) for cells in (d, g))
@@ -86,8 +88,20 @@ def test_interiors_of_polyominoes_meet_where_squares_do(matrix: Matrix) -> None:
             assert inside_of.at(t) == bool(over & d), (d, g, t)
             assert outside_of.at(t) == bool(over - d), (d, g, t)
             found[bool(over & d), bool(over - d)] += 1
-    assert len(found) == 3
+            near = any(
+                abs(gx + ux - dx) <= 1 and abs(gy + uy - dy) <= 1
+                for (dx, dy), (gx, gy) in product(d, g)
+            )
+            closed = Relation.CONTACT if near else Relation.APART
+            scale = lcm(t.x.denominator, t.y.denominator)
+            move = int(t.x * scale), int(t.y * scale), scale
+            relation, crossing = relate(EdgeIndex(outer), EdgeIndex(orbiting), *move)
+            assert relation == (Relation.OVERLAP if over & d else closed), (d, g, t)
+            assert relation is Relation.OVERLAP or crossing is None
+            relations[relation] += 1
+    assert len(found) == len(relations) == 3
     assert min(found.values()) > 20
+    assert min(relations.values()) > 5
 
 
 @pytest.mark.parametrize("matrix", [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 2), (1, -3, 0, 2)])

@@ -15,17 +15,14 @@ class Holed(NamedTuple):
     exterior: Polygon
     holes: tuple[Polygon, ...] = ()
 
-    def mapped(self, matrix: Matrix, scale: Fraction = Fraction(1), by: Cell = (0, 0)) -> "Holed":
-        """The image under a matrix, then moved, then scaled."""
-        image = map_region(Region(self.exterior, self.holes), matrix, scale, by)
+    def mapped(self, matrix: Matrix, scale: Fraction) -> "Holed":
+        """The image under a matrix, then scaled."""
+        image = map_region(Region(self.exterior, self.holes), matrix, scale)
         return Holed(image.exterior, image.holes)
 
     @property
     def area(self) -> Fraction:
         return self.exterior.area - sum(hole.area for hole in self.holes)
-
-    def size(self) -> int:
-        return sum(map(len, (self.exterior, *self.holes)))
 
 
 def shape_of(cells: Iterable[Cell]) -> Holed:
