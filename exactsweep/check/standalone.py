@@ -547,7 +547,7 @@ class Layout:
             need(type(name) is str and name in self.ids, "placements: of no part")
             need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
             k, turn, to = self.ids.index(name), read_turn(asked), read_turn(items(rational))
-            work.take(len(self.ids) + count(self.rings[k]) + count(pieces[k]))
+            work.take(len(self.ids) + 4 * (count(self.rings[k]) + count(pieces[k])))
             far = max(sum(map(abs, place(p)), NONE) for points in self.rings[k] for p in points)
             error = NONE if type(turn) is tuple else far * turn_error(to, turn)
             need(error > 0 or turn == to, "turns: not the turn of the placement")
@@ -587,13 +587,14 @@ class Layout:
         demand, turns, mirrored = self.parts[k][3:]
         need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
         found = [fact for fact in self.facts if fact[0] == k]
-        allowed = None if turns is None else [read_turn(turn) for turn in items(turns)]
-        self.work.take(len(self.facts) + len(allowed or []) * len(found))
+        listed = [] if turns is None else items(turns)
+        self.work.take(len(self.facts) + len(listed) * (1 + len(found)))
+        allowed = [*map(read_turn, listed)]
         asked = len(found) if demand is None else integer(demand, 0, 10**9)
         return {
             "missing": len(found) < asked,
             "surplus": len(found) > asked,
-            "turn": allowed is not None and any(turn not in allowed for _, turn, _ in found),
+            "turn": turns is not None and any(turn not in allowed for _, turn, _ in found),
             "mirror": mirrored is False and any(flag for _, _, flag in found),
         }
 
@@ -643,10 +644,12 @@ class Layout:
         k = self.ids.index(name)
         self.work.take(k + count(self.rings[k]))
         if kind != "shape":
-            need(self.check_rules(k).get(str(kind), False), f"faults: {kind}")
+            need(self.check_rules(k).get(str(kind), False), "faults: a rule that is not broken")
             return
         (m, i), (n, j) = ([integer(e, 0, 10**9) for e in items(edge, 2)] for edge in items(both, 2))
-        rings = [edges(ring(e)) for e in (self.parts[k][1], *(self.parts[k][2] or []))]
+        written = self.parts[k][1], *(self.parts[k][2] or [])
+        self.work.take(2 * count(written))
+        rings = [edges(ring(e)) for e in written]
         need(m < len(rings) > n and i < len(rings[m]) and j < len(rings[n]), "edges: not there")
         (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
         clash = i != j and do_clash(p, q, r, s, (j - i) % size, size)
@@ -790,18 +793,23 @@ class Sums:
         self.d, self.h, self.work = [*map(from_lowest, d)], [*map(from_lowest, h)], work
         boxes = ([(grid_box(e, work.scale), k) for k, e in enumerate(of)] for of in (d, h))
         self.trees, self.count = [*map(tree, boxes)], len(d) * len(h)
+        self.room = 2**20
         self.beyond = range(self.count, self.count + len(around))
         sides = zip(self.beyond, edges(around), strict=True)
         self.known = {k: ([line(q, p)], [(q, p)]) for k, (p, q) in sides}
 
     def get(self, k: int) -> tuple[list[Node], list[Edge]]:
         """Return the lines around a sum and its sides, of a half-plane the one that is B's."""
-        if k not in self.known:
-            i, j = divmod(k, len(self.h))
-            sides = edges(add_convex(self.d[i], self.h[j]))
-            self.work.take(len(sides))
-            self.known[k] = [line(*e) for e in sides], sides
-        return self.known[k]
+        if k in self.known:
+            return self.known[k]
+        i, j = divmod(k, len(self.h))
+        self.work.take(2 * (len(self.d[i]) + len(self.h[j])))
+        sides = edges(add_convex(self.d[i], self.h[j]))
+        found = [line(*e) for e in sides], sides
+        # Memory has its bounds, too: some 500 MB.
+        if self.room > 0:
+            self.room, self.known[k] = self.room - len(sides), found
+        return found
 
 
 def is_chain(spans: list[tuple[Span, bool]]) -> bool:
@@ -1273,7 +1281,7 @@ def read_given(text: str) -> list[Ring]:
     """Read a shape or a ring from JSON, its numbers exactly as they are written."""
     need(not re.search("[eE][-+]?0*[1-9][0-9]{4}", text), "a number with too large an exponent")
     item = json.loads(text, parse_float=str, parse_int=str)
-    rings = [item] if type(item) is list else [item["exterior"], *item.get("holes", [])]
+    rings = [item] if type(item) is list else [item["exterior"], *(item.get("holes") or [])]
     return [[node(*map(Fraction, items(p, 2))) for p in points] for points in rings]
 
 

@@ -262,6 +262,12 @@ def test_each_fault_of_a_layout_takes_the_steps_of_its_part() -> None:
     }
     more = find_least({**certificate, "faults": [fault] * 11}) - find_least(certificate)
     assert more >= 10 * len(ring)
+    # The points of a ring are read again as written, and so are the turns that are allowed.
+    part |= {"exterior": [ring[0]] * 100 + [["2", "2"], ["1", "1"]], "turns": ["0"] * 100}
+    for again in ({**fault, "kind": "shape", "edges": [[0, 0], [0, 1]]}, fault):
+        one, eleven = (find_least({**certificate, "faults": [again] * n}) for n in (1, 11))
+        assert eleven - one >= 10 * 100
+    part |= {"exterior": ring, "turns": None}
     placed = {"part": "", "turn": "0", "move": ["0", "0"]}
     part["demand"] = 20
     least = []

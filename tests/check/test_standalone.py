@@ -362,13 +362,28 @@ def run(*arguments: str) -> tuple[int, str]:
     return done.returncode, done.stdout
 
 
+def test_sums_beyond_the_memory_there_is_are_found_again() -> None:
+    ring = standalone.ring([["0", "0"], ["1", "0"], ["0", "1"]])
+    work = standalone.Work(10**6)
+    sums = standalone.Sums([ring] * 10, [ring] * 10, work, [])
+    sums.room = 30
+    assert len({str(sums.get(k)) for k in range(100)}) == 1
+    assert len(sums.known) == 10
+    before = work.left
+    sums.get(9)
+    assert work.left == before
+    sums.get(10)
+    assert work.left < before
+
+
 def test_the_file_proves_certificates_by_itself(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     files = {
         "proof": json.dumps(CERTIFICATES["CM"]),
         "g": json.dumps(SQUARE),
-        "d": '{"exterior": [[0, 0], [8, 0.0], ["8", 5e0], [7, 5], [3, 1], [2, 5], [0, 5]]}',
+        "d": '{"exterior": [[0, 0], [8, 0.0], ["8", 5e0], [7, 5], [3, 1], [2, 5], [0, 5]],'
+        ' "holes": null}',
         "fit": json.dumps(CERTIFICATES["inside exactly"]),
         "slot": json.dumps(SLOT),
         "claim": json.dumps({k: v for k, v in CERTIFICATES["SS"].items() if k != "proof"}),
