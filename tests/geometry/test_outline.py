@@ -16,7 +16,7 @@ def test_features_at_a_point_are_those_of_the_definition() -> None:
     """For points on the lattice and between, with more edges than a search looks at one by one."""
     rng = Random(4)
     for n in range(25):
-        loop = Polygon(families.jagged(rng, 0.5, (1, 3))).lattice()[1]
+        loop = Polygon(families.jagged(rng, 4, (1, 3))).lattice()[1]
         outline = Outline([loop, *([[(x, y + 50) for x, y in loop]] if n % 2 else [])])
         (left, right), (low, high) = (
             (int(min(p[k] for p in loop)), int(max(p[k] for p in loop))) for k in (0, 1)

@@ -10,6 +10,15 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from exactsweep.corpus.generator.prng import Prng
+from exactsweep.corpus.generator.shapes import (
+    Grid,
+    close_between,
+    draw_convex,
+    draw_monotone,
+    draw_rectilinear,
+    walk,
+)
 from exactsweep.geometry.hull import find_hull
 
 IntRing = list[tuple[int, int]]
@@ -17,6 +26,7 @@ Ring = list[tuple[Fraction, Fraction]]
 Shape = Callable[[random.Random], IntRing]
 
 NEAR = 10**15
+WIDTHS = [[1], [1, 2], [1, 1, 1, 4]]
 # Rows of invertible matrices, one of them turning over.
 MATRICES = [
     (0, -1, 1, 0),
@@ -32,8 +42,6 @@ MATRICES = [
 class Pair(NamedTuple):
     """Generatrix and directrix as given to `sweep`, and a direction to which both are monotone."""
 
-    family: str
-    placement: str
     generatrix: Ring
     directrix: Ring
     direction: tuple[int, int]
@@ -43,10 +51,7 @@ def convex(
     rng: random.Random, sides: Sequence[int] = (1, 2, 3, 5, 12, 1000), most: int = 14
 ) -> IntRing:
     """The hull of a few points of a grid; often with vertical or parallel edges."""
-    side = rng.choice(sides)
-    points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, most))]
-    found = find_hull(points)
-    return [*found] if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
+    return [*draw_convex(_prng(rng), most, rng.choice(sides))]
 
 
 def box(rng: random.Random) -> IntRing:
@@ -58,57 +63,45 @@ def fan(rng: random.Random) -> IntRing:
     """Convex, with slopes that differ by one part in 10**15."""
     steps = [(NEAR, rng.randint(-3, 3)) for _ in range(rng.randint(2, 5))]
     steps += [(NEAR + rng.randint(0, 2), NEAR) for _ in range(rng.randint(0, 2))]
-    return [*find_hull([*_walk(steps), (0, 1), (NEAR, rng.randint(2, 9))])]
+    return [*find_hull([*walk(steps), (0, 1), (NEAR, rng.randint(2, 9))])]
 
 
-def jagged(rng: random.Random, walls: float = 0.0, cells: tuple[int, int] = (1, 6)) -> IntRing:
-    """Bottom and top on breakpoints of their own, with vertical edges if asked for."""
-    height = rng.choice([1, 2, 4, 9])
-    chains: list[IntRing] = []
-    for count in rng.randint(*cells), rng.randint(*cells):
-        xs = _abscissas(rng, count)
-        chain: IntRing = [(xs[0], rng.randint(0, height))]
-        for x in xs[1:]:
-            chain.append((x, rng.randint(0, height)))
-            if x != xs[-1] and rng.random() < walls:
-                chain.append((x, rng.randint(0, height)))
-        chains.append(chain)
-    return _between(rng, chains)
+def jagged(rng: random.Random, walls: int = 0, cells: tuple[int, int] = (1, 6)) -> IntRing:
+    """Bottom and top on breakpoints of their own; so many times in eight with vertical edges."""
+    grid = Grid(cells, rng.choice(WIDTHS), rng.choice([1, 2, 4, 9]), walls)
+    return draw_monotone(_prng(rng), grid)
 
 
 def walled(rng: random.Random) -> IntRing:
-    return jagged(rng, walls=0.6)
+    return jagged(rng, walls=5)
 
 
 def long(rng: random.Random) -> IntRing:
-    return jagged(rng, walls=rng.choice([0, 0.2]), cells=(8, 20))
+    return jagged(rng, walls=rng.choice([0, 2]), cells=(8, 20))
 
 
 def rectilinear(rng: random.Random) -> IntRing:
     """Horizontal and vertical edges: slots and teeth, often of equal width."""
-    xs = _abscissas(rng, rng.randint(2, 6))
-    chains: list[IntRing] = []
-    for height in rng.choice([(2, 2), (3, 1), (0, 3)]):
-        heights = [rng.randint(0, height) for _ in xs[1:]]
-        chains.append([(x, y) for k, y in enumerate(heights) for x in xs[k : k + 2]])
-    return _between(rng, chains, pointed=0)
+    return draw_rectilinear(_prng(rng), (2, 6), rng.choice(WIDTHS), rng.randint(1, 3))
 
 
 def teeth(rng: random.Random, depths: Sequence[int] = (1, 3, 1000), most: int = 7) -> IntRing:
     """Spikes of few slopes, up and down: parallel edges, tangent envelopes."""
     depth = rng.choice(depths)
     steps = [(1, depth), (1, -depth), (1, depth), (1, -depth), (2, 0)]
-    chains = [_walk([rng.choice(steps) for _ in range(rng.randint(2, most))]) for _ in "bt"]
-    return _between(rng, chains)
+    chains = [walk([rng.choice(steps) for _ in range(rng.randint(2, most))]) for _ in "bt"]
+    bottom, top = chains
+    return close_between(_prng(rng), bottom, top)
 
 
 def ripple(rng: random.Random) -> IntRing:
     """Slopes that differ by one part in 10**15, up and down."""
     slope = rng.choice([0, 1, NEAR])
     chains = [
-        _walk([(NEAR, slope + rng.randint(-2, 2)) for _ in range(rng.randint(2, 5))]) for _ in "bt"
+        walk([(NEAR, slope + rng.randint(-2, 2)) for _ in range(rng.randint(2, 5))]) for _ in "bt"
     ]
-    return _between(rng, chains)
+    bottom, top = chains
+    return close_between(_prng(rng), bottom, top)
 
 
 def mould(rng: random.Random, ring: IntRing) -> IntRing:
@@ -164,10 +157,10 @@ def random_pair(rng: random.Random, families: Sequence[str] = FAMILIES) -> Pair:
         directrix = [(-x, -y) for x, y in generatrix]
     elif family == "unequal":
         ratio = Fraction(rng.choice(["1/7", "3", "10", "1e9", "1e-9"]))
-    return place(rng, family, _scaled(generatrix, ratio), _scaled(directrix, Fraction(1)))
+    return place(rng, _scaled(generatrix, ratio), _scaled(directrix, Fraction(1)))
 
 
-def place(rng: random.Random, family: str, *rings: Ring) -> Pair:
+def place(rng: random.Random, *rings: Ring) -> Pair:
     """Scale, turn, respell and move both polygons."""
     placement = rng.choice(["as built", "moved", "huge", "minute", "turned", "respelled"])
     direction = (1, 0)
@@ -184,7 +177,7 @@ def place(rng: random.Random, family: str, *rings: Ring) -> Pair:
     if placement != "as built":
         rings = tuple(_moved(rng, ring) for ring in rings)
     generatrix, directrix = rings
-    return Pair(family, placement, generatrix, directrix, direction)
+    return Pair(generatrix, directrix, direction)
 
 
 def respelled(rng: random.Random, ring: Ring) -> Ring:
@@ -202,32 +195,8 @@ def respelled(rng: random.Random, ring: Ring) -> Ring:
     return spelled[::-1] if rng.random() < 0.5 else spelled
 
 
-def _walk(steps: Sequence[tuple[int, int]]) -> IntRing:
-    chain: IntRing = [(0, 0)]
-    for dx, dy in steps:
-        x, y = chain[-1]
-        chain.append((x + dx, y + dy))
-    return chain
-
-
-def _abscissas(rng: random.Random, cells: int) -> list[int]:
-    widths = rng.choice([[1], [1, 2], [1, 1, 1, 4]])
-    return [x for x, _ in _walk([(rng.choice(widths), 0) for _ in range(cells)])]
-
-
-def _between(rng: random.Random, chains: list[IntRing], pointed: float = 0.4) -> IntRing:
-    """The ring between two chains, pointed or with a vertical edge at each end."""
-    bottom, top = chains
-    last = max(bottom[-1][0], top[-1][0])
-    for chain in chains:
-        if chain[-1][0] < last:
-            chain.append((last, chain[0][1]))
-    rise = max(y for _, y in bottom) - min(y for _, y in top) + rng.randint(1, 3)
-    tips: list[IntRing] = [
-        [(x, bottom[0][1] + rng.randint(-1, 4))] if rng.random() < pointed else []
-        for x in (last + 1, bottom[0][0] - 1)
-    ]
-    return [*bottom, *tips[0], *((x, y + rise) for x, y in reversed(top)), *tips[1]]
+def _prng(rng: random.Random) -> Prng:
+    return Prng(str(rng.getrandbits(64)))
 
 
 def _top_of(ring: IntRing) -> IntRing:

@@ -44,7 +44,7 @@ def convex(rng: Random) -> Shape:
 
 
 def monotone(rng: Random) -> Shape:
-    return [families.jagged(rng, rng.choice([0, 0.5]), (1, 3))]
+    return [families.jagged(rng, rng.choice([0, 4]), (1, 3))]
 
 
 def rectilinear(rng: Random) -> Shape:

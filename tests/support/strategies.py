@@ -1,17 +1,18 @@
 """Polygons by construction: every class, and degenerate on purpose.
 
-Everything here yields a `Polygon`, or a pair of them; nothing is filtered. Shapes are built on a
-small integer grid, where features meet often, and then placed: scaled, from 10**-30 to 10**30, and
-moved.
+Everything here yields a `Polygon`, or a pair of them; nothing is filtered. The seeded families
+build shapes on a small integer grid, where features meet often. They are then placed: scaled, from
+10**-30 to 10**30, and moved.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import Literal
+from random import Random
+from typing import Any, Literal
 
+import families
 from hypothesis import strategies as st
 
-from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import to_fraction
 from exactsweep.numbers.point import Point
@@ -43,84 +44,24 @@ def points(*pairs: tuple[object, object]) -> tuple[Point, ...]:
     return tuple(Point(to_fraction(x), to_fraction(y)) for x, y in pairs)
 
 
-@st.composite
-def convex_rings(draw: st.DrawFn) -> Ring:
-    """Hulls of random points, or of a line of nearly parallel steps; never flat."""
-    if draw(st.booleans()):
-        side = draw(st.sampled_from([2, 4, 12]))
-        grid = st.tuples(tiny(0, side), tiny(0, side))
-        points = draw(st.lists(grid, min_size=1, max_size=12))
-    else:
-        k = draw(st.sampled_from([3, 1000, 10**9]))
-        steps = [(k, 1), (k + 1, 1), (k, -1), (k - 1, 1), (1, k), (k, k - 1), (k + 1, k)]
-        x = y = 0
-        points = [(0, 0)]
-        for dx, dy in draw(st.lists(st.sampled_from(steps), min_size=1, max_size=6)):
-            x, y = x + dx, y + dy
-            points.append((x, y))
-    found = find_hull(points)
-    if len(found) < 3:
-        x, y = points[0]
-        found = find_hull([*points, (x + 1, y), (x, y + 1)])
-    return found
+def seeded(*makers: Callable[[Random], Any]) -> st.SearchStrategy[Any]:
+    """Strategy of a value that one of some functions makes with a seeded `Random`."""
+    seeds = st.integers(0, 2**32 - 1).map(Random)
+    return seeds.map(lambda random: random.choice(makers)(random))
 
 
-@st.composite
-def strict_rings(draw: st.DrawFn) -> Ring:
-    """No vertical edge: both chains start and end in common points."""
-    if draw(st.booleans()):
-        # Breakpoints of their own, on either side of the line y = slope * x.
-        last = draw(tiny(2, 8))
-        slope = draw(tiny(-2, 2))
-        inside = st.sets(tiny(1, last - 1), min_size=1, max_size=5)
-        bottom = [(x, draw(tiny(-5, -1))) for x in sorted(draw(inside))]
-        top = [(x, draw(tiny(1, 5))) for x in sorted(draw(inside))]
-        straight = [(0, 0), *bottom, (last, 0), *reversed(top)]
-        return [(x, y + slope * x) for x, y in straight]
-    xs = draw(_abscissas(3))
-    bottom = [(x, draw(tiny(0, 5))) for x in xs]
-    top = [(x, y + draw(tiny(1, 4))) for x, y in bottom[1:-1]]
-    return [*bottom, *reversed(top)]
+def convex_rings() -> st.SearchStrategy[Ring]:
+    """Hulls of random points, or of a line of nearly parallel steps."""
+    return seeded(families.convex, families.convex, families.fan)
 
 
-@st.composite
-def weak_rings(draw: st.DrawFn) -> Ring:
-    """Vertical edges inside both chains and at the ends."""
-    xs = draw(_abscissas(2))
-    left, right = draw(tiny()), draw(tiny())
-    bottom, top = [(xs[0], left)], [(xs[0], left + draw(tiny(1, 3)))]
-    for x in xs[1:-1]:
-        before, after = draw(tiny()), draw(tiny())
-        bottom += [(x, before), (x, after)]
-        floor = max(before, after) + 1
-        top += [(x, floor + draw(tiny(0, 3))), (x, floor + draw(tiny(0, 3)))]
-    bottom.append((xs[-1], right))
-    top.append((xs[-1], right + draw(tiny(0, 3))))
-    return [*bottom, *reversed(top)]
-
-
-@st.composite
-def rectilinear_rings(draw: st.DrawFn) -> Ring:
+def rectilinear_rings() -> st.SearchStrategy[Ring]:
     """Horizontal and vertical edges only: slots and teeth that fit exactly, or stairs."""
-    xs = draw(_abscissas(2))
-    cells = len(xs) - 1
-    if draw(st.booleans()):
-        floors = [draw(tiny(0, 2)) for _ in range(cells)]
-        ceilings = [draw(tiny(3, 5)) for _ in range(cells)]
-    else:
-        height = draw(tiny(2, 4))
-        floors = [0]
-        for _ in range(cells - 1):
-            floors.append(floors[-1] + draw(tiny(0, 1)))
-        ceilings = [floor + height for floor in floors]
-    bottom, top = (
-        [(x, y) for i, y in enumerate(ys) for x in xs[i : i + 2]] for ys in (floors, ceilings)
-    )
-    return [*bottom, *reversed(top)]
+    return seeded(families.rectilinear)
 
 
 def monotone_rings() -> st.SearchStrategy[Ring]:
-    return strict_rings() | weak_rings() | rectilinear_rings()
+    return seeded(families.jagged, families.walled, families.rectilinear, families.teeth)
 
 
 @st.composite
@@ -209,31 +150,9 @@ def _grid_shifts(scale: Fraction) -> st.SearchStrategy[tuple[Fraction, Fraction]
     return st.tuples(*[tiny(-3, 3).map(lambda n: n * scale)] * 2)
 
 
-@st.composite
-def _abscissas(draw: st.DrawFn, least: int) -> list[int]:
-    """Increasing, with small equal steps more often than not."""
-    xs = [0]
-    for width in draw(st.lists(tiny(1, 2), min_size=least - 1, max_size=7)):
-        xs.append(xs[-1] + width)
-    return xs
-
-
-@st.composite
-def spellings(draw: st.DrawFn, polygon: Polygon) -> list[tuple[Fraction, Fraction]]:
+def spellings(polygon: Polygon) -> st.SearchStrategy[families.Ring]:
     """The same polygon in other words: turned, reversed, closed, repeated, collinear vertices."""
-    corners = polygon.vertices
-    first = draw(st.integers(0, len(corners) - 1))
-    corners = corners[first:] + corners[:first]
-    spelled: list[tuple[Fraction, Fraction]] = []
-    for (ax, ay), (bx, by) in zip(corners, (*corners[1:], corners[0]), strict=True):
-        spelled += [(ax, ay)] * draw(tiny(1, 2))
-        for share in sorted(
-            draw(st.lists(st.sampled_from([Fraction(1, 3), Fraction(1, 2)]), max_size=2))
-        ):
-            spelled.append((ax + share * (bx - ax), ay + share * (by - ay)))
-    if draw(st.booleans()):
-        spelled.append(spelled[0])
-    return spelled[::-1] if draw(st.booleans()) else spelled
+    return seeded(lambda random: families.respelled(random, [*polygon.vertices]))
 
 
 def mapped(polygon: Polygon, matrix: Matrix) -> Polygon:
