@@ -103,8 +103,8 @@ def _check_types(certificate: Any) -> None:
             raise Refused(f"a {kind.__name__} is not JSON")
         # A list may hold itself.
         nested = {id(item): item for item in level if type(item) is list or type(item) is dict}
-        new = [nested[key] for key in nested.keys() - seen]
-        seen |= nested.keys()
+        new = [item for key, item in nested.items() if key not in seen]
+        seen.update(nested)
         parts = ([*item, *item.values()] if type(item) is dict else item for item in new)
         level = [*chain.from_iterable(parts)]
 
