@@ -1,7 +1,5 @@
 """A pair of polygons, exactly as given, and the exact answers about it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
