@@ -62,7 +62,14 @@ print(failed)
 EVIDENCE = ("inner_drawn", "outer_drawn", "proof")
 TESTS = tuple(
     f"tests/check/test_{name}.py"
-    for name in ("monotone", "standalone", "standalone_layouts", "verify", "certificate_reading")
+    for name in (
+        "monotone",
+        "standalone",
+        "standalone_file",
+        "standalone_layouts",
+        "verify",
+        "certificate_reading",
+    )
 )
 ANSWERS = ("exterior", "holes", "exact_fits", "inner", "outer", "unswept", "area", "trajectory")
 

@@ -42,9 +42,7 @@ def find_near(
         for k, (left, right, low, high) in enumerate(boxes)
     ]
     # Each pile has the west and the south border of its cell.
-    piles: list[tuple[list[_Numbered], Rational | float, Rational | float]] = [
-        (numbered, -inf, -inf)
-    ]
+    piles: list[tuple[list[_Numbered], _Border, _Border]] = [(numbered, -inf, -inf)]
     while piles:
         pile, west, south = piles.pop()
         halves = _halve(pile) if len(pile) > _FEW else None

@@ -28,9 +28,7 @@ from exactsweep.numbers.number import (
     to_fraction,
 )
 
-MILLION = "9" * 10**6
 NINES = "9" * 5000
-NOT_A_FRACTION = r"is not a rational number$"
 
 
 class Unprintable:
