@@ -83,7 +83,7 @@ class LoopEdge:
         return Fraction(square, divisor * place.w * place.w)
 
     def is_beyond(self, bounds: Iterable[tuple[Place, int]]) -> bool:
-        """Decide whether the edge's box is farther from a place than a bound, squared, times w^2."""
+        """Decide whether its box is farther from a place than a bound, squared, times w^2."""
         for (x, y, w), bound in bounds:
             dx = max(self.left * w - x, x - self.right * w, 0)
             dy = max(self.bottom * w - y, y - self.top * w, 0)
