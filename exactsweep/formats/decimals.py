@@ -90,13 +90,16 @@ def read_each(texts: Sequence[str]) -> list[Fraction]:
     >>> read_each([" 1", "-.5 "])
     [Fraction(1, 1), Fraction(-1, 2)]
     """
-    if len({*texts}) == 1:  # as the heights and bulges of vertices nearly always are
-        return [read_decimal(texts[0].strip())] * len(texts)
-    rows = "\n".join([*texts, ""])
+    distinct = [*dict.fromkeys(texts)]
+    rows = "\n".join([*distinct, ""])
     found = rows.split() if _ROWS.fullmatch(rows) else []
-    if len(found) != len(texts):
-        return [read_decimal(text.strip()) for text in texts]
-    return _read_plain(found)
+    if len(found) == len(distinct):
+        numbers = _read_plain(found)
+    else:
+        numbers = [read_decimal(text.strip()) for text in distinct]
+    # Most drawings have every end of a line twice, and one height and bulge.
+    known = dict(zip(distinct, numbers, strict=True))
+    return [known[text] for text in texts]
 
 
 def read_points(text: str) -> list[Point]:

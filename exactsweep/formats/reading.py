@@ -167,15 +167,16 @@ class Reading:
         self.found_unit = UNITS[self.unit]
         return unit / self.found_unit
 
-    def hides(self, reason: str) -> bool:
-        """Decide whether to leave out an element for a reason, and count it if so.
+    def hides(self, reason: str, count: int = 1) -> bool:
+        """Decide whether to leave out elements for a reason, and count them if so.
 
         Args:
-            reason: the reason that hides the element; "" for none.
+            reason: the reason that hides the elements; "" for none.
+            count: the number of elements.
         """
         if not reason or self.hidden:
             return False
-        self.passed[reason] += 1
+        self.passed[reason] += count
         return True
 
     def require_level(self, heights: Sequence[Fraction]) -> None:

@@ -6,6 +6,7 @@ Decimals are read exactly, and blocks are placed exactly wherever their angles a
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
@@ -26,7 +27,7 @@ from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.point import Point, make_points
 
 # Entities without an outline: fillings, which repeat one, and lines without an end.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
@@ -65,7 +66,45 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     image = make_affine(scale, 0, 0, scale, 0, 0)
     blocks = Blocks(drawing, reading)
     placed = (one for entity in drawing.entities for one in blocks.place(entity, image))
-    return gather((_draw(one, reading) for one in placed), reading)
+    return gather((drawn for one in placed for drawn in _draw_run(one, reading)), reading)
+
+
+def _draw_run(placed: PlacedEntity, reading: Reading) -> list[Candidate | OpenLine]:
+    if placed.entity.kind == "LINE" and placed.entity.count > 1 and not placed.image.off:
+        with suppress(ValueError):
+            return _draw_lines(placed, reading)
+    # If one of a run is refused, each by itself has its own reason.
+    return [_draw(placed._replace(entity=one), reading) for one in placed.entity.split()]
+
+
+def _draw_lines(placed: PlacedEntity, reading: Reading) -> list[Candidate | OpenLine]:
+    """Draw a run of lines as chains, each line starting at the end of the one before."""
+    entity, count = placed.entity, placed.entity.count
+    reading.require_level(entity.take(30, 31, default=0))
+    xs, ys = entity.take(10, 11), entity.take(20, 21)
+    ends = zip(xs[count:], ys[count:], strict=True)
+    starts = zip(xs[1:count], ys[1:count], strict=True)
+    breaks = [
+        k for k, (end, start) in enumerate(zip(ends, starts, strict=False), 1) if end != start
+    ]
+    drawn: list[Candidate | OpenLine] = []
+    for i, k in pairwise([0, *breaks, count]):
+        last = count + k - 1
+        points = make_points([*xs[i:k], xs[last]], [*ys[i:k], ys[last]])
+        chain = place_points(points, placed.image, reading)
+        split = partial(_split, placed, i, chain)
+        if k - i > 2:
+            drawn.append(OpenLine(placed.place_at(i), chain, layer=placed.layer, split=split))
+        else:
+            drawn += split()
+    return drawn
+
+
+def _split(placed: PlacedEntity, first: int, chain: Sequence[Point]) -> list[OpenLine]:
+    return [
+        OpenLine(placed.place_at(k), ends, partial(list, ends), layer=placed.layer)
+        for k, ends in enumerate(pairwise(chain), first)
+    ]
 
 
 def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
@@ -84,8 +123,7 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
     points = partial(_name_place, place, drawn.points)
     if not drawn.ends:
         return Candidate(place, points, layer=layer)
-    ends = drawn.ends[0], drawn.ends[1]
-    return OpenLine(place, ends, points, drawn.shape, drawn.is_exact, layer=layer)
+    return OpenLine(place, drawn.ends, points, drawn.shape, drawn.is_exact, layer=layer)
 
 
 def _name_place(place: str, points: _PointReader) -> Sequence[Point]:

@@ -31,15 +31,24 @@ class PlacedEntity(NamedTuple):
         entity: as it stands in the file.
         image: what maps it to the drawing.
         layer: the layer it is on: "0" inside a block is the layer of what draws the block.
-        place: what and where it is, for messages.
+        around: where the INSERTs are that draw it, for messages.
         fault: why an INSERT cannot be drawn, else "".
     """
 
     entity: Entity
     image: Affine
     layer: str
-    place: str
+    around: str = ""
     fault: str = ""
+
+    @property
+    def place(self) -> str:
+        """The kind and the lines, for messages."""
+        return self.place_at(0)
+
+    def place_at(self, k: int) -> str:
+        """Return the place of one entity of a run."""
+        return f"{self.around}{self.entity.place_at(k)}"
 
 
 class Blocks:
@@ -61,7 +70,7 @@ class Blocks:
 
         Hidden ones are counted, and yielded only where those are read.
         """
-        return self._place(PlacedEntity(entity, image, entity.layer, entity.place), ())
+        return self._place(PlacedEntity(entity, image, entity.layer), ())
 
     def _is_hidden(self, placed: PlacedEntity) -> bool:
         layer = placed.layer.upper()
@@ -73,11 +82,11 @@ class Blocks:
             self.reading.notes[f"the layer {quote(placed.layer)} does not plot, and is read"] = None
         on_layer = f"on the layer {quote(placed.layer)}, which is {reason}" if reason else ""
         what = placed.entity.hidden or on_layer
-        return self.reading.hides(what and f"{placed.entity.kind} {what}")
+        return self.reading.hides(what and f"{placed.entity.kind} {what}", placed.entity.count)
 
     def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
-            self.placed += 1
+            self.placed += placed.entity.count
             if self.placed > MAX_PLACED:
                 raise FormatError(f"blocks draw more than {MAX_PLACED:,} entities")
             self.reading.allow_copy(placed.entity.size, "blocks")
@@ -96,8 +105,8 @@ class Blocks:
         for image in images:
             for entity in members:
                 layer = placed.layer if entity.layer == "0" else entity.layer
-                place = f"{placed.place}: {entity.place}"
-                yield from self._place(PlacedEntity(entity, image, layer, place), (*around, name))
+                inner = PlacedEntity(entity, image, layer, f"{placed.place}: ")
+                yield from self._place(inner, (*around, name))
 
     def _images(self, placed: PlacedEntity, name: str, around: tuple[str, ...]) -> list[Affine]:
         """The maps of a block: as many as there are rows and columns of it."""
@@ -114,7 +123,7 @@ class Blocks:
 
     def _own_maps(self, insert: Entity, block: list[Entity]) -> list[Affine]:
         columns, rows = (max(1, int(insert.number(code, 1))) for code in (70, 71))
-        if columns * rows * len(block) > MAX_PLACED:
+        if columns * rows * sum(entity.count for entity in block) > MAX_PLACED:
             raise FormatError(f"draws more than {MAX_PLACED:,} entities")
         turn = make_rotation(insert.number(50, 0), self.reading)
         position, base = insert.point(10), block[0].point(10)

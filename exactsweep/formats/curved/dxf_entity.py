@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from fractions import Fraction
-from itertools import pairwise
-from typing import NamedTuple
+from itertools import chain, compress, groupby, pairwise
+from typing import NamedTuple, cast
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.decimals import read_each
@@ -18,6 +19,9 @@ from exactsweep.numbers.point import Point, make_points
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
+_SHARED = _LAYER, _PAPER, _INVISIBLE
+# The kinds of entities that files have thousands of, one after the other.
+_RUNS = {"LINE", "VERTEX"}
 _FROZEN = 1
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
 _NORMAL = {210: 0, 220: 0, 230: 1}
@@ -31,37 +35,74 @@ FROZEN = "frozen"
 """Why a layer does not show, and no block that is put on it."""
 
 
-Tags = Sequence[tuple[int, str]]
-"""Group codes, each with the text of its value."""
-
-
 class Entity:
-    """An entity: its kind, and its values by group code.
+    """An entity, or a run of several that are alike: their kind, and their values by group code.
+
+    The entities of a run have the same group codes in the same order, and are on one layer. Slices
+    of the values are then columns, which are read in a fraction of the time.
 
     Args:
-        tags: the entity's tags, the kind first.
+        codes: the group codes of an entity, that of its kind first.
+        texts: the values of one entity after the other.
         line: the line of the file that names the kind.
+        first: the index of the first value of each group, if it is known.
 
     Attributes:
         kind: "LINE", for instance.
-        line: as given.
+        codes, texts, line: as given.
+        count: the number of entities.
         vertices: the entities that follow it and belong to it.
     """
 
-    __slots__ = ("kind", "line", "tags", "values", "vertices")
+    __slots__ = ("_first", "codes", "count", "kind", "line", "texts", "vertices")
 
-    def __init__(self, tags: Tags, line: int) -> None:
-        self.tags, self.line = tags, line
-        # The first value of each group after the kind.
-        self.values = dict(reversed(tags[1:]))
-        self.kind = tags[0][1].strip()
+    def __init__(
+        self,
+        codes: Sequence[int],
+        texts: Sequence[str],
+        line: int,
+        first: Mapping[int, int] | None = None,
+    ) -> None:
+        self.codes, self.texts, self.line = codes, texts, line
+        self._first = first or {code: k for k, code in reversed([*enumerate(codes)])}
+        self.kind = texts[0].strip()
+        self.count = len(texts) // len(codes)
         self.vertices: Sequence[Entity] = ()
+
+    def slice(self, start: int, stop: int) -> Entity:
+        """Return some of the entities of a run."""
+        size = len(self.codes)
+        texts = self.texts[start * size : stop * size]
+        return Entity(self.codes, texts, self.line + 2 * start * size, self._first)
+
+    def split(self) -> Sequence[Entity]:
+        """Return the entities of a run, each by itself."""
+        return [self.slice(k, k + 1) for k in range(self.count)] if self.count > 1 else [self]
+
+    def runs(self) -> Iterator[Entity]:
+        """Yield the parts of a run that are on one layer and hidden alike."""
+        start = 0
+        for _, run in groupby(zip(*(self.column(code, "") for code in _SHARED), strict=True)):
+            stop = start + sum(1 for _ in run)
+            yield self.slice(start, stop)
+            start = stop
+
+    def column(self, code: int, default: object = None) -> Sequence[str]:
+        """Return the first value of a group of each entity."""
+        if code in self._first:
+            return self.texts[self._first[code] :: len(self.codes)]
+        return [str(default)] * self.count
 
     @property
     def place(self) -> str:
         """The kind and the line, for messages."""
+        return self.place_at(0)
+
+    def place_at(self, k: int) -> str:
+        """Return the kind and the line of one entity of a run."""
         is_word = self.kind.isidentifier() and len(self.kind) < _LONG
-        return f"line {self.line}: {self.kind if is_word else quote(self.kind)}"
+        line = self.line + 2 * k * len(self.codes)
+        return f"line {line}: {self.kind if is_word else quote(self.kind)}"
 
     @property
     def layer(self) -> str:
@@ -71,12 +112,12 @@ class Entity:
     @property
     def size(self) -> int:
         """For how many bytes it counts: for those of its values, and as an entity."""
-        own = ENTITY + sum(len(value) + _GROUP for _, value in self.tags)
+        own = ENTITY * self.count + sum(len(text) + _GROUP for text in self.texts)
         return own + sum(vertex.size for vertex in self.vertices)
 
     def number(self, code: int, default: int | None = None) -> Fraction:
         """Return the number with a group code; refuse if it is missing without a default."""
-        if default is not None and code not in self.values:
+        if default is not None and code not in self._first:
             return to_fraction(default)
         return _read_group(code, [self._text(code, None)])[0]
 
@@ -97,7 +138,7 @@ class Entity:
 
     def numbers(self, code: int) -> list[Fraction]:
         """Return all numbers with a group code."""
-        return _read_group(code, [value for own, value in self.tags if own == code])
+        return _read_group(code, [*compress(self.texts, map(code.__eq__, self.codes))])
 
     def points(self, code: int) -> list[Point]:
         """Return all points whose x has a group code."""
@@ -107,10 +148,12 @@ class Entity:
         return make_points(xs, ys)
 
     def take(self, *codes: int, default: int | None = None) -> list[Fraction]:
-        """Return the numbers with several group codes, as `number` does each."""
+        """Return the numbers with several group codes, as `number` does each, of all in a run."""
         try:
-            return read_each([self.values.get(code, str(default)) for code in codes])
+            return read_each([text for code in codes for text in self.column(code, default)])
         except ValueError:
+            if self.count > 1:
+                raise
             return [self.number(code, default) for code in codes]
 
     @property
@@ -134,26 +177,29 @@ class Entity:
         # The last one is for a bulge before all points.
         bulges = [Fraction(0)] * (len(points) + 1)
         place = -1
-        for code, value in self.tags:
+        for code, text in zip(self.codes, self.texts, strict=True):
             place += code == 10
             if code == _BULGE:
-                (bulges[place],) = _read_group(_BULGE, [value])
+                (bulges[place],) = _read_group(_BULGE, [text])
         return points, bulges[:-1]
 
     def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
-        flags = _read_column(self.vertices, _FLAGS, 0)
+        vertices = self.vertices
+        flags = _read_column(vertices, _FLAGS, 0)
         # The frame of a fitted curve is not drawn.
-        drawn = [v for v, bits in zip(self.vertices, flags, strict=True) if not int(bits) & _FRAME]
-        points = make_points(_read_column(drawn, 10), _read_column(drawn, 20))
-        reading.require_level(_read_column(drawn, 30, 0))
-        return points, _read_column(drawn, _BULGE, 0)
+        is_drawn = [not int(bits) & _FRAME for bits in flags]
+        if not all(is_drawn):
+            vertices = [*compress(chain.from_iterable(v.split() for v in vertices), is_drawn)]
+        points = make_points(_read_column(vertices, 10), _read_column(vertices, 20))
+        reading.require_level(_read_column(vertices, 30, 0))
+        return points, _read_column(vertices, _BULGE, 0)
 
     def _text(self, code: int, default: str | None) -> str:
-        value = self.values.get(code, default)
-        if value is None:
+        text = self.texts[self._first[code]] if code in self._first else default
+        if text is None:
             raise FormatError(f"group {code} is missing")
-        return value.strip()
+        return text.strip()
 
 
 class Drawing(NamedTuple):
@@ -231,28 +277,31 @@ def _divide(text: str) -> Iterator[Entity]:
     """Divide a text into entities; a line has a group code, the next one its value."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     words, values = lines[::2], lines[1::2]
-    codes: list[int] = []
-    try:
-        for word in words[: len(values)]:
-            codes.append(int(word))
-    except ValueError:
-        # The end of the file may come first.
-        words = words[: len(codes) + 1]
-    has_comments = _COMMENT in codes
+    known: dict[str, int] = {}
+    for word in {*words}:
+        with suppress(ValueError):
+            known[word] = int(word)
+    found = [*map(known.get, words[: len(values)])]
+    # The end of the file may come before a line that is no group code.
+    codes = cast(list[int], found[: found.index(None)] if None in found else found)
     starts = [k for k, code in enumerate(codes) if code == 0]
     # Vertices of old polylines among them.
     require_count(len(starts), ENTITY, "entities")
-    for start, end in pairwise([*starts, len(codes)]):
-        is_last = values[start].strip() == "EOF"
-        if end == len(codes) < len(values) and not is_last:
-            place = f"line {2 * end + 1}: {quote(words[end])}"
+    pairs = pairwise([*starts, len(codes)])
+    shapes = ((values[start].strip(), tuple(codes[start:end])) for start, end in pairs)
+    # Equal ones are one object, so that few are kept.
+    same: dict[tuple[str, tuple[int, ...]], tuple[str, tuple[int, ...]]] = {}
+    heads = [same.setdefault(shape, shape) for shape in shapes]
+    past = 0
+    for (kind, own), run in groupby(heads[:-1]):
+        start, past = starts[past], past + sum(1 for _ in run)
+        entity = Entity(own, values[start : starts[past]], 2 * start + 2)
+        yield from entity.runs() if kind in _RUNS else entity.split()
+    for kind, own in heads[-1:]:
+        if len(codes) < len(values) and kind != "EOF":
+            place = f"line {2 * len(codes) + 1}: {quote(words[len(codes)])}"
             raise FormatError(f"not DXF: {place} is no group code")
-        tags = [*zip(codes[start:end], values[start:end], strict=True)]
-        if has_comments:
-            tags = [tag for tag in tags if tag[0] != _COMMENT]
-        yield Entity(tags, 2 * start + 2)
-        if is_last:
-            break
+        yield Entity(own, values[starts[-1] : len(codes)], 2 * starts[-1] + 2)
 
 
 def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
@@ -289,7 +338,12 @@ def _gather(found: Iterable[Entity]) -> list[Entity]:
 
 
 def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
-    tags = [tag for entity in sections.get("HEADER", [])[:1] for tag in entity.tags]
+    tags = [
+        tag
+        for entity in sections.get("HEADER", [])[:1]
+        for tag in zip(entity.codes, entity.texts, strict=True)
+        if tag[0] != _COMMENT
+    ]
     for (code, name), (_, value) in pairwise(tags):
         if code == 9 and name.strip() == "$INSUNITS":
             text = value.strip()
@@ -306,12 +360,11 @@ def _read_column(
     entities: Sequence[Entity], code: int, default: int | None = None
 ) -> list[Fraction]:
     """Read the number with a group code of each entity; a refusal names the entity."""
-    texts = [entity.values.get(code, str(default)) for entity in entities]
     try:
-        return read_each(texts)
+        return read_each([text for entity in entities for text in entity.column(code, default)])
     except ValueError:
         found = []
-        for entity in entities:
+        for entity in chain.from_iterable(entity.split() for entity in entities):
             with name_refusals(entity.place):
                 found.append(entity.number(code, default))
         return found

@@ -1,9 +1,12 @@
 """Open lines joined at their ends to closed outlines."""
 
+from __future__ import annotations
+
 from collections import Counter, defaultdict
 from collections.abc import Callable, Container, Hashable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
+from itertools import chain, pairwise
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
@@ -18,27 +21,29 @@ _MAX_CROWD = 64
 
 
 class OpenLine(NamedTuple):
-    """An open line.
+    """An open line, or a chain of straight lines, each starting at the end of the one before.
 
     Attributes:
         place: what and where it is, for messages.
-        ends: its first and its last point.
+        ends: its first and its last point; of a chain, also the points between them.
         points: reads all of its points, from the first to the last.
         shape: what tells it from others with the same ends; () for a straight one.
         is_exact: whether its ends are those that are meant, not just close to them.
         name: its id, or None.
         layer: its layer, or None.
         order: where in the file it starts; lines are joined in this order.
+        split: makes an OpenLine of each line of a chain; else None.
     """
 
     place: str
-    ends: tuple[Point, Point]
-    points: Callable[[], Sequence[Point]]
+    ends: Sequence[Point]
+    points: Callable[[], Sequence[Point]] = tuple
     shape: Hashable = ()
     is_exact: bool = True
     name: str | None = None
     layer: str | None = None
     order: int = 0
+    split: Callable[[], Sequence[OpenLine]] | None = None
 
 
 class _Joined(NamedTuple):
@@ -57,11 +62,14 @@ def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Cand
     """List what a file draws, in order, with the open lines of each layer joined."""
     found: list[tuple[int, Candidate]] = []
     lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
-    for order, one in enumerate(drawn):
+    order = 0
+    for one in drawn:
         if isinstance(one, OpenLine):
             lines[one.layer].append(one._replace(order=order))
+            order += len(one.ends)
         else:
             found.append((order, one))
+            order += 1
     for loose in lines.values():
         found += join(loose, reading)
     return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
@@ -92,11 +100,27 @@ def join(lines: Sequence[OpenLine], reading: Reading) -> Iterator[tuple[int, Can
     if reading.tolerance is not None:
         reach = max(reading.tolerance / 4, joints.reach)
         joints = Joints(reach, joints.points, reading.tolerance)
-    found: dict[tuple[frozenset[int], Hashable], _Joined] = {}
-    lost: defaultdict[int, list[OpenLine]] = defaultdict(list)
+    placed: list[tuple[OpenLine, list[int]]] = []
     for line, ends in zip(lines, exact, strict=True):
         try:
-            i, k = ends or map(joints.find, line.ends)
+            placed.append((line, ends or [*map(joints.find, line.ends)]))
+        except FormatError as error:
+            yield line.order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
+    meeting = Counter(chain.from_iterable(ends[1:] + ends[:-1] for _, ends in placed))
+    single: list[tuple[OpenLine, Sequence[int]]] = []
+    for line, ends in placed:
+        if line.split is None:
+            single.append((line, ends))
+        elif ends[0] == ends[-1] and all(meeting[joint] == 2 for joint in ends):
+            outline = [joints.points[joint] for joint in ends[:-1]]
+            yield line.order, Candidate(line.place, outline.copy, None, layer)
+        else:
+            parts = enumerate(zip(line.split(), pairwise(ends), strict=True), line.order)
+            single += [(part._replace(order=order), pair) for order, (part, pair) in parts]
+    found: dict[tuple[frozenset[int], Hashable], _Joined] = {}
+    lost: defaultdict[int, list[OpenLine]] = defaultdict(list)
+    for line, (i, k) in single:
+        try:
             joined = _Joined(line, (i, k), (joints.points[i], joints.points[k]))
             if i != k:
                 same = found.setdefault((frozenset((i, k)), line.shape), joined).line
@@ -210,15 +234,15 @@ def _outlines(
                 new = [other for other in at[joint] if other not in seen]
                 seen.update(new)
                 together += new
-        chain = [lines[k] for k in sorted(together)]
-        start = chain[0].line
-        name = next((line.line.name for line in chain if line.line.name is not None), None)
+        joined = [lines[k] for k in sorted(together)]
+        start = joined[0].line
+        name = next((line.line.name for line in joined if line.line.name is not None), None)
         if fault:
-            alone = len(chain) == 1 and not start.shape
-            alone = alone and not any(joint in lost for joint in chain[0].joints)
+            alone = len(joined) == 1 and not start.shape
+            alone = alone and not any(joint in lost for joint in joined[0].joints)
             yield start.order, Candidate.refused(fault, name, layer, ornament=alone)
         else:
-            yield start.order, Candidate(start.place, partial(_walk, chain), name, layer)
+            yield start.order, Candidate(start.place, partial(_walk, joined), name, layer)
 
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
