@@ -25,7 +25,7 @@ from itertools import chain, pairwise
 from math import inf, lcm
 from typing import Any
 
-from exactsweep.numbers.point import Point, Rational, Vertex
+from exactsweep.numbers.number import Point, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings with the interior on the left."""

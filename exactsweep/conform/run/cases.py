@@ -12,9 +12,8 @@ from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, case_from_json, cases
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import quote
 
 
 class SelectionError(ExactSweepError):

@@ -17,8 +17,8 @@ from exactsweep.conform.run.protocol import ProtocolError, adapt, read_hello, re
 from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
+from exactsweep.numbers.error import quote
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import quote
 
 _MOST_COMPLAINTS = 20
 

@@ -17,7 +17,7 @@ from exactsweep.check import (
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.segment import Segment, find_offset, make_segment, measure_along
 from exactsweep.geometry.vectors import cross, minus
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure

@@ -10,7 +10,7 @@ from itertools import pairwise
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.segment import Segment, make_segment
-from exactsweep.numbers.point import Edge
+from exactsweep.numbers.number import Edge
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import is_monotone, lowest

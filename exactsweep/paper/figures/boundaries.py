@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.paper.figures.figure import PaperFigure, list_loops, place, shift, take_half
 from exactsweep.paper.figures.minkowski import sweep_example
 from exactsweep.paper.functions import clip, keep_corners, take_bottom
