@@ -73,6 +73,11 @@ class Outcome:
         """Return plain data; what is empty is left out."""
         return {name: value for name, value in asdict(self).items() if value not in ("", (), None)}
 
+    @property
+    def worst(self) -> Mapping[str, Any] | None:
+        """The first of the worst parts; None without parts."""
+        return max(self.parts, key=lambda part: Verdict(part["verdict"]).severity, default=None)
+
     def lead_with(self, cause: str | None) -> Outcome:
         """Return the outcome with one of its diagnoses first; unchanged if it has it not."""
         if cause not in self.diagnosis[1:]:
