@@ -14,7 +14,8 @@ from shutil import which
 
 from exactsweep.conform.adapters.adapter import AskedRing, AskedShape, MissingError
 from exactsweep.conform.run.channel import Channel, ClosedError
-from exactsweep.numbers.number import format_fraction, to_fraction
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import to_fraction
 
 
 class ProgramError(Exception):

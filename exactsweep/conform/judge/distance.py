@@ -21,7 +21,7 @@ from itertools import chain, count
 from math import floor, isqrt, lcm
 from typing import NamedTuple
 
-from exactsweep.numbers.point import PointRings
+from exactsweep.numbers.number import PointRings
 
 IntPair = tuple[int, int]
 Squares = tuple[Fraction, Fraction]

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.number import Point, PointRings
 
 MAX_CELLS = 300_000
 
