@@ -18,7 +18,7 @@ from exactsweep.geometry.direction import (
 from exactsweep.geometry.given import to_region, to_shape
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import tells_arguments
 
 if TYPE_CHECKING:
     from exactsweep.view import InlinePage

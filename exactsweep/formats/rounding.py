@@ -36,9 +36,8 @@ from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import cross, minus, turn
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import divide_exactly, quote
-from exactsweep.numbers.point import ORIGIN, Edge, Point, Rational, Vertex
+from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.number import ORIGIN, Edge, Point, Rational, Vertex, divide_exactly
 
 Side = Literal["closest", "outward", "inward"]
 # The greatest distance, in cells, of the search for a point of a right turn.

@@ -9,8 +9,7 @@ from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
 from exactsweep.numbers.addition import add_ratios
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.lazy_number import lazy_points
-from exactsweep.numbers.number import split_ratios
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex, split_ratios
 
 
 class PolygonError(ExactSweepError):

@@ -21,9 +21,8 @@ from math import gcd
 from operator import ne, sub
 
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import find_simplest_fraction, quote, to_fraction
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.error import ExactSweepError, quote
+from exactsweep.numbers.number import Vertex, find_simplest_fraction, to_fraction
 from exactsweep.words import write_degrees, write_vector
 
 Vector = tuple[int, int]

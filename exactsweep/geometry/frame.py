@@ -7,8 +7,15 @@ from typing import NamedTuple
 
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.number import divide_all, divide_exactly, ratio
-from exactsweep.numbers.point import ORIGIN, Point, Vertex, make_points
+from exactsweep.numbers.number import (
+    ORIGIN,
+    Point,
+    Vertex,
+    divide_all,
+    divide_exactly,
+    make_points,
+    ratio,
+)
 
 
 class Frame(NamedTuple):

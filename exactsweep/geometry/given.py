@@ -9,8 +9,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_interface
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex, ratio
 
 
 def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:

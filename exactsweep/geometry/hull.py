@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TypeVar
 
 from exactsweep.geometry.vectors import turn
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 P = TypeVar("P", bound=Vertex)
 

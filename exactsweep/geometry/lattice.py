@@ -13,8 +13,8 @@ from math import gcd, lcm
 from operator import mul
 from typing import cast
 
-from exactsweep.numbers.number import NumberError, split_ratios, to_fraction
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.error import NumberError
+from exactsweep.numbers.number import Point, Vertex, split_ratios, to_fraction
 
 _LATTICE_BITS = 8192
 

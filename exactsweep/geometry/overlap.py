@@ -26,7 +26,7 @@ from math import inf, lcm
 from operator import itemgetter
 from typing import Any
 
-from exactsweep.numbers.point import Point, Rational, Vertex
+from exactsweep.numbers.number import Point, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings with the interior on the left."""

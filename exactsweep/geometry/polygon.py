@@ -15,8 +15,8 @@ from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, t
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.reading import read_interface, read_point, refuse_number
 from exactsweep.geometry.simplicity import are_chains_monotone
-from exactsweep.numbers.number import abridge, divide_all, divide_exactly
-from exactsweep.numbers.point import Point, Vertex, make_points
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.number import Point, Vertex, divide_all, divide_exactly, make_points
 
 if TYPE_CHECKING:
     import sympy

@@ -3,9 +3,8 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote, to_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.number import Point, to_fraction
 
 Pairs = Iterable[Iterable[object]]
 

@@ -16,9 +16,9 @@ from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_interface, refuse_number
 from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import abridge
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.words import write_pair
 
 Vertices = Polygon | Iterable[Iterable[object]]

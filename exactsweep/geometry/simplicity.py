@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 # A line as (dx, dy, c): a point (x, y) lies left of it if dx * y - dy * x > c.
 _DirectedLine = tuple[int | Fraction, int | Fraction, int | Fraction]

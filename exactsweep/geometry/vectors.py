@@ -3,7 +3,7 @@
 from functools import cmp_to_key
 from typing import overload
 
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 
 @overload

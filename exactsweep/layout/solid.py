@@ -24,7 +24,7 @@ from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_co
 from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 LatticeBox = tuple[int, int, int, int]
 """The left, right, low and high end of a box."""

@@ -14,7 +14,7 @@ from time import process_time
 from typing import NamedTuple
 
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.paper.growth import LIMITS, Growth
+from exactsweep.paper.growth import LIMITS, Growth, double
 
 Corners = Sequence[tuple[int, int]]
 
@@ -120,6 +120,10 @@ class Effort:
     def cases(self, count: int) -> int:
         """Return how many cases to try where a check names a number: thrice that, or a tenth."""
         return max(1, count // 10) if self.quick else 3 * count
+
+    def sizes(self, first: int = 16, quick: int = 2, full: int = 4) -> list[tuple[int, int]]:
+        """Return the sizes (m, n) at which to count: from the first on, so many times doubled."""
+        return double(first, quick if self.quick else full)
 
 
 @dataclass(frozen=True)

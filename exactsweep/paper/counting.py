@@ -16,8 +16,8 @@ from time import process_time
 from typing import Any, Protocol
 
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.numbers.point import Vertex
-from exactsweep.paper.growth import Bound, Growth, grow
+from exactsweep.numbers.number import Vertex
+from exactsweep.paper.growth import Bound, Growth, Size
 from exactsweep.paper.pairs import Chains, SweepPair
 
 
@@ -149,9 +149,9 @@ class PairFamily(Protocol):
         """Return the pair."""
 
 
-def count_chains(family: PairFamily, m: int, n: int) -> Chains:
-    """The chains of a pair of a family in counted ints."""
-    return Chains(*map(make_counted, SweepPair(*family(m, n)).chains))
+def count_chains(pair: SweepPair) -> Chains:
+    """The chains of a pair in counted ints."""
+    return Chains(*map(make_counted, pair.chains))
 
 
 def count_operations(run: Callable[..., Iterable[Any]], *arguments: Any) -> int:
@@ -211,6 +211,41 @@ COUNTERS: dict[str, Callable[[Callable[[Chains], Any], Chains], float]] = {
 """Each quantity that grows, with the function that counts or measures it."""
 
 
+def grow(
+    what: str,
+    family: PairFamily,
+    bound: Bound | str,
+    sizes: Iterable[tuple[int, int]],
+    count: Callable[[SweepPair], Any],
+    limit: float = 1.08,
+) -> Growth:
+    """Count or measure something of the pairs of a family beside a bound.
+
+    Args:
+        what: the counted quantity.
+        family: the pairs.
+        bound: the bound; its name alone if it depends on more than m and n.
+        sizes: pairs (m, n), each about twice the one before.
+        count: returns what was counted of a pair; with the bound, if that has a name alone.
+        limit: see `Growth`.
+
+    Example:
+        >>> from exactsweep.paper.growth import MN
+        >>> def squares(m, n):
+        ...     return [(0, 0)] * m**2, []
+        >>> found = grow("points", squares, MN, [(2, 1), (4, 1)], lambda pair: len(pair[0]))
+        >>> found.varied, found.exponent(), found.last_rise, found.is_flat
+        ('m', 2.0, 2.0, False)
+    """
+
+    def measure(m: int, n: int) -> Size:
+        found = count(SweepPair(*family(m, n)))
+        return Size(m, n, *found) if isinstance(bound, str) else Size(m, n, found, bound[1](m, n))
+
+    name = bound if isinstance(bound, str) else bound[0]
+    return Growth(what, family.__name__, name, tuple(measure(m, n) for m, n in sizes), limit)
+
+
 def grow_pairs(
     unit: str,
     procedure: str,
@@ -232,7 +267,7 @@ def grow_pairs(
         limit: see `Growth`.
     """
 
-    def beside(m: int, n: int) -> tuple[float, float]:
-        return COUNTERS[unit](run, SweepPair(*family(m, n)).chains), bound[1](m, n)
+    def count(pair: SweepPair) -> float:
+        return COUNTERS[unit](run, pair.chains)
 
-    return grow(f"{unit} of {procedure}", family.__name__, bound[0], sizes, beside, limit)
+    return grow(f"{unit} of {procedure}", family, bound, sizes, count, limit)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
@@ -12,9 +12,8 @@ from exactsweep.check import ReferenceLoops, reference_loops, reference_no_fit
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Fit, Vertex
-from exactsweep.paper.laws import Law
-from exactsweep.paper.pairs import Chains, SweepPair
+from exactsweep.numbers.number import Fit, Vertex
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, split, take_corners
 from exactsweep.sweep import Sweep, no_fit_polygon
@@ -65,6 +64,11 @@ def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Verte
     return take_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
 
+def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
+    """The part of a chain over the x-range of another one, likewise."""
+    return clip(chain, Fraction(other[0][0]), Fraction(other[-1][0]))
+
+
 def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
     """The bottom chain of a canonical loop, without vertical edges at the ends."""
     return take_corners(split([(x, y) for x, y in loop])[0])
@@ -75,11 +79,25 @@ def look_up(pair: SweepPair) -> ReferenceLoops:
     return _reference(tuple(pair.generatrix), tuple(pair.directrix))
 
 
+def look_up_bottom(pair: SweepPair, loop: str) -> list[Vertex]:
+    """The bottom chain of the trajectory, the inner or the outer loop of the definition."""
+    return take_bottom(getattr(look_up(pair), loop))
+
+
 @cache
-def _reference(
-    generatrix: tuple[tuple[int, int], ...], directrix: tuple[tuple[int, int], ...]
-) -> ReferenceLoops:
+def _reference(generatrix: tuple[Vertex, ...], directrix: tuple[Vertex, ...]) -> ReferenceLoops:
     return reference_loops(list(generatrix), list(directrix))
+
+
+def tell_loops(s: Sweep, *names: str) -> str:
+    """Say which loop of a sweep is not that of the definition, of some or of all; empty if none."""
+    expected, (x, y) = _reference(s.generatrix.vertices, s.directrix.vertices), s.reference
+    for name in names or expected._fields:
+        found = getattr(s, name).translated((-x, -y) if name == "trajectory" else (0, 0))
+        if found.vertices != getattr(expected, name):
+            loop = name if name == "trajectory" else f"{name} loop"
+            return f"the {loop} is not that of the definition"
+    return ""
 
 
 def tell_difference(
@@ -96,6 +114,13 @@ def tell_difference(
     return f"{name} is {write_chain(found)}, and {write_chain(expected)} {by}"
 
 
+def tell_boundaries(pair: SweepPair, inner: Iterable[Vertex], outer: Iterable[Vertex]) -> str:
+    """Say that a boundary of a lower sweep is not that of the definition; empty if both are."""
+    return tell_difference(
+        "the inner boundary", inner, look_up_bottom(pair, "inner")
+    ) or tell_difference("the outer boundary", outer, look_up_bottom(pair, "outer"))
+
+
 def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vertex]]]:
     """The sub-trajectories and the sub-outer chains of a convex G, one for each part of D_b."""
     top, bottom, directrix = pair.chains
@@ -104,30 +129,6 @@ def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vert
         [trajectory_cc(top, part) for part in parts],
         [sweep_outer_cc(top, bottom, part) for part in parts],
     )
-
-
-def returns(procedure: str, loop: str, run: Callable[[Chains], Iterable[Vertex]]) -> Law:
-    """Make the law that a procedure returns a boundary of the definition.
-
-    Args:
-        procedure: its name.
-        loop: "trajectory", "inner" or "outer".
-        run: calls it for the chains of a pair.
-    """
-
-    def law(pair: SweepPair) -> str:
-        expected = take_bottom(getattr(look_up(pair), loop))
-        return tell_difference(procedure, run(pair.chains), expected)
-
-    boundary = loop if loop == "trajectory" else f"{loop} boundary"
-    law.__doc__ = f"{procedure} returns the {boundary} of the definition."
-    return law
-
-
-def has_wrong_inner_loop(s: Sweep, pair: SweepPair) -> str:
-    """Say that the inner loop is not that of the definition; empty if it is."""
-    right = s.inner.vertices == look_up(pair).inner
-    return "" if right else "the inner loop is not that of the definition"
 
 
 def no_fit_is_the_definition(pair: SweepPair) -> str:

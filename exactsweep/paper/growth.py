@@ -7,7 +7,7 @@ where their exponent over the last sizes is not above that of the bound.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import log, log2
 from operator import attrgetter
@@ -159,33 +159,6 @@ def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
     x_mean, y_mean = sum(xs) / len(xs), sum(ys) / len(ys)
     covariance = sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
     return covariance / sum((x - x_mean) ** 2 for x in xs)
-
-
-def grow(
-    what: str,
-    family: str,
-    bound: str,
-    sizes: Iterable[tuple[int, int]],
-    count: Callable[[int, int], tuple[float, float]],
-    limit: float = 1.08,
-) -> Growth:
-    """Count at each size.
-
-    Args:
-        what: the counted quantity.
-        family: the pairs.
-        bound: the bound as text.
-        sizes: pairs (m, n), each about twice the one before.
-        count: of m and n; returns what was counted, and the value of the bound.
-        limit: see `Growth`.
-
-    Example:
-        >>> squares = grow("squares", "ints", "m", [(2, 0), (4, 0)], lambda m, n: (m * m, m))
-        >>> squares.varied, squares.exponent(), squares.last_rise, squares.is_flat
-        ('m', 2.0, 2.0, False)
-    """
-    points = (Size(m, n, *count(m, n)) for m, n in sizes)
-    return Growth(what, family, bound, tuple(points), limit)
 
 
 def double(first: int, doublings: int) -> list[tuple[int, int]]:

@@ -14,8 +14,8 @@ from functools import reduce
 from itertools import pairwise
 
 from exactsweep.corpus.generator.shapes import walk
-from exactsweep.numbers.point import Vertex
-from exactsweep.paper.functions import clip
+from exactsweep.numbers.number import Vertex
+from exactsweep.paper.functions import clip_to
 from exactsweep.paper.pairs import Chains
 
 Chain = list[Vertex]
@@ -171,7 +171,7 @@ def find_outer(chains: Chains) -> Chain:
 def find_inner(chains: Chains) -> Chain:
     """The inner boundary of a pair of any class, by Sweep_MM, cut off at the ends of D_b."""
     inner = slide_inside(_turn(chains.top), find_trajectory(chains), trajectory_mm)
-    return clip(inner, *(Fraction(chains.directrix[k][0]) for k in (0, -1)))
+    return clip_to(inner, chains.directrix)
 
 
 def split_at_reflex(chain: Sequence[Vertex]) -> list[Chain]:

@@ -11,7 +11,7 @@ from exactsweep import Point, Sweep, sweep
 from exactsweep.corpus.generator.growing import cm_hard, cm_undercut
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import (
@@ -21,19 +21,18 @@ from exactsweep.paper.checks.touching import (
     touches_are_right,
 )
 from exactsweep.paper.claim import Effort, Evidence, weigh
-from exactsweep.paper.counting import CountedList, PairFamily, make_counted, watch_operations
+from exactsweep.paper.counting import CountedList, PairFamily, grow, make_counted, watch_operations
 from exactsweep.paper.functions import (
     clip,
     evaluate,
     find_common_points,
     list_edges,
     list_sub_chains,
-    look_up,
+    look_up_bottom,
     reaches,
-    take_bottom,
     tell_difference,
 )
-from exactsweep.paper.growth import Growth, double, grow
+from exactsweep.paper.growth import Growth
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.cc import merge_by_slope
@@ -183,8 +182,8 @@ def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> str:
         if failure:
             return failure
         partial = lower_envelope_cm(partial, Envelope.of(chain))
-    expected = look_up(pair).outer if outer else look_up(pair).trajectory
-    return tell_difference("the last envelope", partial, take_bottom(expected))
+    expected = look_up_bottom(pair, "outer" if outer else "trajectory")
+    return tell_difference("the last envelope", partial, expected)
 
 
 def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
@@ -240,7 +239,7 @@ def lower_envelope_cm_is_right(pair: SweepPair) -> str:
         partial = lower_envelope_cm(partial, Envelope.of(chain))
         if k == len(chains) and (failure := lowest("sub-trajectory", chains, list(partial))):
             return failure
-    return tell_difference("the lower envelope", partial, take_bottom(look_up(pair).trajectory))
+    return tell_difference("the lower envelope", partial, look_up_bottom(pair, "trajectory"))
 
 
 def count_operations(effort: Effort) -> Evidence:
@@ -256,8 +255,8 @@ def _watch_slots(partial: Envelope) -> Envelope:
 def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
     """Operations of LowerEnvelope_CM, slots of the partial trajectory that it reads among them."""
 
-    def count(m: int, n: int) -> tuple[int, float]:
-        top, _, directrix = SweepPair(*family(m, n)).chains
+    def count(pair: SweepPair) -> tuple[int, float]:
+        top, _, directrix = pair.chains
         edges = make_counted(inverse(top))
         with watch_operations() as tally:
             pieces = [
@@ -273,5 +272,4 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
         trimmed = handed_in - len(partial.pieces)
         return tally.total - before, handed_in + trimmed
 
-    sizes = double(16, 2 if effort.quick else 4)
-    return grow("operations of LowerEnvelope_CM", family.__name__, "in + trimmed", sizes, count)
+    return grow("operations of LowerEnvelope_CM", family, "in + trimmed", effort.sizes(), count)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from importlib.resources import files
 from itertools import chain, product
@@ -15,9 +15,9 @@ from exactsweep.check import (
     reference_inner_fit,
 )
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.geometry.segment import Segment, find_offset, make_segment, measure_along
+from exactsweep.geometry.segment import Segment, choose_cover, lay_point, make_segment
 from exactsweep.geometry.vectors import cross, minus
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
@@ -85,31 +85,21 @@ def boundary_is_contact(pair: SweepPair) -> str:
     found, known = no_fit_polygon(*pair[::-1]), list(find_contact_segments(pair))
     if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
         return f"{len(known)} contact segments"
-    for loop in (found.exterior, *found.holes):
-        for edge in list_edges(loop.vertices):
-            if not _lies_on(edge, known):
-                return f"off all contact segments: {show_fits([edge])}"
-    for p, q in found.exact_fits:
-        if p != q and not _lies_on((p, q), known):
-            return f"off all contact segments: {show_fits([(p, q)])}"
-        if p == q and not any(
-            find_offset(s.direction, p) == s.offset
-            and s.low <= measure_along(s.direction, p) <= s.high
-            for s in known
-        ):
-            return f"off all contact segments: ({p.x}, {p.y})"
+    loops = (found.exterior, *found.holes)
+    edges = [edge for loop in loops for edge in list_edges(loop.vertices)]
+    for edge in (*edges, *found.exact_fits):
+        if not covers(known, edge):
+            return f"off all contact segments: {show_fits([edge])}"
     return no_fit_is_the_definition(pair)
 
 
-def _lies_on(edge: tuple[Point, Point], known: Sequence[Segment]) -> bool:
-    """Decide whether segments of its line cover an edge."""
+def covers(known: Iterable[Segment], edge: Edge) -> bool:
+    """Decide whether segments of its line cover an edge; a single position lies on any of them."""
+    if edge[0] == edge[1]:
+        spots = ((s, lay_point(edge[0], s.direction)) for s in known)
+        return any(s[:2] == spot[:2] and s.low <= spot.low <= s.high for s, spot in spots)
     whole = make_segment(edge)
-    reached = whole.low
-    for piece in sorted(s for s in known if s[:2] == whole[:2]):
-        if piece.low > reached:
-            break
-        reached = max(reached, piece.high)
-    return reached >= whole.high
+    return choose_cover(whole, [(s, 0) for s in known if s[:2] == whole[:2]]) is not None
 
 
 def fits_have_no_room(pair: SweepPair) -> str:

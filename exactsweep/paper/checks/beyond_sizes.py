@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from math import lcm
+from dataclasses import replace
 
 from exactsweep import no_fit_polygon
 from exactsweep.corpus.generator.growing import cm_hard, figure10, forks, mm
-from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
 from exactsweep.paper.costs import STEPS
-from exactsweep.paper.counting import PairFamily, operations
+from exactsweep.paper.counting import (
+    count_chains,
+    count_operations,
+    grow,
+    grow_pairs,
+    make_counted,
+)
 from exactsweep.paper.functions import no_fit_is_the_definition, tell_difference
-from exactsweep.paper.growth import MN, MN2, Bound, Growth, double, grow
+from exactsweep.paper.growth import MN, MN2, Bound
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import find_contact_stretches
@@ -23,30 +27,15 @@ SPIKES: Bound = ("(m - 6)²(n - 6)²", lambda m, n: float((m - 6) ** 2 * (n - 6)
 PAIRS: Bound = ("2mn", lambda m, n: 2.0 * m * n)
 
 
-def _grow(
-    what: str,
-    count: Callable[[Ring, Ring], int],
-    family: PairFamily,
-    bound: Bound,
-    sizes: list[tuple[int, int]],
-) -> Growth:
-    """Count something of the pairs (G, D) of a family beside a bound."""
-
-    def beside(m: int, n: int) -> tuple[float, float]:
-        return count(*family(m, n)), bound[1](m, n)
-
-    return grow(what, family.__name__, bound[0], sizes, beside)
-
-
 def count_holes(effort: Effort) -> Evidence:
     """Count the holes of no-fit polygons of forks, and compare a small one with the definition."""
 
-    def holes(generatrix: Ring, directrix: Ring) -> int:
-        return len(no_fit_polygon(directrix, generatrix).holes)
+    def holes(pair: SweepPair) -> int:
+        return len(no_fit_polygon(*pair[::-1]).holes)
 
     last = 3 if effort.quick else 4
     growth = [
-        _grow("holes of the no-fit polygon", holes, forks, SPIKES, sizes)
+        grow("holes of the no-fit polygon", forks, SPIKES, sizes, holes)
         for sizes in (
             [(6 + 12 * k, 6 + 12 * k) for k in range(1, last)],
             [(6 + (6 << k), 24) for k in range(1, last + 1)],
@@ -66,14 +55,12 @@ def count_holes(effort: Effort) -> Evidence:
 def count_contact_segments(effort: Effort) -> Evidence:
     """Count the stretches of the kernel beside the number of contact segments that there can be."""
 
-    def stretches(generatrix: Ring, directrix: Ring) -> int:
-        return len(find_contact_stretches([directrix], [inverse(generatrix)]))
+    def stretches(pair: SweepPair) -> int:
+        return len(find_contact_stretches([pair.directrix], [inverse(pair.generatrix)]))
 
-    last, what = 3 if effort.quick else 4, "stretches of contact segments"
-    growth = [
-        _grow(what, stretches, forks, PAIRS, [(6 << k, 6 << k) for k in range(2, last + 2)]),
-        _grow(what, stretches, mm, PAIRS, double(16, last)),
-    ]
+    tried = (forks, effort.sizes(24, 2, 3)), (mm, effort.sizes(16, 3, 4))
+    what = "stretches of contact segments"
+    growth = [grow(what, family, PAIRS, sizes, stretches) for family, sizes in tried]
     most = max(point.ratio for series in growth for point in series.points)
     return weigh("Counts.", *growth, failure=f"{most:.2g} times 2mn" if most > 1 else "")
 
@@ -81,47 +68,42 @@ def count_contact_segments(effort: Effort) -> Evidence:
 def count_trajectory(effort: Effort) -> Evidence:
     """Count the edges of the exterior beside mn, with many holes inside it and with none."""
 
-    def edges(generatrix: Ring, directrix: Ring) -> int:
-        return len(no_fit_polygon(directrix, generatrix).exterior)
+    def edges(pair: SweepPair) -> int:
+        return len(no_fit_polygon(*pair[::-1]).exterior)
 
-    last, what = 2 if effort.quick else 3, "edges of the trajectory"
-    sizes = [(6 + (6 << k), 6 + (6 << k)) for k in range(1, last + 1)]
-    tried = (forks, sizes), (mm, double(16, last + 1))
-    return weigh("Counts.", *(_grow(what, edges, family, MN, sizes) for family, sizes in tried))
+    spikes = [(6 + size, 6 + size) for size, _ in effort.sizes(12, 1, 2)]
+    tried, what = ((forks, spikes), (mm, effort.sizes(16, 3, 4))), "edges of the trajectory"
+    return weigh("Counts.", *(grow(what, family, MN, sizes, edges) for family, sizes in tried))
 
 
 def count_convolution(effort: Effort) -> Evidence:
     """Run a Minkowski sum algorithm for G and the trajectory, and count what another one cuts."""
 
-    def stretches(generatrix: Ring, directrix: Ring) -> int:
-        corners = no_fit_polygon(directrix, generatrix).exterior.vertices
-        scale = lcm(*(c.denominator for corner in corners for c in corner))
-        path = [(int(x * scale), int(y * scale)) for x, y in corners]
-        return len(
-            find_contact_stretches([path], [[(scale * x, scale * y) for x, y in generatrix]])
-        )
+    def stretches(pair: SweepPair) -> int:
+        scale, path = no_fit_polygon(*pair[::-1]).exterior.lattice()
+        moving = [(scale * x, scale * y) for x, y in pair.generatrix]
+        return len(find_contact_stretches([path], [moving]))
 
-    def sum_by_parts(chains: Chains) -> list[Vertex]:
-        return literal.trajectory_mm(inverse(chains.bottom), chains.directrix)
+    def sum_by_parts(pair: SweepPair) -> int:
+        chains = count_chains(pair)
+        path = make_counted(literal.find_trajectory(pair.chains))
+        return count_operations(literal.trajectory_mm, inverse(chains.bottom), path)
 
-    def beyond(run: Callable[[Chains], Iterable[Vertex]], what: str, *, of_path: bool) -> Growth:
-        def count(m: int, n: int) -> tuple[int, float]:
-            chains = SweepPair(*cm_hard(m, n)).chains
-            path = literal.find_trajectory(chains) if of_path else chains.directrix
-            return operations(run, chains._replace(directrix=path)), m * n
+    def sweep_by_parts(chains: Chains) -> list[Vertex]:
+        return literal.sweep_outer_cm(*chains)
 
-        return grow(f"operations of {what}", "cm_hard", "mn", sizes, count, limit=STEPS)
-
-    sizes, what = double(16, 2 if effort.quick else 3), "stretches of the convolution"
-    summed = beyond(sum_by_parts, "the sum of T and G by convex parts", of_path=True)
-    swept = beyond(lambda chains: literal.sweep_outer_cm(*chains), "SweepO_CM", of_path=False)
+    sizes, what = effort.sizes(16, 2, 3), "stretches of the convolution"
+    summed = grow(
+        "operations of the sum of T and G by convex parts", cm_hard, MN, sizes, sum_by_parts, STEPS
+    )
+    swept = grow_pairs("operations", "SweepO_CM", sweep_by_parts, cm_hard, MN, sizes, STEPS)
     chains = SweepPair(*cm_hard(32, 32)).chains
     found = weigh(
         "Counts; both to the letter.",
         summed,
         swept,
-        _grow(what, stretches, cm_hard, MN, sizes),
-        _grow(what, stretches, figure10, MN2, sizes),
+        grow(what, cm_hard, MN, sizes, stretches),
+        grow(what, figure10, MN2, sizes, stretches),
         failure=tell_difference(
             "the sum of T and G", literal.find_outer(chains), literal.sweep_outer_cm(*chains)
         ),
@@ -132,4 +114,4 @@ def count_convolution(effort: Effort) -> Evidence:
         f"and SweepO_CM {beside.count:,}: both {summed.verdict} with mn",
         "deep teeth, at the largest size that was counted",
     )
-    return Evidence(found.tried, found.failure, against, growth=found.growth)
+    return replace(found, against=against)

@@ -7,11 +7,11 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep import Point, Polygon, Sweep, sweep
+from exactsweep import Point, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.check.piecewise import LinearPiece, PiecewiseLinear, mirror, take_least_sum
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.claim import (
     Counterexample,
     Effort,
@@ -20,10 +20,10 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.functions import (
     frame_around,
-    look_up,
     no_fit_is_the_definition,
     take_bottom,
     tell_difference,
+    tell_loops,
 )
 from exactsweep.paper.laws import break_law, shrink
 from exactsweep.paper.pairs import SweepPair
@@ -126,10 +126,10 @@ def swept_by_contact(s: Sweep, p: Point) -> bool:
 
 def area_is_covered(pair: SweepPair) -> str:
     """Of 36 points those between the loops are those that G covers from the trajectory."""
-    s, loops = sweep(*pair), look_up(pair)
-    if (s.inner.vertices, s.outer.vertices) != (loops.inner, loops.outer):
-        return "the loops are not those of the definition"
-    if s.area != Polygon(loops.outer).area - Polygon(loops.inner).area:
+    s = sweep(*pair)
+    if failure := tell_loops(s, "inner", "outer"):
+        return failure
+    if s.area != s.outer.area - s.inner.area:
         return "the area is not that between the loops"
     (left, low), (right, high) = s.outer.bounding_box
     for i in range(-1, 5):
@@ -145,8 +145,7 @@ def area_is_covered(pair: SweepPair) -> str:
 
 def path_is_the_definition(pair: SweepPair) -> str:
     """The trajectory is that of the definition."""
-    found, expected = sweep(*pair).trajectory.vertices, look_up(pair).trajectory
-    return "" if found == expected else "the trajectory is not that of the definition"
+    return tell_loops(sweep(*pair), "trajectory")
 
 
 def paths_are_translates(pair: SweepPair) -> str:
@@ -171,9 +170,9 @@ def find_overlap_along_directrix(effort: Effort) -> Evidence:
     found = search_grid(2, 6, "convex", "convex", overlaps)
     if found.against is None:
         return replace(found, failure="none of them overlap")
-    text, _, *pair = found.against
-    tried = f"{found.tried} For G = {pair[0]} and D = {pair[1]}: {text}."
-    failure = touches_without_overlap(SweepPair(*map(list, pair)))
+    text, _, g, d = found.against
+    tried = f"{found.tried} For G = {g} and D = {d}: {text}."
+    failure = touches_without_overlap(SweepPair([*g], [*d]))
     return replace(found, tried=tried, failure=failure, against=None)
 
 

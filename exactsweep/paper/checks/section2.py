@@ -27,7 +27,8 @@ from exactsweep.paper.functions import (
     look_up,
     reaches,
     take_bottom,
-    tell_difference,
+    tell_boundaries,
+    tell_loops,
 )
 from exactsweep.paper.pairs import SweepPair, draw_pairs
 from exactsweep.paper.tiny import search, search_grid
@@ -116,12 +117,8 @@ def find_void(effort: Effort) -> Evidence:
 
 def boundaries_are_bottom_chains(pair: SweepPair) -> str:
     """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
-    loops, (top, bottom, directrix) = look_up(pair), pair.chains
-    kind = sweep(*pair).kind
-    half = LowerSweep(kind, top, bottom, directrix)
-    return tell_difference(
-        "the outer boundary", half.outer, take_bottom(loops.outer)
-    ) or tell_difference("the inner boundary", half.inner, take_bottom(loops.inner))
+    half = LowerSweep(sweep(*pair).kind, *pair.chains)
+    return tell_boundaries(pair, half.inner, half.outer)
 
 
 def halves_are_alike(pair: SweepPair) -> str:
@@ -132,17 +129,15 @@ def halves_are_alike(pair: SweepPair) -> str:
         turned = [(x, -y) for x, y in getattr(other, name).vertices]
         if Polygon(turned[::-1]) != getattr(s, name):
             return f"upside down, the {name} is another one"
-    return "" if s.trajectory.vertices == look_up(pair).trajectory else "the trajectory is wrong"
+    return tell_loops(s, "trajectory")
 
 
 def widths_add_up(pair: SweepPair) -> str:
     """The trajectory is as wide as G and D together."""
-    (g, d), t = pair, look_up(pair).trajectory
-    widths = [max(x for x, _ in ring) - min(x for x, _ in ring) for ring in (g, d, t)]
-    found = sweep(*pair).trajectory.bounding_box
-    if found[1].x - found[0].x != widths[2]:
-        return "the trajectory is not that of the definition"
-    return "" if widths[0] + widths[1] == widths[2] else f"widths {widths} of G, D and T"
+    s = sweep(*pair)
+    boxes = (shape.bounding_box for shape in (s.generatrix, s.directrix, s.trajectory))
+    g, d, t = (high.x - low.x for low, high in boxes)
+    return tell_loops(s, "trajectory") or ("" if g + d == t else f"widths {g}, {d}, {t} of G, D, T")
 
 
 def steps_have_contacts(pair: SweepPair) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 
@@ -10,13 +10,48 @@ from exactsweep import Polygon, sweep
 from exactsweep.corpus.generator.shapes import walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
-from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
+from exactsweep.paper.costs import RUNS
+from exactsweep.paper.functions import (
+    keep_corners,
+    look_up_bottom,
+    tell_difference,
+    tell_loops,
+    write_chain,
+)
+from exactsweep.paper.laws import Law
 from exactsweep.paper.pairs import SweepPair, draw_pairs
-from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.cc import sweep_inner_cc
 from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, reverse
+
+
+def returns(
+    words: str = "",
+    fails: Callable[[str, Sequence[Vertex]], str] = lambda procedure, chain: "",
+    **procedures: str,
+) -> Law:
+    """Make the law that procedures return boundaries of the definition.
+
+    Args:
+        words: the law, if it says more than that.
+        fails: what else is wrong with a chain that a procedure returns.
+        procedures: a key of RUNS for each loop, whose bottom chain is the boundary.
+    """
+
+    def law(pair: SweepPair) -> str:
+        for loop, procedure in procedures.items():
+            found = list(RUNS[procedure](pair.chains))
+            failure = tell_difference(procedure, found, look_up_bottom(pair, loop))
+            if failure := failure or fails(procedure, found):
+                return failure
+        return ""
+
+    loop, procedure = next(iter(procedures.items()))
+    boundary = loop if loop == "trajectory" else f"{loop} boundary"
+    law.__doc__ = words or f"{procedure} returns the {boundary} of the definition."
+    return law
 
 
 def slope(edge: Edge) -> Fraction:
@@ -84,7 +119,7 @@ def closed_chains_merge(pair: SweepPair) -> str:
 
 def clockwise_slopes_merge(pair: SweepPair) -> str:
     """The edges, sorted by slopes that grow clockwise, are the trajectory."""
-    if merge_all(pair, sign=-1) == take_bottom(look_up(pair).trajectory):
+    if merge_all(pair, sign=-1) == look_up_bottom(pair, "trajectory"):
         return ""
     return "sorted by slopes that grow clockwise, the edges do not make the trajectory"
 
@@ -92,26 +127,31 @@ def clockwise_slopes_merge(pair: SweepPair) -> str:
 def trajectory_by_slope(pair: SweepPair) -> str:
     """The merge by slope is the trajectory of the definition."""
     return tell_difference(
-        "the merge by slope", merge_all(pair), take_bottom(look_up(pair).trajectory)
+        "the merge by slope", merge_all(pair), look_up_bottom(pair, "trajectory")
     )
 
 
-def trajectory_cc_is_right(pair: SweepPair) -> str:
-    """Trajectory_CC returns the trajectory of the definition, parallel edges added up."""
-    top, _, directrix = pair.chains
-    expected = take_bottom(look_up(pair).trajectory)
-    found = trajectory_cc(top, directrix)
-    return tell_difference("Trajectory_CC", found, expected) or _has_edge_in_two(found)
+def has_edge_in_two(procedure: str, chain: Sequence[Vertex]) -> str:
+    """Say that parallel edges are not added up; empty if they are."""
+    return "" if len(chain) == len(keep_corners(chain)) else f"{procedure} leaves an edge in two"
 
 
-def _has_edge_in_two(chain: Sequence[Vertex]) -> str:
-    return "" if len(chain) == len(keep_corners(chain)) else "parallel edges are left as two"
+trajectory_cc_is_right = returns(
+    "Trajectory_CC returns the trajectory of the definition, parallel edges added up.",
+    has_edge_in_two,
+    trajectory="Trajectory_CC",
+)
+outer_cc_is_right = returns(
+    "SweepO_CC returns the outer boundary of the definition, parallel edges added up.",
+    has_edge_in_two,
+    outer="SweepO_CC",
+)
 
 
 def inner_cc_is_right(pair: SweepPair) -> str:
     """SweepI_CC returns D_b, which is the inner boundary of the definition."""
     top, _, directrix = pair.chains
-    expected = take_bottom(look_up(pair).inner)
+    expected = look_up_bottom(pair, "inner")
     found = tell_difference("SweepI_CC", sweep_inner_cc(top, directrix), expected)
     return found or tell_difference("D_b", directrix, expected)
 
@@ -122,30 +162,16 @@ def outer_by_slope(pair: SweepPair) -> str:
     x, y = start_of(top, directrix)
     edges = [*reverse(list(pairwise(top))), *pairwise(bottom), *pairwise(directrix)]
     found = lay_by_slope((x + bottom[0][0], y + bottom[0][1]), edges)
-    return tell_difference("the merge by slope", found, take_bottom(look_up(pair).outer))
-
-
-def outer_cc_is_right(pair: SweepPair) -> str:
-    """SweepO_CC returns the outer boundary of the definition, parallel edges added up."""
-    found, expected = sweep_outer_cc(*pair.chains), take_bottom(look_up(pair).outer)
-    return tell_difference("SweepO_CC", found, expected) or _has_edge_in_two(found)
+    return tell_difference("the merge by slope", found, look_up_bottom(pair, "outer"))
 
 
 def loops_are_small(pair: SweepPair) -> str:
     """All loops are convex and no larger than stated."""
-    s, loops, (n, m) = sweep(*pair), look_up(pair), map(len, pair)
-    if (s.trajectory.vertices, s.inner.vertices, s.outer.vertices) != tuple(loops):
-        return "the loops are not those of the definition"
-    for name, loop, most in (
-        ("trajectory", s.trajectory, m + n),
-        ("inner loop", s.inner, m),
-        ("outer loop", s.outer, m + 2 * n),
-    ):
-        if not loop.is_convex:
-            return f"the {name} is not convex"
-        if len(loop) > most:
-            return f"the {name} has {len(loop)} edges, more than {most}"
-    return ""
+    s, (n, m) = sweep(*pair), map(len, pair)
+    for loop, most in (s.trajectory, m + n), (s.inner, m), (s.outer, m + 2 * n):
+        if not loop.is_convex or len(loop) > most:
+            return f"not convex, or of more than {most} edges: {write_chain(loop)}"
+    return tell_loops(s)
 
 
 def count_attained(effort: Effort) -> Evidence:
@@ -164,8 +190,7 @@ def count_attained(effort: Effort) -> Evidence:
 def every_edge_is_touched(pair: SweepPair) -> str:
     """Every edge of D is in a VE or EE contact."""
     s = sweep(*pair)
-    if failure := contacts_are_right(s):
-        return failure
     slid = {c.directrix for at in s.contacts for c in at if c.event in ("VE", "EE")}
     missing = set(range(len(s.directrix))) - slid
-    return f"edges {sorted(missing)} of D are not slid along" if missing else ""
+    failure = f"edges {sorted(missing)} of D are not slid along" if missing else ""
+    return contacts_are_right(s) or failure

@@ -11,24 +11,21 @@ from exactsweep.check import classify, point_in_polygon
 from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import STEP
+from exactsweep.paper.checks.section3 import returns
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
     evaluate,
-    has_wrong_inner_loop,
     list_sub_chains,
-    look_up,
+    look_up_bottom,
     reaches,
-    returns,
     sample_between,
-    take_bottom,
+    tell_loops,
 )
 from exactsweep.paper.pairs import SweepPair, draw_pairs
 from exactsweep.procedures.chain import find_convex_parts
-from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
 
 def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:
@@ -43,45 +40,32 @@ def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Ver
 
 def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
-    loops, (paths, outers) = look_up(pair), list_sub_chains(pair)
-    return lowest("sub-trajectory", paths, take_bottom(loops.trajectory)) or lowest(
-        "sub-outer chain", outers, take_bottom(loops.outer)
+    paths, outers = list_sub_chains(pair)
+    return lowest("sub-trajectory", paths, look_up_bottom(pair, "trajectory")) or lowest(
+        "sub-outer chain", outers, look_up_bottom(pair, "outer")
     )
 
 
-trajectory_cm_is_right = returns("Trajectory_CM", "trajectory", RUNS["Trajectory_CM"])
-outer_cm_is_right = returns("SweepO_CM", "outer", RUNS["SweepO_CM"])
-inner_cm_is_right = returns("SweepI_CM", "inner", RUNS["SweepI_CM"])
-
-
 def is_monotone(name: str, chain: Iterable[Vertex]) -> str:
-    """Say that a chain turns back along x, or has a vertical edge."""
+    """Say that a chain turns back along x, or has a vertical edge; empty if it does not."""
     backs = [p[0] for p, q in pairwise(chain) if p[0] >= q[0]]
     return f"{name} is not strictly X-monotone at x = {backs[0]}" if backs else ""
 
 
-def loops_are_monotone(pair: SweepPair) -> str:
-    """Without vertical edges in G and D there are none in the chains, which are X-monotone."""
-    top, _, directrix = pair.chains
-    return (
-        trajectory_cm_is_right(pair)
-        or outer_cm_is_right(pair)
-        or is_monotone("the trajectory", trajectory_cm(top, directrix))
-        or is_monotone("the outer boundary", sweep_outer_cm(*pair.chains))
-    )
-
-
-def inner_is_monotone(pair: SweepPair) -> str:
-    """The inner boundary is X-monotone, strictly so."""
-    top, _, directrix = pair.chains
-    inner = sweep_inner_cm(top, directrix)
-    return inner_cm_is_right(pair) or is_monotone("the inner boundary", inner)
+trajectory_cm_is_right = returns(trajectory="Trajectory_CM")
+outer_cm_is_right = returns(outer="SweepO_CM")
+inner_cm_is_right = returns(inner="SweepI_CM")
+inner_is_monotone = returns(
+    "The inner boundary is X-monotone, strictly so.", is_monotone, inner="SweepI_CM"
+)
+MONOTONE = "Without vertical edges in G and D there are none in the chains, which are X-monotone."
+loops_are_monotone = returns(MONOTONE, is_monotone, trajectory="Trajectory_CM", outer="SweepO_CM")
 
 
 def few_undercuts(pair: SweepPair) -> str:
     """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    if failure := has_wrong_inner_loop(s, pair):
+    if failure := tell_loops(s, "inner"):
         return failure
     lower = [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
     if len(lower) >= len(find_convex_parts(directrix)):
@@ -100,11 +84,9 @@ def bottom_chains_have_two_forms(pair: SweepPair) -> str:
 def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
     """The undercuts are apart, and make up the difference between the inner loop and D."""
     s = sweep(*pair)
-    if failure := has_wrong_inner_loop(s, pair):
-        return failure
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
         return "the undercuts do not make up the difference between the inner loop and D"
-    return ""
+    return tell_loops(s, "inner")
 
 
 def count_forms(effort: Effort) -> Evidence:
@@ -146,9 +128,7 @@ def _form(undercut: Undercut, pair: SweepPair) -> str:
 def labels_name_the_extremes(pair: SweepPair) -> str:
     """The contacts along the edges of T at a closing position, or there, name both extremes."""
     s = sweep(*pair)
-    if failure := contacts_are_right(s):
-        return failure
-    if failure := has_wrong_inner_loop(s, pair):
+    if failure := contacts_are_right(s) or tell_loops(s, "inner"):
         return failure
     features, corners = Features(s), s.trajectory.vertices
     for undercut in s.undercuts:

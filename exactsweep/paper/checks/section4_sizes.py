@@ -15,8 +15,14 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.counting import PairFamily, grow_pairs
-from exactsweep.paper.functions import keep_corners, list_sub_chains, look_up, take_bottom
-from exactsweep.paper.growth import MN, double
+from exactsweep.paper.functions import (
+    keep_corners,
+    list_sub_chains,
+    look_up,
+    look_up_bottom,
+    take_bottom,
+)
+from exactsweep.paper.growth import MN
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
@@ -56,7 +62,7 @@ def count_inner_vertices(effort: Effort) -> Evidence:
 
 
 def _weigh_sizes(effort: Effort, family: PairFamily, *runs: tuple[str, str]) -> Evidence:
-    sizes = double(32, 3 if effort.quick else 4)
+    sizes = effort.sizes(32, 3)
     grown = (grow_pairs("vertices", name, RUNS[run], family, MN, sizes) for name, run in runs)
     return weigh("", *grown, attained=True)
 
@@ -66,7 +72,7 @@ def find_large_parts(effort: Effort) -> Evidence:
     rows = []
     for n_b in (4, 8, 16):
         pair = under_a_lid(n_b)
-        edges, bound = len(take_bottom(look_up(pair).outer)) - 1, len(pair.chains.directrix) - 1
+        edges, bound = len(look_up_bottom(pair, "outer")) - 1, len(pair.chains.directrix) - 1
         rows.append([str(n_b), str(bound), str(edges)])
         if failure := parts_are_bounded(pair):
             return Evidence("", failure)

@@ -2,29 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep import Point, Polygon, sweep
+from exactsweep import Polygon, Sweep, sweep
 from exactsweep.check import point_in_polygon
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
-from exactsweep.numbers.point import Edge
+from exactsweep.numbers.number import Edge, Rational, Vertex
 from exactsweep.paper import literal
-from exactsweep.paper.checks.section3 import slope
-from exactsweep.paper.checks.section4 import is_monotone, lowest
+from exactsweep.paper.checks.section3 import returns, slope
+from exactsweep.paper.checks.section4 import MONOTONE, is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
-from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
-    clip,
-    has_wrong_inner_loop,
+    clip_to,
     keep_corners,
     list_edges,
     look_up,
-    returns,
-    take_bottom,
+    look_up_bottom,
+    tell_boundaries,
     tell_difference,
+    tell_loops,
     write_chain,
 )
 from exactsweep.paper.laws import shrink
@@ -41,7 +41,8 @@ NARROW = SweepPair(
 )
 
 
-trajectory_mm_is_right = returns("Trajectory_MM", "trajectory", RUNS["Trajectory_MM"])
+trajectory_mm_is_right = returns(trajectory="Trajectory_MM")
+mm_trajectory_is_monotone = returns("", is_monotone, trajectory="Trajectory_MM")
 
 
 def sub_trajectories_suffice(pair: SweepPair) -> str:
@@ -49,7 +50,7 @@ def sub_trajectories_suffice(pair: SweepPair) -> str:
     top, _, directrix = pair.chains
     parts = find_convex_parts(inverse(top))
     chains = [list(trajectory_cm(inverse(part), directrix)) for part in parts]
-    return lowest("sub-trajectory", chains, take_bottom(look_up(pair).trajectory))
+    return lowest("sub-trajectory", chains, look_up_bottom(pair, "trajectory"))
 
 
 def inverse_is_a_reflection(pair: SweepPair) -> str:
@@ -86,21 +87,17 @@ def complement_has_the_outside_left(pair: SweepPair) -> str:
 
 def loops_are_retraced(pair: SweepPair) -> str:
     """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
-    loops, directrix = look_up(pair), pair.chains.directrix
     inner, outer = literal.sweep_mm(*pair.chains)
-    ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
-    if whole.vertices != loops.outer:
+    if whole.vertices != look_up(pair).outer:
         return "the trajectory of I(G) around T is not the outer loop"
-    return tell_difference("T(G_b, T)", outer, take_bottom(loops.outer)) or tell_difference(
-        "T(I(G), -T) over D's range of x", clip(inner, *ends), take_bottom(loops.inner)
-    )
+    return tell_boundaries(pair, clip_to(inner, pair.chains.directrix), outer)
 
 
 def inner_to_the_letter(pair: SweepPair) -> str:
     """Show that the output of Trajectory_MM along the inside is not the inner boundary."""
     inner = keep_corners(literal.sweep_mm(*pair.chains)[0])
-    expected = take_bottom(look_up(pair).inner)
+    expected = look_up_bottom(pair, "inner")
     if inner == expected:
         return ""
     return (
@@ -110,58 +107,52 @@ def inner_to_the_letter(pair: SweepPair) -> str:
     )
 
 
-def sweep_mm_is_right(pair: SweepPair) -> str:
-    """Sweep_MM, as corrected, returns both boundaries of the definition."""
-    loops = look_up(pair)
-    inner, outer = sweep_mm(*pair.chains)
-    return tell_difference(
-        "the inner boundary", inner, take_bottom(loops.inner)
-    ) or tell_difference("the outer boundary", outer, take_bottom(loops.outer))
-
-
-def loops_are_monotone(pair: SweepPair) -> str:
-    """Without vertical edges in G and D there are none in the chains, which are X-monotone."""
-    inner, outer = sweep_mm(*pair.chains)
-    return (
-        sweep_mm_is_right(pair)
-        or is_monotone("the inner boundary", inner)
-        or is_monotone("the outer boundary", outer)
-    )
+sweep_mm_is_right = returns(
+    "Sweep_MM, as corrected, returns both boundaries of the definition.",
+    inner="Sweep_MM, inner loop",
+    outer="Sweep_MM, outer loop",
+)
+loops_are_monotone = returns(
+    MONOTONE, is_monotone, inner="Sweep_MM, inner loop", outer="Sweep_MM, outer loop"
+)
 
 
 def trajectory_is_monotone(pair: SweepPair) -> str:
     """The trajectory is a simple polygon made of two X-monotone chains."""
-    top, _, directrix = pair.chains
     s = sweep(*pair)
-    if Polygon(s.trajectory.vertices).vertices != look_up(pair).trajectory:
-        return "the trajectory is not the simple polygon of the definition"
-    bottom, upper = split(s.trajectory.vertices)
+    bottom, top = split(Polygon(s.trajectory.vertices).vertices)
     return (
-        trajectory_mm_is_right(pair)
-        or is_monotone("the lower trajectory", trajectory_mm(top, directrix))
+        tell_loops(s, "trajectory")
+        or mm_trajectory_is_monotone(pair)
         or is_monotone("the bottom chain of T", bottom)
-        or is_monotone("the top chain of T", upper[::-1])
+        or is_monotone("the top chain of T", top[::-1])
     )
 
 
 def local_width(pair: SweepPair) -> str:
     """Across an edge of a convex D, the outer loop is as far from it as G is wide."""
     s = sweep(*pair)
-    for p, q in list_edges(s.inner):
+    return _tell_width(s, s.inner)
+
+
+def _tell_width(s: Sweep, inside: AnyPolygon) -> str:
+    """Say across which edge the outer loop reaches farther by another width than that of G."""
+    for p, q in list_edges(inside.vertices):
         normal = q.y - p.y, p.x - q.x
-        reach, own = (_greatest(normal, loop) for loop in (s.outer, s.inner))
+        reach, own = (max(_measure(normal, loop)) for loop in (s.outer, inside))
         if reach - own != _measure_width(normal, s.generatrix):
             return f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the area is not as wide as G"
     return ""
 
 
-def _greatest(normal: tuple[Fraction, Fraction], polygon: Iterable[Point]) -> Fraction:
-    return max(normal[0] * x + normal[1] * y for x, y in polygon)
+def _measure(normal: Vertex, points: Iterable[Vertex]) -> list[Rational]:
+    """The distances of points along a vector, in units of its length."""
+    return [normal[0] * x + normal[1] * y for x, y in points]
 
 
-def _measure_width(normal: tuple[Fraction, Fraction], polygon: Iterable[Point]) -> Fraction:
-    """The width of a polygon along a vector, in units of the vector's length."""
-    heights = [normal[0] * x + normal[1] * y for x, y in polygon]
+def _measure_width(normal: Vertex, polygon: AnyPolygon) -> Rational:
+    """The width of a polygon along a vector, likewise."""
+    heights = _measure(normal, polygon.vertices)
     return max(heights) - min(heights)
 
 
@@ -204,45 +195,39 @@ def edges_are_near(pair: SweepPair) -> str:
     loops = [[make_segment(edge) for edge in list_edges(loop)] for loop in (s.inner, s.outer)]
     for p, q in list_edges(s.trajectory):
         normal = q.y - p.y, p.x - q.x
-        heights = []
-        for loop in loops:
-            drawn = [
-                normal[0] * x + normal[1] * y
-                for x, y in s.generatrix.vertices
-                if any(_shares(((p.x + x, p.y + y), (q.x + x, q.y + y)), edge) for edge in loop)
-            ]
-            heights.append(drawn)
+        inner, outer = (
+            _measure(normal, [v for v in s.generatrix.vertices if _draws(v, (p, q), loop)])
+            for loop in loops
+        )
         width = _measure_width(normal, s.generatrix)
-        if heights[0] and heights[1] and max(heights[1]) - min(heights[0]) < width:
+        if inner and outer and max(outer) - min(inner) < width:
             return (
                 f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges are there, and apart by "
-                f"{max(heights[1]) - min(heights[0])} where G is wide by {width}, in units of the "
-                "edge's length"
+                f"{max(outer) - min(inner)} where G is wide by {width}, in units of the edge's "
+                "length"
             )
     return ""
 
 
-def _shares(edge: Edge, other: Segment) -> bool:
-    one = make_segment(edge)
-    return one[:2] == other[:2] and one.shares_piece(other)
+def _draws(v: Vertex, edge: Edge, loop: Sequence[Segment]) -> bool:
+    """Decide whether a vertex of G draws a piece of a loop along an edge of the trajectory."""
+    (px, py), (qx, qy) = edge
+    drawn = make_segment(((px + v[0], py + v[1]), (qx + v[0], qy + v[1])))
+    return any(drawn[:2] == other[:2] and drawn.shares_piece(other) for other in loop)
 
 
 def outside_of_the_inner_loop(pair: SweepPair) -> str:
     """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
     s = sweep(*pair)
-    if failure := has_wrong_inner_loop(s, pair):
-        return failure
-    again = sweep(s.generatrix, s.inner).trajectory
-    return "" if again == s.trajectory else "the trajectory around the inner loop is another one"
+    if sweep(s.generatrix, s.inner).trajectory != s.trajectory:
+        return "the trajectory around the inner loop is another one"
+    return tell_loops(s, "inner")
 
 
 def inside_of_the_outer_loop(pair: SweepPair) -> str:
     """The lowest path of G inside the outer loop, where it is not the trajectory."""
-    _, bottom, _ = pair.chains
-    loops = look_up(pair)
-    path, outer = take_bottom(loops.trajectory), take_bottom(loops.outer)
-    ends = Fraction(path[0][0]), Fraction(path[-1][0])
-    found = clip(literal.slide_inside(bottom, outer, trajectory_mm), *ends)
+    path, outer = look_up_bottom(pair, "trajectory"), look_up_bottom(pair, "outer")
+    found = clip_to(literal.slide_inside(pair.chains.bottom, outer, trajectory_mm), path)
     if found == path:
         return ""
     chains = write_chain(found), write_chain(path)
@@ -261,26 +246,18 @@ def kernel_is_literal(pair: SweepPair) -> str:
     """The kernel's trajectory and outer boundary are those of the procedures to the letter."""
     top, bottom, directrix = pair.chains
     inner, outer = literal.sweep_mm(top, bottom, directrix)
-    ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
     path, found = trajectory_mm(top, directrix), sweep_mm(top, bottom, directrix)
     return find_first_failure(
         tell_difference(f"the {name}", chain, literally, "to the letter")
         for name, chain, literally in (
             ("trajectory", path, literal.trajectory_mm(top, directrix)),
             ("outer boundary", found[1], outer),
-            ("inner boundary", found[0], clip(inner, *ends)),
+            ("inner boundary", found[0], clip_to(inner, directrix)),
         )
     )
 
 
 def outer_loop_reaches_by_the_width(pair: SweepPair) -> str:
     """Across each edge of D, the outer loop reaches farther than D by as much as G is wide."""
-    s, expected = sweep(*pair), look_up(pair).outer
-    if s.outer.vertices != expected:
-        return "the outer loop is not that of the definition"
-    for p, q in list_edges(s.directrix):
-        normal = q.y - p.y, p.x - q.x
-        width = _measure_width(normal, s.generatrix)
-        if _greatest(normal, s.outer) - _greatest(normal, s.directrix) != width:
-            return f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the outer loop is not as far away"
-    return ""
+    s = sweep(*pair)
+    return tell_loops(s, "outer") or _tell_width(s, s.directrix)

@@ -33,8 +33,8 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.costs import OUTER, RUNS
 from exactsweep.paper.counting import grow_pairs
-from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
-from exactsweep.paper.growth import MN, MN2, double
+from exactsweep.paper.functions import keep_corners, look_up_bottom, tell_difference
+from exactsweep.paper.growth import MN, MN2
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import find_convex_parts, inverse
@@ -99,7 +99,7 @@ def fill_windows(effort: Effort) -> Evidence:
     rates = [float(row[3]) for _, row in results]
     rising = "" if rates == sorted(rates) else "the pieces for each segment do not rise"
     growth = tuple(
-        grow_pairs("vertices", "trajectory", RUNS["Trajectory_MM"], family, MN, sizes_from(effort))
+        grow_pairs("vertices", "trajectory", RUNS["Trajectory_MM"], family, MN, effort.sizes())
         for family in (mm, figure10)
     )
     failure = find_first_failure(text for text, _ in results) or rising
@@ -108,15 +108,10 @@ def fill_windows(effort: Effort) -> Evidence:
     return replace(found, failure=failure, tables=(table,), growth=growth)
 
 
-def sizes_from(effort: Effort, first: int = 16) -> list[tuple[int, int]]:
-    """The sizes on which an MM sweep is counted."""
-    return double(first, 2 if effort.quick else 4)
-
-
 def outer_edges(pair: SweepPair) -> int:
     """Count the edges of the outer boundary of the lower sweep, and check it by the definition."""
     outer = keep_corners(OUTER(pair.chains))
-    if failure := tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer)):
+    if failure := tell_difference("the outer boundary", outer, look_up_bottom(pair, "outer")):
         raise ExactSweepError(failure)
     return len(outer) - 1
 
@@ -128,7 +123,7 @@ def windows_of_windows_are_full(segments: Sequence[Stroke]) -> tuple[str, list[s
     outer = keep_corners(OUTER(pair.chains))
     # The ends of G may add some.
     least, found = full * most + pieces_at_the_sides(segments), pieces_in(outer, segments)
-    failure = tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer))
+    failure = tell_difference("the outer boundary", outer, look_up_bottom(pair, "outer"))
     if found < least:
         failure = failure or f"{found} pieces of {count} segments, {least} by the envelopes"
     return failure, [*map(str, (count, most, full)), f"{found:,}", f"{found / count**3:.2f}"]
@@ -165,14 +160,7 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
         m_b, n_t, n_b = sizes
         counts = printed_count(*sizes), m_b * n_t * n_b, outer_edges(pair)
         rows.append([str(sizes), *map(str, counts)])
-    growth = grow_pairs(
-        "vertices",
-        "outer boundary",
-        OUTER,
-        figure10,
-        MN2,
-        sizes_from(effort),
-    )
+    growth = grow_pairs("vertices", "outer boundary", OUTER, figure10, MN2, effort.sizes())
     fallen = "" if growth.is_attained else "the outer boundary falls behind mn²"
     failure, against, beyond = beyond_mn2()
     records = Table(

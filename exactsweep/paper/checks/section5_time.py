@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from fractions import Fraction
 from functools import reduce
 from itertools import pairwise, product
 from math import log2
 
 from exactsweep.corpus.generator.growing import cm_hard, figure10, mm, needles, rim
-from exactsweep.numbers.point import Vertex
+from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.section5_sizes import (
     OUTGROWING,
     beyond_mn2,
     outgrows_its_parts,
-    sizes_from,
 )
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
 from exactsweep.paper.costs import INNER, STEPS
@@ -24,18 +23,18 @@ from exactsweep.paper.counting import (
     PairFamily,
     count_chains,
     count_operations,
+    grow,
     grow_pairs,
     make_counted,
     watch_operations,
 )
 from exactsweep.paper.functions import (
-    clip,
+    clip_to,
     keep_corners,
-    look_up,
-    take_bottom,
+    look_up_bottom,
     tell_difference,
 )
-from exactsweep.paper.growth import MN, MN2, SUM_LOG, Bound, Growth, double, grow
+from exactsweep.paper.growth import M_PLUS_N, MN, MN2, SUM_LOG, Bound, Growth, double
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
@@ -50,13 +49,14 @@ def count_one_merge(effort: Effort) -> Evidence:
     def merge(*chains: list[Vertex]) -> Envelope:
         return lower_envelope_mm([Envelope.of(make_counted(chain)) for chain in chains])
 
-    def count(m: int, n: int) -> tuple[int, float]:
-        first = [(2 * k, (k % 2) * 10) for k in range(m)]
-        second = [(2 * k, 6 - (k % 2)) for k in range(n)]
-        return count_operations(merge, first, second), m + n
+    def zigzags(m: int, n: int) -> tuple[Ring, Ring]:
+        return [(2 * k, k % 2 * 10) for k in range(m)], [(2 * k, 6 - k % 2) for k in range(n)]
+
+    def count(chains: SweepPair) -> int:
+        return count_operations(merge, *chains)
 
     # Nothing but the ends keeps the counts from being in proportion.
-    growth = grow("operations of one merge", "zigzags", "m + n", double(64, 4), count, limit=1.005)
+    growth = grow("operations of one merge", zigzags, M_PLUS_N, double(64, 4), count, limit=1.005)
     pairs = list(product(_tiny_chains(), repeat=2))
     failure = growth.failure or find_first_failure(
         lowest("chain", [a, b], list(lower_envelope_mm([Envelope.of(a), Envelope.of(b)])))
@@ -97,8 +97,8 @@ def count_halves(effort: Effort) -> Evidence:
 def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool = False) -> Growth:
     """Operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
 
-    def count(m: int, n: int) -> tuple[int, float]:
-        top, _, directrix = SweepPair(*family(m, n)).chains
+    def count(pair: SweepPair) -> tuple[int, float]:
+        top, _, directrix = pair.chains
         with watch_operations() as tally:
             chains = [
                 trajectory_cm(make_counted(inverse(part)), make_counted(directrix))
@@ -112,7 +112,7 @@ def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool 
         return tally.total - before + sum(1 for _ in merged), size * max(1.0, log2(len(chains)))
 
     what = f"operations of LowerEnvelope_MM{' to the letter' if to_the_letter else ''}"
-    return grow(what, family.__name__, "N log k", sizes_from(effort), count)
+    return grow(what, family, "N log k", effort.sizes(), count)
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> str:
@@ -123,7 +123,7 @@ def lower_envelope_mm_is_right(pair: SweepPair) -> str:
     found = lower_envelope_mm(chains)
     return lowest(
         "sub-trajectory", [list(chain) for chain in chains], list(found)
-    ) or tell_difference("the lower envelope", found, take_bottom(look_up(pair).trajectory))
+    ) or tell_difference("the lower envelope", found, look_up_bottom(pair, "trajectory"))
 
 
 def find_large_trajectory(effort: Effort) -> Evidence:
@@ -147,7 +147,7 @@ def count_step_2(effort: Effort) -> Evidence:
         tops = ([(-x, -y) for x, y in part] for part in parts)
         return [p for top in tops for p in literal.trajectory_cm(top, chains.directrix)]
 
-    sizes = double(32, 2 if effort.quick else 4)
+    sizes = effort.sizes(32)
     counts = (
         grow_pairs("operations", "step 2", step_2, family, MN, sizes) for family in (figure10, mm)
     )
@@ -163,7 +163,7 @@ def count_glance(effort: Effort) -> Evidence:
     def merge_by_halves(chains: Chains) -> list[Vertex]:
         return literal.lower_envelope_mm(_sub_trajectories(chains))
 
-    sizes = [(size, 16) for size, _ in double(16, 3 if effort.quick else 5)]
+    sizes = [(size, 16) for size, _ in effort.sizes(16, 3, 5)]
     bounds = (
         ("m²n log mn", lambda m, n: m * m * n * log2(m * n)),
         ("mn log m", lambda m, n: m * n * log2(m)),
@@ -186,8 +186,7 @@ def _sub_trajectories(chains: Chains) -> list[list[Vertex]]:
 def inner_again(chains: Chains, trajectory: Envelope) -> list[Vertex]:
     """The inner boundary to the letter: Trajectory_MM along all of T's inside."""
     bottom, path = inverse(chains.top), keep_corners(trajectory)
-    ends = Fraction(chains.directrix[0][0]), Fraction(chains.directrix[-1][0])
-    return clip(literal.slide_inside(bottom, path, literal.trajectory_mm), *ends)
+    return clip_to(literal.slide_inside(bottom, path, literal.trajectory_mm), chains.directrix)
 
 
 def inner_by_gaps(chains: Chains, trajectory: Envelope) -> list[Vertex]:
@@ -203,12 +202,11 @@ def _inner_grows(
 ) -> Growth:
     """Operations beyond the trajectory, on a family that is touched almost everywhere."""
 
-    def count(m: int, n: int) -> tuple[int, float]:
-        chains = count_chains(rim, m, n)
-        trajectory = trajectory_mm(*chains[::2])
-        return count_operations(inner, chains, trajectory), bound[1](m, n)
+    def count(pair: SweepPair) -> int:
+        chains = count_chains(pair)
+        return count_operations(inner, chains, trajectory_mm(*chains[::2]))
 
-    return grow(f"operations of the inner boundary, {what}", rim.__name__, bound[0], sizes, count)
+    return grow(f"operations of the inner boundary, {what}", rim, bound, sizes, count)
 
 
 def gaps_give_the_same(pair: SweepPair) -> str:
@@ -230,10 +228,10 @@ def _outgrows(slow: Growth, fast: Growth) -> bool:
 
 def count_gaps(effort: Effort) -> Evidence:
     """Count the operations of both ways to the inner boundary, and the size of the output."""
-    sizes = [(16, n) for _, n in sizes_from(effort, 8)]
+    sizes = [(16, n) for _, n in effort.sizes(8)]
     written = grow_pairs("vertices", "inner boundary", INNER, needles, MN2, sizes)
-    gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, sizes_from(effort))
-    few = double(16, 1 if effort.quick else 3)
+    gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, effort.sizes())
+    few = effort.sizes(16, 1, 3)
     again = _inner_grows("Trajectory_MM again", inner_again, MN, few)
     last, beside = written.points[-1], gaps.points[len(few) - 1]
     return Evidence(

@@ -5,13 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from exactsweep.corpus.generator.growing import cm_undercut, wide
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, weigh
-from exactsweep.paper.counting import count_chains, count_operations, watch_operations
-from exactsweep.paper.functions import keep_corners, look_up, take_bottom, write_chain
-from exactsweep.paper.growth import double, grow
+from exactsweep.paper.counting import count_chains, count_operations, grow, watch_operations
+from exactsweep.paper.functions import (
+    keep_corners,
+    look_up,
+    look_up_bottom,
+    take_bottom,
+    write_chain,
+)
+from exactsweep.paper.growth import MN
 from exactsweep.paper.literal import split_at_reflex
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
@@ -26,7 +32,7 @@ def partial_meets_whole(pair: SweepPair) -> str:
     partial = literal.trajectory_cm(
         top, [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
     )
-    whole = take_bottom(look_up(pair).trajectory)
+    whole = look_up_bottom(pair, "trajectory")
     failure, _ = meetings(partial, whole)
     return failure and f"T_(i-1) and T(G_t, D_b): {failure}"
 
@@ -42,7 +48,7 @@ def output_is_closed(pair: SweepPair) -> str:
 
 def inner_is_ready_before(pair: SweepPair) -> str:
     """Before step 3 of SweepI_CM the list L is the inner boundary."""
-    if take_bottom(look_up(pair).inner) == take_bottom(pair.directrix):
+    if look_up_bottom(pair, "inner") == take_bottom(pair.directrix):
         return ""
     return "after step 2 the list L is still D_b, and not the inner boundary"
 
@@ -50,13 +56,12 @@ def inner_is_ready_before(pair: SweepPair) -> str:
 def count_step_3(effort: Effort) -> Evidence:
     """Count the operations of SweepI_CM beyond the trajectory, over close teeth."""
 
-    def count(m: int, n: int) -> tuple[int, float]:
-        top, _, directrix = count_chains(cm_undercut, m, n)
+    def count(pair: SweepPair) -> int:
+        top, _, directrix = count_chains(pair)
         trajectory = trajectory_cm(top, directrix)
-        return count_operations(sweep_inner_cm, top, directrix, trajectory), m * n
+        return count_operations(sweep_inner_cm, top, directrix, trajectory)
 
-    sizes = double(16, 2 if effort.quick else 4)
-    return weigh("", grow("operations of step 3", "cm_undercut", "mn", sizes, count))
+    return weigh("", grow("operations of step 3", cm_undercut, MN, effort.sizes(), count))
 
 
 def boundary_is_trajectory(pair: SweepPair) -> str:
@@ -86,7 +91,7 @@ def generatrix_sweeps_again(pair: SweepPair) -> str:
     top, bottom, directrix = pair.chains
     path = literal.trajectory_mm(top, directrix)
     found = keep_corners(literal.trajectory_mm(bottom[::-1], path))
-    expected = take_bottom(look_up(pair).outer)
+    expected = look_up_bottom(pair, "outer")
     if _shape(found) == _shape(expected):
         return ""
     return f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, and not the outer boundary, moved"
@@ -114,16 +119,16 @@ def output_has_mn_vertices(pair: SweepPair) -> str:
 def count_calls(effort: Effort) -> Evidence:
     """Count the operations of all calls of Trajectory_CC beside the edges of the trajectory."""
 
-    def count(m: int, n: int) -> tuple[int, float]:
-        chains = count_chains(wide, m, n)
+    def count(pair: SweepPair) -> tuple[int, float]:
+        chains = count_chains(pair)
         edges = len(keep_corners(trajectory_cm(*chains[::2]))) - 1
         with watch_operations() as tally:
             for part in split_at_reflex(chains.directrix):
                 literal.trajectory_cc(chains.top, part)
         return tally.total, edges
 
-    sizes = [(size, 16) for size, _ in double(16, 2 if effort.quick else 4)]
-    growth = grow("operations of all calls", "wide", "edges of T", sizes, count)
+    sizes = [(size, 16) for size, _ in effort.sizes()]
+    growth = grow("operations of all calls", wide, "edges of T", sizes, count)
     last = growth.points[-1]
     against = Counterexample(
         f"for m = {last.m} and n = {last.n} the calls take {last.count:,} operations, and the "

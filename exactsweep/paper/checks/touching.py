@@ -8,17 +8,14 @@ from exactsweep import Point, Sweep
 from exactsweep.evidence.steps import Step
 from exactsweep.geometry.region import AnyPolygon, number_features
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.paper.functions import list_edges, look_up
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.functions import list_edges, tell_loops
 
 
 def contacts_are_right(s: Sweep) -> str:
     """Say which contact is listed wrongly, or missing; empty if none is."""
-    g, d = s.generatrix, s.directrix
-    pair = SweepPair(*([(int(x), int(y)) for x, y in shape.vertices] for shape in (g, d)))
-    corners = s.trajectory.vertices
-    if corners != look_up(pair).trajectory:
-        return "the trajectory is not that of the definition"
+    g, d, corners = s.generatrix, s.directrix, s.trajectory.vertices
+    if failure := tell_loops(s, "trajectory"):
+        return failure
     for k, (start, end) in enumerate(list_edges(corners)):
         now = {c for t in list_moments(s, start, end) for c in list_lasting(g, d, t)}
         for t, listed, expected in (

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import chain, combinations, pairwise
 
 from exactsweep import Point, Sweep, sweep
@@ -16,12 +14,16 @@ from exactsweep.corpus.generator.growing import (
     needles,
     undercuts_under_ceilings,
 )
+from exactsweep.draw import place_generatrix
+from exactsweep.geometry.segment import make_segment
 from exactsweep.geometry.vectors import is_on_segment
+from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Table, find_first_failure
 from exactsweep.paper.costs import INNER
-from exactsweep.paper.counting import PairFamily, grow_pairs
-from exactsweep.paper.growth import MN2, Growth, double, grow
+from exactsweep.paper.counting import PairFamily, grow, grow_pairs
+from exactsweep.paper.functions import list_edges
+from exactsweep.paper.growth import MN2, Growth
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.mm import sweep_mm
@@ -31,13 +33,12 @@ from exactsweep.procedures.pockets import find_pockets
 def find_long_undercut(effort: Effort) -> Evidence:
     """Look for an undercut with more edges than G_t, and count the edges over needles."""
     found = search_grid(3, 8, "bent", "bent", long_undercut)
-    last = 3 if effort.quick else 5
     growth = tuple(
         grow_pairs("vertices", "inner boundary", INNER, needles, MN2, sizes)
         for sizes in (
-            [(size, 16) for size, _ in double(16, last)],
-            [(16, size) for _, size in double(8, last)],
-            double(8, 2 if effort.quick else 3),
+            [(size, 16) for size, _ in effort.sizes(16, 3, 5)],
+            [(16, size) for _, size in effort.sizes(8, 3, 5)],
+            effort.sizes(8, 2, 3),
         )
     )
     failure = proved_case(needles, 10, 8) or find_first_failure(map(_fall_behind, growth))
@@ -78,40 +79,24 @@ def undercuts_are_closed(pair: SweepPair) -> str:
     """In its positions, and on the way between two of them, G draws all of a bottom chain."""
     s = sweep(*pair)
     for undercut in s.undercuts:
-        drawn = defaultdict(list)
-        for p, q in _list_drawn(s, undercut.positions):
-            drawn[_find_line(p, q)].append((p, q))
+        drawn = list(map(make_segment, _list_drawn(s, undercut.positions)))
         for start, end in pairwise(undercut.bottom):
-            if not _is_covered(start, end, drawn[_find_line(start, end)]):
+            if not covers(drawn, (start, end)):
                 return f"an undercut from ({start.x}, {start.y}) to ({end.x}, {end.y}) is left open"
     return ""
 
 
 def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point]]:
     """The edges of G at some positions, and the ways of its vertices along edges of T."""
-    g, path = s.generatrix.vertices, s.trajectory.vertices
-    drawn = [(t, t, g[k - 1], g[k]) for t in positions for k in range(len(g))]
-    for k, end in enumerate(path):
-        along = [t for t in positions if is_on_segment(t, path[k - 1], end)]
-        drawn += [(t, u, v, v) for t, u in combinations(along, 2) for v in g]
-    return [(Point(v.x + t.x, v.y + t.y), Point(w.x + u.x, w.y + u.y)) for t, u, v, w in drawn]
-
-
-def _is_covered(start: Point, end: Point, drawn: Iterable[tuple[Point, Point]]) -> bool:
-    """Decide whether segments cover all of another one on their line."""
-    reached, last = min(start, end), max(start, end)
-    for p, q in sorted((min(p, q), max(p, q)) for p, q in drawn):
-        if p <= reached < q:
-            reached = q
-    return reached >= last
-
-
-def _find_line(p: Point, q: Point) -> tuple[Fraction | None, Fraction]:
-    """Return slope and height above the origin of a line, or None and its abscissa."""
-    if p.x == q.x:
-        return None, p.x
-    slope = (q.y - p.y) / (q.x - p.x)
-    return slope, p.y - slope * p.x
+    drawn = [edge for t in positions for edge in list_edges(place_generatrix(s, t).vertices)]
+    for edge in list_edges(s.trajectory.vertices):
+        along = [t for t in positions if is_on_segment(t, *edge)]
+        drawn += [
+            (Point(x + t.x, y + t.y), Point(x + u.x, y + u.y))
+            for t, u in combinations(along, 2)
+            for x, y in s.generatrix.vertices
+        ]
+    return drawn
 
 
 def lower_undercuts(s: Sweep) -> int:
@@ -122,16 +107,14 @@ def lower_undercuts(s: Sweep) -> int:
 def count_undercuts(effort: Effort) -> Evidence:
     """Count the undercuts under ceilings; those of small pairs are proved by certificates."""
 
-    def count(m: int, n: int) -> tuple[int, float]:
-        chains = SweepPair(*ceilings(m, n)).chains
-        return len(find_pockets(sweep_mm(*chains)[0], chains.directrix)), m * n * n
+    def count(pair: SweepPair) -> int:
+        return len(find_pockets(sweep_mm(*pair.chains)[0], pair.chains.directrix))
 
-    last = 2 if effort.quick else 3
     growth = tuple(
-        grow("undercuts of the lower sweep", "ceilings", "mn²", sizes, count)
+        grow("undercuts of the lower sweep", ceilings, MN2, sizes, count)
         for sizes in (
-            [(3 * size + 4, 16) for size, _ in double(8, last)],
-            [(7, 2 * size + 2) for size, _ in double(16, last)],
+            [(3 * size + 4, 16) for size, _ in effort.sizes(8, 2, 3)],
+            [(7, 2 * size + 2) for size, _ in effort.sizes(16, 2, 3)],
         )
     )
     amiss = (

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.paper.figures.figure import PaperFigure, list_loops, place, shift, take_half
 from exactsweep.paper.figures.minkowski import sweep_example
-from exactsweep.paper.functions import clip, keep_corners, take_bottom
+from exactsweep.paper.functions import clip_to, keep_corners, take_bottom
 from exactsweep.procedures.chain import complement, inverse
 from exactsweep.procedures.mm import trajectory_mm
 from exactsweep.procedures.monotone import LowerSweep
@@ -30,7 +28,6 @@ def compute() -> PaperFigure:
     top, path = _find_top_chain(half), list(half.trajectory)
     start, stop = (Point(x + s.reference.x, y + s.reference.y) for x, y in (path[0], path[-1]))
     travelled = stop.x - start.x
-    left, right = (Fraction(x) for x, _ in (half.directrix[0], half.directrix[-1]))
     widths = sum(p.bounding_box[1].x - p.bounding_box[0].x for p in (s.generatrix, s.directrix))
     low = min(y for _, y in half.outer) - 3
     return PaperFigure(
@@ -40,7 +37,7 @@ def compute() -> PaperFigure:
             ("horizontal distance from start to stop", travelled),
         ],
         laws=[
-            ("inner boundary", clip(top, left, right), keep_corners(half.inner)),
+            ("inner boundary", clip_to(top, half.directrix), keep_corners(half.inner)),
             ("bottom of the outer loop", take_bottom(s.outer.vertices), keep_corners(half.outer)),
             ("horizontal distance", travelled, widths),
             ("start", shift(half.top[:1], path[0]), half.directrix[:1]),

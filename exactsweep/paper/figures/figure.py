@@ -11,10 +11,11 @@ from fractions import Fraction
 from importlib import import_module
 from typing import Any, NamedTuple, cast
 
-from exactsweep.check import classify, reference_loops
+from exactsweep.check import classify
 from exactsweep.draw import place_generatrix
-from exactsweep.numbers.point import Loop, Point, Vertex
+from exactsweep.numbers.number import Loop, Point, Vertex
 from exactsweep.paper.claim import Evidence, Table, find_first_failure
+from exactsweep.paper.functions import tell_loops
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.monotone import LowerSweep
 from exactsweep.sweep import Sweep
@@ -40,7 +41,7 @@ class PaperFigure(NamedTuple):
     def find_failures(self) -> Iterator[str]:
         """Describe the laws that fail, loops that are wrong, and positions without contact."""
         for s, positions in self.sweeps:
-            yield from _compare_loops(s)
+            yield from filter(None, [tell_loops(s)])
             yield from _compare_positions(s, positions)
         for name, found, expected in self.laws:
             if found != expected:
@@ -79,19 +80,6 @@ def check_figure(name: str, against: str) -> Evidence:
     rows = [[what, str(value)] for what, value in figure.facts]
     table = Table("What the figure states", ("what", "value"), rows)
     return Evidence(against, find_first_failure(figure.find_failures()), tables=(table,))
-
-
-def _compare_loops(s: Sweep) -> Iterator[str]:
-    expected = reference_loops(s.generatrix, s.directrix)
-    x, y = s.reference
-    loops = {
-        "trajectory": (s.trajectory.translated((-x, -y)), expected.trajectory),
-        "inner loop": (s.inner, expected.inner),
-        "outer loop": (s.outer, expected.outer),
-    }
-    for name, (found, right) in loops.items():
-        if found.vertices != right:
-            yield f"the {name} is not that of the definition"
 
 
 def _compare_positions(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
