@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import log, log2
 from operator import attrgetter
+from statistics import linear_regression
 
 Bound = tuple[str, Callable[[int, int], float]]
 
@@ -156,9 +157,7 @@ def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
     2.0
     """
     xs, ys = [log(size) for size in sizes], [log(max(value, 1e-9)) for value in values]
-    x_mean, y_mean = sum(xs) / len(xs), sum(ys) / len(ys)
-    covariance = sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
-    return covariance / sum((x - x_mean) ** 2 for x in xs)
+    return linear_regression(xs, ys).slope
 
 
 def double(first: int, doublings: int) -> list[tuple[int, int]]:
