@@ -83,6 +83,11 @@ class Growth:
         return self.what.partition(" ")[0]
 
     @property
+    def judged(self) -> int:
+        """The number of largest sizes over which the exponent is judged; 0 for all."""
+        return 3 if self.unit == "seconds" else 0
+
+    @property
     def last_rise(self) -> float:
         """By what factor the ratio rose over the last doubling."""
         return self.points[-1].ratio / self.points[-2].ratio
@@ -117,12 +122,9 @@ class Growth:
 
         Over a doubling a factor log n too little in the bound shows as 1.1 or more.
         """
-        if self.unit in LIMITS:
-            last = 3 if self.unit == "seconds" else 0
+        if self.limit < 1 or self.unit in LIMITS:
             margin = self.limit if self.limit < 1 else LIMITS[self.unit]
-            return self.exponent(last) <= self.claimed(last) + margin
-        if self.limit < 1:
-            return self.exponent() <= self.claimed() + self.limit
+            return self.exponent(self.judged) <= self.claimed(self.judged) + margin
         before = max(point.ratio for point in self.points[:-1])
         return self.points[-1].ratio <= self.limit * before
 
@@ -148,6 +150,11 @@ class Growth:
             f"rose by a factor {self.last_rise:.2f} over the last doubling, with exponent "
             f"{self.exponent(3):.2f}, not {self.claimed(3):.2f}"
         )
+
+
+def write_power(exponent: float) -> str:
+    """An exponent with two decimals, without a sign where it rounds to 0."""
+    return f"{round(exponent, 2) + 0.0:.2f}"
 
 
 def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
