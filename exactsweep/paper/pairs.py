@@ -93,7 +93,7 @@ def _corners(ring: Ring) -> Ring:
 
 
 FAR = 10**30 + 57
-LARGE: dict[str, tuple[Callable[[int, int, int], tuple[Ring, Ring]], ...]] = {
+LARGE: dict[str, tuple[Callable[..., tuple[Ring, Ring]], ...]] = {
     "CC": (cc,),
     "CM": (cm, cm_hard, cm_undercut),
     "MM": (mm, figure10),
