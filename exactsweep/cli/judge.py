@@ -8,6 +8,7 @@ import click
 
 from exactsweep.cli.options import takes_file
 from exactsweep.cli.reports import Reports, takes_reports
+from exactsweep.formats.files import open_bytes
 
 
 @click.command("judge")
@@ -29,26 +30,27 @@ def judge_command(path: str | None, reports: Reports) -> None:
     Example:
       exactsweep judge --cases cases.jsonl
     """
-    from exactsweep.conform.run.cases import open_standard_input, read_cases, require_distinct
+    from exactsweep.conform.run.cases import read_cases, require_distinct
     from exactsweep.conform.run.stream import Stream
     from exactsweep.corpus import Case, find_case
     from exactsweep.corpus.names import require_known
 
     if path == "-":
         raise click.UsageError("Standard input is for the answers; give the cases as a file.")
-    stream = Stream(open_standard_input())
-    run = reports.begin(stream.hello)
-    cases = (
-        {case.id: case for case in require_distinct(read_cases(path))} if path is not None else {}
-    )
+    cases: dict[str, Case] = {}
 
     def find(id: str) -> Case:
         return find_case(id) if path is None else cases[require_known(id, cases, "case")]
 
-    try:
-        for outcome in chain(stream.outcomes(find), stream.unanswered(cases.values())):
-            run.add(outcome)
-    except KeyboardInterrupt:
-        run.interrupted = True
+    with open_bytes("-") as answers:
+        stream = Stream(answers)
+        run = reports.begin(stream.hello)
+        if path is not None:
+            cases |= {case.id: case for case in require_distinct(read_cases(path))}
+        try:
+            for outcome in chain(stream.outcomes(find), stream.unanswered(cases.values())):
+                run.add(outcome)
+        except KeyboardInterrupt:
+            run.interrupted = True
     run.complaints += stream.complaints
     reports.write(run)

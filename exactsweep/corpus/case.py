@@ -11,9 +11,8 @@ from exactsweep.corpus.facts import find_facts
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Loop
+from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.number import Loop
 from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import inner_fit_polygon, sweep
 

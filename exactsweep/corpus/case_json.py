@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
@@ -14,11 +14,9 @@ from exactsweep.formats.node import JsonNode
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.plain import to_plain
-from exactsweep.numbers.point import Fit, Loop
+from exactsweep.numbers.digits import to_plain
+from exactsweep.numbers.error import name_refusals, quote, tells_arguments
+from exactsweep.numbers.number import Fit, Loop
 
 
 @tells_arguments
@@ -198,40 +196,6 @@ def _require_same(right: Any, found: JsonNode) -> None:
 
 def _types(held: Iterable[str]) -> list[str]:
     return [name for name in NUMBER_TYPES if name in held]
-
-
-FITS = {"exact_fits": "no_fit", "inner_exact_fits": "inner_fit"}
-"""Parts of an answer that are segments, each with the part on whose rings they may hang."""
-OF_POSITIONS = ("trajectory", "no_fit", "inner_fit", *FITS)
-"""Parts of an answer that are positions of the reference point."""
-
-
-def list_expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
-    """Return the rings, or the segments, of a part of the answer, as a case has them as JSON.
-
-    Args:
-        data: as by `case_to_json`.
-        name: "trajectory", "inner", "outer", "no_fit", "inner_fit", or a key of FITS.
-
-    Example:
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> data = case_to_json(Case.of("mine-1", "a square around itself", square, square))
-        >>> list_expected_rings(data, "no_fit")
-        [[['-1', '-1'], ['1', '-1'], ['1', '1'], ['-1', '1']]]
-    """
-    expected = data["expected"]
-    inside = expected.get("inner_fit", {"regions": [], "exact_fits": []})
-    if name == "inner_fit":
-        return [ring for r in inside["regions"] for ring in (r["exterior"], *r["holes"])]
-    parts: dict[str, list[Any]] = {
-        "trajectory": [expected["trajectory"]],
-        "inner": [expected["inner"], *expected.get("unswept", ())],
-        "outer": [expected["outer"]],
-        "no_fit": [expected["trajectory"], *expected.get("holes", ())],
-        "exact_fits": expected["exact_fits"],
-        "inner_exact_fits": inside["exact_fits"],
-    }
-    return parts[name]
 
 
 def case_to_line(case: Case) -> str:

@@ -18,8 +18,8 @@ from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.writing import write_wkt_points, write_wkt_polygon
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point
 
 # A little more than a picture is wide and high, and two lines under it.
 _WIDTH, _HEIGHT = 440, 370

@@ -14,7 +14,7 @@ from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import cross, way_key
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.number import Point, PointRings
 
 NEAR = Fraction(1, 10**14)
 HUGE = Fraction(2**53)

@@ -25,7 +25,7 @@ from fractions import Fraction
 
 from exactsweep.evidence.drawn import DrawnPiece
 from exactsweep.geometry.direction import Vector
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 
 FORMAT = "exactsweep certificate"
 VERSION = 2

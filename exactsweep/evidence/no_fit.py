@@ -16,7 +16,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.point import ORIGIN, Fit, Point
+from exactsweep.numbers.number import ORIGIN, Fit, Point
 from exactsweep.procedures import ss
 from exactsweep.procedures.solution import made_once
 from exactsweep.words import write_pair

@@ -13,8 +13,8 @@ from typing import Any
 from exactsweep.evidence.certificate import FORMAT, VERSION
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point
 
 Fits = Iterable[Sequence[Point]]
 

@@ -26,9 +26,9 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import abridge, format_fraction
-from exactsweep.numbers.point import Edge, Fit, Point, Vertex
+from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Edge, Fit, Point, Vertex
 from exactsweep.procedures.solution import made_once
 from exactsweep.words import write_vector
 

@@ -3,12 +3,14 @@
 import re
 import sys
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import BinaryIO
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import quote
 
 # Possessive, so that the pattern passes endless blank lines and comments only once.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
@@ -78,9 +80,39 @@ def show_path(path: str) -> str:
 
 def _read_bytes(path: str) -> bytes:
     # One byte too many is enough to know, even of a device without end.
+    with _open(path) as file:
+        return file.read(get_max_bytes() + 1)
+
+
+@contextmanager
+def _open(path: str) -> Iterator[BinaryIO]:
     if path != "-":
         with open(path, "rb") as file:
-            return file.read(get_max_bytes() + 1)
-    if sys.stdin is None:
-        raise FormatError("closed")
-    return sys.stdin.buffer.read(get_max_bytes() + 1)
+            yield file
+    elif sys.stdin is None:
+        raise OSError("closed")
+    else:
+        yield sys.stdin.buffer
+
+
+@contextmanager
+def open_bytes(path: str) -> Iterator[BinaryIO]:
+    """Open a file, or standard input, to be read in bytes.
+
+    Raises:
+        FormatError: it cannot be opened or read; the message names it.
+    """
+    try:
+        with _open(path) as file:
+            yield file
+    except OSError as error:
+        raise FormatError(f"{show_path(path)}: {error.strerror or error}") from None
+
+
+def split_lines(file: BinaryIO) -> Iterator[bytes]:
+    """Yield the lines of a file; of one with more bytes than `limits` allow, one byte too many."""
+    most = get_max_bytes()
+    while line := file.readline(most + 1):
+        yield line
+        while len(line) > most and not line.endswith(b"\n"):
+            line = file.readline(most + 1)

@@ -24,8 +24,8 @@ from exactsweep.layout.pieces import bound_piece
 from exactsweep.layout.reading import LayoutError
 from exactsweep.layout.solid import LatticeBox, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
-from exactsweep.numbers.plain import to_plain
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import to_plain
+from exactsweep.numbers.number import Point
 
 FORMAT, VERSION = "exactsweep certificate", 2
 

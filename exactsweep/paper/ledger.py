@@ -15,8 +15,7 @@ from importlib.resources import files
 from pkgutil import resolve_name
 from typing import Any
 
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, join_evidence
 from exactsweep.paper.laws import Trial
 from exactsweep.paper.tiny import search_grid

@@ -17,7 +17,7 @@ from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import Grid, Ring, draw_convex, draw_monotone, untangle
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.claim import Effort
 from exactsweep.procedures.chain import inverse, split
 

@@ -36,8 +36,7 @@ from math import gcd, inf, lcm
 
 from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
-from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex, ratio
 from exactsweep.procedures.leeway import Leeway
 
 _UNITS = 2**32

@@ -27,8 +27,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.vectors import is_on_segment, way_key
-from exactsweep.numbers.number import divide_exactly
-from exactsweep.numbers.point import Fit, Point, Vertex
+from exactsweep.numbers.number import Fit, Point, Vertex, divide_exactly
 from exactsweep.procedures.contact_lines import ReducedPoint, Stretch, StretchPlace
 
 

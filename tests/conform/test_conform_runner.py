@@ -74,7 +74,7 @@ def test_numbers_that_do_not_hold_a_case_are_not_asked() -> None:
     large = Case.of("large", "", [(0, 0), (2**70 + 1, 0), (0, 1)], SQUARE)
     for numbers in ("int32", "int64", "binary64"):
         with pytest.raises(UnsupportedError, match=f"{numbers} does not hold the case"):
-            adapt(large, Hello.of("mine", ["inner"], numbers, "given"))
+            adapt(large, Hello("mine", ("inner",), numbers))
     assert adapt(large, Hello("mine", numbers="integer")) is large
 
 

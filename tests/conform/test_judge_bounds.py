@@ -29,7 +29,7 @@ from exactsweep.conform.judge.verdict import PartComparison
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.spool import SpoolError
 from exactsweep.corpus import Case
-from exactsweep.numbers.point import ORIGIN
+from exactsweep.numbers.number import ORIGIN
 
 CASE = Case.of("slot", "", SLOT, SQUARE)
 MANY = 640
@@ -116,10 +116,10 @@ def test_the_distance_of_large_loops_takes_bounded_work(monkeypatch: pytest.Monk
     looked_at = 0
 
     class Counting(distance.LoopEdges):
-        def find_nearest(self, place: distance.Place) -> Any:
+        def find_nearest(self, *places: distance.Place) -> Any:
             nonlocal looked_at
             looked_at += len(self.edges)
-            return super().find_nearest(place)
+            return super().find_nearest(*places)
 
     monkeypatch.setattr(distance, "LoopEdges", Counting)
     monkeypatch.setattr(distance, "_MOST_LOOKED_AT", 150_000)

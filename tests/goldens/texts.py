@@ -49,7 +49,7 @@ from exactsweep.draw import (
     plot_sweep,
 )
 from exactsweep.draw.stretches import cut_trajectory
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import checks, figures, report
 from exactsweep.paper.claim import Effort, Finding, reproduce, weigh
 from exactsweep.paper.costs import COSTS

@@ -28,11 +28,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from heapq import heappop, heappush
 from itertools import chain, count, pairwise
-from math import isqrt, lcm
+from math import floor, isqrt, lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.number import Point, PointRings
 
 MAX_CELLS = 300_000
 
@@ -82,12 +82,14 @@ class LoopEdge:
         (_, _, square), divisor = self.along(place, 0, 0, Fraction(0))
         return Fraction(square, divisor * place.w * place.w)
 
-    def is_beyond(self, place: Place, bound: int) -> bool:
-        """Decide whether the edge's box is farther than a bound, squared, times w^2."""
-        x, y, w = place
-        dx = max(self.left * w - x, x - self.right * w, 0)
-        dy = max(self.bottom * w - y, y - self.top * w, 0)
-        return dx * dx + dy * dy > bound
+    def is_beyond(self, bounds: Iterable[tuple[Place, int]]) -> bool:
+        """Decide whether its box is farther from a place than a bound, squared, times w^2."""
+        for (x, y, w), bound in bounds:
+            dx = max(self.left * w - x, x - self.right * w, 0)
+            dy = max(self.bottom * w - y, y - self.top * w, 0)
+            if dx * dx + dy * dy > bound:
+                return True
+        return False
 
     def along(self, place: Place, u: int, v: int, t: Fraction) -> tuple[tuple[int, int, int], int]:
         """Express the squared distance from place + s (u, v) to the feature nearest where s is t.
@@ -112,33 +114,25 @@ class LoopEdges:
     def __init__(self, rings: Iterable[Sequence[IntPair]]) -> None:
         self.edges = [LoopEdge(ring[k - 1], p) for ring in rings for k, p in enumerate(ring)]
 
-    def find_nearest(self, place: Place) -> tuple[Fraction, LoopEdge]:
-        """Find the squared distance of a place from the rings, and an edge that has it."""
-        nearest = self.edges[0]
-        best = nearest.distance(place)
-        bound = _bound(best, place)
+    def find_nearest(self, *places: Place) -> tuple[Fraction, LoopEdge]:
+        """Find the edge that is nearest to the farthest of some places, and the squared distance.
+
+        Of the ends of a piece, the distance is the right side of (1).
+        """
+        best, nearest = None, self.edges[0]
+        bounds: list[tuple[Place, int]] = []
         for edge in self.edges:
-            if not edge.is_beyond(place, bound) and (distance := edge.distance(place)) < best:
-                best, nearest, bound = distance, edge, _bound(distance, place)
+            if edge.is_beyond(bounds):
+                continue
+            distance = max(map(edge.distance, places))
+            if best is None or distance < best:
+                best, nearest = distance, edge
+                bounds = [(place, floor(best * place.w**2)) for place in places]
+        assert best is not None
         # The next place is close as a rule: it begins with this edge.
         self.edges.remove(nearest)
         self.edges.insert(0, nearest)
         return best, nearest
-
-    def bound_piece(self, a: Place, b: Place, hints: Iterable[LoopEdge]) -> Fraction:
-        """Find the right side of (1) for a piece from a to b."""
-        best = min(max(edge.distance(a), edge.distance(b)) for edge in hints)
-        bounds = _bound(best, a), _bound(best, b)
-        for edge in self.edges:
-            if not edge.is_beyond(a, bounds[0]) and not edge.is_beyond(b, bounds[1]):
-                best = min(best, max(edge.distance(a), edge.distance(b)))
-                bounds = _bound(best, a), _bound(best, b)
-        return best
-
-
-def _bound(square: Fraction, place: Place) -> int:
-    """The least integer above which the distance of a box is greater than a squared distance."""
-    return square.numerator * place.w * place.w // square.denominator
 
 
 class _PieceEnd(NamedTuple):
@@ -227,8 +221,7 @@ def _bound_one_way(
     number = count()
 
     def add(edge: LoopEdge, start: _PieceEnd, end: _PieceEnd) -> None:
-        ends = edge.at(start.share), edge.at(end.share)
-        bound = edges.bound_piece(*ends, (start.near, end.near))
+        bound, _ = edges.find_nearest(edge.at(start.share), edge.at(end.share))
         heappush(pieces, (-bound, next(number), edge, start, end))
 
     low = Fraction(0)

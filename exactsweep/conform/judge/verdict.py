@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from enum import StrEnum
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -12,9 +12,9 @@ from exactsweep.check.classify import Meeting
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.formats.size import VERTEX, require_count
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
-from exactsweep.numbers.point import Loop, Point
+from exactsweep.numbers.digits import to_plain
+from exactsweep.numbers.error import ExactSweepError, NumberError, quote
+from exactsweep.numbers.number import Loop, Point, to_fraction
 from exactsweep.words import count
 
 
@@ -159,7 +159,8 @@ class PartComparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings, the area included."""
-        return write_members(self) | {"area": write_plain(self.area)}
+        said = asdict(self) | {"verdict": self.verdict.value, "area": self.area}
+        return to_plain(said)
 
 
 @dataclass(frozen=True)
@@ -192,29 +193,8 @@ class Comparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return write_members(self)
-
-
-def write_plain(value: Any) -> Any:
-    """Return a value as plain data: numbers as strings, tuples as lists.
-
-    >>> write_plain((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
-    ['exact', ['1/2', '3'], None]
-    """
-    if isinstance(value, PartComparison):
-        return value.to_json()
-    if isinstance(value, Witness):
-        return write_members(value)
-    if isinstance(value, tuple):
-        return [write_plain(item) for item in value]
-    if isinstance(value, Fraction):
-        return format_fraction(value)
-    return value.value if isinstance(value, Verdict) else value
-
-
-def write_members(value: object) -> dict[str, Any]:
-    """Return the members of a value as plain data."""
-    return {name: write_plain(item) for name, item in vars(value).items()}
+        parts = [part.to_json() for part in self.parts]
+        return vars(self) | {"verdict": self.verdict.value, "parts": parts}
 
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")

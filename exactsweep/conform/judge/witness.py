@@ -21,7 +21,7 @@ from fractions import Fraction
 from functools import partial
 
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.check.location import locate
+from exactsweep.check.location import locate, locate_in_shape
 from exactsweep.conform.judge.region import Trapezoid, find_differences
 from exactsweep.conform.judge.verdict import Witness
 from exactsweep.corpus import Case
@@ -29,7 +29,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Fit, Point, PointRings
+from exactsweep.numbers.number import Fit, Point, PointRings
 from exactsweep.words import write_pair
 
 LOOP_NAMES = {
@@ -184,24 +184,18 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
         (case.inner, "the inner loop"),
         *((loop, "a loop that is left out inside") for loop in case.unswept),
     ):
-        if _is_in(point, shape):
+        if locate_in_shape(point, shape.rings) >= 0:
             return Witness(f"{write_pair(point)} is in {name}", point=point)
     return None
 
 
 def _over(case: Case, point: Point, t: Point) -> Witness | None:
     """Say that G + t covers a point, and what it does there."""
-    if not _is_in(point, case.generatrix.translated(t)):
+    if locate_in_shape(point, case.generatrix.translated(t).rings) < 0:
         return None
     verdict, _ = classify(case.directrix, case.generatrix, t)
     at = write_pair(add(t, case.reference))
     return Witness(f"at {at} G covers {write_pair(point)} and {_DOES[verdict]}", t, verdict, point)
-
-
-def _is_in(point: Point, shape: AnyPolygon) -> bool:
-    """Decide whether a point is in a closed shape."""
-    exterior, *holes = shape.rings
-    return locate(point, exterior) >= 0 and all(locate(point, hole) <= 0 for hole in holes)
 
 
 def _onto(case: Case, point: Point) -> AnyPolygon:
@@ -217,7 +211,7 @@ def _positions(case: Case) -> Polygon:
 def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
     """Yield points of a polygon's boundary in another shape: vertices, then crossings."""
     vertices = positions.vertices
-    yield from (vertex for vertex in vertices if _is_in(vertex, onto))
+    yield from (vertex for vertex in vertices if locate_in_shape(vertex, onto.rings) >= 0)
     for k, b in enumerate(vertices):
         for ring in onto.rings:
             for j, d in enumerate(ring):

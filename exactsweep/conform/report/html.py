@@ -8,29 +8,29 @@ in 10^15, too, in a panel that is zoomed in on the witness.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
 from importlib.resources import files
 from itertools import islice
-from typing import Any
+from typing import NamedTuple
 
 from exactsweep import __version__
 from exactsweep.canvas import style
 from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.judge.witness import FITS_OF, add, list_exact_rings
 from exactsweep.conform.report.text import tell_costs, tell_witness
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
-from exactsweep.corpus.case_json import FITS, OF_POSITIONS, list_expected_rings
-from exactsweep.numbers.number import NumberError, read_any_length, to_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.corpus import Case, case_from_json
+from exactsweep.numbers.error import NumberError
+from exactsweep.numbers.number import Point, read_any_length, to_fraction
 from exactsweep.text.report import approximate, take_root
 
 _MOST_LISTED = 2000
@@ -114,16 +114,14 @@ def _about(value: Fraction) -> str:
     return rounded if Fraction(Decimal(rounded)) == value else f"about {rounded}"
 
 
-@dataclass(frozen=True)
-class SvgPath:
+class SvgPath(NamedTuple):
     """One thing to draw: a class of the style sheet, and the data of an SVG path."""
 
     name: str
     path: str
 
 
-@dataclass(frozen=True)
-class Panel:
+class Panel(NamedTuple):
     """A square picture, SIDE pixels wide.
 
     Attributes:
@@ -137,8 +135,7 @@ class Panel:
     witness: tuple[float, float] | None
 
 
-@dataclass(frozen=True)
-class _Scene:
+class _Scene(NamedTuple):
     """The layers of a picture by name, closed or not, in the coordinates of the case."""
 
     layers: tuple[Layer, ...]
@@ -165,51 +162,43 @@ def draw_panels(outcome: Outcome) -> list[Panel]:
 
     Cost: linear in the vertices of the case and the answer.
     """
-    assert outcome.case is not None
-    part = max(outcome.parts, key=_severity, default=None)
-    name = part["name"] if part else "trajectory"
-    scene = _scene(outcome.case, outcome.result or {}, name, part)
+    name = outcome.worst["name"] if outcome.worst else "trajectory"
+    scene = _scene(case_from_json(outcome.case), outcome, name)
     whole = _window(scene)
     drawn = [_panel(scene, whole, name.replace("_", " "))]
     near = _around(scene.points("directrix", "exact"))
     if whole.longest > _WORTH_ZOOMING * near.longest:
         drawn.append(_panel(scene, near, f"{_times(whole.longest / near.longest)} larger, at D"))
-    error = scene.error
-    if error and scene.witness and whole.longest > _WORTH_ZOOMING * error:
+    if scene.error and scene.witness and whole.longest > _WORTH_ZOOMING * scene.error:
         x, y = scene.witness
-        half = _ZOOM * error
+        half = _ZOOM * scene.error
         zoomed = Window(x - half, y - half, x + half, y + half, SIDE, SIDE)
         times = _times(whole.longest / zoomed.longest)
         drawn.append(_panel(scene, zoomed, f"{times} larger, at the witness"))
     return drawn
 
 
-def _scene(
-    case: Mapping[str, Any], result: Mapping[str, Any], name: str, part: Mapping[str, Any] | None
-) -> _Scene:
+def _scene(case: Case, outcome: Outcome, name: str) -> _Scene:
+    part = outcome.worst
     witness = next(iter(list_witnesses(part)), {}) if part else {}
-    d, g = (
-        tuple(map(_ring, (case[polygon], *case.get(f"{polygon}_holes", ()))))
-        for polygon in ("directrix", "generatrix")
-    )
+    generatrix = case.generatrix
     seen = next(iter(_ring([witness.get("point")])), None)
     for t in _ring([witness.get("translation")]):
-        g = tuple([Point(x + t.x, y + t.y) for x, y in ring] for ring in g)
-        if name in OF_POSITIONS:
-            (r,) = _ring([case["reference"]])
-            seen = Point(r.x + t.x, r.y + t.y)
-    layers: list[Layer] = [("directrix", d, True), ("generatrix", g, True)]
-    closed = name not in FITS
-    if not closed:
-        layers.append(("faint", tuple(_rings(list_expected_rings(case, FITS[name]))), True))
-    layers.append(("exact", tuple(_rings(list_expected_rings(case, name))), closed))
-    layers.append(("theirs", tuple(_rings(result.get(name))), closed))
+        generatrix = generatrix.translated(t)
+        if name not in ("inner", "outer"):
+            seen = add(case.reference, t)
+    layers: list[Layer] = [
+        ("directrix", case.directrix.rings, True),
+        ("generatrix", generatrix.rings, True),
+    ]
+    fits_of = {fits: loop for loop, fits in FITS_OF.items()}
+    if name in fits_of:
+        layers.append(("faint", list_exact_rings(case, fits_of[name]), True))
+    layers.append(("exact", list_exact_rings(case, name), name not in fits_of))
+    theirs = _rings((outcome.result or {}).get(name))
+    layers.append(("theirs", theirs, name not in fits_of))
     squares = part and part["distance_squared"]
     return _Scene(tuple(layers), seen, take_root(read_any_length(squares[1])) if squares else None)
-
-
-def _severity(part: Mapping[str, Any]) -> int:
-    return Verdict(part["verdict"]).severity
 
 
 def _rings(value: object) -> list[Sequence[Point]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import chain
 from xml.etree import ElementTree
 
 from exactsweep.conform.judge.verdict import Verdict
@@ -34,66 +35,67 @@ def write_junit(run: Run) -> str:
     """
     summary, objections = run.summary, run.find_objections()
     errors = sum(summary.total(v) for v in _ERRORS if fails(v, run.accepted))
-    counts = {
-        "name": run.hello.name,
-        "tests": str(summary.total() + len(objections)),
-        "failures": str(summary.failures(run.accepted) - errors + len(objections)),
-        "errors": str(errors),
-        "skipped": str(summary.total() - summary.judged),
-        "time": f"{summary.seconds:.3f}",
-    }
     suites = ElementTree.Element("testsuites")
-    suite = ElementTree.SubElement(suites, "testsuite", _clean(counts))
-    _add_properties(suite, {"judged": str(summary.judged), "diagnosis": summary.diagnosis()})
+    suite = _add(
+        suites,
+        "testsuite",
+        name=run.hello.name,
+        tests=summary.total() + len(objections),
+        failures=summary.failures(run.accepted) - errors + len(objections),
+        errors=errors,
+        skipped=summary.total() - summary.judged,
+        time=f"{summary.seconds:.3f}",
+    )
+    _add_properties(suite, {"judged": summary.judged, "diagnosis": summary.diagnosis()})
     for outcome in run.list_outcomes():
         _add_case(suite, outcome, run.accepted)
     for objection in objections:
-        names = {"classname": "run", "name": objection}
-        case = ElementTree.SubElement(suite, "testcase", _clean(names))
-        ElementTree.SubElement(case, "failure", _clean({"message": objection}))
+        case = _add(suite, "testcase", classname="run", name=objection)
+        _add(case, "failure", message=objection)
     ElementTree.indent(suites)
     written: str = ElementTree.tostring(suites, encoding="unicode")
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{written}\n'
 
 
-def _add_properties(element: ElementTree.Element, named: Mapping[str, str | None]) -> None:
-    known = {name: value for name, value in named.items() if value}
+def _add(
+    parent: ElementTree.Element, tag: str, text: str = "", **attributes: object
+) -> ElementTree.Element:
+    """Add an element, without characters that XML does not have."""
+    clean = {name: replace_controls(str(value)) for name, value in attributes.items()}
+    element = ElementTree.SubElement(parent, tag, clean)
+    element.text = replace_controls(text) or None
+    return element
+
+
+def _add_properties(element: ElementTree.Element, named: Mapping[str, object]) -> None:
+    known = {name: value for name, value in named.items() if value not in ("", None)}
     if known:
-        properties = ElementTree.SubElement(element, "properties")
+        properties = _add(element, "properties")
         for name, value in known.items():
-            ElementTree.SubElement(properties, "property", _clean({"name": name, "value": value}))
+            _add(properties, "property", name=name, value=value)
 
 
 def _add_case(suite: ElementTree.Element, outcome: Outcome, accepted: Verdict) -> None:
-    names = {"classname": outcome.kind, "name": outcome.id, "time": f"{outcome.seconds:.6f}"}
-    case = ElementTree.SubElement(suite, "testcase", _clean(names))
-    is_failure = fails(outcome.verdict, accepted)
-    granted = ", ".join(
-        f"{part['name']} {part['granted']}" for part in outcome.parts if part["granted"]
-    )
-    memory = "" if outcome.memory is None else str(outcome.memory)
+    verdict, reason = outcome.verdict, outcome.reason
+    seconds = f"{outcome.seconds:.6f}"
+    case = _add(suite, "testcase", classname=outcome.kind, name=outcome.id, time=seconds)
+    is_failure = fails(verdict, accepted)
+    granted = [f"{part['name']} {part['granted']}" for part in outcome.parts if part["granted"]]
     fault = outcome.fault if is_failure else ""
-    _add_properties(case, {"fault": fault, "memory": memory, "rounding granted": granted})
-    if not outcome.verdict.is_judgement:
-        ElementTree.SubElement(case, "skipped", _clean({"message": outcome.reason}))
+    named = {"fault": fault, "memory": outcome.memory, "rounding granted": ", ".join(granted)}
+    _add_properties(case, named)
+    if not verdict.is_judgement:
+        _add(case, "skipped", message=reason)
     elif is_failure:
-        tag = "error" if outcome.verdict in _ERRORS else "failure"
-        said = {"type": outcome.verdict.value, "message": outcome.reason}
-        ElementTree.SubElement(case, tag, _clean(said)).text = replace_controls(
-            "\n".join(_lines(outcome))
-        )
+        tag = "error" if verdict in _ERRORS else "failure"
+        _add(case, tag, "\n".join(_lines(outcome)), type=verdict, message=reason)
         if outcome.stderr:
-            ElementTree.SubElement(case, "system-err").text = replace_controls(outcome.stderr)
+            _add(case, "system-err", outcome.stderr)
 
 
 def _lines(outcome: Outcome) -> list[str]:
     lines = [f"{outcome.verdict}: {outcome.reason}"]
     for part in outcome.parts:
-        lines += (f"{part['name']}: {words}" for words in part["diagnosis"])
-        for witness in list_witnesses(part):
-            lines += (f"{part['name']}: {line}" for line in tell_witness(witness))
+        said = [*part["diagnosis"], *chain(*map(tell_witness, list_witnesses(part)))]
+        lines += (f"{part['name']}: {words}" for words in said)
     return lines
-
-
-def _clean(attributes: dict[str, str]) -> dict[str, str]:
-    return {name: replace_controls(value) for name, value in attributes.items()}

@@ -9,9 +9,9 @@ from typing import Any
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict, write_plain
+from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
 from exactsweep.conform.judge.witness import LOOP_NAMES
-from exactsweep.conform.run.outcome import Outcome
+from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import cut, tell_bytes
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import Tally, fails
@@ -59,8 +59,8 @@ def _part(part: PartComparison) -> list[str]:
         distance = approximate(take_root(part.distance_squared[1]), up=True)
         granted = f", granted {approximate(part.granted)}" if part.granted else ""
         lines.append(f"  off by at most {distance}, area {approximate(part.area)}{granted}")
-    for witness in part.witnesses:
-        lines += (f"  {line}" for line in tell_witness(write_plain(witness)))
+    for witness in list_witnesses(part.to_json()):
+        lines += (f"  {line}" for line in tell_witness(witness))
     return lines
 
 
@@ -68,7 +68,7 @@ def tell_witness(witness: Mapping[str, Any]) -> list[str]:
     """Describe what a witness shows, with `classify`'s verdict in full, to repeat elsewhere.
 
     Args:
-        witness: what `write_plain` gives of it.
+        witness: one of `list_witnesses`.
 
     Returns:
         One line or two.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import BinaryIO, Self
@@ -11,10 +10,9 @@ from exactsweep.conform.run.protocol import read_object
 from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, case_from_json, cases
 from exactsweep.formats import FormatError, show_path
+from exactsweep.formats.files import open_bytes, split_lines
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import ExactSweepError, quote
 
 
 class SelectionError(ExactSweepError):
@@ -60,12 +58,11 @@ class Selection:
             if len(found[name]) > 1:
                 raise SelectionError(f"more than one filter {name}=...")
         try:
-            size = int(found["size"][0]) if found["size"] else None
+            sizes = [int(size) for size in found["size"]]
         except ValueError:
             raise SelectionError(f"{quote(found['size'][0])} is not a number of vertices") from None
-        return cls(
-            "".join(found["id"]), tuple(found["flag"]), next(iter(found["class"]), None), size
-        )
+        kind, most = next(iter(found["class"]), None), next(iter(sizes), None)
+        return cls("".join(found["id"]), tuple(found["flag"]), kind, most)
 
     def shipped(self) -> Iterator[Case]:
         """Yield the cases of the corpus that fit.
@@ -113,30 +110,8 @@ def read_cases(path: str) -> Iterator[Case]:
     Raises:
         FormatError: not to be read, or a line that is no case; the message names the file and line.
     """
-    name = show_path(path)
-    try:
-        if path == "-":
-            yield from read_lines(open_standard_input(), path, _read_line)
-        else:
-            with open(path, "rb") as file:
-                yield from read_lines(file, path, _read_line)
-    except OSError as error:
-        raise FormatError(f"{name}: {error.strerror or error}") from None
-
-
-def open_standard_input() -> BinaryIO:
-    """Return standard input, in bytes.
-
-    Raises:
-        FormatError: it is closed.
-    """
-    if sys.stdin is None:
-        raise FormatError("standard input: closed")
-    return sys.stdin.buffer
-
-
-def _read_line(number: int, line: str) -> Case:
-    return case_from_json(read_object(line))
+    with open_bytes(path) as file:
+        yield from read_lines(file, path, lambda number, line: case_from_json(read_object(line)))
 
 
 def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> Iterator[Case]:
@@ -150,13 +125,11 @@ def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> I
     Raises:
         FormatError: a line that is no case; the message names the file and line.
     """
-    name, number = show_path(path), 0
-    while line := file.readline(get_max_bytes() + 1):
-        number += 1
+    for number, line in enumerate(split_lines(file), 1):
         if line.isspace():
             continue
         try:
             require_size(len(line))
             yield read(number, line.decode("utf-8-sig").strip())
         except ValueError as error:
-            raise FormatError(f"{name}, line {number}: {error}") from None
+            raise FormatError(f"{show_path(path)}, line {number}: {error}") from None

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from os import SEEK_END
 from pathlib import Path
-from typing import Any, BinaryIO, Self
+from typing import Any, Self
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import show_path
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import format_fraction
 from exactsweep.processes import lock
 
 FORMAT = "exactsweep conform"
@@ -45,8 +45,7 @@ class Journal:
     """
 
     def __init__(self, path: Path, terms: Terms, hello: Hello, *, resume: bool = False) -> None:
-        self._path, self._name = path, show_path(str(path))
-        self._file: BinaryIO
+        self._name = show_path(str(path))
         # Where the outcomes of before are, by the digest of their case.
         self._places: dict[str, tuple[int, int]] = {}
         head = {
@@ -59,18 +58,17 @@ class Journal:
             "memory": terms.most,
         }
         try:
-            if resume and path.exists():
-                self._go_on(head)
-                return
-            self._file = path.open("xb")
-            self._keep_others_away(self._file)
+            self._file = path.open("r+b" if resume and path.exists() else "x+b")
+            with ExitStack() as refused:
+                refused.push(self)
+                self._begin(head)
+                refused.pop_all()
         except FileExistsError:
             raise JournalError(
                 f"{self._name} is there already; go on with it by --resume, or remove it"
             ) from None
         except OSError as error:
             raise JournalError(f"{self._name}: {error.strerror or error}") from None
-        self._write(head)
 
     def add(self, outcome: Outcome) -> None:
         """Write an outcome.
@@ -99,28 +97,20 @@ class Journal:
         with suppress(OSError):
             self._file.close()
 
-    def _go_on(self, head: Mapping[str, Any]) -> None:
-        file = self._path.open("r+b")
-        try:
-            self._keep_others_away(file)
-            whole = self._read(file, head)
-            file.truncate(whole)
-            file.seek(whole)
-        except BaseException:
-            file.close()
-            raise
-        self._file = file
+    def _begin(self, head: Mapping[str, Any]) -> None:
+        """Write the head, or go on after the last whole line."""
+        if not lock(self._file):
+            raise JournalError(f"{self._name}: another run is writing it")
+        whole = self._read(head)
+        self._file.truncate(whole)
+        self._file.seek(whole)
         if whole == 0:
             self._write(head)
 
-    def _keep_others_away(self, file: BinaryIO) -> None:
-        if not lock(file):
-            raise JournalError(f"{self._name}: another run is writing it")
-
-    def _read(self, file: BinaryIO, head: Mapping[str, Any]) -> int:
+    def _read(self, head: Mapping[str, Any]) -> int:
         """Read the outcomes of before; return where the last whole line ends."""
         whole, most = 0, get_max_bytes()
-        for number, line in enumerate(iter(lambda: file.readline(most), b""), start=1):
+        for number, line in enumerate(iter(lambda: self._file.readline(most), b""), start=1):
             is_cut = not line.endswith(b"\n") and len(line) < most
             # Without a whole line, this may be any file, which must not be lost.
             if is_cut and (number > 1 or _line(head).startswith(line)):

@@ -19,8 +19,9 @@ from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.conform.run.shrink import shrink
 from exactsweep.corpus import Case, case_from_json, case_to_json
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import ExactSweepError, NumberError, quote
+from exactsweep.numbers.number import to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
 
@@ -71,6 +72,11 @@ class Outcome:
     def to_json(self) -> dict[str, Any]:
         """Return plain data; what is empty is left out."""
         return {name: value for name, value in asdict(self).items() if value not in ("", (), None)}
+
+    @property
+    def worst(self) -> Mapping[str, Any] | None:
+        """The first of the worst parts; None without parts."""
+        return max(self.parts, key=lambda part: Verdict(part["verdict"]).severity, default=None)
 
     def lead_with(self, cause: str | None) -> Outcome:
         """Return the outcome with one of its diagnoses first; unchanged if it has it not."""

@@ -19,11 +19,12 @@ from exactsweep.formats.exact_json import (
     parse_json,
     read_vertices,
 )
+from exactsweep.formats.files import open_bytes
 from exactsweep.formats.parsing import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
+from exactsweep.numbers.error import quote
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import ORIGIN, Point, PointRings
+from exactsweep.numbers.number import ORIGIN, Point, PointRings
 from exactsweep.words import suggest
 
 _ROLES = ("directrix", "generatrix")
@@ -51,15 +52,12 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
 
     Cost: that of `Case.of` for each pair; memory is a line, or the polygons.
     """
-    name = show_path(path)
-    try:
-        if path == "-":
-            yield from _read(io.BytesIO(read_text(path).encode()), path, tolerance, **options)
-        else:
-            with open(path, "rb") as file:
-                yield from _read(file, path, tolerance, **options)
-    except OSError as error:
-        raise FormatError(f"{name}: {error.strerror or error}") from None
+    if path == "-":
+        # It is read twice.
+        yield from _read(io.BytesIO(read_text(path).encode()), path, tolerance, **options)
+        return
+    with open_bytes(path) as file:
+        yield from _read(file, path, tolerance, **options)
 
 
 def read_case(name: str) -> Case:

@@ -31,25 +31,25 @@ numbers: an integer is itself, any other is the nearest binary64.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, Literal, Self, TypeVar, cast, get_args
+from typing import Any, Literal, TypeVar, get_args
 
 from exactsweep.corpus import Case
 from exactsweep.corpus.answered import SHAPES, Shapes
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.point_set import PointSet
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import format_fraction, quote
-from exactsweep.numbers.point import ORIGIN, Fit, Loop, Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import ExactSweepError, quote
+from exactsweep.numbers.number import ORIGIN, Point
 
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]
 Question = Literal["sweep", "no_fit", "inner_fit"]
 
-Put = TypeVar("Put", bound=PointSet)
+Word = TypeVar("Word", bound=str)
 
 LOOPS = ("trajectory", "inner", "outer")
 NUMBERS: tuple[Numbers, ...] = get_args(Numbers)
@@ -90,41 +90,6 @@ class Hello:
     questions: tuple[Question, ...] = ("sweep",)
     shapes: Shapes = "monotone"
 
-    @classmethod
-    def of(
-        cls,
-        name: object,
-        loops: object,
-        numbers: object,
-        reference: object,
-        questions: object = ("sweep",),
-        shapes: object = "monotone",
-    ) -> Self:
-        """Check an implementation's hello.
-
-        Raises:
-            ProtocolError: one of them is nothing that it may say.
-        """
-        if not isinstance(name, str) or not 0 < len(name) <= MAX_NAME or not name.isprintable():
-            raise ProtocolError(f'"hello" is not a name of 1 to {MAX_NAME} printable characters')
-        asked = _some("questions", questions, QUESTIONS)
-        answered = _some("loops", loops, LOOPS) if "sweep" in asked else ()
-        for key, value, allowed in (
-            ("numbers", numbers, NUMBERS),
-            ("reference", reference, REFERENCES),
-            ("shapes", shapes, SHAPES),
-        ):
-            if value not in allowed:
-                raise ProtocolError(f'"{key}" is {quote(value)}, not one of {", ".join(allowed)}')
-        return cls(
-            name,
-            answered,
-            cast(Numbers, numbers),
-            cast(Reference, reference),
-            cast(tuple[Question, ...], asked),
-            cast(Shapes, shapes),
-        )
-
     def parts(self, case: Case) -> tuple[str, ...]:
         """Return what an answer to a case must hold: loops of a sweep, "no_fit", "inner_fit"."""
         fits = [name for name in ("no_fit", "inner_fit") if name in self.questions]
@@ -150,14 +115,51 @@ class Hello:
         return (self.questions, self.shapes) == (("sweep",), "monotone")
 
 
-def _some(key: str, found: object, allowed: tuple[str, ...]) -> tuple[str, ...]:
-    """Read a list of some names, in their order."""
-    listed = list(found) if isinstance(found, (list, tuple)) else []
-    if not listed or any(name not in allowed for name in listed):
-        raise ProtocolError(
-            f'"{key}" is {quote(found)}, not a list of some of {", ".join(allowed)}'
-        )
-    return tuple(name for name in allowed if name in listed)
+def make_hello(said: Mapping[str, object]) -> Hello:
+    """Check what an implementation says of itself.
+
+    Args:
+        said: the members of its first line.
+
+    Raises:
+        ProtocolError: it may not say that; the message says what is wrong.
+    """
+    said = {"questions": ["sweep"], "shapes": "monotone", **said}
+    name, questions = said["hello"], _choose_some(said, "questions", QUESTIONS)
+    if not isinstance(name, str) or not 0 < len(name) <= MAX_NAME or not name.isprintable():
+        raise ProtocolError(f'"hello" is not a name of 1 to {MAX_NAME} printable characters')
+    return Hello(
+        name,
+        _choose_some(said, "loops", LOOPS) if "sweep" in questions else (),
+        _choose(said, "numbers", NUMBERS),
+        _choose(said, "reference", REFERENCES),
+        questions,
+        _choose(said, "shapes", SHAPES),
+    )
+
+
+def _take(said: Mapping[str, object], key: str) -> object:
+    if key not in said:
+        raise ProtocolError(f'the hello has no "{key}"')
+    return said[key]
+
+
+def _choose(said: Mapping[str, object], key: str, allowed: tuple[Word, ...]) -> Word:
+    found = _take(said, key)
+    for word in allowed:
+        if word == found:
+            return word
+    raise ProtocolError(f'"{key}" is {quote(found)}, not one of {", ".join(allowed)}')
+
+
+def _choose_some(
+    said: Mapping[str, object], key: str, allowed: tuple[Word, ...]
+) -> tuple[Word, ...]:
+    """Read a list of some words, in their order."""
+    found = _take(said, key)
+    if isinstance(found, (list, tuple)) and found and all(word in allowed for word in found):
+        return tuple(word for word in allowed if word in found)
+    raise ProtocolError(f'"{key}" is {quote(found)}, not a list of some of {", ".join(allowed)}')
 
 
 def read_hello(line: str) -> Hello:
@@ -177,19 +179,7 @@ def read_hello(line: str) -> Hello:
         raise ProtocolError(f"the first line is no hello: {error}") from None
     if "hello" not in found:
         raise ProtocolError('the first line is no hello: it has no "hello"')
-    questions = found.get("questions", ["sweep"])
-    sweeps = not isinstance(questions, list) or "sweep" in questions
-    for name in ("loops", "numbers", "reference") if sweeps else ("numbers", "reference"):
-        if name not in found:
-            raise ProtocolError(f'the hello has no "{name}"')
-    return Hello.of(
-        found["hello"],
-        found.get("loops"),
-        found["numbers"],
-        found["reference"],
-        questions,
-        found.get("shapes", "monotone"),
-    )
+    return make_hello(found)
 
 
 def write_case_line(case: Case, hello: Hello) -> str:
@@ -285,34 +275,29 @@ def adapt(case: Case, hello: Hello) -> Case:
     raise UnsupportedError(f"{hello.numbers} does not hold the case")
 
 
+_POSITIONS = (
+    *("reference", "trajectory", "holes", "exact_fits"),
+    *("inner_regions", "inner_exact_fits"),
+)
+_FIXED = (
+    *("directrix_ring", "directrix_holes", "generatrix_ring", "generatrix_holes"),
+    *("inner", "outer", "unswept"),
+)
+"""Parts of a case that are no positions of the reference point."""
+
+
 def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:
     """Return the case with polygons p as k p, and positions t as k t + by."""
     if (k, by) == (1, ORIGIN):
         return case
 
-    def ring(points: Iterable[Point], by: Point = ORIGIN) -> Loop:
-        return tuple(Point(x * k + by.x, y * k + by.y) for x, y in points)
+    def put(found: Any, by: Point) -> Any:
+        if isinstance(found, Point):
+            return Point(found.x * k + by.x, found.y * k + by.y)
+        if isinstance(found, PointSet):
+            return found.scaled(k).translated(by)
+        return found and tuple(put(one, by) for one in found)
 
-    def fits(found: Iterable[Fit]) -> tuple[Fit, ...]:
-        return tuple((p, q) for p, q in (ring(fit, by) for fit in found))
-
-    def move(shape: Put) -> Put:
-        return shape.scaled(k).translated(by)
-
-    return replace(
-        case,
-        directrix_ring=ring(case.directrix_ring),
-        generatrix_ring=ring(case.generatrix_ring),
-        directrix_holes=tuple(map(ring, case.directrix_holes)),
-        generatrix_holes=tuple(map(ring, case.generatrix_holes)),
-        reference=ring([case.reference], by)[0],
-        trajectory=move(case.trajectory),
-        inner=case.inner.scaled(k),
-        outer=case.outer.scaled(k),
-        unswept=tuple(loop.scaled(k) for loop in case.unswept),
-        area=case.area * k * k,
-        holes=tuple(map(move, case.holes)),
-        exact_fits=fits(case.exact_fits),
-        inner_regions=case.inner_regions and tuple(map(move, case.inner_regions)),
-        inner_exact_fits=fits(case.inner_exact_fits),
-    )
+    moved = dict.fromkeys(_FIXED, ORIGIN) | dict.fromkeys(_POSITIONS, by)
+    parts = {name: put(getattr(case, name), offset) for name, offset in moved.items()}
+    return replace(case, area=case.area * k * k, **parts)

@@ -10,11 +10,11 @@ from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import Outcome, digest_case, judge_case, shrink_outcome
 from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
 from exactsweep.conform.run.pool import JudgeError, Judges
-from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.protocol import make_hello
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import ACCEPTED
 from exactsweep.corpus import Case
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import tells_arguments
 
 TO_MAKE_SMALLER = 20.0
 """Seconds that may be spent on one failure to find a smaller one like it."""
@@ -133,7 +133,8 @@ def conform(
         >>> run.passed, run.outcomes[0].verdict.value, run.shrunk["t"].case["reference"]
         (False, 'wrong', ['1', '0'])
     """
-    hello = Hello.of(name, loops, numbers, reference, tuple(questions), shapes)
+    said = {"hello": name, "loops": loops, "numbers": numbers, "reference": reference}
+    hello = make_hello({**said, "questions": tuple(questions), "shapes": shapes})
     peer = CallablePeer(function, hello, seconds)
     run = Run(peer.hello, accepted=accepted)
     for case in require_distinct(cases):

@@ -17,8 +17,8 @@ from exactsweep.conform.run.protocol import ProtocolError, adapt, read_hello, re
 from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
-from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import quote
+from exactsweep.formats.files import split_lines
+from exactsweep.numbers.error import quote
 
 _MOST_COMPLAINTS = 20
 
@@ -39,13 +39,13 @@ class Stream:
     """
 
     def __init__(self, file: BinaryIO) -> None:
-        self._lines = _lines(file)
+        # Of a line that is too long this is the start, which is no JSON.
+        self._lines = (line.decode("utf-8", "replace").rstrip("\n") for line in split_lines(file))
         self.complaints: list[str] = []
-        try:
-            _, line = next(self._lines)
-        except StopIteration:
-            raise ProtocolError("no hello: the input is empty") from None
-        self.hello = read_hello(line)
+        hello = next(self._lines, None)
+        if hello is None:
+            raise ProtocolError("no hello: the input is empty")
+        self.hello = read_hello(hello)
         self._seen = SeenNames()
 
     def outcomes(self, find: Callable[[str], Case]) -> Iterator[Outcome]:
@@ -58,7 +58,7 @@ class Stream:
             An iterator of Outcome.
         """
         terms = replace(self.hello, numbers="rational")
-        for number, line in self._lines:
+        for number, line in enumerate(self._lines, 2):
             try:
                 result = read_object(line)
                 case = self._case(result.get("id"), find)
@@ -86,13 +86,3 @@ class Stream:
         if not self._seen.add(id):
             raise ProtocolError(f"answers {quote(id)} a second time")
         return case
-
-
-def _lines(file: BinaryIO) -> Iterator[tuple[int, str]]:
-    """Yield lines with their numbers; of one that is too long, its start, which is no JSON."""
-    number, most = 0, get_max_bytes()
-    while line := file.readline(most + 1):
-        number += 1
-        yield number, line.decode("utf-8", "replace").rstrip("\n")
-        while len(line) > most and not line.endswith(b"\n"):
-            line = file.readline(most + 1)

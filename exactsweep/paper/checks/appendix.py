@@ -12,7 +12,7 @@ from exactsweep import Point, Sweep, sweep
 from exactsweep.corpus.generator.growing import cm_hard, cm_undercut
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import (

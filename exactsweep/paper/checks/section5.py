@@ -10,7 +10,7 @@ from exactsweep import Polygon, Sweep, sweep
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section3 import returns, slope
 from exactsweep.paper.checks.section4 import MONOTONE, is_monotone, lowest

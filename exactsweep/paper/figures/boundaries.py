@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.paper.figures.figure import PaperFigure, shift, take_half
 from exactsweep.paper.figures.minkowski import sweep_example
 from exactsweep.paper.functions import clip_to, keep_corners, take_bottom

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactsweep.corpus.generator.growing import ceilings, undercuts_under_ceilings
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.paper.figures.figure import PaperFigure, write_list
 from exactsweep.sweep import sweep
 

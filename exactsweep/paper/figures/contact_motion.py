@@ -7,7 +7,7 @@ from typing import NamedTuple
 from exactsweep.draw import cut_trajectory
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.paper.figures.figure import PaperFigure, find_middle, place, take_half
 from exactsweep.paper.figures.undercuts import find_undercut, sweep_examples
 from exactsweep.procedures.chain import split

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.draw import Picture
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.figures.figure import PaperFigure, find_middle
 from exactsweep.paper.figures.sheet import FONT, Extent, lay_out
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, cast
 
 from exactsweep.check import classify
 from exactsweep.draw import place_generatrix
-from exactsweep.numbers.point import Loop, Point, Vertex
+from exactsweep.numbers.number import Loop, Point, Vertex
 from exactsweep.paper.claim import Evidence, Table, find_first_failure
 from exactsweep.paper.functions import tell_loops
 from exactsweep.procedures.chain import split

@@ -9,8 +9,8 @@ from math import isqrt
 from typing import NamedTuple
 
 from exactsweep.check import point_in_polygon
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.paper.checks.section5 import NARROW
 from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, shift
 from exactsweep.paper.figures.minkowski import invert_generatrix, sweep_example

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,

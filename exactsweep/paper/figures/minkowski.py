@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from exactsweep.check import classify, reference_inner_fit, reference_no_fit
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.paper.figures.figure import PaperFigure, place
 from exactsweep.sweep import Sweep, inner_fit_polygon, no_fit_polygon, sweep
 

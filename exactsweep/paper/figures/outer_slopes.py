@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.numbers.point import Edge, Rational
+from exactsweep.numbers.number import Edge, Rational
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,

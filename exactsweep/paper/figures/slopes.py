@@ -8,8 +8,8 @@ from itertools import pairwise
 from typing import Literal, NamedTuple
 
 from exactsweep.corpus.generator.shapes import walk
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point, Rational, Vertex
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from exactsweep.draw import ContactStretch, cut_trajectory
 from exactsweep.draw.features import Features
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, place, write_list
 from exactsweep.paper.figures.undercuts import sweep_examples
 from exactsweep.sweep import Sweep
