@@ -15,7 +15,7 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.conform.judge.rounding import name_arithmetic
-from exactsweep.conform.judge.walk import find_box, is_near, match_rings, pair_rings
+from exactsweep.conform.judge.walk import find_box, is_near, match_rings, take_pairs
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_doubled_area
@@ -88,7 +88,8 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
     theirs = _DiagnosedRings(case, name, exact, rings, rounding, low, high)
-    missing, left = pair_rings(exact, rings, rounding)
+    left = list(rings)
+    missing = list(take_pairs(exact, left, rounding))
     if counted := tuple(_count_rings(theirs, missing, left)):
         return counted
     spoilt = name_arithmetic(exact, rings)

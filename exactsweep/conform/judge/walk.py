@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import chain, pairwise, repeat
+from itertools import chain, pairwise
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
@@ -72,33 +72,31 @@ def walk_together(first: Sequence[Point], second: Sequence[Point], bound: Fracti
 
 
 def match_rings(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:
-    """Decide whether some rings are all of others except for rounding, as by `pair_rings`."""
-    return len(exact) == len(theirs) and not any(pair_rings(exact, theirs, rounding))
+    """Decide whether some rings are all of others except for rounding, as by `take_pairs`."""
+    return len(exact) == len(theirs) and not any(take_pairs(exact, list(theirs), rounding))
 
 
-def pair_rings(
-    exact: PointRings, theirs: PointRings, rounding: Fraction
-) -> tuple[list[Sequence[Point]], list[Sequence[Point]]]:
-    """Pair rings that are the same except for rounding, by `walk_together`.
+def take_pairs(
+    exact: PointRings, theirs: list[Sequence[Point]], rounding: Fraction
+) -> Iterator[Sequence[Point]]:
+    """Take from a list the rings that are exact ones except for rounding, by `walk_together`.
 
     The exact ones are counter-clockwise; rounding may have made the others cross themselves.
 
-    Returns:
-        The exact rings and those of theirs that are left.
+    Yields:
+        The exact rings of which there is none.
     """
-    missing, left = [], list(theirs)
     for ring in exact:
-        found = next((other for other in left if _is_rounded(ring, other, rounding)), None)
+        found = next((other for other in theirs if _is_rounded(ring, other, rounding)), None)
         if found is None:
-            missing.append(ring)
+            yield ring
         else:
-            left.remove(found)
-    return missing, left
+            theirs.remove(found)
 
 
 def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fraction) -> bool:
-    # That boxes differ is seen sooner.
-    if not all(map(is_near, find_box([exact]), find_box([theirs]), repeat(rounding))):
+    corners = zip(find_box([exact]), find_box([theirs]), strict=True)
+    if not all(is_near(p, q, rounding) for p, q in corners):  # pragma: no mutate: costs only time
         return False
     if not rounding:
         try:
