@@ -21,7 +21,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from itertools import chain, groupby
+from itertools import chain, groupby, pairwise
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -109,8 +109,8 @@ def _find_left_over(
             left.append((stretch.low, stretch.high))
         return left
     cuts.sort(key=itemgetter(0))
-    if len({cut[0] for cut in cuts}) < len(cuts):
-        cuts.sort(key=lambda cut: (cut[0], divide_exactly(*cut[1])))
+    if any(a[0] == b[0] and a[1][0] * b[1][1] != b[1][0] * a[1][1] for a, b in pairwise(cuts)):
+        cuts.sort(key=lambda cut: divide_exactly(*cut[1]))
     (since_n, since_d), covered = stretch.low, stretch.low_covered
     k, size = 0, len(cuts)
     while k < size:
