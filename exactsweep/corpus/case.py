@@ -17,6 +17,8 @@ from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import inner_fit_polygon, sweep
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
+OF_SWEEP = ["reference", "kind", "trajectory", "inner", "outer", "exact_fits", "area", "unswept"]
+"""The fields that a sweep has, too."""
 Given = AnyPolygon | Iterable[Iterable[object]]
 
 
@@ -104,17 +106,10 @@ class Case(AnsweredPair):
             title=title,
             directrix_ring=d[0],
             generatrix_ring=g[0],
-            reference=s.reference,
-            kind=s.kind,
-            trajectory=s.trajectory,
-            inner=s.inner,
-            outer=s.outer,
-            exact_fits=s.exact_fits,
-            area=s.area,
             directrix_holes=d[1:],
             generatrix_holes=g[1:],
+            **{name: getattr(s, name) for name in OF_SWEEP},
             holes=s.no_fit_holes,
-            unswept=s.unswept,
             inner_regions=None if inside is None else inside.regions,
             inner_exact_fits=() if inside is None else inside.exact_fits,
             note=note,

@@ -21,9 +21,9 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
-from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.region import Region
+from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.number import Point
 
 LatticeBox = tuple[int, int, int, int]

@@ -13,8 +13,8 @@ from math import lcm
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.lattice import Lattice
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import Lattice
 from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import KeptChain, inverse, split

@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 
-from exactsweep.geometry.hull import find_hull
+from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures import part_pairs
 from exactsweep.procedures.chain import find_convex_parts, list_graph_edges, split

@@ -10,7 +10,8 @@ from strategies import Ring, simple_rings
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.geometry.direction import find_monotone_directions, find_shared_direction
+from exactsweep.geometry.direction import find_monotone_directions
+from exactsweep.geometry.frame import find_shared_direction
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures.chain import inverse

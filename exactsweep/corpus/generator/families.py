@@ -56,8 +56,12 @@ LEVELS = {
         "int64-edge binary64-edge",
     ),
     "large": (large, "unequal lower-bound long"),
+    "any shape": (
+        any_shape,
+        "polyominoes jigsaw mould cave spiral rings stars tangles plate container combs",
+    ),
 }
-"""The families of rings, by level; the function of a family has its name."""
+"""The families by level; the function of a family has its name."""
 FLAGS = {
     "tangent": "tangent",
     "slivers": "sliver",
@@ -72,8 +76,6 @@ def _list_families() -> Iterator[Family]:
             make = getattr(module, f"{name.replace('-', '_')}_pair")
             flags = (FLAGS[name],) if name in FLAGS else ()
             yield Family(name, level, make, flags, respelled=name == "respelled")
-    for name, draw in any_shape.SHAPES.items():
-        yield Family(name, "any shape", draw)
 
 
 FAMILIES: dict[str, Family] = {family.name: family for family in _list_families()}

@@ -20,7 +20,7 @@ from exactsweep.formats.curved.curves import (
 from exactsweep.formats.decimals import DECIMAL, read_decimal, read_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.lattice import to_lattice
+from exactsweep.geometry.reading import to_lattice
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.number import ORIGIN, Point, divide_all, make_points
 

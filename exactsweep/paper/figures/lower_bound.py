@@ -12,8 +12,6 @@ from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,
     join_panels,
-    list_loops,
-    place,
     take_half,
 )
 from exactsweep.paper.functions import take_bottom
@@ -60,12 +58,11 @@ def _show(letter: str, s: Sweep) -> PaperFigure:
     return PaperFigure(
         facts=[(f"({letter}) (m_b, n_t, n_b): edges", f"{size}: {len(edges)}")],
         laws=[(f"edges for {size}", len(edges), edges_of_bumps(*size))],
-        shapes=list_loops(s)
-        | {"placed": place(s, [at]), "name": (at.x + 10, at.y), "edges": edges, "lower": lower}
+        shapes={"name": (at.x + 10, at.y), "edges": edges, "lower": lower}
         | {"middles": [find_middle(*e) for e in edges], "offsets": list(_place_numbers(edges))},
         words={"title": [f"({letter}) {len(edges)} edges"]}
         | {"numbers": [str(k + 1) for k in range(len(edges))]},
-        sweeps=[(s, [])],
+        sweeps=[(s, [at])],
     )
 
 
