@@ -18,8 +18,7 @@ from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.walk import find_box, is_near, match_rings, take_pairs
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.centroid import find_centroid
+from exactsweep.geometry.canonical import find_centroid, find_doubled_area
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.addition import add_up
