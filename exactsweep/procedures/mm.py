@@ -126,10 +126,6 @@ def outer_mm(generatrix_bottom: Sequence[Vertex], trajectory: Envelope) -> Envel
     return trajectory_mm(inverse(generatrix_bottom), trajectory)
 
 
-FEW_EDGES = 8
-"""The number of pieces up to which a walk is faster than a search."""
-
-
 def _take_inside(trajectory: Envelope) -> Envelope:
     """Return the inverse of the complement of a lower trajectory, edges as lines. Cost: O(t)."""
     return Envelope(
@@ -165,7 +161,7 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
         if source != last:
             last, part = source, source % len(parts)
             points, spans = parts[part], touched[part]
-            v = count_flatter(points, dx, dy) if len(spans) > FEW_EDGES else 0
+            v = count_flatter(points, dx, dy)
         # Edges from one source become steeper.
         while v < len(spans):
             (left, y), (right, z) = points[v], points[v + 1]
