@@ -41,7 +41,6 @@ from exactsweep.procedures.convex_part import (
     count_flatter,
     measure_unit,
     split_chain,
-    split_envelope,
     split_parts,
 )
 from exactsweep.procedures.envelope import (
@@ -229,7 +228,7 @@ def inner_mm(
         return take_corners(directrix)
     inside, reversed_top = _take_inside(trajectory), inverse(generatrix_top)
     unit = measure_unit(reversed_top, inside)
-    chains, slots = split_chain(reversed_top, unit), list(split_envelope(inside, unit))
+    chains, slots = split_chain(reversed_top, unit), split_parts(inside, unit)
 
     def guess() -> Iterator[tuple[int, int]]:
         # The part of G_t that draws the trajectory probably reaches deepest into the next gap.
