@@ -12,9 +12,8 @@ from exactsweep.formats.decimals import read_decimal, read_each
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import Point, make_points
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.number import Point, make_points
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
@@ -31,11 +30,11 @@ FROZEN = "frozen"
 """Why a layer does not show, and no block that is put on it."""
 
 
-class Numbers(dict[str | None, Fraction]):
+class KnownNumbers(dict[str | None, Fraction]):
     """The numbers of a text by how they are written, each of them read once."""
 
     @classmethod
-    def of(cls, codes: Sequence[int], texts: Sequence[str]) -> Numbers:
+    def of(cls, codes: Sequence[int], texts: Sequence[str]) -> KnownNumbers:
         """Read all coordinates at once, if they are numbers."""
         found = [*{text for code, text in zip(codes, texts, strict=False) if 10 <= code < 60}]
         try:
@@ -55,7 +54,7 @@ class Tags(NamedTuple):
 
     codes: list[int]
     texts: list[str]
-    numbers: Numbers
+    numbers: KnownNumbers
 
 
 class Entity:
@@ -282,7 +281,7 @@ def _divide(text: str) -> Iterator[Entity]:
     starts = [k for k, code in enumerate(codes) if code == 0]
     # Vertices of old polylines among them.
     require_count(len(starts), ENTITY, "entities")
-    tags = Tags(codes, texts, Numbers.of(codes, texts))
+    tags = Tags(codes, texts, KnownNumbers.of(codes, texts))
     for start, end in pairwise([*starts, len(codes)]):
         entity = Entity(tags, start, end)
         is_last = entity.kind == "EOF"
