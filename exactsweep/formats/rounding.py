@@ -30,10 +30,9 @@ from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
-from exactsweep.geometry.given import share_lattice
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.geometry.vectors import cross, find_hull, minus, turn
 from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import ORIGIN, Edge, Point, Rational, Vertex, divide_exactly

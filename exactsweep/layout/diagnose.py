@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from exactsweep.geometry.centroid import find_centroid
+from exactsweep.geometry.canonical import find_centroid
 from exactsweep.geometry.turn import read_turn
 from exactsweep.layout.judge import Judgement, judge_layout
 from exactsweep.layout.layout import Layout, LayoutPart, Placement

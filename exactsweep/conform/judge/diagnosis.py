@@ -18,8 +18,7 @@ from exactsweep.conform.judge.distance import match_rings
 from exactsweep.conform.judge.rounding import is_near, name_arithmetic
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.geometry.canonical import PolygonError, find_doubled_area
-from exactsweep.geometry.centroid import find_centroid
+from exactsweep.geometry.canonical import PolygonError, find_centroid, find_doubled_area
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.addition import add_up
