@@ -18,8 +18,7 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import divide_exactly, negate
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex, divide_exactly, negate
 from exactsweep.procedures.solution import made_once
 
 T = TypeVar("T")
@@ -102,8 +101,7 @@ def measure_width(chain: Sequence[Vertex]) -> Rational | None:
     """
     if type(chain) is KeptChain:
         return chain.width
-    kinds = set(map(type, link.from_iterable(chain)))
-    if kinds == {int} or (chain and all(issubclass(kind, int) for kind in kinds)):
+    if chain and all(issubclass(kind, int) for kind in set(map(type, link.from_iterable(chain)))):
         return chain[-1][0] - chain[0][0]
     return None
 

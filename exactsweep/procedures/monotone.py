@@ -7,15 +7,16 @@ lower sweep of both polygons after half a turn.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from math import lcm
 
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.lattice import Lattice
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Fit, Point, Vertex
+from exactsweep.geometry.reading import Lattice
+from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import KeptChain, inverse, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
@@ -31,6 +32,7 @@ KEPT_POLYGONS = 512
 """The number of polygons with cached chains, the last ones used; up to 1 kB per vertex."""
 
 
+@dataclass(eq=False)
 class LowerSweep:
     """The sweep (G_t, D_b), or (G_b, D_t) turned by half a turn, of one of the paper's classes.
 
@@ -41,13 +43,10 @@ class LowerSweep:
         directrix: D_b, from left to right.
     """
 
-    def __init__(
-        self, kind: Kind, top: list[Vertex], bottom: list[Vertex], directrix: list[Vertex]
-    ) -> None:
-        self.kind = kind
-        self.top = top
-        self.bottom = bottom
-        self.directrix = directrix
+    kind: Kind
+    top: list[Vertex]
+    bottom: list[Vertex]
+    directrix: list[Vertex]
 
     @made_once
     def path(self) -> list[Vertex]:

@@ -13,7 +13,7 @@ from exactsweep.conform.judge.verdict import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.number import Point, PointRings
 
 Change = Callable[[Fraction], Fraction]
 
@@ -66,11 +66,6 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
 def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
     """Return the part of an answer's own claim that is granted."""
     return min(claim, max(granted, MOST_CLAIMED * measure_smaller(case)))
-
-
-def is_near(p: Point, q: Point, rounding: Fraction) -> bool:
-    """Decide whether two points are equal, or closer than a rounding in x and in y."""
-    return p == q or all(abs(a - b) < rounding for a, b in zip(p, q, strict=True))
 
 
 def measure_smaller(case: Case) -> Fraction:

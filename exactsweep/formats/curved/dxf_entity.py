@@ -13,9 +13,8 @@ from exactsweep.formats.decimals import read_each
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote, to_fraction
-from exactsweep.numbers.point import Point, make_points
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.number import Point, make_points, to_fraction
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
@@ -24,7 +23,7 @@ _SHARED = _LAYER, _PAPER, _INVISIBLE
 _RUNS = {"LINE", "VERTEX"}
 _FROZEN = 1
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
-_NORMAL = {210: 0, 220: 0, 230: 1}
+_NORMAL = {210: "0", 220: "0", 230: "1"}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
 _FRAME = 16
 # The shown letters of an unknown kind.
@@ -87,7 +86,7 @@ class Entity:
             yield self.slice(start, stop)
             start = stop
 
-    def column(self, code: int, default: object = None) -> Sequence[str]:
+    def column(self, code: int, default: str | None = None) -> Sequence[str]:
         """Return the first value of a group of each entity."""
         if code in self._first:
             return self.texts[self._first[code] :: len(self.codes)]
@@ -115,7 +114,7 @@ class Entity:
         own = ENTITY * self.count + sum(len(text) + _GROUP for text in self.texts)
         return own + sum(vertex.size for vertex in self.vertices)
 
-    def number(self, code: int, default: int | None = None) -> Fraction:
+    def number(self, code: int, default: str | None = None) -> Fraction:
         """Return the number with a group code; refuse if it is missing without a default."""
         if default is not None and code not in self._first:
             return to_fraction(default)
@@ -127,7 +126,7 @@ class Entity:
 
     def flags(self) -> int:
         """Return the bits of group 70."""
-        return int(self.number(_FLAGS, 0))
+        return int(self.number(_FLAGS, "0"))
 
     @property
     def hidden(self) -> str:
@@ -147,7 +146,7 @@ class Entity:
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
         return make_points(xs, ys)
 
-    def take(self, *codes: int, default: int | None = None) -> list[Fraction]:
+    def take(self, *codes: int, default: str | None = None) -> list[Fraction]:
         """Return the numbers with several group codes, as `number` does each, of all in a run."""
         try:
             return read_each([text for code in codes for text in self.column(code, default)])
@@ -186,14 +185,14 @@ class Entity:
     def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
         vertices = self.vertices
-        flags = _read_column(vertices, _FLAGS, 0)
+        flags = _read_column(vertices, _FLAGS, "0")
         # The frame of a fitted curve is not drawn.
         is_drawn = [not int(bits) & _FRAME for bits in flags]
         if not all(is_drawn):
             vertices = [*compress(chain.from_iterable(v.split() for v in vertices), is_drawn)]
         points = make_points(_read_column(vertices, 10), _read_column(vertices, 20))
-        reading.require_level(_read_column(vertices, 30, 0))
-        return points, _read_column(vertices, _BULGE, 0)
+        reading.require_level(_read_column(vertices, 30, "0"))
+        return points, _read_column(vertices, _BULGE, "0")
 
     def _text(self, code: int, default: str | None) -> str:
         text = self.texts[self._first[code]] if code in self._first else default
@@ -314,9 +313,9 @@ def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
         name = layer.name.upper()
         if layer.flags() & _FROZEN:
             hidden[name] = FROZEN
-        elif layer.number(_COLOR, 7) < 0:
+        elif layer.number(_COLOR, "7") < 0:
             hidden[name] = "off"
-        elif name not in hidden and not layer.number(_PLOT, 1):
+        elif name not in hidden and not layer.number(_PLOT, "1"):
             unplotted.add(name)
     return hidden, unplotted
 
@@ -357,7 +356,7 @@ def _read_group(code: int, texts: Sequence[str]) -> list[Fraction]:
 
 
 def _read_column(
-    entities: Sequence[Entity], code: int, default: int | None = None
+    entities: Sequence[Entity], code: int, default: str | None = None
 ) -> list[Fraction]:
     """Read the number with a group code of each entity; a refusal names the entity."""
     try:

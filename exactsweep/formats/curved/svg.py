@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, NoReturn
 
@@ -20,8 +19,8 @@ from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import ORIGIN, Point
 from exactsweep.words import count
 
 if TYPE_CHECKING:
@@ -186,10 +185,9 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
         drawn.append(Candidate.of_rings(readers, shape.place, name, layer))
     for points in opened:
-        shaped = tuple(points) if len(points) > 2 else ()
-        ends = points[0], points[-1]
-        exact = not matrix.off
-        line = OpenLine(shape.place, ends, partial(list, points), shaped, exact, name, layer)
+        first, *inner, last = points
+        shaped = tuple(points) if inner else ()
+        line = OpenLine(shape.place, (first, last), inner.copy, shaped, not matrix.off, name, layer)
         drawn.append(line)
     return drawn
 
