@@ -22,6 +22,7 @@ PLACED = [
     ("180", (3, 4)),
     ("270", (6, 4)),
 ]
+FLIPPED = [(x, f"-{y}") for x, y in L]
 BOX = [("0", "0"), ("9", "0"), ("9", "4"), ("0", "4")]
 
 
@@ -59,12 +60,16 @@ def turned_back(turn: str, x: int, y: int) -> dict[str, Any]:
         (lambda turn, x, y: place(turn, x * 10, y * 10), "moves divided by 10"),
         (lambda turn, x, y: place(turn, f"{x}/1000", f"{y}/1000"), "moves times 1000"),
         (lambda turn, x, y: place(turn, x, 4 - y), "Y of moves downward"),
+        (lambda turn, x, y: place(f"-{turn}", x, 4 - y), "Y of moves downward and clockwise turns"),
         (lower_left, "moves that say where the lower left corner of the turned box is"),
         (turned_back, "the move before the turn"),
+        (place, "Y of parts downward"),
+        (lambda turn, x, y: place(turn, x, 4 - y), "Y of parts and moves downward"),
     ],
 )
 def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
-    judgement = judge_layout(layout([write(turn, *at) for turn, at in PLACED]))
+    part = FLIPPED if "parts" in said else L
+    judgement = judge_layout(layout([write(turn, *at) for turn, at in PLACED], part))
     assert not judgement.valid
     notes = diagnose(judgement)
     assert any(note.startswith(f"with {said}, 0 of ") for note in notes), notes

@@ -102,5 +102,9 @@ def test_boxes_are_rounded_outwards() -> None:
     part = make([(0, 0), (2, -2), (5, -4)], left=(1, 2), right=(9, 2))
     assert part.x_range == cross(part).x_range == (0, 5)
     assert part.box == cross(part).box == (0, 5, -4)
+    for run in (1, 2, 3):
+        gentle = make([(0, 9), (2, 7), (2 + run, 8), (5 + run, 14)])
+        by_lines = cross(gentle)._replace(slopes=[Fraction(s) / UNIT for s in gentle.slopes])
+        assert gentle.box == by_lines.box == (0, 5 + run, 7)
     rising = make([(1, 7), (3, 8), (6, 19)], left=(3, 2), right=(11, 2))
     assert cross(rising).box == rising.box == (1, 6, 7)
