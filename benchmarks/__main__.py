@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: scaling, spent, floors, batches, peers, layouts, report."""
+"""`python -m benchmarks`: scaling, spent, floors, growth, batches, peers, layouts, report."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from rich.console import Console
 from benchmarks import batches as batch_runs
 from benchmarks import fair as fair_runs
 from benchmarks import floors as floors_runs
+from benchmarks import growth as growth_runs
 from benchmarks import layouts as layout_runs
 from benchmarks import scaling as scaling_runs
 from benchmarks import spent as spent_counts
@@ -85,6 +86,24 @@ def floors(quick: bool) -> None:
     console.print(machine())
     for table in floors_runs.tabulate(quick=quick):
         console.print(table)
+
+
+@main.command()
+@quick_option
+@click.option(
+    "-o", "plot", type=click.Path(path_type=Path), help="Also plot, as FILE.svg and FILE.png."
+)
+def growth(quick: bool, plot: Path | None) -> None:
+    """Measure seconds and memory of hard shapes over doubling sizes."""
+    console = Console(width=max(WIDTH, Console().width))
+    console.print(machine())
+    measured = list(growth_runs.measure_all(quick=quick))
+    console.print(growth_runs.tabulate(measured))
+    if plot is not None:
+        # matplotlib is needed for nothing else.
+        from benchmarks import plots
+
+        plots.shapes(measured, plot)
 
 
 @main.command()

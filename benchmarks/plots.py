@@ -15,13 +15,14 @@ from matplotlib.lines import Line2D
 from matplotlib.style import context
 from matplotlib.ticker import NullFormatter, NullLocator
 
+from benchmarks.growth import Grown
 from benchmarks.peers.cases import TRAJECTORY
 from benchmarks.peers.measured import Comparison
 from exactsweep.canvas.style import PALETTE
 from exactsweep.paper.growth import Growth
 from exactsweep.paper.plots import SETTINGS
 
-STYLES = tuple(zip(PALETTE, "os^DvP", strict=False))
+STYLES = tuple(zip(PALETTE, "os^DvP<", strict=True))
 # Panels are smaller here than the plots of the ledger.
 SMALLER: dict[str, Any] = {
     **SETTINGS,
@@ -116,6 +117,27 @@ def programs(found: Comparison, path: Path) -> None:
         _finish(figure, panels, "m = n", "ms", path)
 
 
+def shapes(measured: Sequence[Grown], path: Path) -> None:
+    """Two panels: seconds and memory of hard shapes over their size."""
+    with context(SMALLER):
+        figure, panels = _panels(2, columns=2)
+        for k, (panel, title) in enumerate(zip(panels, ("seconds", "MB"), strict=True)):
+            for grown, (colour, marker) in zip(measured, cycle(STYLES), strict=False):
+                label = f"{grown.case.what}: {', '.join(f'{slope:.1f}' for slope in grown.slopes)}"
+                values = (grown.seconds, grown.memory)[k]
+                panel.plot(grown.sizes, values, color=colour, marker=marker, label=label)
+            panel.set_title(title)
+            _axes(panel, sorted({size for grown in measured for size in grown.sizes}))
+        figure.legend(
+            *panels[0].get_legend_handles_labels(),
+            loc="outside lower center",
+            ncols=2,
+            frameon=False,
+            title="slopes over the three largest sizes: seconds, MB",
+        )
+        _finish(figure, panels, "n", "", path)
+
+
 def _axes(panel: Any, sizes: Sequence[int]) -> None:
     """Logarithmic axes, the sizes themselves, at most six, along one of them."""
     panel.set_xscale("log")
@@ -126,10 +148,10 @@ def _axes(panel: Any, sizes: Sequence[int]) -> None:
     panel.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _panels(count: int) -> tuple[Any, list[Any]]:
-    rows = -(-count // COLUMNS)
+def _panels(count: int, columns: int = COLUMNS) -> tuple[Any, list[Any]]:
+    rows = -(-count // columns)
     figure = Figure(figsize=(7.2, 2.3 * rows), layout="constrained")
-    grid = figure.subplots(rows, COLUMNS, squeeze=False)
+    grid = figure.subplots(rows, columns, squeeze=False)
     panels = list(grid.flat)
     for panel in panels[count:]:
         panel.remove()

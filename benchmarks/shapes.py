@@ -13,7 +13,7 @@ from benchmarks.clock import milliseconds
 from benchmarks.families import ANY_SHAPE
 from exactsweep import Polygon, no_fit_polygon
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.paper.growth import MN, MN_LOG, Growth, Size
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import find_contact_stretches

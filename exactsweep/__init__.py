@@ -5,10 +5,9 @@ from exactsweep.geometry.direction import DirectionError
 from exactsweep.geometry.distance import distance_squared
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError, NumberError
 from exactsweep.numbers.limits import limits
-from exactsweep.numbers.number import NumberError
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.sweep import (
     InnerFit,
     NoFitPolygon,

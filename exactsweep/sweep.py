@@ -8,17 +8,12 @@ from typing import TYPE_CHECKING
 from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.shown import Display
 from exactsweep.evidence.sweep import Sweep
-from exactsweep.geometry.direction import (
-    DirectionError,
-    Vector,
-    find_shared_direction,
-    read_direction,
-    require_monotone,
-)
+from exactsweep.geometry.direction import DirectionError, Vector, read_direction
+from exactsweep.geometry.frame import find_shared_direction, require_monotone
 from exactsweep.geometry.given import to_region, to_shape
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import tells_arguments
 
 if TYPE_CHECKING:
     from exactsweep.view import InlinePage

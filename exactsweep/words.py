@@ -5,8 +5,9 @@ from difflib import get_close_matches
 from fractions import Fraction
 from math import atan2, pi
 
-from exactsweep.numbers.number import abridge, quote, to_fraction
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Vertex, to_fraction
 
 CLASSES = {
     "CC": "CC, convex generatrix and convex directrix",

@@ -17,7 +17,7 @@ import click
 
 from exactsweep import sweep
 from exactsweep.check import verify
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.insert(0, str(Path(__file__).parent / "support"))

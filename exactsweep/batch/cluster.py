@@ -11,8 +11,7 @@ from typing import Any
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.error import FormatError
-from exactsweep.numbers.error import require_imports
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote, require_imports
 
 LOCAL = "local"
 """Instead of an address: a cluster of this machine, for as long as the batch runs."""

@@ -18,9 +18,9 @@ from exactsweep.formats.candidate import NamedPolygon
 from exactsweep.formats.files import show_path, split_lines
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import format_fraction, quote
 
 CHUNK_PAIRS = 16
 """The number of pairs in a chunk of a small batch."""

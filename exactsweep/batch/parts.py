@@ -7,7 +7,7 @@ from exactsweep.formats.folder import Listing, list_parts
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.turn import read_turn
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import tells_arguments
 
 
 class Part(NamedTuple):

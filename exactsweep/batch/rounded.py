@@ -9,7 +9,7 @@ from typing import Any
 from exactsweep.formats.rounding import Rounding, Side, round_region
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:

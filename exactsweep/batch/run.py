@@ -11,8 +11,7 @@ from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.output import Output
 from exactsweep.batch.work import Chunk, Work
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote, tells_arguments
 
 if TYPE_CHECKING:
     from concurrent.futures import Future

@@ -13,8 +13,8 @@ from typing import Any
 
 from exactsweep.batch.record import COLUMNS, Quantities
 from exactsweep.formats.error import FormatError
+from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import require_imports
-from exactsweep.numbers.number import abridge
 
 _ROWS = 1024
 _NAMES = ("error", "id", "generatrix", "directrix")

@@ -16,9 +16,8 @@ from exactsweep.formats.files import decode_text
 from exactsweep.formats.parsing import find_candidates
 from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.error import name_refusals, quote
 from exactsweep.numbers.limits import Limits, get_max_mib, limits, list_limits
-from exactsweep.numbers.number import quote
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggest
 

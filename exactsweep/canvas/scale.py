@@ -14,8 +14,8 @@ from typing import NamedTuple, Self
 
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.window import MOST_STRETCHED
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Rational, Vertex
 
 # An axis keeps its numbers if they have few digits: for these powers of ten, and for an origin no
 # further away than this number of picture sizes.

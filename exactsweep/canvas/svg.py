@@ -13,7 +13,7 @@ from typing import NamedTuple
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.canvas.window import Window
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 _WIDTH, _HEIGHT, _MARGIN = 420, 320, 12
 _HATCH = "exactsweep-hatch"

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple, Self
 
 from exactsweep.canvas.error import DrawError
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 MOST_STRETCHED = 12
 """The ratio of length to width from which the axes have different units."""

@@ -18,7 +18,7 @@ from exactsweep.check.cone import by_turn, divide, subtract
 from exactsweep.check.standalone import Work
 from exactsweep.check.uncovered import LinePiece, OpenSets
 from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
 
 class WalkedLoop(NamedTuple):

@@ -9,7 +9,7 @@ from operator import attrgetter
 from typing import NamedTuple, TypeVar
 
 from exactsweep.check.standalone import Work
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 Rectangle = tuple[Rational, Rational, Rational, Rational]
 """The least and the greatest x, the least and the greatest y."""

@@ -36,8 +36,8 @@ from exactsweep.check.standalone import (
     place,
     under,
 )
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Loop, Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Loop, Point
 
 _NO_FIT = "directrix", "generatrix", "exterior", "holes", "exact_fits"
 _KEYS = {

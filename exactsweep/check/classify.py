@@ -23,9 +23,8 @@ from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
 from exactsweep.check.shape import LatticeShape, list_rings, scale_shapes
 from exactsweep.geometry.reading import read_point
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.error import name_refusals, tells_arguments
+from exactsweep.numbers.number import Point, Vertex
 
 Meeting = Literal["FREE", "CONTACT", "OVERLAP"]
 

@@ -8,7 +8,7 @@ from functools import cmp_to_key
 from math import gcd
 from typing import NamedTuple
 
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 
 class Ray(NamedTuple):

@@ -12,7 +12,7 @@ from __future__ import annotations
 from exactsweep.check.cone import Cone, find_common_direction, reduce_way, subtract
 from exactsweep.check.meeting import Cones, find_cones_of, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.number import Edge, Vertex
 
 
 def find_contacts_of_shapes(d: LatticeShape, g: LatticeShape) -> tuple[list[Edge], set[Vertex]]:

@@ -15,7 +15,7 @@ from exactsweep.check.cone import Cone, cross, dot, subtract
 from exactsweep.check.meeting import find_cones_of, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
 from exactsweep.check.standalone import Work
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 _NEAR = 32  # as many vertices to either side are tried first
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from exactsweep.check.boxes import Rectangle
 from exactsweep.check.standalone import Node, Ring, Work, add, add_convex, from_lowest, grid_box
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 _SUM = 20  # steps to put a sum into its place, where it takes memory, too
 _KEPT = 2**16  # rings that are not made again

@@ -30,10 +30,8 @@ from exactsweep.check.piecewise import (
 from exactsweep.check.shape import LatticeRing, bring_to_integers, to_points
 from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import to_fraction
-from exactsweep.numbers.point import Edge, Fit, Point, Rational, Vertex
+from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex, to_fraction
 
 
 class ReferenceLoops(NamedTuple):

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from exactsweep.check.shape import list_rings, scale_shapes
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import to_fraction
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Point, Vertex, to_fraction
 
 
 @tells_arguments

@@ -10,7 +10,7 @@ from fractions import Fraction
 from exactsweep.check.boxes import find_box, meet
 from exactsweep.check.cone import Cone, Ray, cross, dot, find_cones, is_between, subtract
 from exactsweep.check.shape import LatticeShape, list_edges
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.number import Edge, Vertex
 
 Cones = list[Cone]
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from exactsweep.check.cone import dot, reduce_way, subtract
 from exactsweep.check.shape import LatticeRing, list_edges
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 
 def has_shared_direction(rings: Sequence[LatticeRing]) -> bool:

@@ -54,8 +54,8 @@ from exactsweep.check.standalone import Work
 from exactsweep.check.uncovered import OpenSets
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.point import Fit, Loop, Point, Vertex
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Fit, Loop, Point, Vertex
 
 UNLIMITED = Work(inf)
 

@@ -10,7 +10,7 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.check.cone import divide
-from exactsweep.numbers.point import Rational
+from exactsweep.numbers.number import Rational
 
 
 class LinearPiece(NamedTuple):

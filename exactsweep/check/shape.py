@@ -12,8 +12,7 @@ from typing import Any
 from exactsweep.check.cone import divide
 from exactsweep.check.standalone import find_scale, node
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.number import divide_exactly
-from exactsweep.numbers.point import Loop, Point, Vertex
+from exactsweep.numbers.number import Loop, Point, Vertex, divide_exactly
 
 Outlines = tuple[Loop, ...]
 """A shape: the exterior and its holes, all counter-clockwise."""

@@ -12,7 +12,7 @@ from exactsweep.check.cone import cross, divide, reduce_way, subtract
 from exactsweep.check.convex_sums import ConvexSums
 from exactsweep.check.shape import list_edges
 from exactsweep.check.standalone import Work
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
 # Steps to put a segment on its line, and to begin with it.
 _SEGMENT = 16

@@ -12,10 +12,8 @@ from typing import Any, NamedTuple
 
 from exactsweep.check.claim import prove_claim
 from exactsweep.check.standalone import Refused, Ring, Work, check_given, node, prove
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import to_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.number import Point, to_fraction
 
 # About a microsecond each.
 _MAX_STEPS = 10**8

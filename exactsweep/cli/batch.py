@@ -18,7 +18,7 @@ from exactsweep.formats.exact_json import measure_file
 from exactsweep.formats.folder import find_files
 from exactsweep.formats.polygons import split_choice
 from exactsweep.formats.size import FAULT
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.words import count
 
 if TYPE_CHECKING:

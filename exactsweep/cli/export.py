@@ -12,7 +12,7 @@ from exactsweep.cli.working import working
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.reading import INSUNITS
 from exactsweep.formats.rounding import MAX_PLACES, Changes, Rounding, Side, contains
-from exactsweep.numbers.point import Fit, Point
+from exactsweep.numbers.number import Fit, Point
 from exactsweep.text.report import approximate
 from exactsweep.words import count
 

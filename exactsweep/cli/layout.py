@@ -17,8 +17,8 @@ from exactsweep.cli.reports import to_gap
 from exactsweep.cli.working import show_bar, working
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.limits import limits, list_limits
-from exactsweep.numbers.number import format_fraction
 
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout

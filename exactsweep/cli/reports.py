@@ -17,7 +17,8 @@ from exactsweep.cli.complete import list_verdicts, offer
 from exactsweep.cli.options import checked, gather, takes_file
 from exactsweep.cli.output import measure_columns, write
 from exactsweep.formats import FormatError, show_path
-from exactsweep.numbers.number import quote, to_fraction
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import to_fraction
 
 if TYPE_CHECKING:
     from exactsweep.conform.run.protocol import Hello

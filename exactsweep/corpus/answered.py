@@ -11,7 +11,7 @@ from typing import Literal, get_args
 from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.point import Fit, Loop, Point
+from exactsweep.numbers.number import Fit, Loop, Point
 from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import Sweep, sweep
 

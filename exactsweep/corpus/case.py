@@ -11,13 +11,14 @@ from exactsweep.corpus.facts import find_facts
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Loop
+from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.number import Loop
 from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import inner_fit_polygon, sweep
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
+OF_SWEEP = ["reference", "kind", "trajectory", "inner", "outer", "exact_fits", "area", "unswept"]
+"""The fields that a sweep has, too."""
 Given = AnyPolygon | Iterable[Iterable[object]]
 
 
@@ -105,17 +106,10 @@ class Case(AnsweredPair):
             title=title,
             directrix_ring=d[0],
             generatrix_ring=g[0],
-            reference=s.reference,
-            kind=s.kind,
-            trajectory=s.trajectory,
-            inner=s.inner,
-            outer=s.outer,
-            exact_fits=s.exact_fits,
-            area=s.area,
             directrix_holes=d[1:],
             generatrix_holes=g[1:],
+            **{name: getattr(s, name) for name in OF_SWEEP},
             holes=s.no_fit_holes,
-            unswept=s.unswept,
             inner_regions=None if inside is None else inside.regions,
             inner_exact_fits=() if inside is None else inside.exact_fits,
             note=note,

@@ -14,11 +14,9 @@ from exactsweep.formats.node import JsonNode
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.plain import to_plain
-from exactsweep.numbers.point import Fit, Loop
+from exactsweep.numbers.digits import to_plain
+from exactsweep.numbers.error import name_refusals, quote, tells_arguments
+from exactsweep.numbers.number import Fit, Loop
 
 
 @tells_arguments

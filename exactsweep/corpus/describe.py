@@ -8,8 +8,8 @@ from exactsweep.corpus.generator import FAMILIES
 from exactsweep.corpus.names import require_known
 from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.corpus.shipped import find_case, list_ids, notes
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point
 from exactsweep.words import CLASSES
 
 _WIDTH = 100

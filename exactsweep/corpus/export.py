@@ -12,14 +12,14 @@ from typing import Any, NamedTuple
 
 from exactsweep.canvas.scale import Scale
 from exactsweep.corpus.case import Case
-from exactsweep.corpus.facts import is_clockwise
 from exactsweep.corpus.representable import find_types
 from exactsweep.draw.notebook import draw_sweep
 from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.writing import write_wkt_points, write_wkt_polygon
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point
 
 # A little more than a picture is wide and high, and two lines under it.
 _WIDTH, _HEIGHT = 440, 370
@@ -159,7 +159,7 @@ def _geometry(closed: bool, rings: Sequence[Sequence[Point]]) -> dict[str, Any]:
         return {"type": "LineString", "coordinates": places[0]}
     for k, ring in enumerate(rings):
         # Exteriors run counter-clockwise there, and holes clockwise.
-        if is_clockwise(ring) != (k > 0):
+        if (find_doubled_area(ring) < 0) != (k > 0):
             places[k].reverse()
     return {"type": "Polygon", "coordinates": [[*ring, ring[0]] for ring in places]}
 

@@ -9,11 +9,12 @@ from itertools import chain, pairwise
 from exactsweep.check import classify
 from exactsweep.corpus.answered import AnsweredPair
 from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_range
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import cross, way_key
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.number import Point, PointRings
 
 NEAR = Fraction(1, 10**14)
 HUGE = Fraction(2**53)
@@ -48,11 +49,6 @@ def find_facts(case: AnsweredPair) -> set[str]:
     }
 
 
-def is_clockwise(ring: Sequence[Point]) -> bool:
-    """Decide whether a ring runs clockwise."""
-    return sum(p.x * q.y - q.x * p.y for p, q in _edges(ring)) < 0
-
-
 def _repeats(rings: PointRings) -> bool:
     return any(p == q for ring in rings for p, q in _edges(ring))
 
@@ -62,7 +58,7 @@ def _collinear(rings: PointRings) -> bool:
 
 
 _SPELLING: dict[str, Callable[[PointRings], bool]] = {
-    "clockwise": lambda rings: is_clockwise(rings[0]),
+    "clockwise": lambda rings: find_doubled_area(rings[0]) < 0,
     "repeated-vertex": _repeats,
     "collinear-vertex": _collinear,
     "hole": lambda rings: len(rings) > 1,

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from exactsweep.corpus.names import require_known
 from exactsweep.layout import Layout
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import tells_arguments
 
 
 class LayoutCase(NamedTuple):

@@ -2,8 +2,7 @@
 
 from collections.abc import Collection
 
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.words import suggest
 
 

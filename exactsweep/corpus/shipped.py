@@ -12,7 +12,7 @@ from exactsweep.corpus.case import KINDS, Case
 from exactsweep.corpus.case_json import case_from_json
 from exactsweep.corpus.generator import generate_case
 from exactsweep.corpus.names import require_known
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import tells_arguments
 
 
 @tells_arguments

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping
 
 from exactsweep.canvas import style
 from exactsweep.draw.picture import Picture
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Vertex
 
 
 @tells_arguments

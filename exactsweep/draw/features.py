@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
 from exactsweep.geometry.region import number_features
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:
     from exactsweep.evidence.sweep import Sweep

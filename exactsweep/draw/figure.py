@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.style import use_style
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import require_imports
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote, require_imports, tells_arguments
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -10,7 +10,7 @@ from typing import NamedTuple, Self
 from exactsweep.canvas.scale import Scale
 from exactsweep.draw.picture import Picture
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 
 # The ratio of sizes from which a polygon is enlarged, up to the resolution of floats.
 _SMALL = range(25, 10**9)

@@ -23,14 +23,14 @@ from exactsweep.draw.sweeps import (
 )
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
-    from exactsweep.numbers.point import Fit
+    from exactsweep.numbers.number import Fit
 
 
 class Positions(NamedTuple):

@@ -18,13 +18,13 @@ from exactsweep.draw.sweeps import (
     place_generatrix,
     trace_anchor,
 )
-from exactsweep.numbers.number import abridge
+from exactsweep.numbers.digits import abridge
 from exactsweep.words import CLASSES, write_pair, write_size
 
 if TYPE_CHECKING:
     from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
     from exactsweep.evidence.sweep import Sweep
-    from exactsweep.numbers.point import Fit
+    from exactsweep.numbers.number import Fit
 
 
 def draw_sweep(s: Sweep) -> str:

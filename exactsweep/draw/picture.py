@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look, use_style
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -11,8 +11,8 @@ from typing import NamedTuple
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import Sweep
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Point
 
 
 class ContactStretch(NamedTuple):

@@ -18,15 +18,15 @@ from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from exactsweep.evidence.sweep import Sweep
     from exactsweep.evidence.undercut import Undercut
-    from exactsweep.numbers.point import Fit
+    from exactsweep.numbers.number import Fit
 
 _MOST_SHOWN = 4
 _MANY = 60

@@ -25,7 +25,7 @@ from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, find_direction, lay_point, make_segment
 from exactsweep.geometry.vectors import cross
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
 

@@ -34,7 +34,7 @@ from exactsweep.geometry.segment import (
 )
 from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
 
 class Feature(NamedTuple):

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any, Literal
 
-from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
-from exactsweep.evidence.shown import Shown, place_fits, place_loop, solve
+from exactsweep.evidence.certificate import claim_inner_fit, claim_no_fit
+from exactsweep.evidence.shown import Shown
+from exactsweep.evidence.sweep import solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.given import share_lattice
@@ -16,9 +17,9 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.point import ORIGIN, Fit, Point
+from exactsweep.numbers.number import ORIGIN, Fit, Point
 from exactsweep.procedures import ss
-from exactsweep.procedures.solution import made_once
+from exactsweep.procedures.solution import made_once, place_fits, place_loop
 from exactsweep.words import write_pair
 
 

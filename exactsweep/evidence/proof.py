@@ -32,7 +32,7 @@ from exactsweep.check.standalone import (
     turn,
 )
 from exactsweep.geometry.convex import IntRing, cut_to_convex
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 
 _STRIPS = 64
 _EDGES = 3  # of a convex polygon, on either side of a slice

@@ -1,24 +1,13 @@
-"""Answers as values: equality by question, pictures, and the choice of a Solution."""
+"""Answers as values: equality by question, certificates, and pictures."""
 
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
-
-from exactsweep.geometry.direction import Vector
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.point import ORIGIN, Fit, Point
-from exactsweep.procedures.any_shape import ShapeSolution
-from exactsweep.procedures.monotone import MonotoneSolution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-
-Solution = MonotoneSolution | ShapeSolution
-"""The loops and exact fits of a pair, each computed when it is first read."""
 
 
 class Display(NamedTuple):
@@ -105,36 +94,3 @@ class Shown:
 
     def _repr_html_(self) -> str:
         return type(self)._display().show(self)
-
-
-def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | None) -> Solution:
-    """Choose the Solution that computes a pair.
-
-    Args:
-        generatrix: G.
-        directrix: D.
-        direction: a direction to which both are monotone; None if there is none.
-
-    Returns:
-        The Solution. It computes its results later, on first access.
-    """
-    if direction is None:
-        return ShapeSolution(Region(generatrix), Region(directrix))
-    return MonotoneSolution(generatrix.exterior, directrix.exterior, direction)
-
-
-def place_loop(loop: Sequence[Point], reference: Point = ORIGIN) -> Polygon:
-    """Convert a canonical loop of positions of G's origin to a Polygon for a reference point."""
-    return Polygon._trust(_move(loop, reference))
-
-
-def place_fits(fits: Iterable[Fit], reference: Point) -> tuple[Fit, ...]:
-    """Convert exact fits from positions of G's origin to positions of a reference point."""
-    return tuple((p, q) for p, q in (_move(fit, reference) for fit in fits))
-
-
-def _move(points: Sequence[Point], by: Point) -> Sequence[Point]:
-    if by == ORIGIN:
-        return points
-    dx, dy = by
-    return [Point(x + dx, y + dy) for x, y in points]

@@ -27,7 +27,7 @@ from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.segment import find_direction
 from exactsweep.geometry.vectors import cross, minus
-from exactsweep.numbers.point import Edge, Point, Rational, Vertex
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 if TYPE_CHECKING:
     from exactsweep.evidence.sweep import Sweep

@@ -8,7 +8,13 @@ from functools import cached_property
 from itertools import chain, islice, pairwise
 from typing import Any, ClassVar
 
-from exactsweep.evidence.certificate import FORMAT, VERSION, write_direction, write_drawn
+from exactsweep.evidence.certificate import (
+    HEADER,
+    claim_no_fit,
+    write_direction,
+    write_drawn,
+    write_points,
+)
 from exactsweep.evidence.contact import (
     Contact,
     find_contacts,
@@ -17,8 +23,7 @@ from exactsweep.evidence.contact import (
     number_as_given,
 )
 from exactsweep.evidence.drawn import DrawnEdge, DrawnPiece, find_drawn_edges
-from exactsweep.evidence.shape_certificate import claim_no_fit, write_points
-from exactsweep.evidence.shown import Shown, place_fits, place_loop, solve
+from exactsweep.evidence.shown import Shown
 from exactsweep.evidence.undercut import Undercut, find_closing_positions
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
@@ -26,11 +31,32 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import abridge, format_fraction
-from exactsweep.numbers.point import Edge, Fit, Point, Vertex
-from exactsweep.procedures.solution import made_once
+from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Edge, Fit, Point, Vertex
+from exactsweep.procedures.any_shape import ShapeSolution
+from exactsweep.procedures.monotone import MonotoneSolution
+from exactsweep.procedures.solution import made_once, place_fits, place_loop
 from exactsweep.words import write_vector
+
+Solution = MonotoneSolution | ShapeSolution
+"""The loops and exact fits of a pair, each computed when it is first read."""
+
+
+def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | None) -> Solution:
+    """Choose the Solution that computes a pair.
+
+    Args:
+        generatrix: G.
+        directrix: D.
+        direction: a direction to which both are monotone; None if there is none.
+
+    Returns:
+        The Solution. It computes its results later, on first access.
+    """
+    if direction is None:
+        return ShapeSolution(Region(generatrix), Region(directrix))
+    return MonotoneSolution(generatrix.exterior, directrix.exterior, direction)
 
 
 class Sweep(Shown):
@@ -238,8 +264,7 @@ class Sweep(Shown):
     def _claim(self) -> dict[str, Any]:
         if self.direction is not None:
             return {
-                "format": FORMAT,
-                "version": VERSION,
+                **HEADER,
                 "generatrix": write_points(self.generatrix.vertices),
                 "directrix": write_points(self.directrix.vertices),
                 "kind": self.kind,

@@ -13,7 +13,7 @@ from typing import Literal, NamedTuple
 
 from exactsweep.evidence.drawn import DrawnEdge
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 
 Intersection = Literal["point", "segment"]
 

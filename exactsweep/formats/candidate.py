@@ -12,9 +12,9 @@ from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
+from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.limits import answer_digits
-from exactsweep.numbers.number import NumberError, quote, split_ratios
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point, split_ratios
 from exactsweep.words import count, suggest
 
 _SHOWN = 4

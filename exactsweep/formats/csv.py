@@ -19,9 +19,8 @@ from exactsweep.formats.decimals import read_each
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
 from exactsweep.formats.wkt import parse_wkt
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import Point, make_points
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.number import Point, make_points
 
 _NAMES = ("name", "id", "part", "polygon")
 _WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")

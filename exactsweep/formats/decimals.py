@@ -7,17 +7,10 @@ from fractions import Fraction
 from math import ceil, log2
 
 from exactsweep.formats.error import FormatError
-from exactsweep.numbers.digits import write_int
+from exactsweep.numbers.digits import abridge, format_fraction, write_int
+from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.limits import get_max_digits
-from exactsweep.numbers.number import (
-    NumberError,
-    abridge,
-    divide_exactly,
-    format_fraction,
-    quote,
-    to_fraction,
-)
-from exactsweep.numbers.point import Point, make_points
+from exactsweep.numbers.number import Point, divide_exactly, make_points, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"

@@ -10,10 +10,9 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.size import require_text, weigh
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import NumberError, name_refusals, quote, tells_arguments
+from exactsweep.numbers.number import Point, to_fraction
 
 
 def parse_json(text: str) -> object:

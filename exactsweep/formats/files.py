@@ -9,9 +9,8 @@ from typing import BinaryIO
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import quote
 
 # Possessive, so that the pattern passes endless blank lines and comments only once.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")

@@ -10,7 +10,7 @@ from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, read_vertices
 from exactsweep.formats.node import JsonNode
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 _MAX_DEPTH = 100
 _VERTICES = "a list of vertices"

@@ -12,10 +12,9 @@ from exactsweep.formats.part_list import PartList
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import require_imports
-from exactsweep.numbers.number import abridge, quote
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.error import quote, require_imports, tells_arguments
+from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:
     import numpy

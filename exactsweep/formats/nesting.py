@@ -14,9 +14,8 @@ from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.number import ORIGIN, Point
 from exactsweep.words import suggest
 
 

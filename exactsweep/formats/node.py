@@ -8,8 +8,9 @@ from typing import Any, NamedTuple, NoReturn
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, read_number, read_point
-from exactsweep.numbers.number import format_fraction, quote
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Point
 
 Data = dict[str, Any]
 

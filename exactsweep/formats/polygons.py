@@ -18,8 +18,7 @@ from exactsweep.formats.part_list import PartList
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.error import name_refusals, tells_arguments
 
 _Taken = TypeVar("_Taken")
 

@@ -9,9 +9,10 @@ from typing import TypedDict
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count, require_size
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.error import name_refusals, quote
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import abridge, quote, to_fraction
+from exactsweep.numbers.number import to_fraction
 
 MAX_LINES = 20_000
 """The most lines that one curve becomes."""

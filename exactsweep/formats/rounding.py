@@ -31,14 +31,12 @@ from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.given import share_lattice
-from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.geometry.vectors import cross, minus, turn
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import divide_exactly, quote
-from exactsweep.numbers.point import ORIGIN, Edge, Point, Rational, Vertex
+from exactsweep.geometry.vectors import cross, find_hull, minus, turn
+from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.number import ORIGIN, Edge, Point, Rational, Vertex, divide_exactly
 
 Side = Literal["closest", "outward", "inward"]
 # The greatest distance, in cells, of the search for a point of a right turn.

@@ -10,8 +10,8 @@ from typing import NoReturn, TypeVar
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.decimals import DECIMAL, read_decimal, read_points
 from exactsweep.formats.error import FormatError
-from exactsweep.numbers.number import NumberError, quote
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import NumberError, quote
+from exactsweep.numbers.number import Point
 
 _TOKEN = re.compile(
     r"(?P<mark>[(),])|(?:(?P<word>[A-Za-z]++)"

@@ -14,10 +14,9 @@ from exactsweep.formats.folder import make_unique
 from exactsweep.formats.part_list import Coordinates
 from exactsweep.formats.reading import INSUNITS, UNITS
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.digits import write_int
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import Fit, Point
+from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.number import Fit, Point
 
 _Decimals = list[tuple[str, str]]
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 
 def find_centroid(ring: Sequence[Point]) -> Point:

@@ -1,13 +1,9 @@
-"""Directions to which polygons are monotone, and the choice of a shared direction for a sweep.
+"""Directions to which polygons are monotone.
 
-Section 2 assumes that the shared direction is the X axis "without loss of generality". A polygon is
-monotone to u if every line perpendicular to u meets it in one piece. Then one run of its edges goes
-forward along u, and the other run goes backward. The polygon is strictly monotone if no edge is
-perpendicular to u. Monotonicity changes only at directions u that are perpendicular to an edge. So
-one turn of u finds all directions.
-
-A sweep commutes with every invertible linear map. The integer matrix [u; u_perp] maps u to the X
-axis without square roots, and the loops do not depend on the choice of u.
+A polygon is monotone to u if every line perpendicular to u meets it in one piece. Then one run of
+its edges goes forward along u, and the other run goes backward. The polygon is strictly monotone if
+no edge is perpendicular to u. Monotonicity changes only at directions u that are perpendicular to
+an edge. So one turn of u finds all directions.
 """
 
 from __future__ import annotations
@@ -21,19 +17,14 @@ from math import gcd
 from operator import ne, sub
 
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import find_simplest_fraction, quote, to_fraction
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.error import ExactSweepError, quote
+from exactsweep.numbers.number import Vertex, find_simplest_fraction, to_fraction
 from exactsweep.words import write_degrees, write_vector
 
 Vector = tuple[int, int]
 
 X_AXIS: Vector = (1, 0)
 Y_AXIS: Vector = (0, 1)
-
-# The smallest directions except the X axis, in the order of `Directions.simplest`. Most pairs with
-# a shared direction share one of these, and then no others need be found.
-_SMALL: tuple[Vector, ...] = (Y_AXIS, (1, -1), (1, 1), (1, -2), (1, 2), (2, -1), (2, 1))
 
 
 class DirectionError(ExactSweepError):
@@ -245,59 +236,6 @@ def is_monotone(polygon: Polygon, direction: Vector, *, strict: bool = False) ->
     forward = [step > 0 for step in filter(None, steps)]
     changes: int = sum(map(ne, forward, forward[-1:] + forward))
     return changes == 2
-
-
-def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
-    """Choose a direction to which both polygons are monotone.
-
-    The choice is the X axis if possible, else a strict direction with small components, else any
-    shared direction.
-
-    Raises:
-        DirectionError: no direction is shared. The message lists the directions of each polygon.
-
-    Cost: O(m + n) for the X axis or a small direction, else O((m + n) log(m + n)).
-    """
-    found = find_shared_direction(generatrix, directrix)
-    if found is None:
-        of_generatrix, of_directrix = map(find_monotone_directions, (generatrix, directrix))
-        raise DirectionError(
-            "the polygons share no direction of monotonicity: directions of "
-            f"the generatrix: {of_generatrix}; of the directrix: {of_directrix}"
-        )
-    return found
-
-
-def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | None:
-    """Choose a direction as `choose_direction` does, but return None if there is none.
-
-    Cost: as for `choose_direction`; O(1) if the cache shows that a polygon has no direction.
-    """
-    if generatrix.is_x_monotone and directrix.is_x_monotone:
-        return X_AXIS
-    for polygon in (generatrix, directrix):
-        if polygon._directions is not None and not polygon._directions:
-            return None
-    for direction in _SMALL:
-        if is_monotone(generatrix, direction, strict=True) and is_monotone(
-            directrix, direction, strict=True
-        ):
-            return direction
-    of_both = [find_monotone_directions(polygon) for polygon in (generatrix, directrix)]
-    if not all(of_both):
-        return None
-    shared = of_both[0] & of_both[1]
-    return shared.simplest() if shared else None
-
-
-def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
-    """Refuse a polygon that is not monotone to the direction that the caller requested."""
-    if not is_monotone(polygon, direction):
-        raise DirectionError(
-            f"the {name} is not monotone to {write_vector(direction)}, "
-            f"{write_degrees(direction)} degrees; "
-            f"its directions of monotonicity: {find_monotone_directions(polygon)}"
-        )
 
 
 def _edges(ring: Sequence[Vertex]) -> list[Vertex]:

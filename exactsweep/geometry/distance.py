@@ -21,9 +21,8 @@ from typing import NamedTuple
 from exactsweep.geometry.given import share_lattice, to_region
 from exactsweep.geometry.overlap import Rings, is_inside, touch
 from exactsweep.geometry.region import Region, Vertices
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import divide_exactly
-from exactsweep.numbers.point import Edge, Point, Rational, Vertex
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
 
 _EdgeBox = tuple[Rational, Rational, Rational, Rational]
 _NearestRatio = tuple[Rational, Rational]

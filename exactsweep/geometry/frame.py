@@ -1,14 +1,92 @@
-"""The coordinates of a sweep: one integer lattice, with the shared direction as X axis."""
+"""The shared direction of a pair, and the coordinates of its sweep: one lattice, turned to it.
+
+Section 2 assumes that the shared direction is the X axis "without loss of generality". A sweep
+commutes with every invertible linear map. The integer matrix [u; u_perp] maps u to the X axis
+without square roots, and the loops do not depend on the choice of u.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from exactsweep.geometry.direction import X_AXIS, Vector
+from exactsweep.geometry.direction import (
+    X_AXIS,
+    Y_AXIS,
+    DirectionError,
+    Vector,
+    find_monotone_directions,
+    is_monotone,
+)
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.number import divide_all, divide_exactly, ratio
-from exactsweep.numbers.point import ORIGIN, Point, Vertex, make_points
+from exactsweep.numbers.number import (
+    ORIGIN,
+    Point,
+    Vertex,
+    divide_all,
+    divide_exactly,
+    make_points,
+    ratio,
+)
+from exactsweep.words import write_degrees, write_vector
+
+# The smallest directions except the X axis, in the order of `Directions.simplest`. Most pairs with
+# a shared direction share one of these, and then no others need be found.
+_SMALL: tuple[Vector, ...] = (Y_AXIS, (1, -1), (1, 1), (1, -2), (1, 2), (2, -1), (2, 1))
+
+
+def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
+    """Choose a direction to which both polygons are monotone.
+
+    The choice is the X axis if possible, else a strict direction with small components, else any
+    shared direction.
+
+    Raises:
+        DirectionError: no direction is shared. The message lists the directions of each polygon.
+
+    Cost: O(m + n) for the X axis or a small direction, else O((m + n) log(m + n)).
+    """
+    found = find_shared_direction(generatrix, directrix)
+    if found is None:
+        of_generatrix, of_directrix = map(find_monotone_directions, (generatrix, directrix))
+        raise DirectionError(
+            "the polygons share no direction of monotonicity: directions of "
+            f"the generatrix: {of_generatrix}; of the directrix: {of_directrix}"
+        )
+    return found
+
+
+def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | None:
+    """Choose a direction as `choose_direction` does, but return None if there is none.
+
+    Cost: as for `choose_direction`; O(1) if the cache shows that a polygon has no direction.
+    """
+    if generatrix.is_x_monotone and directrix.is_x_monotone:
+        return X_AXIS
+    for polygon in (generatrix, directrix):
+        if polygon._directions is not None and not polygon._directions:
+            return None
+    for direction in _SMALL:
+        if is_monotone(generatrix, direction, strict=True) and is_monotone(
+            directrix, direction, strict=True
+        ):
+            return direction
+    of_both = [find_monotone_directions(polygon) for polygon in (generatrix, directrix)]
+    if not all(of_both):
+        return None
+    shared = of_both[0] & of_both[1]
+    return shared.simplest() if shared else None
+
+
+def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
+    """Refuse a polygon that is not monotone to the direction that the caller requested."""
+    if not is_monotone(polygon, direction):
+        raise DirectionError(
+            f"the {name} is not monotone to {write_vector(direction)}, "
+            f"{write_degrees(direction)} degrees; "
+            f"its directions of monotonicity: {find_monotone_directions(polygon)}"
+        )
 
 
 class Frame(NamedTuple):

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import read_interface
+from exactsweep.geometry.reading import lcm_within, read_interface
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex, ratio
 
 
 def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import inf
 
-from exactsweep.numbers.point import Rational
+from exactsweep.numbers.number import Rational
 
 _FEW = 400
 """The number of boxes up to which all pairs are compared."""

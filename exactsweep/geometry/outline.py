@@ -10,8 +10,7 @@ from functools import cached_property
 from exactsweep.geometry.overlap import EdgeIndex
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
-from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
 
 
 class Outline:

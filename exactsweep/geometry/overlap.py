@@ -23,9 +23,10 @@ from enum import Enum
 from functools import cached_property
 from itertools import chain, pairwise
 from math import inf, lcm
+from operator import itemgetter
 from typing import Any
 
-from exactsweep.numbers.point import Point, Rational, Vertex
+from exactsweep.numbers.number import Point, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings with the interior on the left."""
@@ -165,8 +166,8 @@ def relate(
     Returns:
         The relation, and two edges that cross, if it found any.
 
-    Cost: O(k h) for k edges of one and h edges of the other that meet the window, or that of `near`
-    for each of h; and that of `EdgeIndex.holds` for each place at which the boundaries touch.
+    Cost: O(k log k) for k edges that meet the window, O(1) for each two of them that meet along its
+    longer side, and that of `EdgeIndex.holds` for each place at which the boundaries touch.
     """
     x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
     (left, right, low, high), (west, east, south, north) = a.box, b.box
@@ -178,7 +179,12 @@ def relate(
     window = left, right, low, high
     ours = a.near(window)
     theirs = b.near((left - x1, right - x0, low - y1, high - y0)) if ours else []
-    few = len(ours) <= _FEW
+    near, waiting, axis = ours, [], 2 if high - low > right - left else 0
+    if len(ours) > _FEW:
+        # A sweep along the longer side of the window.
+        start = itemgetter(axis)
+        theirs.sort(key=start)
+        near, waiting = [], sorted(ours, key=start, reverse=True)
     on_a: Places = defaultdict(set)
     on_b: Places = defaultdict(set)
     # The middle of a common piece of both boundaries, times two, is inside neither.
@@ -188,11 +194,13 @@ def relate(
         if scale != 1:
             ax, ay, bx, by = ax * scale, ay * scale, bx * scale, by * scale
         ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
-        near = ours if few else a.near((west, east, south, north))
+        if near is not ours:
+            begin, end = (south, north) if axis else (west, east)
+            while waiting and waiting[-1][axis] <= end:
+                near.append(waiting.pop())
+            near = [edge for edge in near if edge[axis + 1] >= begin]
         for left, right, low, high, px, py, qx, qy, k, i in near:
-            if left > east:
-                break
-            if right < west or low > north or high < south:
+            if left > east or right < west or low > north or high < south:
                 continue
             if scale != 1:
                 px, py, qx, qy = px * scale, py * scale, qx * scale, qy * scale
@@ -269,16 +277,9 @@ class Overlap:
         if self._last is not None:
             k, i, j, h = self._last
             fixed, moved = self._shapes[0].rings[k], self._shapes[1].rings[j]
-            a, b, p, q = fixed[i], fixed[i + 1 - len(fixed)], moved[h], moved[h + 1 - len(moved)]
-            if (
-                touch(
-                    (a[0] * scale, a[1] * scale),
-                    (b[0] * scale, b[1] * scale),
-                    (p[0] * scale + x, p[1] * scale + y),
-                    (q[0] * scale + x, q[1] * scale + y),
-                )
-                is None
-            ):
+            edge = [(u * scale, v * scale) for u, v in (fixed[i], fixed[i + 1 - len(fixed)])]
+            other = moved[h], moved[h + 1 - len(moved)]
+            if touch(*edge, *((u * scale + x, v * scale + y) for u, v in other)) is None:
                 return True
         relation, crossing = relate(*self._shapes, x, y, scale)
         self._last = crossing or self._last

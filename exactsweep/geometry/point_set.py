@@ -17,8 +17,8 @@ from exactsweep.geometry.overlap import is_inside
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.numbers.number import NumberError
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import NumberError
+from exactsweep.numbers.number import Point
 from exactsweep.words import write_pair, write_size
 
 _ONE, _ZERO = Fraction(1), Fraction(0)

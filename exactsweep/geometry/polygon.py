@@ -7,16 +7,23 @@ from typing import TYPE_CHECKING, Any, Self, cast
 
 from exactsweep.geometry.canonical import (
     PolygonError,
+    are_chains_monotone,
     canonicalize_ring,
     find_doubled_area,
     find_turns,
 )
-from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
 from exactsweep.geometry.point_set import AffineMap, PointSet
-from exactsweep.geometry.reading import read_interface, read_point, refuse_number
-from exactsweep.geometry.simplicity import are_chains_monotone
-from exactsweep.numbers.number import abridge, divide_all, divide_exactly
-from exactsweep.numbers.point import Point, Vertex, make_points
+from exactsweep.geometry.reading import (
+    Lattice,
+    read_columns,
+    read_interface,
+    read_point,
+    reduce_lattice,
+    refuse_number,
+    to_lattice,
+)
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.number import Point, Vertex, divide_all, divide_exactly, make_points
 
 if TYPE_CHECKING:
     import sympy

@@ -1,11 +1,26 @@
-"""Readers of vertices: pairs of numbers, and objects with a `__geo_interface__`."""
+"""Readers of vertices: pairs of numbers, and objects with a `__geo_interface__`.
+
+Vertices become points of one integer lattice. Numbers are read column by column: checks of a
+hundred thousand vertices one by one would take longer than the sweep of the polygon.
+"""
+
+from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from itertools import chain
+from math import gcd, lcm
+from operator import mul
+from typing import cast
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote, to_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import NumberError, name_refusals, quote
+from exactsweep.numbers.number import Point, Vertex, split_ratios, to_fraction
+
+_LATTICE_BITS = 8192
+
+Lattice = tuple[int, Sequence[Vertex]]
+"""A scale and points; each point represents its coordinates divided by the scale."""
 
 Pairs = Iterable[Iterable[object]]
 
@@ -62,3 +77,98 @@ def read_interface(shape: object) -> list[Pairs] | None:
     if not any(rings):
         raise PolygonError("the polygon is empty")
     return [*rings]
+
+
+def read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
+    """Put vertices on their lattice, if all are tuples or lists of two exact numbers.
+
+    Args:
+        vertices: any number of vertices.
+
+    Returns:
+        As `to_lattice`; None if some vertex is anything else. The caller then reads the vertices
+        one by one, to name the error.
+
+    Cost: O(n) for ints; otherwise one `to_fraction` for each number.
+
+    Example:
+        >>> read_columns([(0, 1), ("1/2", 0), [2, 0.5]])
+        (2, [(0, 2), (1, 0), (4, 1)])
+    """
+    kinds = set(map(type, vertices))
+    if not kinds <= {tuple, list, Point} or set(map(len, vertices)) != {2}:  # type: ignore[arg-type]
+        return None
+    flat = list(chain.from_iterable(vertices))
+    numbers = set(map(type, flat))
+    if numbers == {int}:
+        points = vertices if kinds == {tuple} else list(zip(flat[::2], flat[1::2], strict=True))
+        return 1, cast(Sequence[Vertex], points)
+    if numbers != {Fraction}:
+        try:
+            flat = list(map(to_fraction, flat))
+        except NumberError:
+            return None
+    return to_lattice(cast(list[Fraction], flat[::2]), cast(list[Fraction], flat[1::2]))
+
+
+def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
+    """Put points on the coarsest integer lattice that holds them.
+
+    Args:
+        xs: the first coordinates.
+        ys: the second coordinates, as many.
+
+    Returns:
+        The scale, which is the least common denominator, and the points times the scale, as pairs
+        of ints. If the scale had more than 8192 bits, it is 1 and the points are unchanged, because
+        with unrelated denominators each number would be longer than all coordinates together.
+
+    Cost: O(n) products of numbers of the scale's length.
+
+    Example:
+        >>> to_lattice([Fraction(1, 2), Fraction(0)], [Fraction(1), Fraction(1, 3)])
+        (6, [(3, 6), (0, 2)])
+    """
+    xs, ys = tuple(xs), tuple(ys)
+    (px, qx), (py, qy) = split_ratios(xs), split_ratios(ys)
+    denominators = {*qx, *qy}
+    scale = lcm_within(denominators)
+    if scale is None:
+        return 1, list(zip(xs, ys, strict=True))
+    if scale == 1:
+        return 1, list(zip(px, py, strict=True))
+    factor = {denominator: scale // denominator for denominator in denominators}.__getitem__
+    return scale, list(
+        zip(map(mul, px, map(factor, qx)), map(mul, py, map(factor, qy)), strict=True)
+    )
+
+
+def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[Vertex, ...]]:
+    """Divide a scale and its points by their common divisor. Cost: O(n).
+
+    >>> reduce_lattice(6, ((2, 4), (4, 0)))
+    (3, ((1, 2), (2, 0)))
+    """
+    # With a scale above one all coordinates are ints.
+    common = scale
+    for coordinate in chain.from_iterable(points):
+        if common == 1:
+            return scale, points
+        common = gcd(common, int(coordinate))
+    if common == 1:
+        return scale, points
+    return scale // common, tuple((x // common, y // common) for x, y in points)
+
+
+def lcm_within(denominators: Iterable[int]) -> int | None:
+    """Return the least common multiple, or None if it has more bits than a scale may have.
+
+    >>> lcm_within([4, 6]), lcm_within([2**8191, 3])
+    (12, None)
+    """
+    scale = 1
+    for denominator in denominators:
+        scale = lcm(scale, denominator)
+        if scale.bit_length() > _LATTICE_BITS:
+            return None
+    return scale

@@ -9,16 +9,15 @@ from fractions import Fraction
 from itertools import accumulate, chain, permutations
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.overlap import EdgeIndex, Places, find_points_between, is_inside, touch
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import read_interface, refuse_number
+from exactsweep.geometry.reading import lcm_within, read_interface, refuse_number
 from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import abridge
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.words import write_pair
 
 Vertices = Polygon | Iterable[Iterable[object]]

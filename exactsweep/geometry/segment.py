@@ -11,8 +11,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
-from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
 
 
 class Segment(NamedTuple):

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 # A line as (dx, dy, c): a point (x, y) lies left of it if dx * y - dy * x > c.
 _DirectedLine = tuple[int | Fraction, int | Fraction, int | Fraction]
@@ -43,76 +43,6 @@ def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
         if ring[i] == ring[j]:
             return Conflict("vertices coincide", min(i, j), max(i, j))
     return _sweep(ring, order)
-
-
-# Let a canonical ring be weakly monotone to the X axis. Its bottom chain runs from the least vertex
-# p to the greatest vertex q, its top chain from q back to p. At each x in [p.x, q.x] each chain is
-# an interval. Between the x of two vertices the ends of the intervals are linear. So
-#
-#     (1)  the ring is simple if, at the x of each vertex except p and q, the whole interval of the
-#          bottom chain lies below that of the top chain;
-#     (2)  at x in (p.x, q.x), an end of either interval is a vertex or lies inside an edge that is
-#          not vertical. So it suffices that each vertex of one chain lies strictly on its side of
-#          the edge of the other chain above or below it, and of the other chain's vertices at the
-#          same x, of which there are two at most, the ends of a wall;
-#     (3)  at p.x the bottom chain has p alone, because the ring turns left there. A vertex of the
-#          top chain at q.x is not above the last edge of the bottom chain, so (2) refuses it.
-
-
-def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
-    """Decide whether a ring is both simple and weakly monotone to the X axis.
-
-    Args:
-        ring: the vertices, least first, with a left turn there; no two neighbours equal, no vertex
-            inside a straight edge or a spike.
-        convex: whether all turns are left turns. Then monotonicity suffices: such a boundary winds
-            around once for each run to the right.
-
-    Returns:
-        True if the ring is both. A ring that is not monotone may still be simple.
-
-    Cost: O(n), two products a vertex; for a convex ring comparisons of x alone.
-
-    Example:
-        >>> is_simple_monotone([(0, 0), (2, 1), (4, 0), (2, 2)], convex=False)
-        True
-        >>> is_simple_monotone([(0, 0), (2, 2), (4, 0), (2, 1)], convex=False)
-        False
-    """
-    if not are_chains_monotone(ring):
-        return False
-    if convex:
-        return True
-    right = ring.index(max(ring))
-    top = [ring[0], *ring[: right - 1 : -1]]
-    k = 1
-    (ax, ay), (bx, by), (px, py) = top[0], top[1], ring[0]
-    for x, y in ring[1:right]:
-        while bx < x:
-            if (x - px) * (by - py) <= (y - py) * (bx - px):
-                return False
-            ax, ay = bx, by
-            k += 1
-            bx, by = top[k]
-        if (bx - ax) * (y - ay) >= (by - ay) * (x - ax):
-            return False
-        # The walk has passed the vertex at the near end of a wall, but not that at its far end.
-        if bx == x and k + 1 < len(top) and top[k + 1][0] == x and top[k + 1][1] <= y:
-            return False
-        px, py = x, y
-    x, y = ring[right]
-    return all((x - px) * (v - py) > (y - py) * (u - px) for u, v in top[k:-1])
-
-
-def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
-    """Decide whether x never decreases to the greatest vertex and never increases on the way back.
-
-    The walk begins at the first vertex, which is the least. Cost: O(n).
-    """
-    right = ring.index(max(ring))
-    xs = [x for x, _ in ring]
-    forth, back = xs[: right + 1], xs[right:]
-    return forth == sorted(forth) and back == sorted(back, reverse=True)
 
 
 def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:

@@ -19,14 +19,9 @@ from math import isqrt, lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.reading import read_point
-from exactsweep.numbers.number import (
-    NumberError,
-    abridge,
-    find_simplest_fraction,
-    format_fraction,
-    to_fraction,
-)
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.error import NumberError
+from exactsweep.numbers.number import Point, find_simplest_fraction, to_fraction
 
 TURN_BITS = 64
 """The default precision: a rational turn near an irrational one is off by at most 2**-64."""

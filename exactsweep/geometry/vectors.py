@@ -1,9 +1,12 @@
-"""Differences, cross products and turns of vectors, and points on segments."""
+"""Differences, cross products and turns of vectors, points on segments, and convex hulls."""
 
+from collections.abc import Iterable
 from functools import cmp_to_key
-from typing import overload
+from typing import TypeVar, overload
 
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
+
+P = TypeVar("P", bound=Vertex)
 
 
 @overload
@@ -56,3 +59,31 @@ def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
     [False, True, False]
     """
     return is_on_segment(point, p, q) and p != point != q
+
+
+def find_hull(points: Iterable[P]) -> list[P]:
+    """Find the convex hull of points (Andrew's monotone chain).
+
+    Args:
+        points: pairs of numbers; some may be equal.
+
+    Returns:
+        The corners, counter-clockwise from the least one; two if the points are collinear, and none
+        if they are equal.
+
+    Cost: O(n log n).
+
+    Example:
+        >>> find_hull([(0, 0), (4, 0), (1, 1), (2, 0), (0, 4)])
+        [(0, 0), (4, 0), (0, 4)]
+    """
+    ordered = sorted(set(points))
+    found: list[P] = []
+    for run in ordered, ordered[::-1]:
+        half: list[P] = []
+        for point in run:
+            while len(half) > 1 and turn(half[-2], half[-1], point) <= 0:
+                half.pop()
+            half.append(point)
+        found += half[:-1]
+    return found

@@ -8,9 +8,9 @@ from functools import cache, cached_property
 from math import ceil, floor, lcm
 from typing import Any
 
-from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.point_set import AffineMap
+from exactsweep.geometry.reading import lcm_within
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS, Turn
 from exactsweep.layout.layout import Layout

@@ -11,6 +11,7 @@ from fractions import Fraction
 from itertools import chain, combinations, pairwise
 from typing import Any
 
+from exactsweep.evidence.certificate import HEADER
 from exactsweep.geometry.convex import ConvexRing, IntVertex
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.turn import TURN_BITS
@@ -24,10 +25,8 @@ from exactsweep.layout.pieces import bound_piece
 from exactsweep.layout.reading import LayoutError
 from exactsweep.layout.solid import LatticeBox, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
-from exactsweep.numbers.plain import to_plain
-from exactsweep.numbers.point import Point
-
-FORMAT, VERSION = "exactsweep certificate", 2
+from exactsweep.numbers.digits import to_plain
+from exactsweep.numbers.number import Point
 
 
 def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
@@ -54,8 +53,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
     if not proof:
         raise LayoutError("nothing that is wrong with the layout has a proof: no certificate")
     certificate = {
-        "format": FORMAT,
-        "version": VERSION,
+        **HEADER,
         "kind": "layout",
         "layout": board.layout.to_json(),
         "valid": not faults,

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from exactsweep.layout.board import Board
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.solid import Solid, share_scale
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 
 class NearestPair(NamedTuple):

@@ -15,8 +15,8 @@ from exactsweep.geometry.centroid import find_centroid
 from exactsweep.geometry.turn import read_turn
 from exactsweep.layout.judge import Judgement, judge_layout
 from exactsweep.layout.layout import Layout, LayoutPart, Placement
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point
 
 # A diagnosis needs a least number of placements with faults, a least share of them, and not more
 # than can be judged repeatedly. It names a convention that leaves at most a given share of the

@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal
 from exactsweep.geometry.distance import find_foot
 from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.layout.verdict import find_witness
-from exactsweep.numbers.number import abridge
-from exactsweep.numbers.plain import to_plain
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import abridge, to_plain
+from exactsweep.numbers.number import Point
 from exactsweep.sweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.words import count, write_pair
 

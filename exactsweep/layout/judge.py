@@ -24,8 +24,8 @@ from exactsweep.layout.layout import Layout
 from exactsweep.layout.solid import meet
 from exactsweep.layout.verdict import PairVerdict, judge_pair
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import abridge
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.error import tells_arguments
 from exactsweep.words import count
 
 

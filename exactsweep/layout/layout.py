@@ -22,9 +22,9 @@ from exactsweep.layout.reading import (
     read_turn,
     read_vertex,
 )
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.plain import to_plain
-from exactsweep.numbers.point import Loop, Point
+from exactsweep.numbers.digits import to_plain
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Loop, Point
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, mea
 from exactsweep.geometry.overlap import BoxedEdge, touch
 from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.solid import Solid
-from exactsweep.numbers.point import Edge, Point, Rational
+from exactsweep.numbers.number import Edge, Point, Rational
 
 
 def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:

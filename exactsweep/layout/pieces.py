@@ -9,7 +9,7 @@ from itertools import pairwise
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.convex import ConvexRing, IntRing
 from exactsweep.geometry.vectors import turn
-from exactsweep.numbers.point import Point, Rational, Vertex
+from exactsweep.numbers.number import Point, Rational, Vertex
 
 
 def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:

@@ -9,9 +9,9 @@ from typing import TypeVar
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import Turn
 from exactsweep.geometry.turn import read_turn as make_turn
-from exactsweep.numbers.error import ExactSweepError, name_refusals
-from exactsweep.numbers.number import NumberError, abridge, quote, to_fraction
-from exactsweep.numbers.point import Loop, Point
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.error import ExactSweepError, NumberError, name_refusals, quote
+from exactsweep.numbers.number import Loop, Point, to_fraction
 
 _Value = TypeVar("_Value")
 

@@ -21,10 +21,10 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
-from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.point import Point
+from exactsweep.geometry.vectors import find_hull
+from exactsweep.numbers.number import Point
 
 LatticeBox = tuple[int, int, int, int]
 """The left, right, low and high end of a box."""

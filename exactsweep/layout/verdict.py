@@ -21,7 +21,7 @@ from exactsweep.geometry.overlap import Relation
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.pieces import bound_piece, find_common_point
 from exactsweep.layout.solid import Solid, meet, share_scale
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 MOST_BITS = 256
 """The greatest precision, in bits, of rational turns for angles that have none."""

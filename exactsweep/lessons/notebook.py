@@ -11,9 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from exactsweep.draw import save_svg
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import ExactSweepError, quote, tells_arguments
 
 Notebook = dict[str, Any]
 

@@ -1,13 +1,22 @@
-"""Conversion between long ints and decimal digits in less than quadratic time.
+"""Numbers as texts: the grammar of numbers, and ints of any length in less than quadratic time.
 
-Python's own conversions take quadratic time, and refuse more than 4300 digits. This module splits a
-long number n = h b + l and converts each half by itself, where b is the square of the base of the
-halves. To write, it uses powers of two as decimals, which multiply in nearly linear time. To read,
-it uses powers of ten as ints, which multiply by Karatsuba's method.
+Module `limits` defines the limits on untrusted input, and proves that they suffice for answers.
+
+Python's own conversions of ints take quadratic time, and refuse more than 4300 digits. This module
+splits a long number n = h b + l and converts each half by itself, where b is the square of the base
+of the halves. To write, it uses powers of two as decimals, which multiply in nearly linear time. To
+read, it uses powers of ten as ints, which multiply by Karatsuba's method.
 """
 
+import re
+import sys
 from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, Context, Decimal, Inexact, localcontext
-from typing import TypeVar
+from fractions import Fraction
+from math import gcd
+from typing import Any, TypeVar
+
+from exactsweep.numbers.error import NumberError, quote
+from exactsweep.numbers.limits import answer_digits, get_max_digits
 
 _IntOrDecimal = TypeVar("_IntOrDecimal", int, Decimal)
 
@@ -15,6 +24,21 @@ _IntOrDecimal = TypeVar("_IntOrDecimal", int, Decimal)
 _BITS, _DIGITS = 2**13, 2**11
 
 _EXACT = Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN, traps=[Inexact])
+
+# JSON's grammar of numbers, and fractions.
+_NUMBER = re.compile(
+    r"(?P<sign>-?)(?P<whole>0|[1-9][0-9]*)"
+    r"(?:/(?P<denominator>0|[1-9][0-9]*)"
+    r"|(?:\.(?P<decimals>[0-9]+))?(?:[eE](?P<subtract>-?)\+?0*(?P<exponent>[0-9]+))?)"
+)
+
+# The number of digits that int() reads under every limit of the interpreter.
+_SHORT = sys.int_info.str_digits_check_threshold
+
+# 2**-d has d digits as a decimal, and d/3.32 digits in the denominator of a fraction.
+_DIGITS_BEFORE_REDUCTION = 5
+
+_SHOWN_DIGITS = 24
 
 
 def write_int(value: int) -> str:
@@ -53,6 +77,90 @@ def read_int(text: str) -> int:
     return _to_int(text, bases, len(bases))
 
 
+def read_ratio(text: str) -> tuple[int, int]:
+    """Read the numerator and the denominator, in lowest terms, of a number in a text.
+
+    `to_fraction` has the grammar, the errors and the cost.
+
+    >>> read_ratio("-1.5e-2")
+    (-3, 200)
+    """
+    if len(text) <= _SHORT and text.isascii() and len(text) <= get_max_digits():
+        digits = text.removeprefix("-")
+        # Most numbers are integers, decimals without an exponent, or fractions.
+        whole, point, decimals = digits.partition(".")
+        whole, slash, below = whole.partition("/")
+        if whole.isdecimal() and (whole[0] != "0" or whole == "0"):
+            if whole == digits:
+                return int(text), 1
+            n = d = 0
+            if decimals.isdecimal() and not slash:
+                n, d = int(whole + decimals), 10 ** len(decimals)
+            elif below.isdecimal() and below[0] != "0" and not point:
+                n, d = int(whole), int(below)
+            if d:
+                common = gcd(n, d)
+                n //= common
+                return -n if text.startswith("-") else n, d // common
+    match = _NUMBER.fullmatch(text)
+    if match is None:
+        raise NumberError(f"{quote(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
+    whole, denominator = match["whole"], match["denominator"]
+    if denominator is None:
+        return _from_decimal(text, match)
+    if denominator == "0":
+        raise NumberError(f"{quote(text)} has a zero denominator")
+    if max(len(whole), len(denominator)) > answer_digits():
+        raise _too_long(text)
+    return _check(text, Fraction(read_int(match["sign"] + whole), read_int(denominator)))
+
+
+def format_fraction(value: Fraction) -> str:
+    """Write a number exactly, as `to_fraction` reads it.
+
+    Args:
+        value: any Fraction, of any number of digits.
+
+    Returns:
+        `"-7/2"`, or `"3"` when the denominator is one.
+
+    Example:
+        >>> format_fraction(Fraction(-7, 2))
+        '-7/2'
+    """
+    numerator = write_int(value.numerator)
+    return numerator if value.denominator == 1 else f"{numerator}/{write_int(value.denominator)}"
+
+
+def abridge(value: Fraction) -> str:
+    """Write a number for people: exactly, or its first digits if it is long.
+
+    >>> abridge(Fraction(-7, 2)), abridge(Fraction(10**99))
+    ('-7/2', '100000000000000000000...')
+    """
+    text = format_fraction(value)
+    return text if len(text) <= _SHOWN_DIGITS else f"{text[: _SHOWN_DIGITS - 3]}..."
+
+
+def to_plain(data: dict[str, Any]) -> dict[str, Any]:
+    """Turn Fractions into strings and tuples into lists, at any depth of lists and dicts.
+
+    Cost: linear.
+
+    >>> to_plain({"at": (Fraction(1, 3), Fraction(2)), "number": 2})
+    {'at': ['1/3', '2'], 'number': 2}
+    """
+    return {name: _write(value) for name, value in data.items()}
+
+
+def _write(value: Any) -> Any:
+    if type(value) is Fraction:
+        return format_fraction(value)
+    if isinstance(value, dict):
+        return to_plain(value)
+    return [*map(_write, value)] if isinstance(value, list | tuple) else value
+
+
 def _square(base: _IntOrDecimal, times: int) -> list[_IntOrDecimal]:
     """List the base, its square, the square of that and so on, as far as a length needs them."""
     bases = [base]
@@ -77,3 +185,37 @@ def _to_int(text: str, bases: list[int], depth: int) -> int:
     low = _to_int(text[-digits:], bases, depth - 1)
     high = text[:-digits]
     return _to_int(high, bases, depth - 1) * bases[depth - 1] + low if high else low
+
+
+def _from_decimal(text: str, match: re.Match[str]) -> tuple[int, int]:
+    sign, whole, decimals, exponent = match.group("sign", "whole", "decimals", "exponent")
+    # Up to 15 digits, so that reading the exponent takes no time.
+    if exponent is not None and len(exponent) > 15:
+        raise _too_long(text)
+    places = len(decimals or "") - int(f"{match['subtract'] or ''}{exponent or 0}")
+    digits = f"{whole}{decimals or ''}".lstrip("0") or "0"
+    # Refuse the number before computing it, even if the reduced number would be short.
+    length = max(len(digits) - min(places, 0), places)
+    if length > _DIGITS_BEFORE_REDUCTION * _allowed_digits(text):
+        raise _too_long(text)
+    number = read_int(sign + digits)
+    return _check(text, Fraction(number * 10 ** max(-places, 0), 10 ** max(places, 0)))
+
+
+def _check(text: str, value: Fraction) -> tuple[int, int]:
+    """Refuse a number that is too long in lowest terms."""
+    most = _allowed_digits(text)
+    longest = max(abs(value.numerator), value.denominator)
+    # A bit is 0.30102999... digits.
+    if longest.bit_length() * 30_103 > most * 100_000 and longest >= 10**most:
+        raise _too_long(text)
+    return value.numerator, value.denominator
+
+
+def _allowed_digits(text: str) -> int:
+    """Return the largest number of digits of a number, by 1 and 2 of `limits`."""
+    return max(get_max_digits(), min(len(text), answer_digits()))
+
+
+def _too_long(text: str) -> NumberError:
+    return NumberError(f"{quote(text)} has more than {_allowed_digits(text)} digits (max_digits)")

@@ -1,11 +1,59 @@
-"""The base class of all refusals, and context managers that name the refused thing."""
+"""Refusals: their base classes, the names of the refused things, arguments of the wrong type.
 
-from collections.abc import Iterator
+The decorator `tells_arguments` checks arguments only after a function has failed. Then it compares
+them with the annotations. So a call that succeeds costs nothing, and may pass tuples or arrays for
+lists.
+"""
+
+from __future__ import annotations
+
+import builtins
+import inspect
+import re
+import typing
+from collections import abc
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import wraps
+from itertools import islice
+from types import NoneType, UnionType
+from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
+
+_Accepted = ParamSpec("_Accepted")
+_Returned = TypeVar("_Returned")
+
+# The number of items of an argument that the check examines.
+_LOOKED_AT = 100
+
+# The most characters of a value in a message.
+_ECHO = 40
 
 
 class ExactSweepError(ValueError):
     """A refusal by this package; the message says what is wrong, and where."""
+
+
+class NumberError(ExactSweepError):
+    """A value that is not an exact rational number, or one beyond the limits."""
+
+
+class ArgumentError(ExactSweepError):
+    """An argument of the wrong type; the message names it."""
+
+
+def quote(value: object) -> str:
+    """Write any value for a message: its repr, shortened if it is long.
+
+    >>> quote("7" * 99)
+    "'777777777777777777777777777777777777..."
+    """
+    try:
+        text = repr(value)
+    except Exception:  # a foreign repr may fail in any way; the refusal must still be readable
+        text = f"<{type(value).__name__}>"
+    if not text.isprintable():  # a foreign repr may hold anything
+        text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text[:_ECHO])
+    return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
 
 
 class name_refusals:  # noqa: N801
@@ -65,3 +113,141 @@ def require_imports(
     except ImportError as error:  # of a library that it needs, or of memory
         said = " ".join(str(error).split())
         raise refusal(f"{what} needs {package}, which cannot be loaded: {said}") from None
+
+
+def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accepted, _Returned]:
+    """Decorate a function so that it names an argument of the wrong type if it fails on it.
+
+    Args:
+        function: a function with annotations.
+
+    Returns:
+        The function. It raises ArgumentError instead of Python's TypeError and similar errors, if
+        an argument does not match its annotation. Other errors are unchanged.
+
+    Example:
+        >>> @tells_arguments
+        ... def double(number: int) -> int:
+        ...     return number.__index__() * 2
+        >>> double("a")
+        Traceback (most recent call last):
+        exactsweep.numbers.error.ArgumentError: number is 'a', not int
+    """
+
+    @wraps(function)
+    def telling(*arguments: _Accepted.args, **named: _Accepted.kwargs) -> _Returned:
+        try:
+            return function(*arguments, **named)
+        except ExactSweepError:
+            raise
+        except Exception:
+            # An error of this program must not be reported as one of the caller.
+            fault = _find_fault(function, arguments, named)
+            if fault is None:
+                raise
+        raise ArgumentError(fault)
+
+    return telling
+
+
+def _find_fault(
+    function: Callable[..., object], arguments: tuple[object, ...], named: Mapping[str, object]
+) -> str | None:
+    """Find the first argument of the wrong type."""
+    signature = inspect.signature(function)
+    try:
+        bound = signature.bind(*arguments, **named)
+    except TypeError:
+        return None
+    for name, value in bound.arguments.items():
+        parameter = signature.parameters[name]
+        if parameter.kind in (parameter.VAR_KEYWORD, parameter.VAR_POSITIONAL):
+            continue
+        if parameter.annotation is parameter.empty:  # self
+            continue
+        hint = _resolve(parameter.annotation, function)
+        if not _fits(value, hint):
+            return f"{name} is {quote(value)}, not {_name_kind(hint, parameter.annotation)}"
+    return None
+
+
+class _UnseenType(type):
+    """A type that only type checkers import; values match it by the name of their type."""
+
+    def __getattr__(cls, name: str) -> type:
+        if name.startswith("_"):
+            raise AttributeError
+        return _UnseenType(name, (), {})
+
+    def __getitem__(cls, of: object) -> type:
+        return cls
+
+    def __instancecheck__(cls, value: object) -> bool:
+        return any(kind.__name__ == cls.__name__ for kind in type(value).__mro__)
+
+
+class _ModuleNames(dict[str, object]):
+    """The names of a module, with those that it imports for type checkers alone."""
+
+    def __missing__(self, name: str) -> object:
+        for module in (builtins, abc, typing):
+            if hasattr(module, name):
+                return getattr(module, name)
+        return _UnseenType(name, (), {})
+
+
+def _resolve(annotation: object, function: Callable[..., object]) -> object:
+    """Resolve an annotation to the types that it allows."""
+    if not isinstance(annotation, str):
+        return annotation
+    return eval(annotation, {}, _ModuleNames(inspect.unwrap(function).__globals__))
+
+
+def _fits(value: object, hint: object) -> bool:
+    if hint is None:
+        return value is None
+    if hint is Any or isinstance(hint, TypeVar):
+        return True
+    origin = get_origin(hint)
+    if origin is Literal:
+        return any(type(value) is type(one) and value == one for one in get_args(hint))
+    if origin in (Union, UnionType):
+        return any(_fits(value, one) for one in get_args(hint))
+    kind = origin or hint
+    if not isinstance(kind, type):
+        return True
+    if kind in (int, float) and isinstance(value, bool):
+        return False
+    if kind is float:
+        return isinstance(value, int | float) and value == value
+    if getattr(kind, "_is_protocol", False) and kind.__module__ != "collections.abc":
+        return all(hasattr(value, name) for name in vars(kind) if not name.startswith("_"))
+    if not isinstance(value, kind):
+        return False
+    of = get_args(hint)
+    return not of or all(_fits(one, its) for one, its in _look_into(value, kind, of))
+
+
+# No value has this type.
+_NOTHING = _UnseenType("nothing", (), {})
+
+
+def _look_into(value: object, kind: type, of: Sequence[object]) -> Iterable[tuple[object, object]]:
+    """Return the first items of an argument, if it can be iterated more than once."""
+    if isinstance(value, str | bytes | Mapping) and not issubclass(kind, Mapping):
+        # Text and mappings do not count as lists.
+        return () if type(value) in of else [(value, _NOTHING)]
+    if isinstance(value, tuple) and kind is tuple and ... not in of:
+        return zip(value, of, strict=False) if len(value) == len(of) else [(value, _NOTHING)]
+    if isinstance(value, Mapping):
+        return [(one, its) for item in value.items() for one, its in zip(item, of, strict=True)]
+    if isinstance(value, Iterable) and not isinstance(value, Iterator):
+        return [(one, of[0]) for one in islice(value, _LOOKED_AT)]
+    return ()
+
+
+def _name_kind(hint: object, annotation: object) -> str:
+    kinds = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
+    if not all(isinstance(kind, type) for kind in kinds):
+        return re.sub(r"\b(?:[a-z_]+\.)+(?=[A-Z])", "", str(annotation))
+    return " or ".join("None" if kind is NoneType else kind.__name__ for kind in kinds)

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 # Of the largest coordinate.
 _BITS = 256

@@ -1,49 +1,59 @@
-"""Reading and writing of coordinates: every accepted number becomes the equal `Fraction`.
+"""Exact numbers and points: every accepted number becomes the equal `Fraction`."""
 
-Module `limits` defines the limits on untrusted input, and proves that they suffice for answers.
-"""
+from __future__ import annotations
 
+import numbers
 import operator
-import re
-import sys
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from math import gcd
-from numbers import Rational, Real
 from operator import attrgetter
+from typing import NamedTuple
 
-from exactsweep.numbers.digits import read_int, write_int
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.limits import answer_digits, get_max_digits, limits
-
-_ECHO = 40
+from exactsweep.numbers.digits import read_ratio, write_int
+from exactsweep.numbers.error import NumberError, quote
+from exactsweep.numbers.limits import get_max_digits, limits
 
 _new = object.__new__
 
 # The slots of a Fraction; its properties, written in Python, take four times as long.
 _numerator, _denominator = attrgetter("_numerator"), attrgetter("_denominator")
 
-# JSON's grammar of numbers, and fractions.
-_NUMBER = re.compile(
-    r"(?P<sign>-?)(?P<whole>0|[1-9][0-9]*)"
-    r"(?:/(?P<denominator>0|[1-9][0-9]*)"
-    r"|(?:\.(?P<decimals>[0-9]+))?(?:[eE](?P<subtract>-?)\+?0*(?P<exponent>[0-9]+))?)"
-)
+
+class Point(NamedTuple):
+    """A point or translation of the plane."""
+
+    x: Fraction
+    y: Fraction
+
+    def __repr__(self) -> str:
+        """Write the point as Python would, also with ints of more than 4300 digits."""
+        x, y = (
+            f"Fraction({write_int(c.numerator)}, {write_int(c.denominator)})"
+            if isinstance(c, Fraction)
+            else repr(c)
+            for c in self
+        )
+        return f"Point(x={x}, y={y})"
 
 
-_SHOWN_DIGITS = 24
+_make_point = partial(tuple.__new__, Point)
+"""A faster `Point._make`, which is written in Python."""
 
-# The number of digits that int() reads under every limit of the interpreter.
-_SHORT = sys.int_info.str_digits_check_threshold
-
-
-class NumberError(ExactSweepError):
-    """A value that is not an exact rational number, or one beyond the limits."""
+ORIGIN = Point(Fraction(0), Fraction(0))
 
 
-# 2**-d has d digits as a decimal, and d/3.32 digits in the denominator of a fraction.
-_DIGITS_BEFORE_REDUCTION = 5
+Rational = int | Fraction
+Vertex = tuple[Rational, Rational]
+Edge = tuple[Vertex, Vertex]
+Loop = tuple[Point, ...]
+"""The vertices of a closed line; the last vertex does not repeat the first."""
+Fit = tuple[Point, Point]
+"""An exact fit by its ends, which are equal for a single position."""
+PointRings = Sequence[Sequence[Point]]
+"""Rings; the last vertex of a ring does not repeat the first."""
 
 
 def to_fraction(value: object) -> Fraction:
@@ -74,13 +84,13 @@ def to_fraction(value: object) -> Fraction:
     if type(value) is int:
         return _make_reduced(value, 1)
     if isinstance(value, str):
-        return _from_string(value)
+        return _make_reduced(*read_ratio(value))
     if isinstance(value, float):
         return _from_real(value)
     if isinstance(value, Decimal):
         if not value.is_finite():
             raise NumberError(f"{quote(value)} is not a finite number")
-        return _from_string(str(value))
+        return _make_reduced(*read_ratio(str(value)))
     if isinstance(value, bool):
         raise NumberError(f"{value} is a truth value, not a number")
     # Before version 2, numpy lets its truth values be indices.
@@ -89,12 +99,12 @@ def to_fraction(value: object) -> Fraction:
             return Fraction(operator.index(value))
         except TypeError:
             raise NumberError(f"{quote(value)} is not a number") from None
-    if isinstance(value, Rational):
+    if isinstance(value, numbers.Rational):
         numerator, denominator = int(value.numerator), int(value.denominator)
         if denominator == 0:
             raise NumberError(f"{quote(value)} has the denominator 0")
         return Fraction(numerator, denominator)
-    if isinstance(value, Real):
+    if isinstance(value, numbers.Real):
         return _from_real(value)
     raise NumberError(f"{quote(value)} is not a rational number")
 
@@ -237,6 +247,26 @@ def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
     return p, q + whole * p
 
 
+def _from_real(value: float | numbers.Real) -> Fraction:
+    try:
+        binary = float(value)
+        exact = _make_reduced(*binary.as_integer_ratio())
+    except (OverflowError, ValueError):
+        raise NumberError(f"{quote(value)} is not a finite number") from None
+    if binary != value:
+        raise NumberError(f"{quote(value)} has no exact value as a float; give it as a fraction")
+    return exact
+
+
+def make_points(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> list[Point]:
+    """Make points of two lists of coordinates. Cost: O(n).
+
+    >>> make_points([Fraction(1)], [Fraction(2)])
+    [Point(x=Fraction(1, 1), y=Fraction(2, 1))]
+    """
+    return list(map(_make_point, zip(xs, ys, strict=True)))
+
+
 def read_any_length(text: str) -> Fraction:
     """Read a number of any length that is written out, as `to_fraction` does.
 
@@ -251,121 +281,3 @@ def read_any_length(text: str) -> Fraction:
         return to_fraction(text)
     with limits(max_digits=len(text)):
         return to_fraction(text)
-
-
-def format_fraction(value: Fraction) -> str:
-    """Write a number exactly, as `to_fraction` reads it.
-
-    Args:
-        value: any Fraction, of any number of digits.
-
-    Returns:
-        `"-7/2"`, or `"3"` when the denominator is one.
-
-    Example:
-        >>> format_fraction(Fraction(-7, 2))
-        '-7/2'
-    """
-    numerator = write_int(value.numerator)
-    return numerator if value.denominator == 1 else f"{numerator}/{write_int(value.denominator)}"
-
-
-def _from_string(text: str) -> Fraction:
-    if len(text) <= _SHORT and text.isascii() and len(text) <= get_max_digits():
-        digits = text.removeprefix("-")
-        # Most numbers are integers, decimals without an exponent, or fractions.
-        whole, point, decimals = digits.partition(".")
-        whole, slash, below = whole.partition("/")
-        if whole.isdecimal() and (whole[0] != "0" or whole == "0"):
-            if whole == digits:
-                return _make_reduced(int(text), 1)
-            n = d = 0
-            if decimals.isdecimal() and not slash:
-                n, d = int(whole + decimals), 10 ** len(decimals)
-            elif below.isdecimal() and below[0] != "0" and not point:
-                n, d = int(whole), int(below)
-            if d:
-                common = gcd(n, d)
-                n //= common
-                return _make_reduced(-n if text.startswith("-") else n, d // common)
-    match = _NUMBER.fullmatch(text)
-    if match is None:
-        raise NumberError(f"{quote(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
-    whole, denominator = match["whole"], match["denominator"]
-    if denominator is None:
-        return _from_decimal(text, match)
-    if denominator == "0":
-        raise NumberError(f"{quote(text)} has a zero denominator")
-    if max(len(whole), len(denominator)) > answer_digits():
-        raise _too_long(text)
-    return _check(text, Fraction(read_int(match["sign"] + whole), read_int(denominator)))
-
-
-def _from_decimal(text: str, match: re.Match[str]) -> Fraction:
-    sign, whole, decimals, exponent = match.group("sign", "whole", "decimals", "exponent")
-    # Up to 15 digits, so that reading the exponent takes no time.
-    if exponent is not None and len(exponent) > 15:
-        raise _too_long(text)
-    places = len(decimals or "") - int(f"{match['subtract'] or ''}{exponent or 0}")
-    digits = f"{whole}{decimals or ''}".lstrip("0") or "0"
-    # Refuse the number before computing it, even if the reduced number would be short.
-    length = max(len(digits) - min(places, 0), places)
-    if length > _DIGITS_BEFORE_REDUCTION * _allowed_digits(text):
-        raise _too_long(text)
-    number = read_int(sign + digits)
-    return _check(text, Fraction(number * 10 ** max(-places, 0), 10 ** max(places, 0)))
-
-
-def _from_real(value: float | Real) -> Fraction:
-    try:
-        binary = float(value)
-        exact = _make_reduced(*binary.as_integer_ratio())
-    except (OverflowError, ValueError):
-        raise NumberError(f"{quote(value)} is not a finite number") from None
-    if binary != value:
-        raise NumberError(f"{quote(value)} has no exact value as a float; give it as a fraction")
-    return exact
-
-
-def _check(text: str, value: Fraction) -> Fraction:
-    """Refuse a number that is too long in lowest terms."""
-    most = _allowed_digits(text)
-    longest = max(abs(value.numerator), value.denominator)
-    # A bit is 0.30102999... digits.
-    if longest.bit_length() * 30_103 > most * 100_000 and longest >= 10**most:
-        raise _too_long(text)
-    return value
-
-
-def _allowed_digits(text: str) -> int:
-    """Return the largest number of digits of a number, by 1 and 2 of `limits`."""
-    return max(get_max_digits(), min(len(text), answer_digits()))
-
-
-def _too_long(text: str) -> NumberError:
-    return NumberError(f"{quote(text)} has more than {_allowed_digits(text)} digits (max_digits)")
-
-
-def quote(value: object) -> str:
-    """Write any value for a message: its repr, shortened if it is long.
-
-    >>> quote("7" * 99)
-    "'777777777777777777777777777777777777..."
-    """
-    try:
-        text = repr(value)
-    except Exception:  # a foreign repr may fail in any way; the refusal must still be readable
-        text = f"<{type(value).__name__}>"
-    if not text.isprintable():  # a foreign repr may hold anything
-        text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text[:_ECHO])
-    return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
-
-
-def abridge(value: Fraction) -> str:
-    """Write a number for people: exactly, or its first digits if it is long.
-
-    >>> abridge(Fraction(-7, 2)), abridge(Fraction(10**99))
-    ('-7/2', '100000000000000000000...')
-    """
-    text = format_fraction(value)
-    return text if len(text) <= _SHOWN_DIGITS else f"{text[: _SHOWN_DIGITS - 3]}..."

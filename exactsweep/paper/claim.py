@@ -192,6 +192,26 @@ def find_first_failure(failures: Iterator[str]) -> str:
     return next(filter(None, failures), "")
 
 
+def join_evidence(*found: Evidence) -> Evidence:
+    """Make one Evidence of several; a counterexample of the first that has one comes first.
+
+    >>> join_evidence(Evidence("Some."), Evidence("More.", "it fails", searched=3))
+    Evidence(tried='Some. More.', failure='it fails', against=None, others=(), tables=(), \
+growth=(), sampled=0, searched=3)
+    """
+    against = next((one.against for one in found if one.against), None)
+    return Evidence(
+        " ".join(filter(None, (one.tried for one in found))),
+        find_first_failure(one.failure for one in found),
+        against,
+        tuple(case for one in found for case in one.cases if case is not against),
+        tuple(table for one in found for table in one.tables),
+        tuple(series for one in found for series in one.growth),
+        max(one.sampled for one in found),
+        sum(one.searched for one in found),
+    )
+
+
 def weigh(tried: str, *growth: Growth, failure: str = "", attained: bool = False) -> Evidence:
     """Make evidence of counts, which fails if a count outgrows its bound.
 

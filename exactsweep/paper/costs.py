@@ -19,7 +19,16 @@ from exactsweep.paper import literal
 from exactsweep.paper.claim import Effort, Evidence, Table, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_pairs
 from exactsweep.paper.functions import keep_corners
-from exactsweep.paper.growth import LIMITS, M_PLUS_N, MN, MN2_LOG, MN_LOG, Bound, Growth
+from exactsweep.paper.growth import (
+    LIMITS,
+    M_PLUS_N,
+    MN,
+    MN2_LOG,
+    MN_LOG,
+    Bound,
+    Growth,
+    write_power,
+)
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
@@ -170,15 +179,10 @@ def tabulate(growth: Iterable[Growth]) -> Table:
     rows = []
     for (procedure, family, varied), found in lines.items():
         one = next(iter(found.values()))
-        exponents = [
-            f"{round(found[unit].exponent(3 if unit == 'seconds' else 0), 2) + 0.0:.2f}"
-            if unit in found
-            else "-"
-            for unit in UNITS
-        ]
+        exponents = {unit: write_power(s.exponent(s.judged)) for unit, s in found.items()}
         verdict = "within" if all(series.is_flat for series in found.values()) else "beyond"
-        claimed = f"{one.claimed():.2f}"
-        rows.append([procedure, family, varied, one.bound, claimed, *exponents, verdict])
+        powers = write_power(one.claimed()), *(exponents.get(unit, "-") for unit in UNITS)
+        rows.append([procedure, family, varied, one.bound, *powers, verdict])
     header = ("procedure", "family", "doubled", "bound", "its exponent", *UNITS, "verdict")
     return Table("Exponents of the claimed bound, and of what was found", header, rows)
 

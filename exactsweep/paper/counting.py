@@ -16,7 +16,7 @@ from time import process_time
 from typing import Any, Protocol
 
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.growth import Bound, Growth, Size
 from exactsweep.paper.pairs import Chains, SweepPair
 

@@ -26,7 +26,7 @@ from typing import Any
 from exactsweep import __version__
 from exactsweep.formats import NamedPolygon, format_polygons
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.plain import to_plain
+from exactsweep.numbers.digits import to_plain
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.growth import Growth

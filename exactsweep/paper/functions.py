@@ -12,7 +12,7 @@ from exactsweep.check import ReferenceLoops, reference_loops, reference_no_fit
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Fit, Vertex
+from exactsweep.numbers.number import Fit, Vertex
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, split, take_corners

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import log, log2
 from operator import attrgetter
+from statistics import linear_regression
 
 Bound = tuple[str, Callable[[int, int], float]]
 
@@ -82,6 +83,11 @@ class Growth:
         return self.what.partition(" ")[0]
 
     @property
+    def judged(self) -> int:
+        """The number of largest sizes over which the exponent is judged; 0 for all."""
+        return 3 if self.unit == "seconds" else 0
+
+    @property
     def last_rise(self) -> float:
         """By what factor the ratio rose over the last doubling."""
         return self.points[-1].ratio / self.points[-2].ratio
@@ -116,12 +122,9 @@ class Growth:
 
         Over a doubling a factor log n too little in the bound shows as 1.1 or more.
         """
-        if self.unit in LIMITS:
-            last = 3 if self.unit == "seconds" else 0
+        if self.limit < 1 or self.unit in LIMITS:
             margin = self.limit if self.limit < 1 else LIMITS[self.unit]
-            return self.exponent(last) <= self.claimed(last) + margin
-        if self.limit < 1:
-            return self.exponent() <= self.claimed() + self.limit
+            return self.exponent(self.judged) <= self.claimed(self.judged) + margin
         before = max(point.ratio for point in self.points[:-1])
         return self.points[-1].ratio <= self.limit * before
 
@@ -149,6 +152,11 @@ class Growth:
         )
 
 
+def write_power(exponent: float) -> str:
+    """An exponent with two decimals, without a sign where it rounds to 0."""
+    return f"{round(exponent, 2) + 0.0:.2f}"
+
+
 def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
     """The slope of the least squares line through the logarithms.
 
@@ -156,9 +164,7 @@ def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
     2.0
     """
     xs, ys = [log(size) for size in sizes], [log(max(value, 1e-9)) for value in values]
-    x_mean, y_mean = sum(xs) / len(xs), sum(ys) / len(ys)
-    covariance = sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
-    return covariance / sum((x - x_mean) ** 2 for x in xs)
+    return linear_regression(xs, ys).slope
 
 
 def double(first: int, doublings: int) -> list[tuple[int, int]]:

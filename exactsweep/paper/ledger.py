@@ -15,9 +15,8 @@ from importlib.resources import files
 from pkgutil import resolve_name
 from typing import Any
 
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import quote
-from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, find_first_failure
+from exactsweep.numbers.error import ExactSweepError, quote
+from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, join_evidence
 from exactsweep.paper.laws import Trial
 from exactsweep.paper.tiny import search_grid
 
@@ -46,16 +45,7 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
         found.append(resolve_name("exactsweep.paper.costs.compare_outputs")(row["name"]))
     if "costs" in row:
         found.append(resolve_name("exactsweep.paper.costs.measure_costs")(row["name"], effort))
-    return Evidence(
-        " ".join(filter(None, (one.tried for one in found))),
-        find_first_failure(one.failure for one in found),
-        next((one.against for one in found if one.against), None),
-        tuple(case for one in found for case in one.others),
-        tuple(table for one in found for table in one.tables),
-        tuple(series for one in found for series in one.growth),
-        max(one.sampled for one in found),
-        sum(one.searched for one in found),
-    )
+    return join_evidence(*found)
 
 
 _FIELDS = {field.name for field in fields(Claim)}

@@ -14,7 +14,7 @@ from functools import reduce
 from itertools import pairwise
 
 from exactsweep.corpus.generator.shapes import walk
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.functions import clip_to
 from exactsweep.paper.pairs import Chains
 

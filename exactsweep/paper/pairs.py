@@ -9,15 +9,15 @@ coordinates of 30 digits; in resting ones a long edge of G lies on several teeth
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import NamedTuple, Protocol
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 from exactsweep.corpus.generator.growing import cc, cm, cm_hard, cm_undercut, figure10, mm
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import Grid, Ring, draw_convex, draw_monotone, untangle
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.claim import Effort
 from exactsweep.procedures.chain import inverse, split
 
@@ -50,13 +50,6 @@ class SweepPair(NamedTuple):
             for ring in (self.generatrix, self.directrix)
         )
         return SweepPair(g, d)
-
-
-class SeededFamily(Protocol):
-    """A family of `growing` that takes a seed."""
-
-    def __call__(self, m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-        """Return the generatrix and the directrix."""
 
 
 def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
@@ -100,7 +93,7 @@ def _corners(ring: Ring) -> Ring:
 
 
 FAR = 10**30 + 57
-LARGE: dict[str, tuple[SeededFamily, ...]] = {
+LARGE: dict[str, tuple[Callable[..., tuple[Ring, Ring]], ...]] = {
     "CC": (cc,),
     "CM": (cm, cm_hard, cm_undercut),
     "MM": (mm, figure10),

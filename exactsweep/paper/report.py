@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -25,12 +25,12 @@ from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, make_slug, write_data
 from exactsweep.paper.figures.drawing import draw_figure
 from exactsweep.paper.figures.figure import load
-from exactsweep.paper.growth import LIMITS, Growth
+from exactsweep.paper.growth import LIMITS, Growth, write_power
 from exactsweep.paper.ledger import ABSTRACT, OPEN
 from exactsweep.paper.pairs import SweepPair
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    pass
 
 MINUS = "\N{MINUS SIGN}"
 GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
@@ -58,7 +58,7 @@ def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, 
     folder.mkdir(parents=True, exist_ok=True)
     drawn = _plots(rows)
     for name, plot in drawn.items():
-        (folder / f"{_file_name(name)}.svg").write_bytes(plot)
+        (folder / f"{name_plot(name)}.svg").write_bytes(plot)
     figures = write_figures(folder, rows)
     paths = folder / "report.html", folder / "report.md"
     for path in paths:
@@ -155,21 +155,11 @@ def _environment(*, html: bool) -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    filters: dict[str, Any] = {
-        "alignments": find_alignments,
-        "cell": lambda text: str(text).replace("|", "\\|"),
-        "file_name": _file_name,
-        "formula": set_formula,
-        "cite": cite,
-        "growth_row": growth_row,
-        "miss": miss,
-        "number": lambda value: f"{value:.3f}",
-        "picture": _picture,
-        "section_title": title_section,
-        "steps": split_proof,
-        "slug": make_slug,
-    }
-    environment.filters.update(filters)
+    filters: tuple[Callable[..., Any], ...] = (
+        *(cell, cite, draw_case, find_alignments, growth_row, make_slug, miss, name_plot),
+        *(set_formula, split_proof, title_section),
+    )
+    environment.filters |= {function.__name__: function for function in filters}
     environment.globals.update(GROWTH=GROWTH, LIMITS=LIMITS, WEIGHTS=WEIGHTS, KINDS=KINDS)
     return environment
 
@@ -184,7 +174,7 @@ def set_formula(text: str) -> Markup:
     """  # noqa: RUF002
     # A sign stands beside a number, a letter of its own or a parenthesis; a hyphen inside a word.
     sign = r"(?<![\w)])-(?=[\d(]|[A-Za-z](?:_|\b))|(?<=[\w)]) - (?=[\w(])"
-    signed = re.sub(sign, _set_minus, text)
+    signed = re.sub(sign, lambda m: m[0].replace("-", MINUS), text)
     signed = signed.replace("<=", "≤").replace(">=", "≥")
     index = r"\b([A-Za-z])_(?:([A-Za-z0-9])\b|\(([a-z0-9+-]+)\))"
     html = re.sub(
@@ -195,8 +185,9 @@ def set_formula(text: str) -> Markup:
     return Markup(re.sub(r"\balpha\b", "&alpha;", html))
 
 
-def _set_minus(found: re.Match[str]) -> str:
-    return found[0].replace("-", MINUS)
+def cell(text: object) -> str:
+    """Write the text of a cell of a table in Markdown."""
+    return str(text).replace("|", "\\|")
 
 
 def split_proof(text: str) -> tuple[str, list[str]]:
@@ -229,28 +220,12 @@ def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def growth_row(series: Growth) -> list[str]:
-    """A series in one line: sizes, the first and the last ratio, and exponents.
-
-    That of seconds is over the three largest sizes; all others are over all.
-    """
-    first, end = series.points[0], series.points[-1]
-    last = 3 if series.unit == "seconds" else 0
-    ratios = (f"{point.ratio:.3g}" for point in (first, end))
-    return [
-        series.what,
-        series.family,
-        *(_span(*map(str, sizes)) for sizes in ((first.m, end.m), (first.n, end.n))),
-        series.bound,
-        _span(*ratios),
-        # Without a sign where it rounds to 0.
-        *(f"{round(power(last), 2) + 0.0:.2f}" for power in (series.exponent, series.claimed)),
-        series.verdict,
-    ]
-
-
-def _span(first: str, last: str) -> str:
-    """From the first to the last, or both at once."""
-    return first if first == last else f"{first} to {last}"
+    """A series in one line: sizes, the first and the last ratio, and exponents."""
+    ends = series.points[0], series.points[-1]
+    ranges = [[str(p.m) for p in ends], [str(p.n) for p in ends], [f"{p.ratio:.3g}" for p in ends]]
+    m, n, ratio = (" to ".join(dict.fromkeys(values)) for values in ranges)
+    powers = map(write_power, (series.exponent(series.judged), series.claimed(series.judged)))
+    return [series.what, series.family, m, n, series.bound, ratio, *powers, series.verdict]
 
 
 def miss(sampled: int) -> str:
@@ -269,15 +244,15 @@ def miss(sampled: int) -> str:
     )
 
 
-def _file_name(name: str) -> str:
+def name_plot(name: str) -> str:
+    """The name of the file of a row's plot, without its suffix."""
     return f"growth-{make_slug(name)}"
 
 
-def _picture(case: Counterexample) -> Markup:
+def draw_case(case: Counterexample) -> Markup:
     """The pair of a counterexample, drawn by `pair_svg`, which writes numbers only."""
-    if not case.generatrix:
-        return Markup("")
-    return Markup(pair_svg(SweepPair(list(case.generatrix), list(case.directrix))))
+    pair = SweepPair(list(case.generatrix), list(case.directrix))
+    return Markup(pair_svg(pair) if case.generatrix else "")
 
 
 def write_citation(folder: Path) -> list[Path]:
@@ -344,14 +319,6 @@ def pair_svg(pair: SweepPair) -> str:
     )
 
 
-def _save_outlined(picture: Figure, path: Path) -> None:
-    """Write a figure as SVG with its letters as outlines, so that it needs no font."""
-    from matplotlib import rc_context
-
-    with style.use_style(), rc_context({"svg.fonttype": "path"}):
-        picture.savefig(path, format="svg", metadata={"Date": None}, bbox_inches="tight")
-
-
 def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
     """Draw the figures that are among some rows into a folder, as figure-1.svg and figure-1.pdf.
 
@@ -365,12 +332,17 @@ def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
     """
     if not plots.available():
         return {}
+    from matplotlib import rc_context
+
     drawn = {}
     for row in rows:
         if row.claim.figure and not row.disagreement:
             name, stem = row.claim.figure, make_slug(row.claim.name)
             picture = draw_figure(name, load(name))
             save(picture, str(folder / f"{stem}.pdf"))
-            _save_outlined(picture, folder / f"{stem}.svg")
-            drawn[row.claim.name] = (folder / f"{stem}.svg").read_bytes()
+            # Letters are outlines, so that the file needs no font.
+            with style.use_style(), rc_context({"svg.fonttype": "path"}):
+                svg = folder / f"{stem}.svg"
+                picture.savefig(svg, metadata={"Date": None}, bbox_inches="tight")
+            drawn[row.claim.name] = svg.read_bytes()
     return drawn

@@ -7,6 +7,7 @@ fails is a smallest counterexample on that grid.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 from itertools import combinations, pairwise, product
 
@@ -115,3 +116,9 @@ def search(pairs: Iterable[SweepPair], fails: Callable[[SweepPair], str], where:
             against = Counterexample(text, how, *pair)
             return Evidence(tried, against=against, searched=number)
     return Evidence(f"All {number:,} pairs {where}.", searched=number)
+
+
+def expect_none(convex: Evidence) -> Evidence:
+    """Make a search among convex polygons fail if it found a counterexample."""
+    failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
+    return replace(convex, failure=failure, against=None)

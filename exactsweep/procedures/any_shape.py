@@ -14,7 +14,7 @@ from exactsweep.geometry.given import share_lattice
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
+from exactsweep.numbers.number import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures import ss
 from exactsweep.procedures.free_positions import Free
 from exactsweep.procedures.pockets import find_mouths

@@ -18,8 +18,7 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import divide_exactly, negate
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex, divide_exactly, negate
 from exactsweep.procedures.solution import made_once
 
 T = TypeVar("T")

@@ -18,8 +18,7 @@ from collections.abc import Sequence
 from functools import reduce
 from typing import cast
 
-from exactsweep.numbers.number import add_to_all
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex, add_to_all
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, take_corners
 from exactsweep.procedures.convex_part import count_flatter, measure_unit, split_parts, take_whole

@@ -36,8 +36,7 @@ from math import gcd, inf, lcm
 
 from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
-from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex, ratio
 from exactsweep.procedures.leeway import Leeway
 
 _UNITS = 2**32
@@ -320,21 +319,21 @@ def _join_segments(
     line: tuple[int, int, Rational], segments: list[tuple[Rational, Rational, bool]]
 ) -> Iterator[Stretch]:
     """Join the contact segments of one line to stretches with constant directions."""
-    ending: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
-    starting: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
+    # At each place, the numbers of segments that end and start there, against and along the line.
+    places: dict[Rational, list[int]] = {}
     for low, high, ahead in segments:
-        starting[low][ahead] += 1
-        ending[high][ahead] += 1
+        places.setdefault(low, [0, 0, 0, 0])[2 + ahead] += 1
+        places.setdefault(high, [0, 0, 0, 0])[ahead] += 1
     against = along = 0
     before: Stretch | None = None
-    for place in sorted(starting.keys() | ending.keys()):
-        along -= ending[place][True]
-        against -= ending[place][False]
+    for place, (end_against, end_along, start_against, start_along) in sorted(places.items()):
+        along -= end_along
+        against -= end_against
         # Segments that end here, where others start, do not run through. (2) does not cover their
         # ends, and an exact fit can begin there.
         through = along > 0, against > 0
-        along += starting[place][True]
-        against += starting[place][False]
+        along += start_along
+        against += start_against
         left, right = along > 0, against > 0
         if before is not None:
             sides = before.left, before.right

@@ -30,8 +30,7 @@ from collections.abc import Iterator, Sequence
 from math import inf
 from typing import NamedTuple, cast
 
-from exactsweep.numbers.number import divide_exactly
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex, divide_exactly
 from exactsweep.procedures.chain import KeptChain, measure_width, require_convex, split_by_slope
 from exactsweep.procedures.envelope import Break, Envelope, Piece
 

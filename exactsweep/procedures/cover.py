@@ -23,8 +23,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from exactsweep.geometry.overlap import Rings
-from exactsweep.numbers.number import ratio
-from exactsweep.numbers.point import Rational
+from exactsweep.numbers.number import Rational, ratio
 from exactsweep.procedures.contact_lines import Stretch
 from exactsweep.procedures.parallelograms import fill_parallelograms
 from exactsweep.procedures.squares import find_squares_of_sum, halve_squares

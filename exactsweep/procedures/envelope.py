@@ -17,8 +17,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 
-from exactsweep.numbers.number import divide_exactly, ratio
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex, divide_exactly, ratio
 from exactsweep.procedures.chain import ChainError, find_convex_parts
 
 Break = tuple[Rational, Rational]

@@ -18,7 +18,7 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 from exactsweep.procedures.chain import list_graph_edges
 from exactsweep.procedures.envelope import find_point_on
 

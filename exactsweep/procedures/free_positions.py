@@ -21,14 +21,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from itertools import chain, groupby
+from itertools import chain, groupby, pairwise
 from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.vectors import is_on_segment, way_key
-from exactsweep.numbers.number import divide_exactly
-from exactsweep.numbers.point import Fit, Point, Vertex
+from exactsweep.numbers.number import Fit, Point, Vertex, divide_exactly
 from exactsweep.procedures.contact_lines import ReducedPoint, Stretch, StretchPlace
 
 
@@ -110,8 +109,8 @@ def _find_left_over(
             left.append((stretch.low, stretch.high))
         return left
     cuts.sort(key=itemgetter(0))
-    if len({cut[0] for cut in cuts}) < len(cuts):
-        cuts.sort(key=lambda cut: (cut[0], divide_exactly(*cut[1])))
+    if any(a[0] == b[0] and a[1][0] * b[1][1] != b[1][0] * a[1][1] for a, b in pairwise(cuts)):
+        cuts.sort(key=lambda cut: divide_exactly(*cut[1]))
     (since_n, since_d), covered = stretch.low, stretch.low_covered
     k, size = 0, len(cuts)
     while k < size:

@@ -12,7 +12,7 @@ from itertools import chain
 from typing import NamedTuple
 
 from exactsweep.geometry.overlap import Rings
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 
 class Leeway(NamedTuple):

@@ -35,7 +35,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise, repeat
 from typing import cast
 
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, take_corners
 from exactsweep.procedures.convex_part import (
     count_flatter,

@@ -13,9 +13,9 @@ from math import lcm
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.lattice import Lattice
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Fit, Point, Vertex
+from exactsweep.geometry.reading import Lattice
+from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import KeptChain, inverse, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm

@@ -23,7 +23,7 @@ from functools import cache
 from math import ceil, floor
 
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.procedures.leeway import bound
 
 

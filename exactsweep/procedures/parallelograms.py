@@ -15,7 +15,7 @@ from itertools import pairwise
 from math import ceil, floor, frexp, hypot
 
 from exactsweep.geometry.overlap import Rings
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 _MARGIN = 1 / 64
 _NARROW = 3

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import inf
 from typing import NamedTuple, cast
 
-from exactsweep.numbers.point import Rational
+from exactsweep.numbers.number import Rational
 from exactsweep.procedures.convex_part import Box, ConvexPart, CrossingPart
 from exactsweep.procedures.envelope import Break, Envelope, Span
 from exactsweep.procedures.lower_envelope import join, lower_envelope_mm, merge

@@ -14,7 +14,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.geometry.overlap import touch
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 from exactsweep.procedures.chain import list_graph_edges, take_corners
 from exactsweep.procedures.envelope import find_point_on
 

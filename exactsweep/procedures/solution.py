@@ -1,10 +1,14 @@
-"""The classes of pairs, and the tools for results that are computed once."""
+"""Common parts of solutions: the classes of pairs, results computed once, positions placed."""
 
 from __future__ import annotations
 
 import gc
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import Any, Literal, Self, TypeVar, overload
+
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.number import ORIGIN, Fit, Point
 
 Kind = Literal["CC", "CM", "MM", "SS"]
 """The classes of the paper, and "SS" for polygons of any shape."""
@@ -47,3 +51,20 @@ class pause_collector:  # noqa: N801
     def __exit__(self, *error: object) -> None:
         if self.runs:
             gc.enable()
+
+
+def place_loop(loop: Sequence[Point], reference: Point = ORIGIN) -> Polygon:
+    """Convert a canonical loop of positions of G's origin to a Polygon for a reference point."""
+    return Polygon._trust(_move(loop, reference))
+
+
+def place_fits(fits: Iterable[Fit], reference: Point) -> tuple[Fit, ...]:
+    """Convert exact fits from positions of G's origin to positions of a reference point."""
+    return tuple((p, q) for p, q in (_move(fit, reference) for fit in fits))
+
+
+def _move(points: Sequence[Point], by: Point) -> Sequence[Point]:
+    if by == ORIGIN:
+        return points
+    dx, dy = by
+    return [Point(x + dx, y + dy) for x, y in points]

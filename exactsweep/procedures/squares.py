@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from exactsweep.geometry.overlap import Rings
-from exactsweep.numbers.point import Rational
+from exactsweep.numbers.number import Rational
 
 
 def find_squares_of_sum(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, list[int]]:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
+from exactsweep.numbers.number import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered

@@ -9,8 +9,8 @@ from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Half, Landmark, Step, Touch, explain
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.region import AnyPolygon, number_features, walk_rings
-from exactsweep.numbers.number import abridge
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.number import Point
 from exactsweep.words import CLASSES, count, name_heading, write_pair
 
 _HALVES: dict[Half, str] = {

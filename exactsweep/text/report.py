@@ -13,8 +13,8 @@ from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.number import abridge, format_fraction
-from exactsweep.numbers.point import Fit, Point
+from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.number import Fit, Point
 from exactsweep.words import CLASSES, write_pair
 
 # rich takes longer to import than everything else.

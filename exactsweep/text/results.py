@@ -17,7 +17,7 @@ from exactsweep.formats.writing import write_wkt_fits, write_wkt_polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 
 if TYPE_CHECKING:
     from exactsweep.check import Verification

@@ -20,8 +20,8 @@ from exactsweep.draw.sweeps import Moving, find_anchor, move_to_anchor, name_anc
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Fit, Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Fit, Point
 from exactsweep.text.results import list_numbers
 from exactsweep.view.meetings import Meetings, find_meetings
 from exactsweep.words import CLASSES

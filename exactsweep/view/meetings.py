@@ -18,8 +18,7 @@ from exactsweep.evidence.contact import find_facing
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.number import to_int
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point, to_int
 
 # The number of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000

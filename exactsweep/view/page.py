@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas.style import write_style_sheet
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import tells_arguments
 
 if TYPE_CHECKING:
     from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon

@@ -11,6 +11,7 @@ from benchmarks.__main__ import main
 from benchmarks.batches import BatchCost, tabulate_model
 from benchmarks.families import FAMILIES
 from benchmarks.floors import comb
+from benchmarks.growth import CASES
 from benchmarks.layouts import judge_ours, make_shapely, place_all, tile, write_shapes
 from benchmarks.outlines import list_outlines
 from benchmarks.peers import ours
@@ -177,6 +178,12 @@ def test_instructions_are_counted_by_what_they_do() -> None:
 def test_a_comb_has_four_vertices_a_tooth_and_two() -> None:
     assert len(Polygon(comb(3))) == 14
     assert len(Polygon(comb(250))) == 1002
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_hard_shapes_of_any_size_have_answers(case: str) -> None:
+    for size in (8, 12):
+        CASES[case].ask(size)()
 
 
 def test_a_large_batch_is_as_its_model_says() -> None:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from exactsweep.check.arrangement import _walk_loops
 from exactsweep.check.cone import subtract
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 Cells = frozenset[Vertex]
 cells = st.frozensets(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=1)

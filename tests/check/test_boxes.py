@@ -11,7 +11,7 @@ from exactsweep.check import boxes, reference_no_fit, uncovered
 from exactsweep.check.boxes import BoxTree, Rectangle, find_box, meet
 from exactsweep.check.no_fit import UNLIMITED
 from exactsweep.check.standalone import Work
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 NUMBERS = st.integers(-20, 20) | st.integers(-900, 900)
 SIDES = st.integers(0, 3) | st.integers(0, 400)

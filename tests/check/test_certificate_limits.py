@@ -30,8 +30,8 @@ from exactsweep.check.standalone import Refused, Work, weight
 from exactsweep.cli import main
 from exactsweep.evidence.proof import add_proof
 from exactsweep.formats.exact_json import parse_certificate
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.limits import answer_digits
-from exactsweep.numbers.number import format_fraction
 from exactsweep.text.results import certificate_to_json, sweep_to_json
 
 LONG = Fraction(10**4299 - 1, 10**4290 + 7)

@@ -21,7 +21,7 @@ from exactsweep.check.shape import bring_to_integers
 from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
 from exactsweep.geometry import convex as kernel_convex
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 WEDGE = Polygon([(0, -3), (3, 0), (9, 1), (6, 6), (-6, 6), (0, 3), (-2, 1)])
 STEPS = grid("##.", ".##").exterior

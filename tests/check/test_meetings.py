@@ -14,7 +14,7 @@ from exactsweep.check import Classification, classify
 from exactsweep.check.cone import cross, find_common_direction, subtract
 from exactsweep.check.meeting import list_meetings
 from exactsweep.check.shape import LatticeShape, list_edges
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 AROUND = [(-9, -9), (30, -9), (30, 30), (-9, 30)]
 

@@ -23,7 +23,7 @@ from exactsweep.check import (
     reference_swept,
 )
 from exactsweep.corpus.generator.cells import move
-from exactsweep.numbers.point import ORIGIN
+from exactsweep.numbers.number import ORIGIN
 
 patient = examples(60)
 Written = Sequence[tuple[str, str]]

@@ -24,7 +24,8 @@ from tiers import examples
 from exactsweep import Point, Polygon, Region, inner_fit_polygon
 from exactsweep.check import classify, reference_inner_fit, reference_no_fit, verify
 from exactsweep.check.monotone import has_shared_direction
-from exactsweep.geometry.direction import DirectionError, choose_direction
+from exactsweep.geometry.direction import DirectionError
+from exactsweep.geometry.frame import choose_direction
 
 patient = examples(40)
 UNIT = grid("#")

@@ -29,7 +29,7 @@ from exactsweep.conform.judge.verdict import PartComparison
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.spool import SpoolError
 from exactsweep.corpus import Case
-from exactsweep.numbers.point import ORIGIN
+from exactsweep.numbers.number import ORIGIN
 
 CASE = Case.of("slot", "", SLOT, SQUARE)
 MANY = 640

@@ -15,8 +15,7 @@ from exactsweep.conform.judge.distance import match_rings
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
-from exactsweep.geometry.hull import find_hull
-from exactsweep.geometry.vectors import is_on_segment
+from exactsweep.geometry.vectors import find_hull, is_on_segment
 from exactsweep.numbers.limits import limits
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -14,7 +14,7 @@ from exactsweep.conform import Verdict, compare, conform, shrink
 from exactsweep.conform.run.protocol import Hello, adapt, read_hello, write_case_line
 from exactsweep.conform.run.run import Run
 from exactsweep.corpus import Case, find_case, generate
-from exactsweep.corpus.generator.any_shape import SHAPES
+from exactsweep.corpus.generator.families import LEVELS
 
 Answer = dict[str, Any]
 OLD = {"hello": "old", "loops": ["trajectory"], "numbers": "rational", "reference": "given"}
@@ -24,7 +24,7 @@ ALL = {
     "questions": ("sweep", "no_fit", "inner_fit"),
     "shapes": "any",
 }
-CHOSEN = [case for family in SHAPES for case in generate(family, 17, 3)]
+CHOSEN = [case for family in LEVELS["any shape"][1].split() for case in generate(family, 17, 3)]
 CHOSEN += [find_case(id) for id in ("components-unswept", "containers-exact", "plates-sizes")]
 
 RIGHT: dict[str, Answer] = {}

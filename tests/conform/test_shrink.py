@@ -12,7 +12,7 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.runner import conform
 from exactsweep.conform.run.shrink import ShrinkError, shrink
 from exactsweep.corpus import Case, find_case
-from exactsweep.numbers.point import ORIGIN
+from exactsweep.numbers.number import ORIGIN
 
 
 def sign_wrong(case: Case) -> Verdict:

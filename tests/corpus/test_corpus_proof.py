@@ -13,7 +13,7 @@ from tiers import few_or_all
 from exactsweep import Point, Polygon
 from exactsweep.check import reference_inner_fit, reference_no_fit
 from exactsweep.corpus import cases, themes
-from exactsweep.numbers.point import Fit
+from exactsweep.numbers.number import Fit
 
 # Certificates of larger pairs take up to minutes; they were proved when they were built.
 PROVED_QUICKLY = {"CC": 300, "CM": 150, "MM": 150, "SS": 32}

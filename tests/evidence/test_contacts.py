@@ -17,7 +17,7 @@ from exactsweep.evidence.contact import (
     find_facing,
 )
 from exactsweep.geometry.outline import Outline
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 Pair = tuple[Polygon, Polygon]
 Found = set[tuple[str, int, int]]

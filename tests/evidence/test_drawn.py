@@ -13,7 +13,7 @@ from exactsweep.evidence.drawn import DrawnPiece, Feature, find_drawn_edges
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.segment import Segment, choose_cover, make_segment
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.point import Edge
+from exactsweep.numbers.number import Edge
 
 TEETH = [(0, 0), (1, 2), (2, 0), (4, 3), (5, 1), (8, 4), (9, 0), (9, 6), (0, 6)]
 PLOUGH = [(0, 0), (4, -2), (5, 1), (3, 2), (2, 1), (1, 2)]

@@ -5,7 +5,7 @@ import random
 import families
 import pytest
 
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.chain import split, take_corners
 from exactsweep.procedures.mm import inner_mm, trajectory_mm
 from exactsweep.procedures.pockets import Pocket, find_mouths, find_pockets

@@ -10,7 +10,7 @@ from exactsweep.check import classify
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import blocks
 from exactsweep.geometry.outline import Outline
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 COMPASS: list[Vertex] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)]
 WAYS: list[Vertex] = [*COMPASS, (2, 1), (-1, 2), (-2, -1), (1, -2)]

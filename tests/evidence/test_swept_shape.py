@@ -12,7 +12,7 @@ from exactsweep.check import classify, verify
 from exactsweep.evidence.contact import number_as_given
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import Outline
-from exactsweep.numbers.point import ORIGIN
+from exactsweep.numbers.number import ORIGIN
 
 SHEARS = [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 1), (0, -1, 1, 0)]
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -18,7 +18,7 @@ from exactsweep.evidence.drawn import Feature, find_drawn_edges
 from exactsweep.evidence.undercut import Undercut, find_closing_positions
 from exactsweep.geometry.outline import Outline
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 Pair = tuple[Polygon, Polygon]
 Edge = tuple[Point, Point]

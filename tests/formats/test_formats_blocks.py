@@ -18,7 +18,7 @@ from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 fewer = examples(30)
 small = st.fractions(-9, 9, max_denominator=10)

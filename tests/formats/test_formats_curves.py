@@ -31,7 +31,7 @@ from exactsweep.formats.curved.svg_path import flatten_elliptic_arc
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.size import VERTEX
 from exactsweep.geometry.turn import find_unit_point
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 fewer = examples(25)
 small = st.fractions(-9, 9, max_denominator=10)

@@ -15,11 +15,11 @@ from exactsweep.geometry.direction import (
     Directions,
     _find_simplest_between,
     angle_key,
-    choose_direction,
     find_monotone_directions,
     read_direction,
     reduce_direction,
 )
+from exactsweep.geometry.frame import choose_direction
 
 Vector = tuple[int, int]
 

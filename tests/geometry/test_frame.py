@@ -7,8 +7,8 @@ import pytest
 from exactsweep import Point, Polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.lattice import lcm_within, reduce_lattice, to_lattice
-from exactsweep.numbers.point import ORIGIN, Vertex
+from exactsweep.geometry.reading import lcm_within, reduce_lattice, to_lattice
+from exactsweep.numbers.number import ORIGIN, Vertex
 
 HALF = Fraction(1, 2)
 SHIFT = Point(Fraction(1, 3), Fraction(-2))

@@ -17,7 +17,7 @@ from exactsweep.check import classify
 from exactsweep.corpus.generator.cells import Cell, grow
 from exactsweep.geometry import overlap
 from exactsweep.geometry.overlap import EdgeIndex, Overlap, Relation, is_inside, relate, touch
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 ORIGIN = Point(Fraction(0), Fraction(0))
 AROUND = [*product(range(-1, 4), repeat=2)]

@@ -13,7 +13,7 @@ from polyominoes import Cells, polyominoes, region, rings
 from exactsweep import Point, Polygon, PolygonError, Region
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.region import number_features
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
 SMALL = [(1, 1), (3, 1), (3, 3), (1, 3)]

@@ -5,7 +5,7 @@ from itertools import combinations
 from random import Random
 
 from exactsweep.geometry.segment import Segment, choose_cover, find_offset, make_segment
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 X_AXIS = (1, 0)
 

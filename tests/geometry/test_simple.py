@@ -8,7 +8,7 @@ import pytest
 from exactsweep import Polygon, PolygonError
 from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.simplicity import Conflict, find_conflict
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 
 def turn(a: Vertex, b: Vertex, c: Vertex) -> int:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon
 from exactsweep.geometry.turn import bound_half_tangent, read_turn
-from exactsweep.numbers.number import NumberError
+from exactsweep.numbers.error import NumberError
 
 ANGLES = st.fractions(min_value=-720, max_value=720, max_denominator=10**6)
 

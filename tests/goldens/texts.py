@@ -49,7 +49,7 @@ from exactsweep.draw import (
     plot_sweep,
 )
 from exactsweep.draw.stretches import cut_trajectory
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import checks, figures, report
 from exactsweep.paper.claim import Effort, Finding, reproduce, weigh
 from exactsweep.paper.costs import COSTS
@@ -205,7 +205,7 @@ def list_figures() -> Iterator[str]:
             yield f"== {claim.name}"
             yield from (f"{name}: {value}" for name, value in figure.facts)
             yield from (f"law {name}: {_write(value)}" for name, value, _ in figure.laws)
-            yield from (f"{name} = {_write(shape)}" for name, shape in figure.shapes.items())
+            yield from (f"{name} = {_write(shape)}" for name, shape in figure.list_shapes().items())
             yield from (f"{name} = {list(words)}" for name, words in figure.words.items())
     for name in FIGURES:
         made = draw_figure(name, load(name))

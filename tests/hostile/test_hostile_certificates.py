@@ -14,7 +14,8 @@ from small_pairs import SmallPair, breed, draw, draw_shapeless
 
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import verify
-from exactsweep.numbers.number import format_fraction, to_fraction
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import to_fraction
 
 Certificate = dict[str, Any]
 INPUT = {"generatrix", "directrix", "container", "part", "direction", "reference", "kind"}

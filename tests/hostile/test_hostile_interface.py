@@ -36,7 +36,7 @@ from exactsweep.draw import Picture, Scale, make_figure
 from exactsweep.formats import NamedPolygon, NamedRegion, format_polygons
 from exactsweep.geometry.region import Region
 from exactsweep.layout import Layout, LayoutPart, Placement
-from exactsweep.numbers.arguments import ArgumentError, tells_arguments
+from exactsweep.numbers.error import ArgumentError, tells_arguments
 from exactsweep.numbers.limits import list_limits
 
 ROOMS = ("batch", "check", "conform", "corpus", "draw", "formats", "layout", "lessons", "view")

@@ -20,8 +20,8 @@ from exactsweep.check import verify
 from exactsweep.corpus import Case
 from exactsweep.corpus.case_json import case_from_json, case_to_json, case_to_line
 from exactsweep.formats import format_polygons, parse_regions
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.limits import answer_digits
-from exactsweep.numbers.number import format_fraction
 from exactsweep.text.results import certificate_to_json, no_fit_to_json, sweep_to_json
 
 DIGITS = 30

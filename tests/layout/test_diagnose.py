@@ -11,7 +11,7 @@ import pytest
 
 from exactsweep.layout import Layout, judge_layout
 from exactsweep.layout.diagnose import diagnose
-from exactsweep.numbers.point import Rational
+from exactsweep.numbers.number import Rational
 
 L = [("0", "0"), ("3", "0"), ("3", "1"), ("1", "1"), ("1", "2"), ("0", "2")]
 # Four L of 3 by 2 in a box of 8 by 4 with room between them: turn and lower left corner of each,

@@ -8,8 +8,7 @@ from typing import Any, Literal, NewType, Optional, Protocol, TypeVar, Union
 
 import pytest
 
-from exactsweep.numbers.arguments import ArgumentError, tells_arguments
-from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.error import ArgumentError, ExactSweepError, tells_arguments
 
 T = TypeVar("T")
 Metres = NewType("Metres", int)

@@ -17,7 +17,7 @@ from exactsweep.geometry.canonical import CanonicalRing, canonicalize_ring, find
 from exactsweep.numbers import lazy_number
 from exactsweep.numbers.addition import add_ratios, add_up
 from exactsweep.numbers.digits import read_int, write_int
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 GRID = st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=3, max_size=9)
 MINUTE = Fraction(1, 10**400)

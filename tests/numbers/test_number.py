@@ -11,22 +11,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from refusals import list_refusals, require_refused
 
+from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.limits import (
     answer_digits,
     get_max_bytes,
     limits,
     list_limits,
 )
-from exactsweep.numbers.number import (
-    NumberError,
-    abridge,
-    add_to_all,
-    format_fraction,
-    negate,
-    quote,
-    ratio,
-    to_fraction,
-)
+from exactsweep.numbers.number import add_to_all, negate, ratio, to_fraction
 
 NINES = "9" * 5000
 

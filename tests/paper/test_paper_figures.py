@@ -1,6 +1,7 @@
 """The figures of the paper: what they state, and how they are drawn."""
 
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 from functools import cache, partial
 from itertools import combinations
 from pathlib import Path
@@ -16,6 +17,7 @@ from matplotlib.text import Text
 from mutations import MUTATIONS, mutated
 from tiers import examples
 
+from exactsweep import Point
 from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.draw import save
@@ -74,7 +76,9 @@ def test_what_a_figure_states_is_borne_out(name: str) -> None:
 def test_a_broken_law_and_a_position_of_overlap_are_failures() -> None:
     right = figure("Figure 7")
     s, _ = right.sweeps[0]
-    wrong = right._replace(laws=[("edges", 15, 16)], sweeps=[(s, [(6, 6)])])
+    wrong = right._replace(
+        laws=[("edges", 15, 16)], sweeps=[(s, [Point(Fraction(6), Fraction(6))])]
+    )
     assert list(wrong.find_failures()) == ["at (6, 6) G is OVERLAP", "edges: 15, not 16"]
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import ChainError, inverse, split
 from exactsweep.procedures.cm import trajectory_cm

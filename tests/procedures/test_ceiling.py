@@ -10,7 +10,7 @@ import families
 import pytest
 
 from exactsweep import Polygon
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.convex_part import (
     ConvexPart,

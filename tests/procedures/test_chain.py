@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.chain import (
     ChainError,
     complement,

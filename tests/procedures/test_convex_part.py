@@ -5,7 +5,7 @@ from math import inf
 
 import pytest
 
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.convex_part import (
     ConvexPart,
     CrossingPart,

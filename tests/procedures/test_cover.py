@@ -12,7 +12,7 @@ from tiers import examples
 from exactsweep import Polygon
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import Cover

@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from exactsweep.geometry import near
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.procedures.contact_lines import Cut, Stretch, _rank
 from exactsweep.procedures.crossings import cross, cut_at_crossings
 from exactsweep.procedures.free_positions import (

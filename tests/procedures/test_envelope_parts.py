@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 from tiers import examples
 
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.procedures.chain import take_corners
 from exactsweep.procedures.envelope import GAP, Envelope, find_crossing, find_point_on, value

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Polygon, sweep
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm

@@ -13,7 +13,7 @@ from tiers import examples
 
 from exactsweep import Polygon, sweep
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures import ss
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches

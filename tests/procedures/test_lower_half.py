@@ -6,8 +6,8 @@ from random import Random
 
 import pytest
 
-from exactsweep.geometry.hull import find_hull
-from exactsweep.numbers.point import Rational, Vertex
+from exactsweep.geometry.vectors import find_hull
+from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures import part_pairs
 from exactsweep.procedures.chain import find_convex_parts, list_graph_edges, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm

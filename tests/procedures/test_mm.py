@@ -10,7 +10,7 @@ from tiers import examples
 
 from exactsweep import Polygon, sweep
 from exactsweep.check.definition import reference_loops
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures import part_pairs
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split

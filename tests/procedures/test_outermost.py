@@ -10,9 +10,10 @@ from strategies import Ring, simple_rings
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.geometry.direction import find_monotone_directions, find_shared_direction
+from exactsweep.geometry.direction import find_monotone_directions
+from exactsweep.geometry.frame import find_shared_direction
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.crossings import cut_at_crossings

@@ -9,7 +9,7 @@ from strategies import Ring, simple_rings
 from tiers import examples
 
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered

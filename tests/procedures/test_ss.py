@@ -14,7 +14,7 @@ from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.corpus import cases
 from exactsweep.corpus.generator.cells import connect
 from exactsweep.evidence.no_fit import NoFitPolygon
-from exactsweep.numbers.point import ORIGIN, Point, Vertex
+from exactsweep.numbers.number import ORIGIN, Point, Vertex
 from exactsweep.procedures.contact_lines import Stretch
 from exactsweep.procedures.free_positions import _find_left_over, _part_where_it_touches
 from exactsweep.procedures.ss import no_fit_ss

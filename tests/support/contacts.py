@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.region import Region, walk_rings
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 
 def without_parts(s: Sweep, contacts: Iterable[Contact]) -> set[Contact]:

@@ -7,7 +7,7 @@ from itertools import product
 from polyominoes import Cells, region
 
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures.contact_lines import Stretch
 from exactsweep.procedures.cover import Cover
 from exactsweep.procedures.crossings import cut_at_crossings

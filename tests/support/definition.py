@@ -22,7 +22,7 @@ from exactsweep.check import (
     reference_swept,
     verify,
 )
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 Fit = tuple[Point, Point]
 DIRECTIONS = [(1, 0), (0, 1), (1, 1), (1, -1), (3, 4), (1, -2), (3, -1)]

@@ -19,7 +19,7 @@ from exactsweep.corpus.generator.shapes import (
     draw_rectilinear,
     walk,
 )
-from exactsweep.geometry.hull import find_hull
+from exactsweep.geometry.vectors import find_hull
 
 IntRing = list[tuple[int, int]]
 Ring = list[tuple[Fraction, Fraction]]

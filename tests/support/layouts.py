@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactsweep.layout import Layout
-from exactsweep.numbers.point import Rational
+from exactsweep.numbers.number import Rational
 
 Ring = Sequence[Sequence[Any]]
 

@@ -44,7 +44,7 @@ from spoiling import (
 from exactsweep import Point
 from exactsweep.conform.run.protocol import Hello, Numbers
 from exactsweep.corpus import Case
-from exactsweep.geometry.hull import find_hull
+from exactsweep.geometry.vectors import find_hull
 
 # Verdicts, by what they say.
 DIFFERS = ("conservative", "unsound", "wrong")

@@ -11,7 +11,7 @@ from exactsweep.check import (
     reference_exact_fits,
     reference_loops,
 )
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 
 Vertices = tuple[Point, ...]
 

@@ -14,8 +14,8 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.conform.run.protocol import Hello, Numbers, UnsupportedError, adapt
 from exactsweep.corpus import Case
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Fit
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Fit
 
 Ring = list[Point]
 Rings = list[Ring]

@@ -14,7 +14,8 @@ from exactsweep.check import (
     reference_no_fit,
     reference_swept,
 )
-from exactsweep.numbers.number import format_fraction, to_fraction
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import to_fraction
 
 Certificate = dict[str, Any]
 Written = list[list[str]]

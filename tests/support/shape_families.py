@@ -11,7 +11,7 @@ from typing import NamedTuple
 from cells import Holed
 
 from exactsweep import Polygon, PolygonError, Region
-from exactsweep.corpus.generator import any_shape
+from exactsweep.corpus.generator import FAMILIES, any_shape
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import untangle
 
@@ -55,7 +55,9 @@ def draw_radial_pair(random: Prng) -> any_shape.Regions:
     return draw_radial(), draw_radial()
 
 
-SHAPES: dict[str, any_shape.Draw] = {**any_shape.SHAPES, "radial": draw_radial_pair}
+OF_ANY_SHAPE = [family for family in FAMILIES.values() if family.level == "any shape"]
+SHAPES: dict[str, any_shape.Draw] = {f.name: f.make for f in OF_ANY_SHAPE}
+SHAPES["radial"] = draw_radial_pair
 
 
 def random_shapes(rng: Random, families: tuple[str, ...] = tuple(SHAPES)) -> ShapePair:

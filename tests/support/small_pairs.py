@@ -16,7 +16,7 @@ from exactsweep.check import point_in_polygon
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.corpus.generator.cells import connect, grow, trace_outline
 from exactsweep.geometry.canonical import PolygonError, canonicalize_ring
-from exactsweep.geometry.hull import find_hull
+from exactsweep.geometry.vectors import find_hull
 
 Ring = list[tuple[Any, Any]]
 Shape = list[Ring]

@@ -18,7 +18,7 @@ from exactsweep.conform.judge.rounding import grant_rounding
 from exactsweep.conform.judge.verdict import read_loop
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
-from exactsweep.numbers.point import ORIGIN
+from exactsweep.numbers.number import ORIGIN
 
 Ring = list[Any]
 Answer = dict[str, Any]

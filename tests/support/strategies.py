@@ -14,8 +14,7 @@ import families
 from hypothesis import strategies as st
 
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.number import to_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point, to_fraction
 
 Ring = Sequence[tuple[int, int]]
 Kind = Literal["CC", "CM", "MM"]

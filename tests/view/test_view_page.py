@@ -14,7 +14,7 @@ from shown import WIDTH, Open, Shown, scale_example
 
 from exactsweep import Region, sweep
 from exactsweep.evidence.contact import Contact
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.view import make_page
 from exactsweep.view.data import list_tracks, track_stops
 

@@ -12,7 +12,9 @@ import click
 from exactsweep.conform.adapters.adapter import Adapter, MissingError
 from exactsweep.conform.adapters.names import NAMES, load
 from exactsweep.conform.run.protocol import QUESTIONS, read_object
-from exactsweep.numbers.number import format_fraction, quote, to_fraction
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import to_fraction
 
 
 @click.command()

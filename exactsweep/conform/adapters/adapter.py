@@ -11,8 +11,7 @@ from exactsweep.conform.run.protocol import Hello, Numbers, Question
 from exactsweep.corpus.answered import Shapes
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import to_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point, to_fraction
 
 Number = Any
 Position = tuple[Fraction, Fraction]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 
 from exactsweep.conform.adapters.adapter import Adapter, MissingError
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote
 
 CGAL_STRATEGIES = (
     "reduced",

@@ -11,7 +11,8 @@ from math import inf
 
 from exactsweep.conform.adapters.adapter import AskedRing, AskedShape
 from exactsweep.conform.run.channel import Channel, ClosedError
-from exactsweep.numbers.number import format_fraction, to_fraction
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import to_fraction
 
 
 class ProgramError(Exception):

@@ -20,7 +20,7 @@ from exactsweep.conform.adapters.adapter import (
     Number,
     sum_adapter,
 )
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 
 _RING = re.compile(r"\(([^()]+)\)")
 

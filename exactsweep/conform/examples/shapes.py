@@ -8,7 +8,7 @@ import sys
 from typing import Any
 
 from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 
 HELLO = {
     "hello": "shapes.py",

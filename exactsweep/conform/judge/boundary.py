@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.vectors import is_on_segment, minus, turn, way_key
-from exactsweep.numbers.point import Fit, Loop, Point, PointRings, Vertex
+from exactsweep.numbers.number import Fit, Loop, Point, PointRings, Vertex
 
 _LineKey = tuple[Fraction | None, Fraction]
 """The slope, None for a vertical line, and the y at x = 0, or the x."""

@@ -52,9 +52,8 @@ from exactsweep.conform.judge.witness import (
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import Fit, Loop
+from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.number import Fit, Loop
 
 MOST_MEASURED = 3000
 """The most edges, exact and theirs together, of loops whose area and distance are measured."""

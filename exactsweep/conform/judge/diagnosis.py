@@ -20,11 +20,11 @@ from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtr
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.centroid import find_centroid
-from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.number import abridge
-from exactsweep.numbers.point import ORIGIN, Point, PointRings
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.number import ORIGIN, Point, PointRings
 from exactsweep.sweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.words import write_pair
 

@@ -32,7 +32,7 @@ from math import floor, isqrt, lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.number import Point, PointRings
 
 MAX_CELLS = 300_000
 

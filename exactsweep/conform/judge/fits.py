@@ -33,7 +33,7 @@ from exactsweep.conform.judge.witness import (
 )
 from exactsweep.corpus import Case
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.numbers.point import Fit, Loop, Point
+from exactsweep.numbers.number import Fit, Loop, Point
 from exactsweep.words import count
 
 

@@ -27,7 +27,7 @@ from typing import NamedTuple
 
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.number import Point, PointRings
 
 Height = tuple[Fraction, Fraction]
 

@@ -13,7 +13,7 @@ from exactsweep.conform.judge.verdict import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.point import Point, PointRings
+from exactsweep.numbers.number import Point, PointRings
 
 Change = Callable[[Fraction], Fraction]
 

@@ -12,10 +12,9 @@ from exactsweep.check.classify import Meeting
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.formats.size import VERTEX, require_count
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import NumberError, quote, to_fraction
-from exactsweep.numbers.plain import to_plain
-from exactsweep.numbers.point import Loop, Point
+from exactsweep.numbers.digits import to_plain
+from exactsweep.numbers.error import ExactSweepError, NumberError, quote
+from exactsweep.numbers.number import Loop, Point, to_fraction
 from exactsweep.words import count
 
 

@@ -29,7 +29,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import Fit, Point, PointRings
+from exactsweep.numbers.number import Fit, Point, PointRings
 from exactsweep.words import write_pair
 
 LOOP_NAMES = {

@@ -29,8 +29,8 @@ from exactsweep.conform.run.peer import replace_controls
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
 from exactsweep.corpus import Case, case_from_json
-from exactsweep.numbers.number import NumberError, read_any_length, to_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.error import NumberError
+from exactsweep.numbers.number import Point, read_any_length, to_fraction
 from exactsweep.text.report import approximate, take_root
 
 _MOST_LISTED = 2000

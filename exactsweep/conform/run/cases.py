@@ -12,8 +12,7 @@ from exactsweep.corpus import Case, case_from_json, cases
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.files import open_bytes, split_lines
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import ExactSweepError, quote
 
 
 class SelectionError(ExactSweepError):

@@ -13,9 +13,9 @@ from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import show_path
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import format_fraction
 from exactsweep.processes import lock
 
 FORMAT = "exactsweep conform"

@@ -19,8 +19,9 @@ from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.conform.run.shrink import shrink
 from exactsweep.corpus import Case, case_from_json, case_to_json
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import ExactSweepError, NumberError, quote
+from exactsweep.numbers.number import to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
 

@@ -22,9 +22,9 @@ from exactsweep.formats.exact_json import (
 from exactsweep.formats.files import open_bytes
 from exactsweep.formats.parsing import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
+from exactsweep.numbers.error import quote
 from exactsweep.numbers.limits import get_max_bytes
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import ORIGIN, Point, PointRings
+from exactsweep.numbers.number import ORIGIN, Point, PointRings
 from exactsweep.words import suggest
 
 _ROLES = ("directrix", "generatrix")

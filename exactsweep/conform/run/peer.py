@@ -12,7 +12,7 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 SECONDS = 10.0
 """Seconds that an answer may take, unless the caller says otherwise."""

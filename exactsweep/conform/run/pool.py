@@ -11,9 +11,8 @@ from exactsweep.conform.run.outcome import Outcome, judge_case, shrink_outcome
 from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
-from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.numbers.limits import Limits, limits, list_limits
-from exactsweep.numbers.number import quote
 from exactsweep.processes import Pool
 
 _ENDED = "the process that judges has ended"

@@ -25,7 +25,7 @@ from exactsweep.conform.run.protocol import (
 )
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote
 
 TO_START = 30.0
 """Seconds that an implementation may take to say hello."""

@@ -41,9 +41,9 @@ from exactsweep.corpus.answered import SHAPES, Shapes
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.point_set import PointSet
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import format_fraction, quote
-from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import ExactSweepError, quote
+from exactsweep.numbers.number import ORIGIN, Point
 
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]

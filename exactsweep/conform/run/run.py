@@ -13,7 +13,7 @@ from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.spool import Spool
 from exactsweep.conform.run.tally import ACCEPTED, Tally, Worst, fails
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.words import count
 
 SHOWN = 5

@@ -14,7 +14,7 @@ from exactsweep.conform.run.protocol import make_hello
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import ACCEPTED
 from exactsweep.corpus import Case
-from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import tells_arguments
 
 TO_MAKE_SMALLER = 20.0
 """Seconds that may be spent on one failure to find a smaller one like it."""

@@ -20,9 +20,8 @@ from typing import NamedTuple
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.point import ORIGIN, Loop, Point
+from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.number import ORIGIN, Loop, Point
 
 
 class ShrinkError(ExactSweepError):

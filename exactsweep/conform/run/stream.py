@@ -18,7 +18,7 @@ from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.formats.files import split_lines
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote
 
 _MOST_COMPLAINTS = 20
 

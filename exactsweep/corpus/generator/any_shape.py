@@ -1,7 +1,7 @@
 """Families of shapes of any kind: caves, holes, and parts that fit into each other.
 
 Most are sets of squares, which fit each other as a matter of course, or random polygons on small
-grids. `SHAPES` has the pairs as they are drawn; `place` shears, scales and moves both polygons.
+grids. Each family draws a pair; `place` shears, scales and moves both polygons.
 """
 
 from collections.abc import Callable, Sequence
@@ -41,7 +41,7 @@ SHEARS: list[Matrix] = [
 SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15)]
 
 
-def polyomino_pair(random: Prng) -> Regions:
+def polyominoes_pair(random: Prng) -> Regions:
     """Two clumps of squares, with caves, holes and corners that touch."""
     return trace_outline(_draw_clump(random, 8)), trace_outline(_draw_clump(random, 24))
 
@@ -93,7 +93,7 @@ def spiral_pair(random: Prng) -> Regions:
     return trace_outline(part), trace_outline(walk(steps))
 
 
-def ring_pair(random: Prng) -> Regions:
+def rings_pair(random: Prng) -> Regions:
     """Two frames, one often as wide as the hole of the other: rings around rings."""
     width, height = random.between(3, 5), random.between(3, 5)
     more = [random.between(0, 2) if random.chance(1, 2) else 2 for _ in "xy"]
@@ -105,12 +105,12 @@ def ring_pair(random: Prng) -> Regions:
     )
 
 
-def star_pair(random: Prng) -> Regions:
+def stars_pair(random: Prng) -> Regions:
     """Two polygons that are seen whole from a point inside, with spikes and notches all round."""
     return _draw_star(random), _draw_star(random)
 
 
-def tangle_pair(random: Prng) -> Regions:
+def tangles_pair(random: Prng) -> Regions:
     """Two random simple polygons on a grid of 9."""
     return Region(_draw_untangled(random, 12, 9)), Region(_draw_untangled(random, 12, 9))
 
@@ -148,7 +148,7 @@ def container_pair(random: Prng) -> Regions:
     return Region(part), Region(_make_box((0, 0), size), holes)
 
 
-def comb_pair(random: Prng) -> Regions:
+def combs_pair(random: Prng) -> Regions:
     """Teeth and gaps, often of one width, facing each other."""
 
     def comb() -> set[Cell]:
@@ -180,21 +180,6 @@ def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regi
         return map_region(shape, shear, scale, (random.between(-9, 9), random.between(-9, 9)))
 
     return placed(g), placed(d)
-
-
-SHAPES: dict[str, Draw] = {
-    "polyominoes": polyomino_pair,
-    "jigsaw": jigsaw_pair,
-    "mould": mould_pair,
-    "cave": cave_pair,
-    "spiral": spiral_pair,
-    "rings": ring_pair,
-    "stars": star_pair,
-    "tangles": tangle_pair,
-    "plate": plate_pair,
-    "container": container_pair,
-    "combs": comb_pair,
-}
 
 
 def _draw_clump(random: Prng, most: int) -> frozenset[Cell]:

@@ -13,9 +13,7 @@ from exactsweep.corpus.generator import any_shape, large, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.names import UnknownNameError, require_known
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import ExactSweepError, quote, tells_arguments
 
 _ID = re.compile(r"gen-([a-z0-9-]+)-(0|[1-9][0-9]{0,17})-(0|[1-9][0-9]{0,17})")
 
@@ -58,8 +56,12 @@ LEVELS = {
         "int64-edge binary64-edge",
     ),
     "large": (large, "unequal lower-bound long"),
+    "any shape": (
+        any_shape,
+        "polyominoes jigsaw mould cave spiral rings stars tangles plate container combs",
+    ),
 }
-"""The families of rings, by level; the function of a family has its name."""
+"""The families by level; the function of a family has its name."""
 FLAGS = {
     "tangent": "tangent",
     "slivers": "sliver",
@@ -74,8 +76,6 @@ def _list_families() -> Iterator[Family]:
             make = getattr(module, f"{name.replace('-', '_')}_pair")
             flags = (FLAGS[name],) if name in FLAGS else ()
             yield Family(name, level, make, flags, respelled=name == "respelled")
-    for name, draw in any_shape.SHAPES.items():
-        yield Family(name, "any shape", draw)
 
 
 FAMILIES: dict[str, Family] = {family.name: family for family in _list_families()}

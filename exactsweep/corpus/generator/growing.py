@@ -7,16 +7,12 @@ used, whose integers are the same everywhere.
 
 from __future__ import annotations
 
-from functools import cmp_to_key
-from itertools import accumulate, pairwise
+from fractions import Fraction
+from itertools import pairwise
 from math import gcd
 from random import Random
 
-from exactsweep.corpus.generator.shapes import IntegerPoint, Ring
-
-
-def _by_slope(first: IntegerPoint, second: IntegerPoint) -> int:
-    return first[1] * second[0] - first[0] * second[1]
+from exactsweep.corpus.generator.shapes import IntegerPoint, Ring, turn_half, walk
 
 
 def convex(n: int, random: Random, size: int = 1000) -> Ring:
@@ -26,9 +22,8 @@ def convex(n: int, random: Random, size: int = 1000) -> Ring:
         x, y = random.randrange(1, size + 1), random.randrange(-size, size + 1)
         if gcd(x, y) == 1:
             edges.add((x, y))
-    ordered = sorted(edges, key=cmp_to_key(_by_slope))
-    ring = ordered + [(-x, -y) for x, y in ordered]
-    return list(accumulate(ring[:-1], lambda p, e: (p[0] + e[0], p[1] + e[1]), initial=(0, 0)))
+    ordered = sorted(edges, key=lambda edge: Fraction(edge[1], edge[0]))
+    return walk([*ordered, *turn_half(ordered)][:-1])
 
 
 def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring:

@@ -14,7 +14,7 @@ from exactsweep.corpus.generator.shapes import (
     draw_monotone,
     walk,
 )
-from exactsweep.geometry.hull import find_hull
+from exactsweep.geometry.vectors import find_hull
 
 NEAR = 10**15
 Rationals = list[tuple[Fraction, Fraction]]

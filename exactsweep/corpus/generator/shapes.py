@@ -8,8 +8,7 @@ from itertools import accumulate, combinations
 from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.geometry.hull import find_hull
-from exactsweep.geometry.vectors import turn
+from exactsweep.geometry.vectors import find_hull, turn
 
 IntegerPoint = tuple[int, int]
 Ring = list[IntegerPoint]

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple
 
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 _ZERO = Fraction(0)
 

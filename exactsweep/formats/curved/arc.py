@@ -18,7 +18,7 @@ from exactsweep.formats.curved.curves import bound_root, flatten_arc
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.geometry.turn import find_unit_point
-from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.numbers.number import ORIGIN, Point
 
 _PI_DIGITS = 120
 _MAX_TURN = 10**6

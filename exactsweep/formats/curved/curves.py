@@ -20,7 +20,7 @@ from math import isqrt
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 
 def bound_root(square: Fraction, scale: int = 1) -> Fraction:

@@ -26,7 +26,7 @@ from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 # Entities without an outline: fillings, which repeat one, and lines without an end.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}

@@ -10,7 +10,7 @@ from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.curved.dxf_entity import FROZEN, Drawing, Entity
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote
 
 MAX_DEPTH = 32
 """The greatest depth of nested blocks."""

@@ -12,9 +12,8 @@ from exactsweep.formats.decimals import read_each
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote, to_fraction
-from exactsweep.numbers.point import Point, make_points
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.number import Point, make_points, to_fraction
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999

@@ -10,7 +10,7 @@ from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.curved.curves import round_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 from exactsweep.words import count, write_pair
 
 # Joints within reach of an end that are looked at before it is refused.

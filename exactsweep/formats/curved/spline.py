@@ -18,7 +18,7 @@ from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_bezier, round_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.number import Point
 
 MAX_DEGREE = 11
 """The highest degree that CAD programs have."""

@@ -20,8 +20,8 @@ from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import ORIGIN, Point
 from exactsweep.words import count
 
 if TYPE_CHECKING:

@@ -20,9 +20,9 @@ from exactsweep.formats.curved.curves import (
 from exactsweep.formats.decimals import DECIMAL, read_decimal, read_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.lattice import to_lattice
-from exactsweep.numbers.number import NumberError, divide_all, quote
-from exactsweep.numbers.point import ORIGIN, Point, make_points
+from exactsweep.geometry.reading import to_lattice
+from exactsweep.numbers.error import NumberError, quote
+from exactsweep.numbers.number import ORIGIN, Point, divide_all, make_points
 
 _GAP = re.compile(r"[\s,]*")
 _NUMBER = re.compile(rf"[\s,]*({DECIMAL})")

@@ -13,8 +13,7 @@ from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import UNITS, Reading
-from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import name_refusals, quote
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element

@@ -9,7 +9,8 @@ from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.number import abridge, quote
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.error import quote
 
 _FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 # Products of long numbers get longer and longer.

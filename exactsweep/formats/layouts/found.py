@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.node import Data, JsonNode, write_ring, write_shape
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
 """Where a part stands as it is drawn."""

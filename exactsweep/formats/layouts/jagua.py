@@ -22,7 +22,7 @@ from exactsweep.formats.layouts.found import (
     require_instance,
 )
 from exactsweep.formats.node import Data, JsonNode, write_box, write_shape
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote
 
 
 def read_instance(document: JsonNode) -> NestingInstance:

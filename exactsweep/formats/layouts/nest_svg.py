@@ -25,7 +25,8 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, write_rings
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data
-from exactsweep.numbers.number import format_fraction, quote
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import quote
 
 if TYPE_CHECKING:
     from exactsweep.formats.reading import Reading

@@ -23,8 +23,9 @@ from exactsweep.formats.layouts.found import (
 )
 from exactsweep.formats.node import Data, JsonNode, write_box, write_ring, write_shape
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.number import format_fraction, quote
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Point
 
 
 def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:

@@ -24,8 +24,7 @@ from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.error import quote, tells_arguments
 
 
 class LayoutOptions(Options, total=False):

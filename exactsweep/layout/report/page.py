@@ -10,7 +10,7 @@ from exactsweep.layout.judge import Judgement
 from exactsweep.layout.report.picture import SIDE, draw_parts, enlarge_faults, write_style
 from exactsweep.layout.report.table import tell_fault, write_verdict
 from exactsweep.layout.report.worst import WorstFirst
-from exactsweep.numbers.number import abridge
+from exactsweep.numbers.digits import abridge
 from exactsweep.text.report import approximate, take_root
 
 _MOST_LISTED = 1000

@@ -19,7 +19,7 @@ from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.pieces import clip
 from exactsweep.layout.report.worst import WorstFirst, rank_faults
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.text.report import approximate, take_root
 from exactsweep.words import count
 

@@ -10,8 +10,8 @@ from exactsweep.formats.exact_json import write_json
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.report.worst import WorstFirst, rank_faults
-from exactsweep.numbers.number import abridge, format_fraction
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.number import Point
 from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
 from exactsweep.words import count
 

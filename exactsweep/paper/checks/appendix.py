@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.corpus.generator.growing import cm_hard, cm_undercut
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import (
@@ -59,10 +60,15 @@ def one_edge_at_a_time(pair: SweepPair) -> str:
             return failure
         for t in list_moments(s, step.start, step.end):
             now = [touch.contact for touch in step.touches if lasts(t, touch.start, touch.end)]
-            edges = {c.generatrix for c in now if c.event != "VE"}
-            if len(now) > 1 and (len(edges) > 1 or any(c.event == "VE" for c in now)):
+            if not are_of_one_edge(now):
                 return f"from ({step.start.x}, {step.start.y}) on at the same time: {_name(now)}"
     return ""
+
+
+def are_of_one_edge(contacts: Sequence[Contact]) -> bool:
+    """Decide whether contacts are EV or EE, of one and the same edge of G, or a single one."""
+    events, edges = {c.event for c in contacts}, {c.generatrix for c in contacts}
+    return len(contacts) < 2 or (len(edges) == 1 and "VE" not in events)
 
 
 def _name(contacts: Sequence[Contact]) -> str:
@@ -76,10 +82,7 @@ def find_passing_events(effort: Effort) -> Evidence:
         s = sweep(*pair)
         for step in list_lower_steps(s):
             contacts = [c for c in s.contacts_at(step.end) if c.event in ("EV", "VE", "EE")]
-            edges = {c.generatrix for c in contacts if c.event != "VE"}
-            if step.ending == "stop" and len(contacts) > 1:
-                if len(edges) == 1 and all(c.event != "VE" for c in contacts):
-                    continue
+            if step.ending == "stop" and not are_of_one_edge(contacts):
                 return f"at ({step.end.x}, {step.end.y}), in passing: {_name(contacts)}"
         return ""
 
@@ -115,19 +118,17 @@ def contact_moves_right(pair: SweepPair) -> str:
     for step in list_lower_steps(s):
         # Between all changes of contact, too.
         positions |= {step.start, step.end, *list_moments(s, step.start, step.end)}
-    before: list[Fraction] = []
-    for t in sorted(positions):
-        now = places_of_contact(s, t, directrix)
-        if before and (now[0] < before[0] or now[-1] < before[-1]):
+    vertices = {x for x, _ in directrix}
+    found = [(t, places_of_contact(s, t, directrix)) for t in sorted(positions)]
+    for (_, before), (t, now) in pairwise(found):
+        if now[0] < before[0] or now[-1] < before[-1]:
             return (
                 f"at ({t.x}, {t.y}) the contact is from x = {now[0]} to {now[-1]}, "
                 f"after {before[0]} to {before[-1]}"
             )
-        late = [x for x in now if before and before[0] <= x <= before[-1] and x not in before]
-        vertices = {x for x, _ in directrix}
+        late = [x for x in now if before[0] <= x <= before[-1] and x not in before]
         if vertices.intersection(late):
             return f"at ({t.x}, {t.y}) D_b is touched at x = {late[0]}, which was passed untouched"
-        before = now
     return ""
 
 
@@ -234,12 +235,10 @@ def note_chains_apart(effort: Effort) -> Evidence:
 def lower_envelope_cm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_CM returns the lower envelope of all sub-trajectories so far."""
     chains, _ = list_sub_chains(pair)
-    partial = Envelope.of(chains[0])
-    for k, chain in enumerate(chains[1:], 2):
-        partial = lower_envelope_cm(partial, Envelope.of(chain))
-        if k == len(chains) and (failure := lowest("sub-trajectory", chains, list(partial))):
-            return failure
-    return tell_difference("the lower envelope", partial, look_up_bottom(pair, "trajectory"))
+    partial = reduce(lower_envelope_cm, map(Envelope.of, chains))
+    return lowest("sub-trajectory", chains, list(partial)) or tell_difference(
+        "the lower envelope", partial, look_up_bottom(pair, "trajectory")
+    )
 
 
 def count_operations(effort: Effort) -> Evidence:

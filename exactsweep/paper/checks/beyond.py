@@ -17,7 +17,7 @@ from exactsweep.check import (
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.segment import Segment, choose_cover, lay_point, make_segment
 from exactsweep.geometry.vectors import cross, minus
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure

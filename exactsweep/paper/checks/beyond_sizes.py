@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from exactsweep import no_fit_polygon
 from exactsweep.corpus.generator.growing import cm_hard, figure10, forks, mm
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
 from exactsweep.paper.costs import STEPS

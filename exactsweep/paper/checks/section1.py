@@ -11,7 +11,7 @@ from exactsweep import Point, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.check.piecewise import LinearPiece, PiecewiseLinear, mirror, take_least_sum
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.claim import (
     Counterexample,
     Effort,

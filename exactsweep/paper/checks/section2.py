@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import pairwise, product
 
 from exactsweep import Polygon, sweep
@@ -20,6 +19,7 @@ from exactsweep.paper.claim import (
     Evidence,
     Table,
     find_first_failure,
+    join_evidence,
 )
 from exactsweep.paper.functions import (
     find_common_points,
@@ -31,7 +31,7 @@ from exactsweep.paper.functions import (
     tell_loops,
 )
 from exactsweep.paper.pairs import SweepPair, draw_pairs
-from exactsweep.paper.tiny import search, search_grid
+from exactsweep.paper.tiny import expect_none, search, search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.monotone import LowerSweep
 
@@ -189,11 +189,10 @@ def find_passing_vertices(effort: Effort) -> Evidence:
     """Try all convex pairs on a tiny grid, and all pairs of an apex and teeth on another."""
     convex = search_grid(2, 6 if effort.quick else 8, "convex", "convex", vertices_belong_to_events)
     found = search(_apexes_and_teeth(), vertices_belong_to_events, "of an apex and teeth")
-    failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
     count = effort.cases(300)
     seen = sum(map(bool, map(vertices_belong_to_events, draw_pairs(effort, "CM", count))))
-    tried = f"{convex.tried} {found.tried} Of {count} random CM pairs {seen} have such a contact."
-    return replace(found, tried=tried, failure=failure)
+    tried = f"Of {count} random CM pairs {seen} have such a contact."
+    return join_evidence(expect_none(convex), found, Evidence(tried))
 
 
 def _apexes_and_teeth() -> Iterator[SweepPair]:

@@ -10,7 +10,7 @@ from exactsweep import Polygon, sweep
 from exactsweep.corpus.generator.shapes import walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.costs import RUNS

@@ -11,7 +11,7 @@ from exactsweep.check import classify, point_in_polygon
 from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.section3 import returns
 from exactsweep.paper.checks.touching import contacts_are_right

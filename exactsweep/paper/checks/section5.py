@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -11,11 +10,17 @@ from exactsweep import Polygon, Sweep, sweep
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
-from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section3 import returns, slope
 from exactsweep.paper.checks.section4 import MONOTONE, is_monotone, lowest
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
+from exactsweep.paper.claim import (
+    Counterexample,
+    Effort,
+    Evidence,
+    find_first_failure,
+    join_evidence,
+)
 from exactsweep.paper.functions import (
     clip_to,
     keep_corners,
@@ -29,7 +34,7 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import search_grid
+from exactsweep.paper.tiny import expect_none, search_grid
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
@@ -176,15 +181,8 @@ def find_missing_edge(effort: Effort) -> Evidence:
     how = "by hand, made smaller as long as both edges are there and too near"
     failure = "" if outer.against else "no edge of an outer loop is missing"
     failure = failure or ("" if edges_are_near(near) else "no edges are nearer than G is wide")
-    others = Counterexample(edges_are_near(near), how, *near)
-    missing = (outer.against,) if outer.against else ()
-    return replace(
-        found,
-        tried=f"{found.tried} {outer.tried}",
-        failure=failure,
-        others=(*missing, others),
-        searched=found.searched + outer.searched,
-    )
+    others = (Counterexample(edges_are_near(near), how, *near),)
+    return join_evidence(found, outer, Evidence("", failure, others=others))
 
 
 def edges_are_near(pair: SweepPair) -> str:
@@ -237,9 +235,8 @@ def inside_of_the_outer_loop(pair: SweepPair) -> str:
 def find_path_inside(effort: Effort) -> Evidence:
     """Look for a pair of which G's path inside the outer loop is not the trajectory."""
     convex = search_grid(2, 7, "convex", "convex", inside_of_the_outer_loop)
-    failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
     found = search_grid(2, 7, "convex", "any", inside_of_the_outer_loop)
-    return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
+    return join_evidence(expect_none(convex), found)
 
 
 def kernel_is_literal(pair: SweepPair) -> str:

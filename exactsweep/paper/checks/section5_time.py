@@ -9,7 +9,7 @@ from math import log2
 
 from exactsweep.corpus.generator.growing import cm_hard, figure10, mm, needles, rim
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.section5_sizes import (

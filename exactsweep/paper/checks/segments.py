@@ -15,7 +15,7 @@ from fractions import Fraction
 from importlib.resources import files
 from itertools import pairwise
 
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.pairs import SweepPair
 
 Stroke = Sequence[int]

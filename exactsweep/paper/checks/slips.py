@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from exactsweep.corpus.generator.growing import cm_undercut, wide
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, weigh

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from exactsweep.numbers.point import Point, Vertex
-from exactsweep.paper.figures.figure import PaperFigure, list_loops, place, shift, take_half
+from exactsweep.numbers.number import Point, Vertex
+from exactsweep.paper.figures.figure import PaperFigure, shift, take_half
 from exactsweep.paper.figures.minkowski import sweep_example
 from exactsweep.paper.functions import clip_to, keep_corners, take_bottom
 from exactsweep.procedures.chain import complement, inverse
@@ -42,10 +42,9 @@ def compute() -> PaperFigure:
             ("horizontal distance", travelled, widths),
             ("start", shift(half.top[:1], path[0]), half.directrix[:1]),
         ],
-        shapes=list_loops(s)
-        | {"lower": half.outer, "upper": half.inner, "path": shift(path, s.reference)}
+        shapes={"lower": half.outer, "upper": half.inner, "path": shift(path, s.reference)}
         | {"swept": [*half.outer, *reversed(top)], "ends": [start, stop]}
-        | {"placed": place(s, [start, stop]), "distance": [(start.x, low), (stop.x, low)]},
+        | {"distance": [(start.x, low), (stop.x, low)]},
         words={"widths": [f"{travelled} = width of $G$ + width of $D$"]},
         sweeps=[(s, [start, stop])],
     )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactsweep.corpus.generator.growing import ceilings, undercuts_under_ceilings
-from exactsweep.numbers.point import Point
-from exactsweep.paper.figures.figure import PaperFigure, list_loops, place, write_list
+from exactsweep.numbers.number import Point
+from exactsweep.paper.figures.figure import PaperFigure, write_list
 from exactsweep.sweep import sweep
 
 M, N = 7, 8
@@ -34,8 +34,6 @@ def compute() -> PaperFigure:
             ("undercuts", len(lower), undercuts_under_ceilings(M, N)),
             ("heights of the places", {p.y for p in touched}, {CEILING}),
         ],
-        shapes=list_loops(s)
-        | {"undercuts": [undercut.polygon.vertices for undercut in lower]}
-        | {"placed": place(s, [PLACE]), "touched": touched},
+        shapes={"undercuts": [u.polygon.vertices for u in lower], "touched": touched},
         sweeps=[(s, [PLACE])],
     )

@@ -7,8 +7,8 @@ from typing import NamedTuple
 from exactsweep.draw import cut_trajectory
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
-from exactsweep.numbers.point import Point
-from exactsweep.paper.figures.figure import PaperFigure, find_middle, list_loops, place, take_half
+from exactsweep.numbers.number import Point
+from exactsweep.paper.figures.figure import PaperFigure, find_middle, place, take_half
 from exactsweep.paper.figures.undercuts import find_undercut, sweep_examples
 from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep
@@ -64,8 +64,7 @@ def compute() -> PaperFigure:
             ("the left end moves to the right only", lefts, sorted(lefts)),
             ("the right end moves to the right only", rights, sorted(rights)),
         ],
-        shapes=list_loops(s)
-        | {"placed": ring, "first": min(ring), "name": find_middle(min(ring), max(ring))}
+        shapes={"placed": ring, "first": min(ring), "name": find_middle(min(ring), max(ring))}
         | {"bottom": take_half(s).directrix, "border": border, "frame": [(edge, low), (edge, high)]}
         | {"half": [(edge, low), (edge, high), *border], "left": found.left, "right": found.right}
         | {"axes": [[(0, 0), (travelled + 1, 0)], [(0, 0), (0, wide + 1)]]}

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.draw import Picture
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.figures.figure import PaperFigure, find_middle
 from exactsweep.paper.figures.sheet import FONT, Extent, lay_out
 
@@ -96,7 +96,8 @@ class PanelDrawer:
         self, letter: str, figure: PaperFigure, instructions: Sequence[Sequence[Any]]
     ) -> None:
         self.letter = letter
-        self.figure = figure
+        self.shapes = figure.list_shapes()
+        self.words = figure.words
         self.instructions = instructions
 
     def frame(self, entry: Mapping[str, Any]) -> Extent:
@@ -187,7 +188,7 @@ class PanelDrawer:
             written.set_path_effects([withStroke(linewidth=2.2, foreground="white")])
 
     def _words(self, words: str) -> Sequence[str]:
-        return self._named(self.figure.words, words[1:]) if words.startswith("=") else [words]
+        return self._named(self.words, words[1:]) if words.startswith("=") else [words]
 
     def _find(self, what: Any) -> Any:
         """The shape of a name, or one that is written out."""
@@ -196,7 +197,7 @@ class PanelDrawer:
             return [self._find(one) for one in what] if is_chain else tuple(map(Fraction, what))
         path, _, edge = what.partition("/")
         name, *numbers = path.split(".")
-        found = self._named(self.figure.shapes, name)
+        found = self._named(self.shapes, name)
         for number in numbers:
             found = found[int(number)]
         return find_middle(*list(pairwise(found))[int(edge)]) if edge else found

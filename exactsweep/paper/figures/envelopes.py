@@ -5,8 +5,6 @@ from __future__ import annotations
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.figures.figure import (
     PaperFigure,
-    list_loops,
-    place,
     shift,
     take_half,
     write_list,
@@ -49,11 +47,10 @@ def compute() -> PaperFigure:
             ("lowest sub-outer chains", lowest("sub-outer chain", outers, outer), ""),
             ("the sub-trajectories meet on the trajectory", meeting[0] in path, True),
         ],
-        shapes=list_loops(s)
-        | {"top": split(s.directrix.vertices)[1], "bottom": chain, "parts": parts}
+        shapes={"top": split(s.directrix.vertices)[1], "bottom": chain, "parts": parts}
         | {"paths": paths, "outers": outers, "path": path, "lower": outer}
         | {"beside": shift(s.generatrix.vertices, (-5, 0)), "meeting": meeting}
-        | {"placed": place(s, meeting), "ends": [(x, 0) for x, _ in (outer[0], outer[-1])]}
+        | {"ends": [(x, 0) for x, _ in (outer[0], outer[-1])]}
         | {"below": (chain[3][0] - 2, min(y for _, y in outer))},
         sweeps=[(s, meeting)],
     )

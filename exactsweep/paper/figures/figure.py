@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, cast
 
 from exactsweep.check import classify
 from exactsweep.draw import place_generatrix
-from exactsweep.numbers.point import Loop, Point, Vertex
+from exactsweep.numbers.number import Loop, Point, Vertex
 from exactsweep.paper.claim import Evidence, Table, find_first_failure
 from exactsweep.paper.functions import tell_loops
 from exactsweep.procedures.chain import split
@@ -28,15 +28,26 @@ class PaperFigure(NamedTuple):
         facts: the figure's statements, pairs of a name and a value.
         laws: triples of a name, a value, and the value that the definition or another way gives.
         shapes: points, chains and lists of chains by name; "a_name" belongs to panel a alone.
+            Those of `sweeps` need not be named.
         words: computed words of titles and labels, likewise.
         sweeps: the sweeps drawn, each with the positions in which G is drawn.
     """
 
     facts: Sequence[tuple[str, object]] = ()
     laws: Sequence[tuple[str, object, object]] = ()
-    shapes: Mapping[str, Sequence[Any]] = {}
+    shapes: Mapping[str, Any] = {}
     words: Mapping[str, Sequence[str]] = {}
-    sweeps: Sequence[tuple[Sweep, Iterable[Vertex]]] = ()
+    sweeps: Sequence[tuple[Sweep, Sequence[Point]]] = ()
+
+    def list_shapes(self) -> dict[str, Any]:
+        """All shapes by name, those of the sweeps among them: D, G, the loops, the undercuts."""
+        shapes: dict[str, Any] = {}
+        for s, positions in self.sweeps:
+            for name in ("directrix", "trajectory", "inner", "outer"):
+                shapes[name] = getattr(s, name).vertices
+            shapes["undercuts"] = [undercut.polygon.vertices for undercut in s.undercuts]
+            shapes["placed"] = place(s, positions)
+        return {**shapes, **self.shapes}
 
     def find_failures(self) -> Iterator[str]:
         """Describe the laws that fail, loops that are wrong, and positions without contact."""
@@ -54,17 +65,15 @@ def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
     >>> dict(join_panels({"a": PaperFigure(shapes={"top": [(0, 0)]})}).shapes)
     {'a_top': [(0, 0)]}
     """
+    shapes: dict[str, Any] = {}
+    words: dict[str, Sequence[str]] = {}
+    for letter, panel in panels.items():
+        prefix = f"{letter}_" if letter else ""
+        shapes |= {prefix + name: shape for name, shape in panel.list_shapes().items()}
+        words |= {prefix + name: texts for name, texts in panel.words.items()}
     facts, laws, sweeps = (
         [one for panel in panels.values() for one in getattr(panel, part)]
         for part in ("facts", "laws", "sweeps")
-    )
-    shapes, words = (
-        {
-            f"{letter}_{name}".lstrip("_"): value
-            for letter, panel in panels.items()
-            for name, value in getattr(panel, part).items()
-        }
-        for part in ("shapes", "words")
     )
     return PaperFigure(facts, laws, shapes, words, sweeps)
 
@@ -94,14 +103,6 @@ def take_half(s: Sweep) -> LowerSweep:
     """The lower half of a sweep."""
     bottom, top = split(s.generatrix.vertices)
     return LowerSweep(s.kind, top, bottom, split(s.directrix.vertices)[0])
-
-
-def list_loops(s: Sweep) -> dict[str, Sequence[Any]]:
-    """The shapes of a sweep by name: D, the three loops, the undercuts."""
-    names = ("directrix", "trajectory", "inner", "outer")
-    return {name: getattr(s, name).vertices for name in names} | {
-        "undercuts": [u.polygon.vertices for u in s.undercuts]
-    }
 
 
 def place(s: Sweep, positions: Iterable[Point]) -> list[Loop]:

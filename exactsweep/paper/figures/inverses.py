@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from exactsweep.check import classify
-from exactsweep.paper.figures.figure import PaperFigure, join_panels, list_loops, shift
+from exactsweep.paper.figures.figure import PaperFigure, join_panels, shift
 from exactsweep.paper.figures.minkowski import invert_generatrix, sweep_example
 from exactsweep.paper.functions import frame_around
 from exactsweep.sweep import no_fit_polygon
@@ -34,7 +34,7 @@ def compute() -> PaperFigure:
             ("the loop outside is the outer one", outside == s.outer, True),
             ("verdicts on I(G) and the outside at the inner vertices", {*inside}, {"CONTACT"}),
         ],
-        shapes=list_loops(s) | {"widest": turned["b"]},
+        shapes={"widest": turned["b"]},
         sweeps=[(s, [])],
     )
     drawn = {k: PaperFigure(shapes={"places": places[k], "turned": turned[k]}) for k in "ab"}

@@ -9,10 +9,10 @@ from math import isqrt
 from typing import NamedTuple
 
 from exactsweep.check import point_in_polygon
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point, Vertex
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.paper.checks.section5 import NARROW
-from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, list_loops, shift
+from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, shift
 from exactsweep.paper.figures.minkowski import invert_generatrix, sweep_example
 from exactsweep.paper.functions import evaluate, take_bottom
 from exactsweep.sweep import Sweep, sweep
@@ -105,8 +105,7 @@ def _show(letter: str, found: Widths, across: Sequence[Point], share: Fraction) 
     return PaperFigure(
         facts=[(f"({letter}) {name}", value) for name, value in distances.items()],
         laws=laws,
-        shapes=list_loops(s)
-        | {"placed": [found.turn_at(p) for p in (found.inside, found.outside)], "at": found.at}
+        shapes={"placed": [found.turn_at(p) for p in (found.inside, found.outside)], "at": found.at}
         | {"inside": found.inside, "near": [found.inside, found.find_foot(found.inside)]}
         | {"outside": found.outside, "far": [found.outside, found.find_foot(found.outside)]}
         | {"across": across, "beside": find_middle(*across, share=share)},

@@ -7,13 +7,11 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
-from exactsweep.numbers.point import Edge, Vertex
+from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,
     join_panels,
-    list_loops,
-    place,
     take_half,
 )
 from exactsweep.paper.functions import take_bottom
@@ -60,12 +58,11 @@ def _show(letter: str, s: Sweep) -> PaperFigure:
     return PaperFigure(
         facts=[(f"({letter}) (m_b, n_t, n_b): edges", f"{size}: {len(edges)}")],
         laws=[(f"edges for {size}", len(edges), edges_of_bumps(*size))],
-        shapes=list_loops(s)
-        | {"placed": place(s, [at]), "name": (at.x + 10, at.y), "edges": edges, "lower": lower}
+        shapes={"name": (at.x + 10, at.y), "edges": edges, "lower": lower}
         | {"middles": [find_middle(*e) for e in edges], "offsets": list(_place_numbers(edges))},
         words={"title": [f"({letter}) {len(edges)} edges"]}
         | {"numbers": [str(k + 1) for k in range(len(edges))]},
-        sweeps=[(s, [])],
+        sweeps=[(s, [at])],
     )
 
 

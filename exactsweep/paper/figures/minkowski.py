@@ -6,8 +6,8 @@ from fractions import Fraction
 
 from exactsweep.check import classify, reference_inner_fit, reference_no_fit
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Point
-from exactsweep.paper.figures.figure import PaperFigure, list_loops, place
+from exactsweep.numbers.number import Point
+from exactsweep.paper.figures.figure import PaperFigure, place
 from exactsweep.sweep import Sweep, inner_fit_polygon, no_fit_polygon, sweep
 
 GENERATRIX = [(0, 0), (2, 1), (4, 0), (3, 3), (1, 3)]
@@ -54,8 +54,7 @@ def compute() -> PaperFigure:
             ("boundary of the sum", outer, reference_no_fit(s.directrix, inverted).exterior),
             ("holes of the sum", holes, [exterior for exterior, _ in expected]),
         ],
-        shapes=list_loops(s)
-        | {"sum": outer, "holes": holes, "a_positions": positions, "b_positions": ALONG}
-        | {"a_placed": place(s, positions), "b_placed": place(s, ALONG)},
+        shapes={"sum": outer, "holes": holes, "positions": positions}
+        | {"b_positions": ALONG, "b_placed": place(s, ALONG)},
         sweeps=[(s, positions)],
     )

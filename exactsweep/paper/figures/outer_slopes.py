@@ -5,12 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.numbers.point import Edge, Rational
+from exactsweep.numbers.number import Edge, Rational
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,
-    list_loops,
-    place,
     take_half,
     write_list,
 )
@@ -55,8 +53,7 @@ def compute() -> PaperFigure:
             ("outer boundary", sweep_outer_cc(half.top, half.bottom, half.directrix), outer),
             ("edges", len(outer) - 1, sum(map(len, edges.values()))),
         ],
-        shapes=list_loops(s)
-        | {"path": path, "stops": path[1:-1], "turn": path[turn], "placed": place(s, [path[turn]])}
+        shapes={"path": path, "stops": path[1:-1], "turn": path[turn]}
         | {"t": path[turn - 1 : turn + 2], "outer": outer, "pieces": apart}
         | {
             f"{panel}_{owner}": [

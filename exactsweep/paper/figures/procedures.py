@@ -13,7 +13,7 @@ from types import CodeType, FrameType
 from typing import Any
 
 from exactsweep.corpus.generator import growing
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.figures.figure import PaperFigure, join_panels
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX

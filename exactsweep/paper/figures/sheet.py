@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, Self
 
 from exactsweep.draw import Picture, Scale
 from exactsweep.draw.figure import require_matplotlib
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,13 +8,12 @@ from itertools import pairwise
 from typing import Literal, NamedTuple
 
 from exactsweep.corpus.generator.shapes import walk
-from exactsweep.numbers.number import format_fraction
-from exactsweep.numbers.point import Point, Rational, Vertex
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,
     join_panels,
-    list_loops,
     place,
     shift,
     take_half,
@@ -90,7 +89,7 @@ def compute() -> PaperFigure:
     whole = PaperFigure(
         facts=[("edges of the trajectory", len(path) - 1)],
         laws=[("trajectory", found, path)],
-        shapes=list_loops(s) | {"across": across},
+        shapes={"across": across},
         sweeps=[(s, path)],
     )
     steps = {letter: _show(letter, s, path, step) for step, letter in enumerate("abcd")}

@@ -7,7 +7,6 @@ from exactsweep.geometry.region import Vertices
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     join_panels,
-    list_loops,
     place,
     shift,
     take_half,
@@ -62,8 +61,11 @@ def _show(letter: str, s: Sweep, kind: str) -> PaperFigure:
             ("positions", len(found.positions), 1 if kind == "point" else 2),
             ("area between D and the inner loop", gap, found.polygon.area),
         ],
-        shapes=list_loops(s)
-        | {"first": first, "others": others, "parts": [shift(part, s.reference) for part in parts]}
+        shapes={
+            "first": first,
+            "others": others,
+            "parts": [shift(part, s.reference) for part in parts],
+        }
         | {"path": take_bottom(s.trajectory.vertices), "bottom": found.bottom}
         | {"touched": found.extremes, "positions": found.positions},
         sweeps=[(s, found.positions)],

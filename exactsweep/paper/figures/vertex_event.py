@@ -6,9 +6,9 @@ from fractions import Fraction
 
 from exactsweep.draw import ContactStretch, cut_trajectory
 from exactsweep.draw.features import Features
-from exactsweep.numbers.point import Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, place, write_list
-from exactsweep.paper.figures.undercuts import DIRECTRIX, sweep_examples
+from exactsweep.paper.figures.undercuts import sweep_examples
 from exactsweep.sweep import Sweep
 
 OFFSETS = {"VE": (-10, 6), "EV": (4, -10)}
@@ -39,7 +39,6 @@ def compute() -> PaperFigure:
             ("events there", write_list(sorted({c.event for o in several for c in o.contacts}))),
         ],
         laws=laws,
-        shapes={"directrix": DIRECTRIX},
         sweeps=[(s, middles)],
     )
     panels = {"": whole}

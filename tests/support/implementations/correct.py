@@ -7,7 +7,7 @@ import sys
 from typing import Any
 
 from exactsweep import sweep
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.digits import format_fraction
 
 LOOPS = ["trajectory", "inner", "outer"]
 
