@@ -100,7 +100,7 @@ UNSIMPLE = {
     "a hole across the exterior": (box(0, 0, 4, 4), [box(1, 1, 3, 5)]),
     "a hole across the exterior, which it touches before": (
         [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)],
-        [[(1, 3), (-1, 1), (3, 1)]],
+        [[(1, 3), (-1, 1), (2, 0), (3, 1)]],
     ),
 }
 

@@ -44,6 +44,13 @@ def test_the_nearest_parts_stay_the_same_when_all_are_moved(
         assert (nearest.square, nearest.placements) == (Fraction(9), (0, 1))
 
 
+def test_the_nearest_pair_may_come_last() -> None:
+    places = (put("t", (x, 0)) for x in (0, 2, Fraction(7, 2)))
+    nearest = judge_layout(lay(box(0, 0, 9, 9), {"t": box(0, 0, 1, 1)}, *places)).distance
+    assert nearest is not None
+    assert (nearest.square, nearest.placements) == (Fraction(1, 4), (1, 2))
+
+
 def test_a_witness_may_be_as_deep_as_the_slack_allows() -> None:
     scale, form = make_form(Region(box(0, 0, 4, 4)))
 
