@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from layouts import box, lay, put
 from tiers import examples
@@ -32,6 +32,7 @@ def test_a_finer_lattice_leaves_a_solid_where_it_was(
 
 @examples(60)
 @given(vertices, vertices)
+@example((-6, -6), (-6, -6))
 def test_the_nearest_parts_stay_the_same_when_all_are_moved(
     move: tuple[int, int], by: tuple[int, int]
 ) -> None:
