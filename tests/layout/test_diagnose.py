@@ -57,8 +57,6 @@ def turned_back(turn: str, x: int, y: int) -> dict[str, Any]:
     ("write", "said"),
     [
         (lambda turn, x, y: place(f"-{turn}", x, y), "clockwise turns"),
-        (lambda turn, x, y: place(turn, x * 10, y * 10), "moves divided by 10"),
-        (lambda turn, x, y: place(turn, f"{x}/1000", f"{y}/1000"), "moves times 1000"),
         (lambda turn, x, y: place(turn, x, 4 - y), "Y of moves downward"),
         (lambda turn, x, y: place(f"-{turn}", x, 4 - y), "Y of moves downward and clockwise turns"),
         (lower_left, "moves that say where the lower left corner of the turned box is"),
@@ -73,6 +71,15 @@ def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
     assert not judgement.valid
     notes = diagnose(judgement)
     assert any(note.startswith(f"with {said}, 0 of ") for note in notes), notes
+
+
+@pytest.mark.parametrize("scale", ["10", "100", "1000", "127/5", "480/127", "360/127"])
+def test_other_units_are_named(scale: str) -> None:
+    """Powers of ten, millimetres for inches, and units of 1/96 and 1/72 inch for centimetres."""
+    for factor, times in ((Fraction(scale), "divided by"), (1 / Fraction(scale), "times")):
+        placed = [place(turn, x * factor, y * factor) for turn, (x, y) in PLACED]
+        notes = diagnose(judge_layout(layout(placed)))
+        assert any(note.startswith(f"with moves {times} {scale}, 0 of ") for note in notes), notes
 
 
 @pytest.mark.parametrize("digits", [8, 17])
