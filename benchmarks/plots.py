@@ -121,6 +121,7 @@ def shapes(measured: Sequence[Grown], path: Path) -> None:
     """Two panels: seconds and memory of hard shapes over their size."""
     with context(SMALLER):
         figure, panels = _panels(2, columns=2)
+        figure.set_figheight(4)
         for k, (panel, title) in enumerate(zip(panels, ("seconds", "MB"), strict=True)):
             for grown, (colour, marker) in zip(measured, cycle(STYLES), strict=False):
                 label = f"{grown.case.what}: {', '.join(f'{slope:.1f}' for slope in grown.slopes)}"

@@ -10,9 +10,8 @@ from exactsweep.evidence.shown import Display
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.frame import find_shared_direction, require_monotone
-from exactsweep.geometry.given import to_region, to_shape
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.region import AnyPolygon, Region, Vertices
+from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_shape
 from exactsweep.numbers.error import tells_arguments
 
 if TYPE_CHECKING:

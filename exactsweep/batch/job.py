@@ -15,7 +15,7 @@ from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.candidate import NamedPolygon
-from exactsweep.formats.files import show_path, split_lines
+from exactsweep.formats.files import name_failures, show_path, split_lines
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
 from exactsweep.numbers.digits import format_fraction
@@ -179,7 +179,7 @@ def _chunks_of_lines(path: str, start: int, total: int, most: int) -> Iterator[C
 
 def _lines(path: str) -> Iterator[bytes]:
     """The lines of a file that are not empty, b"" for one that is too long."""
-    try:
+    with name_failures(path, BatchError):
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():
             raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be read twice")
@@ -187,5 +187,3 @@ def _lines(path: str) -> Iterator[bytes]:
             for line in split_lines(lines):
                 if line.strip():
                     yield line if len(line) <= get_max_bytes() else b""
-    except OSError as error:
-        raise BatchError(f"{show_path(path)}: {error.strerror or error}") from None

@@ -18,7 +18,7 @@ from typing import Self
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.record import is_error, is_record
-from exactsweep.formats.files import show_path
+from exactsweep.formats.files import name_failures, show_path
 from exactsweep.processes import lock
 
 PARQUET = ".parquet"
@@ -116,18 +116,16 @@ class Output:
 
     def write(self, lines: Iterable[bytes]) -> None:
         """Append records; they are there when this returns, whatever happens to the process."""
-        try:
+        with name_failures(str(self.part), BatchError):
             for line in lines:
                 self.file.write(line)
                 self._count(line)
             self.file.flush()
-        except OSError as error:
-            raise BatchError(f"{show_path(str(self.part))}: {error.strerror or error}") from None
 
     def finish(self) -> None:
         """Make the records the result."""
         assert self.done == self.job.total
-        try:
+        with name_failures(str(self.path), BatchError):
             os.fsync(self.file.fileno())
             self.file.close()
             if self.is_table:
@@ -145,8 +143,6 @@ class Output:
             else:
                 self.part.replace(self.path)
             self.note.unlink()
-        except OSError as error:
-            raise BatchError(f"{show_path(str(self.path))}: {error.strerror or error}") from None
 
     def __enter__(self) -> Self:
         return self

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from exactsweep.formats.rounding import Rounding, Side, round_region
+from exactsweep.formats.rounding import Rounding, Side, round_fits, round_region
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.number import Point
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:
@@ -33,9 +32,7 @@ def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any
         if isinstance(value, Fraction):
             found[name] = round(value, places)
         elif name == "exact_fits":
-            moved = [_round_fit(fit, places) for fit in value]
-            kept = [fit for fit, to in zip(value, moved, strict=True) if fit == to]
-            found[name] = kept if outward else moved
+            found[name], _ = round_fits(value, rounding)
         elif isinstance(value, Polygon):
             side: Side = "inward" if name == "inner" else "outward"
             rounded = round_region(Region(value), places, side if outward else "closest")
@@ -47,7 +44,3 @@ def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any
         else:
             found[name] = value
     return found
-
-
-def _round_fit(fit: Sequence[Point], places: int) -> tuple[Point, ...]:
-    return tuple(Point(round(p.x, places), round(p.y, places)) for p in fit)

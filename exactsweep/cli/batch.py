@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from exactsweep.cli.export import takes_rounding
-from exactsweep.cli.options import PATH, checked, takes_file, takes_workers
+from exactsweep.cli.options import PATH, checked, requires_output, takes_file, takes_workers
 from exactsweep.cli.output import say_limit, write
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
@@ -77,14 +77,7 @@ def _to_degrees(text: str) -> list[str]:
 @click.option("--restart", is_flag=True, help="Discard the records of an interrupted batch.")
 @takes_rounding
 @takes_reading
-@click.option(
-    "-o",
-    "--output",
-    type=PATH,
-    required=True,
-    metavar="FILE",
-    help="The file of the records, one line of JSON each; with .parquet or .csv a table.",
-)
+@requires_output("The file of the records, one line of JSON each; with .parquet or .csv a table.")
 def batch_command(
     pairs: str | None,
     lists: tuple[str, str] | None,

@@ -12,6 +12,7 @@ from exactsweep.cli.complete import list_cases, offer
 from exactsweep.cli.options import PATH, takes_json, takes_output
 from exactsweep.cli.output import write
 from exactsweep.cli.reports import takes_accept, takes_rounding
+from exactsweep.formats import read_certificate
 
 
 @click.command("compare")
@@ -56,12 +57,12 @@ def compare_command(
     from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import describe
     from exactsweep.conform.run.outcome import compare_in_time
-    from exactsweep.conform.run.pairs import read_case, read_result
+    from exactsweep.conform.run.pairs import read_case
     from exactsweep.conform.run.tally import fails
 
     if case == result == "-":
         raise click.UsageError("Only one file can be read from standard input.")
-    found = compare_in_time(read_case(case), read_result(result), rounding=rounding)
+    found = compare_in_time(read_case(case), read_certificate(result), rounding=rounding)
     write(f"{json.dumps(found.to_json(), indent=2)}\n" if as_json else describe(found), output)
     passed = found.verdict.is_judgement and not fails(found.verdict, Verdict(accept))
     sys.exit(0 if passed else 1)

@@ -197,13 +197,14 @@ def export_command(
     Example:
       exactsweep corpus export directions --to svg -o directions.svg
     """
-    from exactsweep.corpus import export
+    from exactsweep.corpus import export, publish
     from exactsweep.corpus.case_json import case_to_line
 
     if whole:
         if names or _is_any(filters) or form != "json":
             raise click.UsageError("--all goes with -o alone.")
-        _publish(output)
+        folder = Path(f"exactsweep-corpus-{publish.VERSION}" if output == "-" else output)
+        click.echo(f"{folder}: {count(publish.write_corpus(folder), 'file')}", err=True)
         return
     writers: dict[str, Callable[[Iterable[Case]], Iterable[str]]] = {
         "json": partial(map, case_to_line),
@@ -253,13 +254,6 @@ def schema_command() -> None:
     from exactsweep.corpus.shipped import read_schema
 
     write(read_schema(), "-")
-
-
-def _publish(output: str) -> None:
-    from exactsweep.corpus.publish import VERSION, write_corpus
-
-    folder = Path(f"exactsweep-corpus-{VERSION}" if output == "-" else output)
-    click.echo(f"{folder}: {count(write_corpus(folder), 'file')}", err=True)
 
 
 def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:

@@ -5,11 +5,12 @@ from collections.abc import Callable
 import click
 
 from exactsweep import InnerFit, NoFitPolygon, Point, Sweep
-from exactsweep.cli.options import PATH, checked
+from exactsweep.cli.options import checked, requires_output
 from exactsweep.cli.output import beside
 from exactsweep.cli.pair import coordinates_of_files, takes_pair, takes_question, to_point
 from exactsweep.cli.working import working
-from exactsweep.formats import FormatError, show_path
+from exactsweep.formats import show_path
+from exactsweep.formats.files import name_failures
 from exactsweep.numbers.error import name_refusals
 from exactsweep.words import spell_out
 
@@ -42,15 +43,7 @@ def _require_suffix(path: str) -> str:
     metavar="WIDTH HEIGHT",
     help="The size of picture and legend, in inches; by default 7.2 4.8.",
 )
-@click.option(
-    "-o",
-    "--output",
-    type=PATH,
-    required=True,
-    callback=checked(_require_suffix),
-    metavar="FILE",
-    help="The file of the picture, with the suffix .svg, .pdf or .png.",
-)
+@requires_output("The file of the picture, with the suffix .svg, .pdf or .png.", _require_suffix)
 def draw_command(
     result: Sweep | NoFitPolygon | InnerFit,
     positions: list[Point],
@@ -86,8 +79,5 @@ def draw_command(
     if title:
         # No font has what is no letter, and a dollar would begin a formula.
         axes.set_title(spell_out(title).replace("$", r"\$"), loc="left")
-    try:
-        with working("drawing"), beside(output) as path:
-            save(figure, path)
-    except OSError as error:
-        raise FormatError(f"{show_path(output)}: {error.strerror or error}") from None
+    with name_failures(output), working("drawing"), beside(output) as path:
+        save(figure, path)

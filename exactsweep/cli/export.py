@@ -11,8 +11,8 @@ from exactsweep.cli.parts import say_all
 from exactsweep.cli.working import working
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.reading import INSUNITS
-from exactsweep.formats.rounding import MAX_PLACES, Changes, Rounding, Side, contains
-from exactsweep.numbers.number import Fit, Point
+from exactsweep.formats.rounding import MAX_PLACES, Changes, Rounding, Side, contains, round_fits
+from exactsweep.numbers.number import Fit
 from exactsweep.text.report import approximate
 from exactsweep.words import count
 
@@ -81,11 +81,7 @@ def export(
         wanted = side_of if rounding.outward else _closest
         with working("rounding"):
             rounded, changes = round_regions(regions, rounding.places, wanted)
-        ends = [_round_fit(fit, rounding.places) for fit in fits]
-        moved = sum(old != new for old, new in zip(fits, ends, strict=True))
-        if rounding.outward:
-            # A fit that moves is one no longer.
-            ends = [old for old, new in zip(fits, ends, strict=True) if old == new]
+        ends, moved = round_fits(fits, rounding)
         decides = any(side_of(region) != "closest" for region in regions)
         is_safe = rounding.outward or (not moved and _is_safe(regions, rounded, side_of))
         change = _say(changes, moved, rounding, decides and is_safe)
@@ -116,21 +112,17 @@ def _closest(region: NamedRegion) -> Side:
     return "closest"
 
 
-def _round_fit(fit: Fit, places: int) -> Fit:
-    first, last = (Point(round(p.x, places), round(p.y, places)) for p in fit)
-    return first, last
-
-
 def _is_safe(
     old: Sequence[NamedRegion],
     new: Sequence[NamedRegion],
     side_of: Callable[[NamedRegion], Side],
 ) -> bool:
     for before, after in zip(old, new, strict=True):
+        inner, outer = before.region, after.region
         side = side_of(before)
-        if side == "outward" and not contains(after.region, before.region):
-            return False
-        if side == "inward" and not contains(before.region, after.region):
+        if side == "inward":
+            inner, outer = outer, inner
+        if side != "closest" and not contains(outer, inner):
             return False
     return True
 

@@ -78,6 +78,15 @@ takes_output = click.option(
 )
 """Gives a command the option -o FILE, as `output`; "-" if left out."""
 
+
+def requires_output(help: str, read: Callable[[Any], object] = str) -> Decorator:
+    """Give a command the option -o FILE, which must not be left out; `read` may refuse it."""
+    names = ("-o", "--output")
+    return click.option(
+        *names, type=PATH, required=True, callback=checked(read), metavar="FILE", help=help
+    )
+
+
 takes_json = click.option(
     "--json", "as_json", is_flag=True, help="Write everything, exactly, as JSON."
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.geometry.region import number_features
+from exactsweep.geometry.outline import number_features
 from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:

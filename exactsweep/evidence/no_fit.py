@@ -11,11 +11,10 @@ from exactsweep.evidence.shown import Shown
 from exactsweep.evidence.sweep import solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
-from exactsweep.geometry.given import share_lattice
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import ORIGIN, Fit, Point
 from exactsweep.procedures import ss

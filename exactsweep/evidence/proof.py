@@ -110,25 +110,14 @@ def _prove_inner_fit(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
 
 
 def _prove_sweep(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
-    d, g = (shape(certificate[key]) for key in ("directrix", "generatrix"))
-    work.fit(d + g)
-    still, moving = _cut(d), _cut(g)
-    trajectory = ring(certificate["exterior"])
-    fits = standalone.read_fits(certificate["exact_fits"])
-    holes, unswept = (
-        [ring(hole)[::-1] for hole in certificate[key]] for key in ("holes", "unswept")
-    )
-    inner, outer = (ring(certificate[key]) for key in ("inner", "outer"))
-    first = _Finder(Sums(still, [*map(turn, moving)], work, []), [trajectory, *holes], fits)
+    around = _prove_no_fit(certificate, work)
+    trajectory, inner, outer = (ring(certificate[key]) for key in ("exterior", "inner", "outer"))
+    unswept = [ring(hole)[::-1] for hole in certificate["unswept"]]
+    moving = _cut(shape(certificate["generatrix"]))
     sums = Sums([*map(list, edges(trajectory))], moving, work, [])
-    second = _Finder(sums, [outer, inner[::-1], *unswept], [])
-    found = {"sums": first.find(), "swept": second.find()}
-    return {
-        "directrix": _write(still),
-        "generatrix": _write(moving),
-        **found,
-        "slits": _write(second.slits),
-    }
+    finder = _Finder(sums, [outer, inner[::-1], *unswept], [])
+    swept = finder.find()
+    return {**around, "swept": swept, "slits": _write(finder.slits)}
 
 
 _PROVERS = {"no_fit": _prove_no_fit, "inner_fit": _prove_inner_fit, "sweep": _prove_sweep}

@@ -83,8 +83,6 @@ def read_each(texts: Sequence[str]) -> list[Fraction]:
     >>> read_each([" 1", "-.5 "])
     [Fraction(1, 1), Fraction(-1, 2)]
     """
-    if len({*texts}) == 1:  # as the heights and bulges of vertices nearly always are
-        return [read_decimal(texts[0].strip())] * len(texts)
     rows = "\n".join([*texts, ""])
     found = rows.split() if _ROWS.fullmatch(rows) else []
     if len(found) != len(texts):

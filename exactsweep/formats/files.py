@@ -9,7 +9,7 @@ from typing import BinaryIO
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.error import ExactSweepError, quote, tells_arguments
 from exactsweep.numbers.limits import get_max_bytes
 
 # Possessive, so that the pattern passes endless blank lines and comments only once.
@@ -102,11 +102,17 @@ def open_bytes(path: str) -> Iterator[BinaryIO]:
     Raises:
         FormatError: it cannot be opened or read; the message names it.
     """
+    with name_failures(path), _open(path) as file:
+        yield file
+
+
+@contextmanager
+def name_failures(path: str, refusal: type[ExactSweepError] = FormatError) -> Iterator[None]:
+    """Turn a failure of the system inside a `with` block into a refusal that names the file."""
     try:
-        with _open(path) as file:
-            yield file
+        yield
     except OSError as error:
-        raise FormatError(f"{show_path(path)}: {error.strerror or error}") from None
+        raise refusal(f"{show_path(path)}: {error.strerror or error}") from None
 
 
 def split_lines(file: BinaryIO) -> Iterator[bytes]:

@@ -30,13 +30,12 @@ from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
-from exactsweep.geometry.given import share_lattice
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.geometry.vectors import cross, find_hull, minus, turn
 from exactsweep.numbers.error import quote, tells_arguments
-from exactsweep.numbers.number import ORIGIN, Edge, Point, Rational, Vertex, divide_exactly
+from exactsweep.numbers.number import ORIGIN, Edge, Fit, Point, Rational, Vertex, divide_exactly
 
 Side = Literal["closest", "outward", "inward"]
 # The greatest distance, in cells, of the search for a point of a right turn.
@@ -121,6 +120,23 @@ def round_regions(
         if rounded.region is not None:
             found.append(named._replace(region=rounded.region))
     return found, Changes(changed, distance, left_out)
+
+
+def round_fits(fits: Sequence[Fit], rounding: Rounding) -> tuple[list[Fit], int]:
+    """Round exact fits, and count those that move; outward these are left out, as fits no longer.
+
+    >>> third = Point(Fraction(1, 3), Fraction(0))
+    >>> round_fits([(ORIGIN, third), (ORIGIN, ORIGIN)], Rounding(0, outward=True))[1]
+    1
+    """
+    places, outward = rounding
+
+    def move(p: Point) -> Point:
+        return Point(round(p.x, places), round(p.y, places))
+
+    moved = [(move(p), move(q)) for p, q in fits]
+    kept = [fit for fit, to in zip(fits, moved, strict=True) if fit == to]
+    return (kept if outward else moved), len(fits) - len(kept)
 
 
 @tells_arguments

@@ -1,4 +1,4 @@
-"""Conversion of a closed line to a canonical ring, or a refusal that names the place."""
+"""Conversion of a closed line to a canonical ring, its area and centroid; or a refusal."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -6,7 +6,7 @@ from operator import eq, floordiv
 from typing import NamedTuple, cast
 
 from exactsweep.geometry.simplicity import find_conflict
-from exactsweep.numbers.addition import add_ratios
+from exactsweep.numbers.addition import add_ratios, add_up
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.lazy_number import lazy_points
 from exactsweep.numbers.number import Point, Vertex, split_ratios
@@ -258,3 +258,25 @@ def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
         (a, b), (c, d), (e, f), (g, h) = (part.as_integer_ratio() for part in (*p, *q))
         terms.append((a * g * d * f - c * e * b * h, b * d * f * h))
     return add_ratios(terms)
+
+
+def find_centroid(ring: Sequence[Point]) -> Point:
+    """Find the center of mass of the area in a ring; the first point of a ring without area.
+
+    Cost: O(n).
+
+    Example:
+        >>> from exactsweep import Polygon
+        >>> print(*find_centroid(Polygon([(0, 0), (3, 0), (0, 6)]).vertices))
+        1 2
+    """
+    double = Fraction(find_doubled_area(ring))
+    if not double:
+        return ring[0]
+    edges = [*zip(ring, (*ring[1:], ring[0]), strict=True)]
+    weights = [p.x * q.y - p.y * q.x for p, q in edges]
+    x, y = (
+        add_up((p[k] + q[k]) * weight for (p, q), weight in zip(edges, weights, strict=True))
+        for k in (0, 1)
+    )
+    return Point(x / (3 * double), y / (3 * double))

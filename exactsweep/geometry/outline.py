@@ -8,9 +8,10 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from exactsweep.geometry.overlap import EdgeIndex
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
-from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex, ratio
 
 
 class Outline:
@@ -123,3 +124,49 @@ class Outline:
         for _, _, _, _, ax, ay, bx, by, ring, k in self._index.near(box):
             if is_between(point, (ax * scale, ay * scale), (bx * scale, by * scale)):
                 yield self.starts[ring] + k
+
+
+def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
+    """Number the vertices through all rings of a shape.
+
+    Yields:
+        The numbers of the vertex before, of the vertex, and of the next vertex of its ring.
+
+    Example:
+        >>> from exactsweep import Region
+        >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
+        >>> list(walk_rings(plate))
+        [(2, 0, 1), (0, 1, 2), (1, 2, 0), (5, 3, 4), (3, 4, 5), (4, 5, 3)]
+    """
+    first = 0
+    for ring in shape.rings:
+        size = len(ring)
+        for k in range(size):
+            yield first + (k - 1) % size, first + k, first + (k + 1) % size
+        first += size
+
+
+def number_features(
+    shape: AnyPolygon,
+) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
+    """Find the features of a shape by their numbers in the input.
+
+    Returns:
+        The vertices by number, and for each edge by number the numbers of its two ends.
+
+    Cost: O(n).
+
+    Example:
+        >>> from exactsweep import Polygon
+        >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
+        >>> sorted(corners), edges[2]
+        ([0, 1, 2], (0, 2))
+    """
+    numbers = [shape.vertex_index(k) for k in range(len(shape))]
+    return (
+        dict(zip(numbers, shape.vertices, strict=True)),
+        {
+            shape.edge_index(k): (numbers[k], numbers[following])
+            for _, k, following in walk_rings(shape)
+        },
+    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import accumulate, chain, permutations
 
@@ -17,7 +17,7 @@ from exactsweep.geometry.reading import lcm_within, read_interface, refuse_numbe
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex, ratio
 from exactsweep.words import write_pair
 
 Vertices = Polygon | Iterable[Iterable[object]]
@@ -203,48 +203,34 @@ AnyPolygon = Polygon | Region
 """A polygon with or without holes; both types have an exterior, holes and rings."""
 
 
-def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
-    """Number the vertices through all rings of a shape.
+def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
+    """Read a Polygon, a Region or the vertices of a polygon: a Region if there are holes.
 
-    Yields:
-        The numbers of the vertex before, of the vertex, and of the next vertex of its ring.
-
-    Example:
-        >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
-        >>> list(walk_rings(plate))
-        [(2, 0, 1), (0, 1, 2), (1, 2, 0), (5, 3, 4), (3, 4, 5), (4, 5, 3)]
+    Raises:
+        PolygonError: the polygon is not simple. The message begins with the name.
+        NumberError: a coordinate is not an exact number. The message begins likewise.
     """
-    first = 0
-    for ring in shape.rings:
-        size = len(ring)
-        for k in range(size):
-            yield first + (k - 1) % size, first + k, first + (k + 1) % size
-        first += size
+    if isinstance(shape, Region):
+        return shape if shape.holes else shape.exterior
+    if isinstance(shape, Polygon):
+        return shape
+    with name_refusals(name):
+        exterior, *holes = read_interface(shape) or [shape]
+        # A single ring needs no name of its own.
+        return Region(exterior, holes) if holes else Polygon(exterior)
 
 
-def number_features(
-    shape: AnyPolygon,
-) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
-    """Find the features of a shape by their numbers in the input.
+def to_region(shape: Region | Vertices, name: str) -> Region:
+    """Read a shape as `to_shape` does, but always as a Region.
 
-    Returns:
-        The vertices by number, and for each edge by number the numbers of its two ends.
-
-    Cost: O(n).
-
-    Example:
-        >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
-        >>> sorted(corners), edges[2]
-        ([0, 1, 2], (0, 2))
+    >>> to_region([(0, 0), (1, 0), (0, 1)], "part").area
+    Fraction(1, 2)
     """
-    numbers = [shape.vertex_index(k) for k in range(len(shape))]
-    return (
-        dict(zip(numbers, shape.vertices, strict=True)),
-        {
-            shape.edge_index(k): (numbers[k], numbers[following])
-            for _, k, following in walk_rings(shape)
-        },
-    )
+    return shape if isinstance(shape, Region) else Region(to_shape(shape, name))
+
+
+_WIDE, _LONG = 64, 1024
+"""The most bits of a useful scale: if most vertices are on another lattice, and otherwise."""
 
 
 def common_lattice(
@@ -262,6 +248,43 @@ def common_lattice(
     return scale, [
         tuple((x * (scale // own), y * (scale // own)) for x, y in points)
         for own, points in (polygon.lattice() for polygon in polygons)
+    ]
+
+
+def share_lattice(
+    regions: Sequence[Region], scale: int | None = None
+) -> tuple[int, list[list[list[Vertex]]]]:
+    """Put regions on the coarsest integer lattice that holds them all.
+
+    Args:
+        regions: any number of Regions.
+        scale: the scale of a lattice with most vertices, as a substitute if the common scale is
+            long.
+
+    Returns:
+        The scale, and the rings of each region times the scale, with the interior on the left.
+        Vertices off the given lattice are Fractions. If the scale had more than 1024 bits, it is 1
+        and the vertices are unchanged, because all numbers would be longer than any vertex.
+
+    >>> share_lattice([Region([(0, 0), ("1/2", 0), (0, "1/3")])])
+    (6, [[[(0, 0), (3, 0), (0, 2)]]])
+    """
+    lattices = [region.lattice() for region in regions]
+    common = lcm_within(own for own, _ in lattices)
+    if common is None or common.bit_length() > (_LONG if scale is None else _WIDE):
+        return scale or 1, [_scale_rings(region, scale or 1) for region in regions]
+    return common, [
+        [[(x * (common // own), y * (common // own)) for x, y in ring] for ring in rings]
+        for own, rings in lattices
+    ]
+
+
+def _scale_rings(region: Region, scale: int) -> list[list[Vertex]]:
+    """Multiply rings by a scale; interior on the left, ints for vertices on the lattice."""
+    exterior, *holes = region.rings
+    return [
+        [(ratio(x * scale, 1), ratio(y * scale, 1)) for x, y in ring]
+        for ring in (exterior, *((hole[0], *hole[:0:-1]) for hole in holes))
     ]
 
 

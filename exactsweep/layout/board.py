@@ -44,7 +44,7 @@ class Board:
         self.layout = layout
         self._regions = {part.id: part.region for part in layout.parts if part.region is not None}
         self.placed = [k for k, one in enumerate(layout.placements) if one.part in self._regions]
-        self.base = cache(self._put_on_lattice)
+        self.base = cache(lambda part: make_form(self._regions[part]))
         self._placed = cache(self._place)
         self._forms: dict[tuple[str, Turn, bool, int], LatticeForm] = {}
 
@@ -52,10 +52,6 @@ class Board:
         """Return the part of a placement, mirrored and turned by a rational turn, not moved."""
         placement = self.layout.placements[k]
         return self._regions[placement.part]._image(AffineMap(*placement.rows(bits)))
-
-    def _put_on_lattice(self, part: str) -> tuple[int, LatticeForm]:
-        """Return a part on its own lattice, and the scale of the lattice."""
-        return make_form(self._regions[part])
 
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
         """Return the linear map of a placement as ints with a common denominator."""

@@ -11,12 +11,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from exactsweep.geometry.centroid import find_centroid
+from exactsweep.geometry.canonical import find_centroid
 from exactsweep.geometry.turn import read_turn
 from exactsweep.layout.judge import Judgement, judge_layout
 from exactsweep.layout.layout import Layout, LayoutPart, Placement
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import ORIGIN, Point
 
 # A diagnosis needs a least number of placements with faults, a least share of them, and not more
 # than can be judged repeatedly. It names a convention that leaves at most a given share of the
@@ -139,7 +139,7 @@ def _shift_by(find: Callable[[LayoutPart], Point], *, move: bool) -> Convention:
 
 def _move_first(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
     moved = _map(part, lambda q: Point(q.x + p.move.x, q.y + p.move.y))
-    return moved, replace(p, move=Point(Fraction(0), Fraction(0)))
+    return moved, replace(p, move=ORIGIN)
 
 
 def _from_turned_corner(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:

@@ -164,16 +164,6 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
     return whole if whole * divisor == value else divide_exactly(value, divisor)
 
 
-def to_int(value: int | Fraction) -> int | Fraction:
-    """Convert a whole number to an int, and return other numbers unchanged.
-
-    Example:
-        >>> to_int(Fraction(4, 2)), to_int(Fraction(1, 2))
-        (2, Fraction(1, 2))
-    """
-    return value.numerator if value.denominator == 1 else value
-
-
 def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """Divide numbers by a positive int; faster for ints.
 
@@ -207,20 +197,6 @@ def negate(value: int | Fraction) -> int | Fraction:
         n, d = value.as_integer_ratio()
         return _make_reduced(-n, d)
     return -value
-
-
-def add_to_all(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
-    """Add a number to each of several others; faster for ints.
-
-    Example:
-        >>> add_to_all(Fraction(1, 2), [1, 2])
-        [Fraction(3, 2), Fraction(5, 2)]
-    """
-    if isinstance(value, Fraction) and all(type(k) is int for k in ints):
-        # n/d + k is in lowest terms if n/d is.
-        n, d = value.as_integer_ratio()
-        return [_make_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
-    return [value + k for k in ints]
 
 
 def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:

@@ -10,10 +10,9 @@ from __future__ import annotations
 
 from exactsweep.geometry.direction import X_AXIS
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.given import share_lattice
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.number import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures import ss
 from exactsweep.procedures.free_positions import Free

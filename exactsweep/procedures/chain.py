@@ -101,8 +101,7 @@ def measure_width(chain: Sequence[Vertex]) -> Rational | None:
     """
     if type(chain) is KeptChain:
         return chain.width
-    kinds = set(map(type, link.from_iterable(chain)))
-    if kinds == {int} or (chain and all(issubclass(kind, int) for kind in kinds)):
+    if chain and all(issubclass(kind, int) for kind in set(map(type, link.from_iterable(chain)))):
         return chain[-1][0] - chain[0][0]
     return None
 

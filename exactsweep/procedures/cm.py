@@ -18,7 +18,7 @@ from collections.abc import Sequence
 from functools import reduce
 from typing import cast
 
-from exactsweep.numbers.number import Rational, Vertex, add_to_all
+from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, take_corners
 from exactsweep.procedures.convex_part import count_flatter, measure_unit, split_parts, take_whole
@@ -197,6 +197,5 @@ def _place(
     last = after(range(count), right[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
     if first >= last:
         return []
-    placed = generatrix[count - last : count - first][::-1]
-    xs, ys = (add_to_all(p, [v[k] for v in placed]) for k, p in enumerate(position))
-    return list(zip(xs, ys, strict=True))
+    x, y = position
+    return [(x + u, y + v) for u, v in generatrix[count - last : count - first][::-1]]

@@ -1,10 +1,9 @@
 """Convex parts and the relevant edges of their sub-trajectories (Sections 4 and 5, step 1).
 
 A convex part is a maximal run of edges of increasing slope: of D_b, of reversed G_t, or of a
-trajectory that is the directrix of the next sweep. Each edge is stored whole and holds between two
-breaks. Usually all vertices are on the lattice, and a break cuts the two end edges at most. The
-rest of a cut edge lies above the part, on the chain that the part belongs to. Inside a trajectory
-the vertices are crossings, and each edge is stored by its line.
+trajectory that is the directrix of the next sweep. A part of a chain is stored by its vertices. A
+part of a trajectory is stored by the lines of its edges and the breaks between which each holds,
+because its vertices may be crossings.
 
 Let c be a part of reversed G_t and p = D_i a part of D_b. The relevant edges of their sum
 T(G_t, D_i) are the edges that can lie on the envelope.
@@ -15,8 +14,8 @@ T(G_t, D_i) are the edges that can lie on the envelope.
          of c are above the envelope except for single points, and need not be made.
     (3)  The same holds for p's last edge and the steeper edges of c.
     (4)  A sum is symmetric in its two chains, so (2) and (3) hold with c and p exchanged.
-    (5)  All slopes are relevant at an end of p that is lower than its neighbour's end, at an end
-         that is convex for both, on the lattice, and at the ends of D_b.
+    (5)  All slopes are relevant at an end of p that is lower than its neighbour's end, and at the
+         ends of D_b.
 
 So the relevant edges of a pair are those with slopes between the ends of both parts. In an MM sweep
 of real outlines most pairs have none. Slopes are ints (see `split_by_slope`), so that edges are
@@ -42,12 +41,10 @@ Slope = Rational | float
 
 
 class ConvexPart(NamedTuple):
-    """A convex part with its vertices on the lattice.
+    """A convex part of a chain.
 
     Attributes:
-        points: the vertices, the end edges whole.
-        left: the break on the first edge at which the part starts; None for the start of the edge.
-        right: the break on the last edge at which the part ends, likewise.
+        points: the vertices.
         flattest: the least relevant slope: that of the first edge, or minus infinity where the
             other polygon has to turn about the left end, (5).
         steepest: the greatest relevant slope, likewise for the right end.
@@ -56,8 +53,6 @@ class ConvexPart(NamedTuple):
     """
 
     points: Sequence[Vertex]
-    left: Break | None
-    right: Break | None
     flattest: Slope
     steepest: Slope
     slopes: Sequence[Rational]
@@ -71,20 +66,19 @@ class ConvexPart(NamedTuple):
     @property
     def x_range(self) -> tuple[Rational, Rational]:
         """Its x-range, rounded outwards to ints."""
-        points = self.points
-        return round_outwards(self.left or (points[0][0], 1), self.right or (points[-1][0], 1))
+        return round_outwards((self.points[0][0], 1), (self.points[-1][0], 1))
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope | None:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
 
         Args:
-            chain: the part of G_t, not cut.
+            chain: the part of G_t.
             source: the number of what is swept.
 
         Returns an envelope; None if nothing matters. Cost: O(m_i + n_t).
         """
-        points, left, right, flattest, steepest, slopes, edges = self
-        origins, _, _, chain_flattest, chain_steepest, chain_slopes, others = chain
+        points, flattest, steepest, slopes, edges = self
+        origins, chain_flattest, chain_steepest, chain_slopes, others = chain
         i, last_i, j, last_j = _find_what_matters(
             slopes, flattest, steepest, chain_slopes, chain_flattest, chain_steepest
         )
@@ -93,13 +87,7 @@ class ConvexPart(NamedTuple):
         (x, y), (ox, oy) = points[i], origins[j]
         x += ox
         y += oy
-        # A whole end edge extends beyond the break. It may be missing because of its slope, (4).
         breaks: list[Break] = [(x, 1)]
-        if left is not None and i == 0 < last_i:
-            n, d = left
-            breaks = [(n + ox * d, d)]
-        if right is not None and not i < last_i == len(edges):
-            right = None
         pieces: list[Piece] = []
         while True:  # (1)
             if i < last_i:
@@ -120,19 +108,15 @@ class ConvexPart(NamedTuple):
                 dx, dy = others[j]
                 j += 1
             else:
-                break
+                return Envelope(breaks, pieces)
             pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
             x += dx
             y += dy
             breaks.append((x, 1))
-        if right is not None:
-            n, d = right
-            breaks[-1] = n + (x - points[-1][0]) * d, d
-        return Envelope(breaks, pieces)
 
 
 class CrossingPart(NamedTuple):
-    """A convex part whose vertices are crossings; edges are stored by their lines.
+    """A convex part of an envelope, whose vertices may be crossings.
 
     Attributes:
         edges: the edges as pieces.
@@ -164,13 +148,13 @@ class CrossingPart(NamedTuple):
     def sweep(self, chain: ConvexPart, source: int) -> Envelope | None:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
 
-        A vertex of G moves an edge of the part. A crossing (x/w, y/w) moves an edge of G, whose
-        line is integer again after a multiplication by w.
+        A vertex of G moves an edge of the part. A vertex (x/w, y/w) of the part moves an edge of G,
+        whose line is integer again after a multiplication by w.
 
         Arguments, result and cost are those of `ConvexPart.sweep`.
         """
         own, breaks, flattest, steepest, slopes = self
-        points, _, _, chain_flattest, chain_steepest, chain_slopes, others = chain
+        points, chain_flattest, chain_steepest, chain_slopes, others = chain
         first, last, at, end = _find_what_matters(
             slopes, flattest, steepest, chain_slopes, chain_flattest, chain_steepest
         )
@@ -185,8 +169,10 @@ class CrossingPart(NamedTuple):
             slope: Slope = slopes[k] if k < last else inf
             if at < end and chain_slopes[at] < slope:
                 n, d = breaks[k]
-                dx, dy, c, _, _ = own[k] if k < len(own) else own[-1]
+                dx, dy, c, start, _ = own[k] if k < len(own) else own[-1]
                 x, y, w = n * dx, dy * n + c * d, dx * d
+                if start is not None and n == start[0] * d:
+                    (x, y), w = start, 1
                 while at < end and chain_slopes[at] < slope:
                     (ex, ey), (px, py) = others[at], points[at]
                     c = (py * w + y) * ex - (px * w + x) * ey
@@ -202,6 +188,9 @@ class CrossingPart(NamedTuple):
                 n, d = breaks[k + 1]
                 found.append((n + points[at][0] * d, d))
         return Envelope(found, pieces)
+
+
+Parts = Sequence[ConvexPart | CrossingPart]
 
 
 def round_outwards(start: Break, end: Break) -> tuple[Rational, Rational]:
@@ -292,7 +281,7 @@ def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPa
             end, start = points[-1][1], found[k][0][0][1]
             rises, falls = start > end, start < end
         steepest: Slope = inf if rises else slopes[-1]
-        parts.append(ConvexPart(points, None, None, flattest, steepest, slopes, edges))
+        parts.append(ConvexPart(points, flattest, steepest, slopes, edges))
     if kept is not None:
         kept.parts = unit, parts
     return parts
@@ -320,11 +309,10 @@ def split_envelope(envelope: Envelope, unit: Rational | None) -> Iterator[Crossi
     yield CrossingPart(pieces[first:], breaks[first:], flattest, inf, slopes[first:])
 
 
-def split_parts(directrix: Sequence[Vertex] | Envelope, unit: Rational | None) -> list[ConvexPart]:
-    """Step 1: split a bottom chain, or an envelope of edges on the lattice, into convex parts.
+def split_parts(directrix: Sequence[Vertex] | Envelope, unit: Rational | None) -> Parts:
+    """Step 1: split a bottom chain or an envelope without gaps into convex parts.
 
-    A crossing in a lower envelope is concave, so a part ends there. Parts store cut edges whole,
-    so their vertices are on the lattice.
+    A crossing in a lower envelope is concave, so a part ends there.
 
     Raises ChainError if a chain is not X-monotone. Cost: O(m).
 
@@ -333,16 +321,9 @@ def split_parts(directrix: Sequence[Vertex] | Envelope, unit: Rational | None) -
         >>> e = Envelope.of([(0, 0), (3, 1)])
         >>> print(lower_envelope_cm(e, Envelope.of([(1, 2), (4, -1)])))
         (0, 0) (9/4, 3/4) (4, -1)
-        >>> [part.points for part in split_parts(e, measure_unit(e))]
-        [[(0, 0), (3, 1)], [(1, 2), (4, -1)]]
+        >>> [part.box for part in split_parts(e, measure_unit(e))]
+        [(0, 3, 0), (2, 4, -1)]
     """
-    if not isinstance(directrix, Envelope):
-        return split_chain(directrix, unit)
-    parts = []
-    for pieces, breaks, flattest, steepest, slopes in split_envelope(directrix, unit):
-        points = [cast(Vertex, start) for _, _, _, start, _ in pieces]
-        (x, y), (dx, dy, _, _, _) = points[-1], pieces[-1]
-        points.append((x + dx, y + dy))
-        edges = [(dx, dy) for dx, dy, _, _, _ in pieces]
-        parts.append(ConvexPart(points, breaks[0], breaks[-1], flattest, steepest, slopes, edges))
-    return parts
+    if isinstance(directrix, Envelope):
+        return list(split_envelope(directrix, unit))
+    return split_chain(directrix, unit)

@@ -28,13 +28,14 @@ from exactsweep.procedures.contact_lines import Stretch
 from exactsweep.procedures.parallelograms import fill_parallelograms
 from exactsweep.procedures.squares import find_squares_of_sum, halve_squares
 
-_FEW = 400
-"""The number of stretches up to which cutting all of them is faster than a cover."""
+_FEW = 250
+_FEW_CROSSINGS = 2000
+"""The numbers of stretches and of their likely crossings below which a cover gains nothing."""
 _SQUARES_PER_STRETCH = 2
 _MOST_COLUMNS = 384
 """A sum of (1) takes time by the third power of their number."""
 _ONE_OF = 16
-"""One of this many stretches is in the sample that estimates how many are covered."""
+"""One of this many stretches is in the sample for estimates."""
 
 
 def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings) -> list[Stretch]:
@@ -53,9 +54,15 @@ def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings
     """
     if len(stretches) < _FEW:
         return stretches
+    some = stretches[::_ONE_OF]
+    lefts, rights, lows, highs = zip(*(stretch.bound() for stretch in some), strict=True)
+    length = _ONE_OF * (sum(rights) - sum(lefts) + sum(highs) - sum(lows))
+    # Stretches in all directions and places cross about as often as the square of their length
+    # exceeds the area that they share.
+    if length**2 < _FEW_CROSSINGS * (max(rights) - min(lefts)) * (max(highs) - min(lows)):
+        return stretches
     columns = round((_SQUARES_PER_STRETCH * len(stretches)) ** 0.5)
     cover = Cover(stationary, moving, min(columns, _MOST_COLUMNS))
-    some = stretches[::_ONE_OF]
     if sum(any(cover.uncovered(stretch)) for stretch in some) > len(some) // 2:
         cover.refine((stationary, moving), len(stretches))
     return list(chain.from_iterable(map(cover.uncovered, stretches)))

@@ -64,14 +64,18 @@ class Envelope:
         """
         first, *rest = (cls.of_convex(part, source) for part in find_convex_parts(chain))
         for part in rest:
-            first.breaks += part.breaks[1:]
-            first.pieces += part.pieces
+            first.take_all(part)
         return first
 
     @classmethod
     def of_convex(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
         """Wrap a strictly convex chain. Cost: O(n)."""
-        return cls([(x, 1) for x, _ in chain], take_edges(chain, source))
+        edges: list[Piece] = [
+            (dx := qx - px, dy := qy - py, py * dx - px * dy, start, source)
+            for start, (qx, qy) in pairwise(chain)
+            for px, py in [start]
+        ]
+        return cls([(x, 1) for x, _ in chain], edges)
 
     @property
     def sources(self) -> list[int]:
@@ -105,11 +109,8 @@ class Envelope:
 
     def take_all(self, chain: Envelope) -> None:
         """Append a chain that starts where this one ends, or right of that. Cost: O(its size)."""
-        if precedes(self.breaks[-1], chain.breaks[0]):
-            self.pieces.append(GAP)
-            self.breaks += chain.breaks
-        else:
-            self.breaks += chain.breaks[1:]
+        self.take_gap(chain.breaks[0])
+        self.breaks += chain.breaks[1:]
         self.pieces += chain.pieces
 
     def take_gap(self, end: Break) -> None:
@@ -210,15 +211,6 @@ def find_point(piece: Piece, at: Break) -> Vertex:
     if d == 1:
         return n, ratio(dy * n + c, dx)
     return ratio(n, d), ratio(dy * n + c * d, dx * d)
-
-
-def take_edges(chain: Sequence[Vertex], source: int) -> list[Piece]:
-    """The edges of a chain without vertical edges, as pieces. Cost: O(n)."""
-    return [
-        (dx := qx - px, dy := qy - py, py * dx - px * dy, start, source)
-        for start, (qx, qy) in pairwise(chain)
-        for px, py in [start]
-    ]
 
 
 def find_point_on(edge: Edge, at: Break) -> Vertex:

@@ -41,7 +41,6 @@ from exactsweep.procedures.convex_part import (
     count_flatter,
     measure_unit,
     split_chain,
-    split_envelope,
     split_parts,
 )
 from exactsweep.procedures.envelope import (
@@ -126,10 +125,6 @@ def outer_mm(generatrix_bottom: Sequence[Vertex], trajectory: Envelope) -> Envel
     return trajectory_mm(inverse(generatrix_bottom), trajectory)
 
 
-FEW_EDGES = 8
-"""The number of pieces up to which a walk is faster than a search."""
-
-
 def _take_inside(trajectory: Envelope) -> Envelope:
     """Return the inverse of the complement of a lower trajectory, edges as lines. Cost: O(t)."""
     return Envelope(
@@ -165,7 +160,7 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
         if source != last:
             last, part = source, source % len(parts)
             points, spans = parts[part], touched[part]
-            v = count_flatter(points, dx, dy) if len(spans) > FEW_EDGES else 0
+            v = count_flatter(points, dx, dy)
         # Edges from one source become steeper.
         while v < len(spans):
             (left, y), (right, z) = points[v], points[v + 1]
@@ -233,7 +228,7 @@ def inner_mm(
         return take_corners(directrix)
     inside, reversed_top = _take_inside(trajectory), inverse(generatrix_top)
     unit = measure_unit(reversed_top, inside)
-    chains, slots = split_chain(reversed_top, unit), list(split_envelope(inside, unit))
+    chains, slots = split_chain(reversed_top, unit), split_parts(inside, unit)
 
     def guess() -> Iterator[tuple[int, int]]:
         # The part of G_t that draws the trajectory probably reaches deepest into the next gap.

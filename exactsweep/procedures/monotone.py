@@ -7,6 +7,7 @@ lower sweep of both polygons after half a turn.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from math import lcm
 
@@ -31,6 +32,7 @@ KEPT_POLYGONS = 512
 """The number of polygons with cached chains, the last ones used; up to 1 kB per vertex."""
 
 
+@dataclass(eq=False)
 class LowerSweep:
     """The sweep (G_t, D_b), or (G_b, D_t) turned by half a turn, of one of the paper's classes.
 
@@ -41,13 +43,10 @@ class LowerSweep:
         directrix: D_b, from left to right.
     """
 
-    def __init__(
-        self, kind: Kind, top: list[Vertex], bottom: list[Vertex], directrix: list[Vertex]
-    ) -> None:
-        self.kind = kind
-        self.top = top
-        self.bottom = bottom
-        self.directrix = directrix
+    kind: Kind
+    top: list[Vertex]
+    bottom: list[Vertex]
+    directrix: list[Vertex]
 
     @made_once
     def path(self) -> list[Vertex]:

@@ -16,7 +16,7 @@ from math import inf
 from typing import NamedTuple, cast
 
 from exactsweep.numbers.number import Rational
-from exactsweep.procedures.convex_part import Box, ConvexPart, CrossingPart
+from exactsweep.procedures.convex_part import Box, ConvexPart, Parts
 from exactsweep.procedures.envelope import Break, Envelope, Span
 from exactsweep.procedures.lower_envelope import join, lower_envelope_mm, merge
 
@@ -24,9 +24,6 @@ STRIPS_PER_EDGE = 2
 STRIPS_PER_CHAIN = 4
 FEW_PAIRS = 40
 """The number of pairs up to which sweeping all is faster than a ceiling over half of them."""
-
-
-Parts = Sequence[ConvexPart] | Sequence[CrossingPart]
 
 Guess = Callable[[], Iterable[tuple[int, int]]]
 """Makes pairs of numbers, of parts of G_t and of D_b."""
@@ -40,7 +37,7 @@ class Boxes(NamedTuple):
     rights: list[Rational]
 
     @classmethod
-    def of(cls, parts: Iterable[ConvexPart | CrossingPart]) -> Boxes:
+    def of(cls, parts: Parts) -> Boxes:
         """Collect the boxes of parts, from left to right."""
         boxes = [part.box for part in parts]
         return cls(boxes, [box[0] for box in boxes], [box[1] for box in boxes])

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Half, Landmark, Step, Touch, explain
 from exactsweep.evidence.sweep import Sweep
-from exactsweep.geometry.region import AnyPolygon, number_features, walk_rings
+from exactsweep.geometry.outline import number_features, walk_rings
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.number import Point
 from exactsweep.words import CLASSES, count, name_heading, write_pair

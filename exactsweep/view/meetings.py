@@ -18,7 +18,7 @@ from exactsweep.evidence.contact import find_facing
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.number import Point, to_int
+from exactsweep.numbers.number import Point, ratio
 
 # The number of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
@@ -101,7 +101,7 @@ def find_meetings(
 def _outline(shape: AnyPolygon, scale: int, *, reverse: bool = False) -> Outline:
     """Return the features of a shape, or of all that is outside, with ints on the lattice."""
     exterior, *holes = (
-        [(to_int(x * scale), to_int(y * scale)) for x, y in ring] for ring in shape.rings
+        [(ratio(x * scale, 1), ratio(y * scale, 1)) for x, y in ring] for ring in shape.rings
     )
     # The interior is on the left, as in every Outline.
     rings = [exterior, *(hole[::-1] for hole in holes)]

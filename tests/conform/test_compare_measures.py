@@ -19,9 +19,9 @@ from exactsweep.conform.judge.distance import (
     _find_cut,
     _PieceEnd,
     bound_distance,
-    walk_together,
 )
 from exactsweep.conform.judge.region import RegionError, add_areas, find_differences, find_simplest
+from exactsweep.conform.judge.walk import walk_together
 
 Ring = Sequence[Point]
 
@@ -264,7 +264,7 @@ def test_a_bound_that_is_large_beside_the_loops_is_given_up(
     ring = [*ripple, Point(Fraction(40), Fraction(9)), Point(Fraction(-1), Fraction(9))]
     turned = [Point(x, y + 20) for x, y in ring]
     assert walk_together(ring, turned, Fraction(21))
-    monkeypatch.setattr("exactsweep.conform.judge.distance.MAX_CELLS", 1000)
+    monkeypatch.setattr("exactsweep.conform.judge.walk.MAX_CELLS", 1000)
     assert not walk_together(ring, turned, Fraction(21))
     # Fewer cells are enough where edges are close to few others.
     assert walk_together(ring, [Point(x, y + Fraction(1, 9)) for x, y in ring], Fraction(1, 8))

@@ -28,7 +28,7 @@ def test_the_protocol_is_as_the_readme_says(tmp_path: Path) -> None:
     verdicts = ["exact", "unsupported", "crash"]
     for text, verdict in zip(answers, verdicts, strict=True):
         answer = read_answer(read_object(text))
-        assert judge_answer(case, case, answer, said.loops).verdict == verdict
+        assert judge_answer(case, case, answer, said).verdict == verdict
 
 
 @pytest.mark.long

@@ -11,8 +11,8 @@ from tiers import examples
 
 from exactsweep import Point
 from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.distance import match_rings
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
+from exactsweep.conform.judge.walk import match_rings
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.vectors import find_hull, is_on_segment

@@ -88,10 +88,10 @@ def test_joined_ends_are_moved_no_farther_than_allowed(polygon: Polygon, random:
     lines = []
     for k, (a, b) in enumerate(zip(ring, [*ring[1:], ring[0]], strict=True)):
         ends = off(a), off(b)
-        lines.append(OpenLine(str(k), ends, lambda ends=ends: ends, order=k))  # type: ignore[misc]
+        lines.append(OpenLine(str(k), ends))
     random.shuffle(lines)  # type: ignore[attr-defined]
     reach = 9 * step
-    ((_, candidate),) = join(lines, Reading(join=reach))
+    ((_, candidate),) = join(dict(enumerate(lines)), Reading(join=reach))
     found = candidate.vertices()
     assert len(found) == len(ring)
     for point in ring:
@@ -110,11 +110,10 @@ def test_joined_ends_are_moved_no_farther_than_allowed(polygon: Polygon, random:
 )
 def test_joining_takes_time_in_proportion(ends: object) -> None:
     def join_lines(size: int) -> None:
-        lines = []
+        lines = {}
         for k in range(size):
             a, b, c, d = map(Fraction, ends(k))  # type: ignore[operator]
-            both = Point(a, b), Point(c, d)
-            lines.append(OpenLine("", both, both.__iter__, order=k))  # type: ignore[arg-type]
+            lines[k] = OpenLine("", (Point(a, b), Point(c, d)))
         list(join(lines, Reading()))
 
     require_linear(join_lines, size=500)

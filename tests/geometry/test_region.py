@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes, region, rings
 
 from exactsweep import Point, Polygon, PolygonError, Region
+from exactsweep.geometry.outline import number_features
 from exactsweep.geometry.overlap import touch
-from exactsweep.geometry.region import number_features
 from exactsweep.numbers.number import Vertex
 
 SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]

@@ -16,7 +16,7 @@ from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer
 from exactsweep.procedures.chain import ChainError, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.convex_part import ConvexPart, CrossingPart, measure_unit, take_whole
-from exactsweep.procedures.envelope import Envelope, take_edges
+from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
@@ -127,8 +127,8 @@ def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
         take_with_ends(points, unit, left, right)
         for points, left, right in ((one, *turns[:2]), (other, *turns[2:]))
     )
-    breaks = [(x, 1) for x, _ in other]
-    same = CrossingPart(take_edges(other, 0), breaks, part.flattest, part.steepest, part.slopes)
+    whole = Envelope.of_convex(other)
+    same = CrossingPart(whole.pieces, whole.breaks, part.flattest, part.steepest, part.slopes)
     found, again = part.sweep(chain, 0), same.sweep(chain, 0)
     assert (found is None) == (again is None)
     if found and again:

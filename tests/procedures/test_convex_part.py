@@ -21,21 +21,14 @@ BOWL: list[Vertex] = [(10, 10), (12, 8), (13, 8), (15, 12)]
 UNIT = 100
 
 
-def make(
-    points: list[Vertex],
-    flattest: Slope = -inf,
-    steepest: Slope = inf,
-    left: Break | None = None,
-    right: Break | None = None,
-) -> ConvexPart:
-    whole = take_whole(points, UNIT)
-    return whole._replace(flattest=flattest, steepest=steepest, left=left, right=right)
+def make(points: list[Vertex], flattest: Slope = -inf, steepest: Slope = inf) -> ConvexPart:
+    return take_whole(points, UNIT)._replace(flattest=flattest, steepest=steepest)
 
 
-def cross(part: ConvexPart) -> CrossingPart:
-    """The same part by its lines."""
+def cross(part: ConvexPart, left: Break | None = None, right: Break | None = None) -> CrossingPart:
+    """The same part by its lines, its ends cut."""
     whole = Envelope.of(part.points)
-    breaks = [part.left or whole.breaks[0], *whole.breaks[1:-1], part.right or whole.breaks[-1]]
+    breaks = [left or whole.breaks[0], *whole.breaks[1:-1], right or whole.breaks[-1]]
     return CrossingPart(whole.pieces, breaks, part.flattest, part.steepest, part.slopes)
 
 
@@ -44,18 +37,9 @@ def cross(part: ConvexPart) -> CrossingPart:
     [
         # All of both; edges of slope -1 become one.
         (make(CORNER), make(BOWL), [(10, 10), (14, 6), (15, 6), (17, 8), (19, 12)]),
-        # Nothing steeper than the last edge, and both end edges cut.
-        (
-            make(CORNER, -UNIT, UNIT, (1, 2), (7, 2)),
-            make(BOWL),
-            [
-                (Fraction(21, 2), Fraction(19, 2)),
-                (14, 6),
-                (15, 6),
-                (Fraction(33, 2), Fraction(15, 2)),
-            ],
-        ),
-        # Nothing of the part, which is flatter than all of the chain, or steeper: no cut is seen.
+        # Nothing steeper than the last edge.
+        (make(CORNER, -UNIT, UNIT), make(BOWL), [(10, 10), (14, 6), (15, 6), (17, 8)]),
+        # Nothing of the part, which is flatter than all of the chain, or steeper.
         (
             make(CORNER, -inf, inf),
             make([(0, 0), (1, 2), (2, 5)], 2 * UNIT),
@@ -81,17 +65,14 @@ def test_what_matters_of_two_parts(
         assert found.sources == [7] * (len(expected) - 1)
 
 
-def test_a_cut_counts_on_an_edge_that_matters_alone() -> None:
-    cut = make(CORNER, -inf, inf, (1, 2), (7, 2))
-    above = cut.sweep(make([(0, 0), (1, 2), (2, 5)], 2 * UNIT), 0)
-    assert above is not None
-    assert above.breaks == [(4, 1), (5, 1), (6, 1)]
-    below = cut.sweep(make([(0, 5), (1, 2), (2, 0)], -inf, -2 * UNIT), 0)
-    assert below is not None
-    assert below.breaks == [(0, 1), (1, 1), (2, 1)]
-    # Of the part its second edge alone, which is cut on the right.
-    half = cut.sweep(make([(0, 0), (1, 0)], 0), 0)
+def test_an_edge_that_is_cut_is_swept_as_far_as_it_holds() -> None:
+    cut = cross(make(CORNER, -UNIT, UNIT), (1, 2), (7, 2))
+    both, half = cut.sweep(make(BOWL), 0), cut.sweep(make([(0, 0), (1, 0)], 0), 0)
+    assert both is not None
     assert half is not None
+    ends = [Fraction(19, 2), 6, 6, Fraction(15, 2)]
+    assert [*both] == [*zip([Fraction(21, 2), 14, 15, Fraction(33, 2)], ends, strict=True)]
+    # Of the part its second edge alone, which is cut on the right.
     assert [*half] == [(2, -2), (3, -2), (Fraction(9, 2), Fraction(-1, 2))]
 
 
@@ -99,12 +80,12 @@ def test_boxes_are_rounded_outwards() -> None:
     assert round_outwards((1, 2), (7, 2)) == (0, 4)
     assert round_outwards((-1, 2), (-7, 2)) == (-1, -3)
     assert round_outwards((6, 2), (8, 2)) == (3, 4)
-    part = make([(0, 0), (2, -2), (5, -4)], left=(1, 2), right=(9, 2))
-    assert part.x_range == cross(part).x_range == (0, 5)
-    assert part.box == cross(part).box == (0, 5, -4)
+    part = make([(0, 0), (2, -2), (5, -4)])
+    assert part.x_range == cross(part).x_range == cross(part, (1, 2), (9, 2)).x_range == (0, 5)
+    assert part.box == cross(part).box == cross(part, (1, 2), (9, 2)).box == (0, 5, -4)
     for run in (1, 2, 3):
         gentle = make([(0, 9), (2, 7), (2 + run, 8), (5 + run, 14)])
         by_lines = cross(gentle)._replace(slopes=[Fraction(s) / UNIT for s in gentle.slopes])
         assert gentle.box == by_lines.box == (0, 5 + run, 7)
-    rising = make([(1, 7), (3, 8), (6, 19)], left=(3, 2), right=(11, 2))
-    assert cross(rising).box == rising.box == (1, 6, 7)
+    rising = make([(1, 7), (3, 8), (6, 19)])
+    assert rising.box == cross(rising, (3, 2), (11, 2)).box == (1, 6, 7)

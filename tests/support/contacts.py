@@ -4,7 +4,8 @@ from collections.abc import Iterable
 
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import Sweep
-from exactsweep.geometry.region import Region, walk_rings
+from exactsweep.geometry.outline import walk_rings
+from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import Point
 
 

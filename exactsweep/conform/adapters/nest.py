@@ -14,13 +14,11 @@ EXACTSWEEP_DEEPNEST name; `nest.js` beside this module loads it as it is.
 from __future__ import annotations
 
 import hashlib
-import os
 from pathlib import Path
-from shutil import which
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import Adapter, AskedShape, MissingError, refer
-from exactsweep.conform.adapters.program import Program, write_shape
+from exactsweep.conform.adapters.adapter import Adapter, AskedShape, refer
+from exactsweep.conform.adapters.program import Program, find_node, write_shape
 from exactsweep.conform.run.protocol import Hello
 
 SCRIPT = Path(__file__).with_name("nest.js")
@@ -52,11 +50,7 @@ def start(project: str, way: str) -> tuple[str, Program]:
     Raises:
         MissingError: there is no node, or the source is not to be found.
     """
-    node = which("node")
-    variable = f"EXACTSWEEP_{project.upper()}"
-    folder = os.environ.get(variable, "")
-    source = Path(folder, SOURCES[project])
-    if node is None or not folder or not source.is_file():
-        raise MissingError(f"{project} needs node, and {variable} for the folder of its source")
-    digest = hashlib.sha256(source.read_bytes()).hexdigest()[:8]
-    return f"of sha256 {digest}", Program([node, str(SCRIPT), project, way, folder])
+    variable, source = f"EXACTSWEEP_{project.upper()}", SOURCES[project]
+    node, folder = find_node(project, variable, source, "the folder of its source")
+    digest = hashlib.sha256(Path(folder, source).read_bytes()).hexdigest()[:8]
+    return f"of sha256 {digest}", Program([node, str(SCRIPT), project, way, str(folder)])

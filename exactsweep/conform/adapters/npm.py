@@ -16,19 +16,16 @@ that were judged are those of `package.json` beside this module.
 from __future__ import annotations
 
 import json
-import os
 from pathlib import Path
-from shutil import which
 
 from exactsweep.conform.adapters.adapter import (
     Adapter,
     AnsweredRings,
     AskedShape,
-    MissingError,
     require_range,
     sum_adapter,
 )
-from exactsweep.conform.adapters.program import Program, write_ring
+from exactsweep.conform.adapters.program import Program, find_node, write_ring
 
 SCRIPT = Path(__file__).with_name("npm.js")
 MOST = 2**53 - 1
@@ -40,15 +37,11 @@ def adapter(name: str) -> Adapter:
     Raises:
         MissingError: there is no node, or the package is not to be found.
     """
-    node, folder = which("node"), os.environ.get("EXACTSWEEP_NPM", "")
-    package = Path(folder, "node_modules", name, "package.json")
-    if node is None or not folder or not package.is_file():
-        raise MissingError(
-            f"{name} needs node, and EXACTSWEEP_NPM for a folder in which npm has installed "
-            f"{SCRIPT.with_name('package.json')}"
-        )
-    version = json.loads(package.read_text(encoding="utf-8"))["version"]
-    running = Program([node, str(SCRIPT), name, folder])
+    package = f"node_modules/{name}/package.json"
+    what = f"a folder in which npm has installed {SCRIPT.with_name('package.json')}"
+    node, folder = find_node(name, "EXACTSWEEP_NPM", package, what)
+    version = json.loads(Path(folder, package).read_text(encoding="utf-8"))["version"]
+    running = Program([node, str(SCRIPT), name, str(folder)])
     is_clipper = "clipper" in name
 
     def add(directrix: AskedShape, inverse: AskedShape) -> AnsweredRings:

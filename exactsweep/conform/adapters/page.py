@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
 from datetime import date
+from itertools import product
 from pathlib import Path
-from typing import Any
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.outcome import Outcome, outcome_from_json
+from exactsweep.conform.run.outcome import outcome_from_json
+from exactsweep.conform.run.tally import ALL, Tally
 
 _RIGHT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS)
 _OTHERS = tuple(v for v in Verdict if v not in (*_RIGHT, Verdict.UNSUPPORTED))
@@ -18,20 +19,17 @@ _SHOWN = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG, Verdict.MALFORME
 _ASKED = {"sweep": "outer path", "no_fit": "no-fit polygon", "inner_fit": "inside a container"}
 
 
-def _flagged(flag: str) -> Callable[[Outcome], bool]:
-    return lambda outcome: flag in outcome.flags
-
-
-COLUMNS: dict[str, Callable[[Outcome], bool]] = {
-    "convex": lambda outcome: outcome.kind == "CC",
-    "monotone": lambda outcome: outcome.kind in ("CM", "MM"),
-    "any shape": lambda outcome: outcome.kind == "SS",
-    "holes in the answer": _flagged("no-fit-hole"),
-    "off the grid": _flagged("rounded-answer"),
-    "nearly parallel": _flagged("near-parallel"),
-    "thin": _flagged("sliver"),
-    "beyond 2^53": _flagged("huge"),
+COLUMNS = {
+    "convex": ("CC",),
+    "monotone": ("CM", "MM"),
+    "any shape": ("SS",),
+    "holes in the answer": ("no-fit-hole",),
+    "off the grid": ("rounded-answer",),
+    "nearly parallel": ("near-parallel",),
+    "thin": ("sliver",),
+    "beyond 2^53": ("huge",),
 }
+"""The columns of cases that have a class or a flag of these."""
 INSIDE = "inside a container"
 HEAD = """# Exactness of other programs
 
@@ -62,8 +60,7 @@ def write_page(journals: Iterable[Path], asked: str) -> str:
 
     Cost: linear.
     """
-    cells: dict[str, dict[str, Counter[Verdict]]] = defaultdict(lambda: defaultdict(Counter))
-    verdicts: dict[tuple[str, str], Counter[Verdict]] = defaultdict(Counter)
+    found: dict[tuple[str, str], Tally] = defaultdict(Tally)
     smallest: dict[tuple[str, str], tuple[int, str]] = {}
     for path in journals:
         with path.open(encoding="utf-8") as lines:
@@ -73,29 +70,31 @@ def write_page(journals: Iterable[Path], asked: str) -> str:
             for outcome in map(outcome_from_json, map(json.loads, lines)):
                 if outcome.verdict is Verdict.UNSUPPORTED:
                     continue
-                verdicts[key][outcome.verdict] += 1
-                for column in _list_columns(outcome, question):
-                    cells[key[0]][column][outcome.verdict] += 1
+                found[key].add(outcome)
                 if outcome.verdict in _SHOWN:
-                    found = _measure(outcome.case or {}), outcome.id
-                    smallest[key] = min(smallest.get(key, found), found)
-    names = [*COLUMNS, INSIDE]
-    rows = ([name, *(_write(found[c]) for c in names)] for name, found in cells.items())
-    used = [verdict for verdict in _OTHERS if any(found[verdict] for found in verdicts.values())]
+                    measured = outcome.size, outcome.id
+                    smallest[key] = min(smallest.get(key, measured), measured)
+    rows = []
+    for program in dict.fromkeys(name for name, _ in found):
+        mine = {asked: tally for (name, asked), tally in found.items() if name == program}
+        inside = [mine.pop(INSIDE)] if INSIDE in mine else []
+        cells = (_write(mine.values(), groups) for groups in COLUMNS.values())
+        rows.append([program, *cells, _write(inside, [ALL])])
+    used = [verdict for verdict in _OTHERS if any(t.total(verdict) for t in found.values())]
     failures = (
         [
             *key,
-            str(found.total()),
-            str(_count_right(found)),
-            *(str(found[verdict] or "") for verdict in used),
+            str(tally.total()),
+            str(_count([tally], [ALL], _RIGHT)),
+            *(str(tally.total(verdict) or "") for verdict in used),
             smallest[key][1] if key in smallest else "",
         ]
-        for key, found in verdicts.items()
+        for key, tally in found.items()
     )
     head = ["program", "asked", "cases", "exact", *used, "smallest not right"]
     return (
         f"{HEAD}Measured on {date.today():%d %B %Y}: {asked}.\n\n"
-        + _tabulate(["program", *names], rows)
+        + _tabulate(["program", *COLUMNS, INSIDE], rows)
         + FAILURES
         + _tabulate(head, failures)
     )
@@ -107,29 +106,20 @@ def _tabulate(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-def _list_columns(outcome: Outcome, question: str) -> list[str]:
-    if not outcome.verdict.is_judgement:
-        return []
-    if question == "inner_fit":
-        return [INSIDE]
-    return [name for name, fits in COLUMNS.items() if fits(outcome)]
+def _count(tallies: Iterable[Tally], groups: Iterable[str], verdicts: Iterable[Verdict]) -> int:
+    return sum(t.total(v, group) for t, group, v in product(tallies, groups, verdicts))
 
 
-def _measure(case: Mapping[str, Any]) -> int:
-    return sum(len(case.get(name, ())) for name in ("directrix", "generatrix"))
-
-
-def _count_right(found: Counter[Verdict]) -> int:
-    return sum(found[verdict] for verdict in _RIGHT)
-
-
-def _write(found: Counter[Verdict]) -> str:
+def _write(tallies: Iterable[Tally], groups: Iterable[str]) -> str:
     """Write a cell.
 
-    >>> _write(Counter({Verdict.EXACT: 3, Verdict.WITHIN: 1, Verdict.WRONG: 1})), _write(Counter())
-    ('3 + 1 of 5', '')
+    >>> from exactsweep.conform.run.outcome import Outcome
+    >>> outcomes = [Outcome("", "CC", (), v) for v in (*Verdict, Verdict.EXACT)]
+    >>> _write([Tally(outcomes)], ["CC"]), _write([Tally(outcomes)], ["CM"])
+    ('4 + 1 of 13', '')
     """
-    if not found:
-        return ""
-    rounded = f" + {found[Verdict.WITHIN]}" if found[Verdict.WITHIN] else ""
-    return f"{_count_right(found)}{rounded} of {found.total()}"
+    tallies = [*tallies]
+    asked = _count(tallies, groups, (v for v in Verdict if v.is_judgement))
+    rounded = _count(tallies, groups, [Verdict.WITHIN])
+    right = _count(tallies, groups, _RIGHT)
+    return f"{right}{f' + {rounded}' if rounded else ''} of {asked}" if asked else ""

@@ -6,10 +6,13 @@ An answer is written likewise, or starts with "error".
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from math import inf
+from pathlib import Path
+from shutil import which
 
-from exactsweep.conform.adapters.adapter import AskedRing, AskedShape
+from exactsweep.conform.adapters.adapter import AskedRing, AskedShape, MissingError
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import to_fraction
@@ -56,6 +59,18 @@ class Program:
         if self._channel is not None:
             self._channel.kill()
             self._channel = None
+
+
+def find_node(name: str, variable: str, file: str, what: str) -> tuple[str, Path]:
+    """Find node, and the folder that an environment variable names and that has a file.
+
+    Raises:
+        MissingError: there is no node, or no such folder.
+    """
+    node, folder = which("node"), os.environ.get(variable)
+    if not (node and folder and Path(folder, file).is_file()):
+        raise MissingError(f"{name} needs node, and {variable} for {what}")
+    return node, Path(folder)
 
 
 def write_fraction(value: object) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from exactsweep.conform.judge.boundary import (
     trace_rings,
 )
 from exactsweep.conform.judge.diagnosis import diagnose
-from exactsweep.conform.judge.distance import bound_distance, match_rings
+from exactsweep.conform.judge.distance import bound_distance
 from exactsweep.conform.judge.fits import (
     find_rounded_fit,
     judge_fits,
@@ -40,6 +40,7 @@ from exactsweep.conform.judge.verdict import (
     read_number,
     read_segments,
 )
+from exactsweep.conform.judge.walk import match_rings
 from exactsweep.conform.judge.witness import (
     FITS_OF,
     INSIDE,
@@ -128,41 +129,49 @@ def compare(
         granted = grant_rounding(case, name, loop, numbers)
         return granted if claim is None else limit_claim(case, claim, granted)
 
-    parts = []
-    whiskers: dict[str, list[Fit]] = {}
-    for name in LOOPS:
-        if name == "inner_fit" and case.inner_regions is None:
-            continue
-        if name not in result:
-            if name in promised:
-                parts.append(PartComparison(name, Verdict.MALFORMED, f"$.{name} is missing"))
-            continue
-        try:
-            loop = read_loop(result[name], f"$.{name}", may_be_empty=name == "inner_fit")
-        except AnswerError as error:
-            parts.append(PartComparison(name, Verdict.MALFORMED, str(error)))
-            continue
-        part, traced = judge_loop(case, name, loop, grant(name, loop))
-        if part.verdict is Verdict.WITHIN and claim is not None:
-            part = replace(part, reason=f"{part.reason}, as it claims for itself")
-        if name in FITS_OF:
-            whiskers[FITS_OF[name]] = [*whiskers.get(FITS_OF[name], ()), *traced]
-        parts.append(part)
-    judged = {part.name for part in parts}
-    for name, loops in ((NAME, {"trajectory", "no_fit"}), (INSIDE, {"inner_fit"})):
-        if not (name == NAME and NAME in result) and not (loops & judged & result.keys()):
-            continue
-        try:
-            fits = read_segments(result.get(name, []), f"$.{name}")
+    whiskers: dict[str, list[Fit]] = {NAME: [], INSIDE: []}
+
+    def judge_part(name: str) -> PartComparison:
+        place = f"$.{name}"
+        if name in whiskers:
+            fits = read_segments(result.get(name, []), place)
             segments = [(p, q) for p, q in fits.rings]
-            on_loops = whiskers.get(name, ())
-            parts.append(judge_fits(case, segments, grant(name, fits), on_loops, name))
+            return judge_fits(case, segments, grant(name, fits), whiskers[name], name)
+        if name not in result:
+            raise AnswerError(f"{place} is missing")
+        loop = read_loop(result[name], place, may_be_empty=name == "inner_fit")
+        part, traced = judge_loop(case, name, loop, grant(name, loop))
+        if name in FITS_OF:
+            whiskers[FITS_OF[name]] += traced
+        if part.verdict is Verdict.WITHIN and claim is not None:
+            return replace(part, reason=f"{part.reason}, as it claims for itself")
+        return part
+
+    parts = []
+    for name in _list_parts(case, result, promised):
+        try:
+            parts.append(judge_part(name))
         except AnswerError as error:
             parts.append(PartComparison(name, Verdict.MALFORMED, str(error)))
     if not parts:
         return Comparison(case.id, Verdict.UNSUPPORTED, "the answer has no loops")
     worst = max(parts, key=lambda part: part.verdict.severity)
     return Comparison(case.id, worst.verdict, worst.reason, tuple(parts))
+
+
+def _list_parts(
+    case: Case, result: Mapping[str, object], promised: Collection[str]
+) -> Iterator[str]:
+    """List what is judged: loops first, since they may trace exact fits."""
+    asked = {*result, *promised}
+    if case.inner_regions is None:
+        asked.discard("inner_fit")
+    yield from (name for name in LOOPS if name in asked)
+    answered = asked & result.keys()
+    if answered & {"trajectory", "no_fit", NAME}:
+        yield NAME
+    if "inner_fit" in answered:
+        yield INSIDE
 
 
 class _Writing(NamedTuple):
@@ -221,11 +230,11 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:
     """Say what is wrong with some rings by themselves, or return None."""
-    try:
-        for k, ring in enumerate(rings):
-            _require_simple(ring, place if len(rings) == 1 else f"{place}[{k}]")
-    except AnswerError as error:
-        return str(error)
+    for k, ring in enumerate(rings):
+        try:
+            Polygon(ring)
+        except PolygonError as error:
+            return f"{place if len(rings) == 1 else f'{place}[{k}]'}: {error}"
     try:
         overlap = find_overlap(rings) if len(rings) > 1 else None
     except RegionError:
@@ -370,10 +379,3 @@ def _rotate(ring: Loop) -> Loop:
 
 def _orient(ring: Loop) -> Loop:
     return min(_rotate(ring), _rotate(ring[::-1]))
-
-
-def _require_simple(ring: Loop, place: str) -> None:
-    try:
-        Polygon(ring)
-    except PolygonError as error:
-        raise AnswerError(f"{place}: {error}") from None

@@ -14,12 +14,11 @@ from itertools import chain
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.conform.judge.distance import match_rings
-from exactsweep.conform.judge.rounding import is_near, name_arithmetic
+from exactsweep.conform.judge.rounding import name_arithmetic
+from exactsweep.conform.judge.walk import find_box, is_near, match_rings, take_pairs
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.geometry.canonical import PolygonError, find_doubled_area
-from exactsweep.geometry.centroid import find_centroid
+from exactsweep.geometry.canonical import find_centroid, find_doubled_area
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.addition import add_up
@@ -59,10 +58,10 @@ class _DiagnosedRings(NamedTuple):
         """Decide whether they are some others but for so many roundings; boxes tell most."""
         if not (others and len(others) == len(self.rings)):
             return False
-        (low, high), bound = _box(others), times * self.rounding
+        (low, high), bound = find_box(others), times * self.rounding
         if not (is_near(low, self.low, bound) and is_near(high, self.high, bound)):
             return False
-        return _are_same(others, self.rings, bound)
+        return match_rings(others, self.rings, bound)
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
@@ -82,13 +81,14 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     """
     if not any(map(find_doubled_area, rings)):
         return () if rings else ("says that G does not fit",)
-    low, high = _box(rings)
+    low, high = find_box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
         # Nearly everything is something else except for so much.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
     theirs = _DiagnosedRings(case, name, exact, rings, rounding, low, high)
-    missing, left = _pair_rings(theirs)
+    left = list(rings)
+    missing = list(take_pairs(exact, left, rounding))
     if counted := tuple(_count_rings(theirs, missing, left)):
         return counted
     spoilt = name_arithmetic(exact, rings)
@@ -108,22 +108,6 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     return tuple(dict.fromkeys(found))
 
 
-def _pair_rings(theirs: _DiagnosedRings) -> tuple[PointRings, PointRings]:
-    """Return the exact rings that were not answered, and those answered that are none of them."""
-    left = list(theirs.rings)
-    missing = []
-    for ring in theirs.exact:
-        # A ring that is the same, or else one that is so except for rounding.
-        for bound in dict.fromkeys((Fraction(0), theirs.rounding)):
-            found = next((o for o in left if _are_same([ring], [o], bound)), None)
-            if found is not None:
-                left.remove(found)
-                break
-        else:
-            missing.append(ring)
-    return missing, left
-
-
 def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings) -> Iterator[str]:
     """Say whether all exact rings are there, and how many more, or how many are missing."""
     exact, name = theirs.exact, theirs.name
@@ -131,7 +115,7 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
         return
     if not missing:
         is_around = name in ("trajectory", "no_fit")
-        if is_around and _are_same(_find_inside(theirs.case), left, theirs.rounding):
+        if is_around and match_rings(_find_inside(theirs.case), left, theirs.rounding):
             yield "the sum of the boundaries: where one polygon is inside the other is left open"
         yield f"all exact rings, and {len(left)} more"
     elif not left and name != "inner_fit" and exact[0] not in missing:
@@ -176,7 +160,7 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
         "G itself": case.generatrix.rings,
     }
     if exact:
-        low, high = _box(exact)
+        low, high = find_box(exact)
         box = Polygon([low, (high.x, low.y), high, (low.x, high.y)])
         named["the convex hull of the exact one"] = [Polygon(find_hull(chain(*exact))).vertices]
         named["the bounding box of the exact one"] = [box.vertices]
@@ -278,30 +262,13 @@ def _mean(ring: Sequence[Point]) -> Point:
 
 def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:
     """Find the translation that makes some rings the answered ones, except for rounding."""
-    by = subtract(theirs.low, _box(shape)[0])
+    by = subtract(theirs.low, find_box(shape)[0])
     return by if theirs.are(_map(shape, 1, 0, 0, 1, by), 2) else None
 
 
 def _find_scale(theirs: _DiagnosedRings) -> Fraction | None:
     """Find the factor that makes the exact rings the answered ones, except for rounding."""
-    low, high = _box(theirs.exact)
+    low, high = find_box(theirs.exact)
     factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
     scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in theirs.exact]
     return factor if factor not in (0, 1) and theirs.are(scaled, 4) else None
-
-
-def _box(rings: PointRings) -> tuple[Point, Point]:
-    xs, ys = zip(*chain.from_iterable(rings), strict=True)
-    return Point(min(xs), min(ys)), Point(max(xs), max(ys))
-
-
-def _are_same(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:
-    if len(exact) != len(theirs):
-        return False
-    if rounding:
-        return match_rings(exact, theirs, rounding)
-    try:
-        one, other = (sorted(Polygon(ring).vertices for ring in r) for r in (exact, theirs))
-    except PolygonError:
-        return False
-    return one == other

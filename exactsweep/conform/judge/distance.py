@@ -1,9 +1,8 @@
-"""Two distances of loops: Hausdorff's, bounded, and Fréchet's, compared with a bound.
+"""The Hausdorff distance of loops, bounded: how far a point of one can be from all of the other.
 
-**Hausdorff**: how far a point of one loop can be from all of the other. Loops are curves here, so
-that a notch filled counts with its depth. Let e be a piece of an edge of one loop, with ends a and
-b, and f_j(p) the squared distance of a point p from edge j of the other; f = min_j f_j. A segment
-is convex, so that f_j has its greatest value on e at an end of e, and
+Loops are curves here, so that a notch filled counts with its depth. Let e be a piece of an edge of
+one loop, with ends a and b, and f_j(p) the squared distance of a point p from edge j of the other;
+f = min_j f_j. A segment is convex, so that f_j has its greatest value on e at an end of e, and
 
     (1)  max(f(a), f(b))  <=  max f on e  <=  min_j max(f_j(a), f_j(b)).
 
@@ -11,30 +10,18 @@ Where one edge is nearest to both ends, both sides of (1) are equal. Otherwise e
 two edges are equally near: f_j is quadratic along e as long as the nearest feature of edge j stays
 the same. Roots are rounded, which (1) allows. The piece with the greatest upper bound comes first;
 the search ends when that bound is no greater than the greatest value found, or close to it.
-
-**Fréchet**: whether two points can travel once around two loops, neither turning back, and stay
-closer than a bound in x and in y (Alt and Godau, "Computing the Fréchet distance between two
-polygonal curves", 1995, in the maximum norm, where all is rational). The close pairs of places on
-two edges are a convex set. So a walk leads from any place on the left or lower side of such a cell
-to any place on its right or upper side that does not lie before it, and only the earliest place
-that can be reached on each side matters. A walk that is found is a proof. Walks start at the first
-vertex of one loop and a vertex or a middle of a close part of the other; one that can only start
-elsewhere, or takes more than MAX_CELLS cells, is not found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from heapq import heappop, heappush
-from itertools import chain, count, pairwise
+from itertools import chain, count
 from math import floor, isqrt, lcm
 from typing import NamedTuple
 
-from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.numbers.number import Point, PointRings
-
-MAX_CELLS = 300_000
+from exactsweep.numbers.number import PointRings
 
 IntPair = tuple[int, int]
 Squares = tuple[Fraction, Fraction]
@@ -243,150 +230,3 @@ def _bound_one_way(
         add(edge, start, _PieceEnd(t, near))
         add(edge, _PieceEnd(t, near), end)
     return low, max(low, -pieces[0][0]) if pieces else low
-
-
-class _EdgePart(NamedTuple):
-    """The places on an edge strictly between two shares: an end is in if low < 0, or high > 1."""
-
-    low: Fraction
-    high: Fraction
-
-    def after(self, low: Fraction) -> _EdgePart | None:
-        """Return the places that are not before another one."""
-        part = _EdgePart(max(self.low, low), self.high)
-        return part if part.start < part.end else None
-
-    @property
-    def start(self) -> Fraction:
-        """The low end, on the edge."""
-        return max(self.low, Fraction(0))
-
-    @property
-    def end(self) -> Fraction:
-        """The high end, on the edge."""
-        return min(self.high, Fraction(1))
-
-
-def walk_together(first: Sequence[Point], second: Sequence[Point], bound: Fraction) -> bool:
-    """Decide whether two loops can be walked together, always closer than a bound.
-
-    Args:
-        first: vertices of a loop of m edges, not closed.
-        second: those of another one of n edges, of the same orientation.
-        bound: the differences in x and in y must stay below it at every moment.
-
-    Returns:
-        True if a walk is found.
-
-    Cost: O(m + n) operations on rationals where the bound is below all distances of edges that are
-    no neighbours; otherwise up to O(m n) for each start, and MAX_CELLS for all of them.
-
-    Example:
-        >>> loop = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (9, 0), (9, 9), (0, 9)]]
-        >>> rounded = [*loop[1:], Point(Fraction(-1, 3), Fraction(0))]
-        >>> [walk_together(loop, rounded, Fraction(1, k)) for k in (2, 3)]
-        [True, False]
-    """
-    closed = [*first, first[0]]
-    cells = iter(range(MAX_CELLS))
-    return any(_walk(closed, start, bound, cells) for start in _starts(first[0], second, bound))
-
-
-def match_rings(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:
-    """Decide whether each ring is one of some others except for rounding, by `walk_together`.
-
-    The exact ones are counter-clockwise; rounding may have made the others cross themselves.
-    """
-    if not rounding or len(exact) != len(theirs):
-        return False
-    left = list(theirs)
-    for ring in exact:
-        found = next((other for other in left if _is_rounded(ring, other, rounding)), None)
-        if found is None:
-            return False
-        left.remove(found)
-    return True
-
-
-def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fraction) -> bool:
-    for axis in (0, 1):
-        one, other = ([point[axis] for point in ring] for ring in (exact, theirs))
-        if (
-            abs(min(one) - min(other)) >= rounding or abs(max(one) - max(other)) >= rounding
-        ):  # pragma: no mutate: costs only time
-            return False
-    turn = find_doubled_area(theirs)
-    return (turn >= 0 and walk_together(exact, theirs, rounding)) or (
-        turn <= 0 and walk_together(exact, theirs[::-1], rounding)
-    )
-
-
-def _starts(p: Point, loop: Sequence[Point], bound: Fraction) -> Iterator[list[Point]]:
-    """Yield the loop as a path from a place close to a point all the way around to it."""
-    for k, b in enumerate(loop):
-        a = loop[k - 1]
-        if close := find_close_part(p, a, b, bound):
-            rest = [*loop[k:], *loop[:k]]
-            if close.high > 1:
-                yield [*rest, b]
-            t = (close.start + close.end) / 2
-            middle = Point(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))
-            yield [middle, *rest, middle]
-
-
-def _walk(
-    first: Sequence[Point], second: Sequence[Point], bound: Fraction, cells: Iterator[int]
-) -> bool:
-    """Decide whether two paths whose starts are close can be walked together.
-
-    Cell (i, j) has edge i of the first and edge j of the second path. Its lower side belongs to
-    vertex i, its left side to vertex j.
-    """
-    m, n = len(first) - 1, len(second) - 1
-    lower = _along(first[0], second, bound)
-    for i in range(m):
-        upper: dict[int, _EdgePart] = {}
-        # Where vertex i is close to the start of the second path, the lower side begins there.
-        left = None
-        for start, stop in pairwise([*sorted(lower), n]):
-            for j in range(start, stop):
-                below = lower.get(j)
-                if (below is None and left is None) or next(cells, None) is None:
-                    break
-                right = find_close_part(second[j + 1], first[i], first[i + 1], bound)
-                above = find_close_part(first[i + 1], second[j], second[j + 1], bound)
-                if right and left and below is None:
-                    right = right.after(left.low)
-                if above and below and left is None:
-                    above = above.after(below.low)
-                if above:
-                    upper[j] = above
-                left = right
-        lower = upper
-    return n - 1 in lower and lower[n - 1].high > 1
-
-
-def _along(p: Point, path: Sequence[Point], bound: Fraction) -> dict[int, _EdgePart]:
-    """Find the parts of edges, by number, before the first place of a path not close to a point."""
-    found: dict[int, _EdgePart] = {}
-    for k, (a, b) in enumerate(pairwise(path)):
-        close = find_close_part(p, a, b, bound)
-        if close is None or close.low >= 0:
-            break
-        found[k] = close
-        if close.high <= 1:
-            break
-    return found
-
-
-def find_close_part(p: Point, a: Point, b: Point, bound: Fraction) -> _EdgePart | None:
-    """Find the places on an edge that are closer to a point than the bound, in x and in y."""
-    low, high = Fraction(-1), Fraction(2)
-    for place, start, end in zip(p, a, b, strict=True):
-        if start == end:
-            if abs(place - start) >= bound:
-                return None
-            continue
-        near, far = sorted(((place + sign * bound - start) / (end - start)) for sign in (-1, 1))
-        low, high = max(low, near), min(high, far)
-    return _EdgePart(low, high).after(low)

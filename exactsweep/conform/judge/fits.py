@@ -19,9 +19,8 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.conform.judge.boundary import are_collinear, subtract_fits
-from exactsweep.conform.judge.distance import find_close_part
-from exactsweep.conform.judge.rounding import is_near
-from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
+from exactsweep.conform.judge.verdict import PartComparison, Verdict
+from exactsweep.conform.judge.walk import find_close_part, is_near
 from exactsweep.conform.judge.witness import (
     INSIDE,
     NAME,
@@ -63,8 +62,7 @@ def judge_fits(
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
     fits = list_exact_fits(case, name)
-    exact = {_forget_order(fit) for fit in fits}
-    answered = [_forget_order(fit) for fit in theirs]
+    exact, answered = {*map(frozenset, fits)}, [*map(frozenset, theirs)]
     if set(answered) == exact and len(answered) == len(exact):
         return PartComparison(name, Verdict.EXACT)
     given = [*theirs, *whiskers]
@@ -72,8 +70,8 @@ def judge_fits(
         kind = "whisker" if whiskers else "given twice or in pieces"
         reason = "traced as whiskers of the loop" if whiskers else kind
         return PartComparison(name, Verdict.EQUIVALENT, reason, kind=kind)
-    missing = [f for f in fits if _forget_order(f) not in answered]
-    others = [f for f in given if _forget_order(f) not in exact]
+    missing = [f for f in fits if frozenset(f) not in answered]
+    others = [f for f in given if frozenset(f) not in exact]
     rounded = _take_rounded(missing, others, rounding)
     ways = _name_ways(missing, others)
     if twice := len(answered) - len(set(answered)):
@@ -89,22 +87,28 @@ def judge_fits(
     ]
     overlap = next((found for found in shown if found.classified == "OVERLAP"), None)
     false = overlap or next(iter(shown), None)
-    kind, listed = ", ".join(ways), _list(ways)
+    kind = ", ".join(ways)
+    listed = ", ".join(f"{count(number, 'exact fit')} {way}" for way, number in ways.items())
     if false is not None:
-        says = replace(false, says=f"{false.says}; that is on an exact fit of theirs")
+        false = replace(false, says=f"{false.says}; that is on an exact fit of theirs")
         return PartComparison(
             name,
             Verdict.UNSOUND if overlap else Verdict.FALSE_EXACT_FITS,
             f"an exact fit of theirs {'overlaps' if overlap else 'is none'}: {listed}",
-            unsound=says if overlap else None,
-            conservative=None if overlap else says,
+            unsound=false if overlap else None,
+            conservative=None if overlap else false,
             kind=kind,
         )
+    missed = None
+    if missing:
+        missed = at_position(case, find_middle(*missing[0]), inside=name == INSIDE)
+        says = f"{missed.says}; that is on an exact fit which is not among theirs"
+        missed = replace(missed, says=says)
     return PartComparison(
         name,
         Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         listed,
-        conservative=_find_missed(case, missing[0], name) if missing else None,
+        conservative=missed,
         kind=kind,
         granted=rounding if rounded else None,
     )
@@ -133,10 +137,6 @@ def trace_whiskers(rings: Sequence[Loop], fits: Iterable[Fit]) -> tuple[Loop, ..
                 ring[k:k] = [hanging, inside, hanging]
                 break
     return tuple(map(tuple, grown))
-
-
-def _forget_order(segment: Fit) -> frozenset[Point]:
-    return frozenset(segment)
 
 
 def _take_rounded(missing: list[Fit], others: list[Fit], rounding: Fraction) -> int:
@@ -177,15 +177,6 @@ def _unite_to_one(one: Fit, other: Fit) -> bool:
     return are_collinear((*one, *other)) and (
         low < high or (low == high and (one[0] == one[1] or other[0] == other[1]))
     )
-
-
-def _list(ways: dict[str, int]) -> str:
-    return ", ".join(f"{count(number, 'exact fit')} {way}" for way, number in ways.items())
-
-
-def _find_missed(case: Case, fit: Fit, name: str) -> Witness:
-    found = at_position(case, find_middle(*fit), inside=name == INSIDE)
-    return replace(found, says=f"{found.says}; that is on an exact fit which is not among theirs")
 
 
 def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:

@@ -112,7 +112,11 @@ def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoi
         Fraction(2, 1)
     """
     for left, right, ordered in _cut([*_edges(first, 0), *_edges(second, 1)]):
-        yield from _compare_regions(left, right, ordered)
+        inside = [False, False]
+        for (bottom, edge), (top, _) in pairwise(ordered):
+            inside[edge.region] = not inside[edge.region]
+            if inside[0] != inside[1] and bottom != top:
+                yield Trapezoid(inside[0], left, right, bottom, top)
 
 
 def find_overlap(rings: Sequence[Sequence[Point]]) -> tuple[int, int] | None:
@@ -222,15 +226,6 @@ def _edges(rings: PointRings, region: int) -> Iterator[_RegionEdge]:
             left, right = sorted((ring[k - 1], p))
             if left.x < right.x:
                 yield _RegionEdge(left, right, (right.y - left.y) / (right.x - left.x), region)
-
-
-def _compare_regions(left: Fraction, right: Fraction, ordered: Ordered) -> Iterator[Trapezoid]:
-    """Yield the cells of a slab in which no edge ends or crosses another one."""
-    inside = [False, False]
-    for (bottom, edge), (top, _) in pairwise(ordered):
-        inside[edge.region] = not inside[edge.region]
-        if inside[0] != inside[1] and bottom != top:
-            yield Trapezoid(inside[0], left, right, bottom, top)
 
 
 def _crossings(ordered: Ordered) -> Iterator[Fraction]:

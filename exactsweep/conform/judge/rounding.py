@@ -68,11 +68,6 @@ def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
     return min(claim, max(granted, MOST_CLAIMED * measure_smaller(case)))
 
 
-def is_near(p: Point, q: Point, rounding: Fraction) -> bool:
-    """Decide whether two points are equal, or closer than a rounding in x and in y."""
-    return p == q or all(abs(a - b) < rounding for a, b in zip(p, q, strict=True))
-
-
 def measure_smaller(case: Case) -> Fraction:
     """Return the greater one of width and height, of the polygon for which that is less."""
     return min(_size(case.directrix), _size(case.generatrix))

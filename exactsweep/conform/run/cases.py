@@ -12,7 +12,7 @@ from exactsweep.corpus import Case, case_from_json, cases
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.files import open_bytes, split_lines
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.error import ExactSweepError, quote
+from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
 
 
 class SelectionError(ExactSweepError):
@@ -128,8 +128,6 @@ def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> I
     for number, line in enumerate(split_lines(file), 1):
         if line.isspace():
             continue
-        try:
+        with name_refusals(f"{show_path(path)}, line {number}", FormatError):
             require_size(len(line))
             yield read(number, line.decode("utf-8-sig").strip())
-        except ValueError as error:
-            raise FormatError(f"{show_path(path)}, line {number}: {error}") from None

@@ -6,7 +6,7 @@ import hashlib
 import json
 import signal
 import threading
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
@@ -16,7 +16,7 @@ from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.verdict import Comparison, Verdict
 from exactsweep.conform.run.fault import name_fault, write_cause
 from exactsweep.conform.run.peer import Answer, Peer
-from exactsweep.conform.run.protocol import UnsupportedError, adapt
+from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt
 from exactsweep.conform.run.shrink import shrink
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.numbers.digits import format_fraction
@@ -72,6 +72,11 @@ class Outcome:
     def to_json(self) -> dict[str, Any]:
         """Return plain data; what is empty is left out."""
         return {name: value for name, value in asdict(self).items() if value not in ("", (), None)}
+
+    @property
+    def size(self) -> int:
+        """The vertices of D and G without holes; 0 if the case is not kept."""
+        return len(self.case["directrix"]) + len(self.case["generatrix"]) if self.case else 0
 
     @property
     def worst(self) -> Mapping[str, Any] | None:
@@ -130,8 +135,7 @@ def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outc
     Returns:
         The Outcome.
     """
-    hello = peer.hello
-    return judge_answer(case, *ask(peer, case), hello.parts(case), hello.numbers, rounding)
+    return judge_answer(case, *ask(peer, case), peer.hello, rounding)
 
 
 def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
@@ -144,12 +148,7 @@ def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
 
 
 def judge_answer(
-    case: Case,
-    put: Case,
-    answer: Answer,
-    promised: Collection[str],
-    numbers: str | None = None,
-    rounding: Fraction | None = None,
+    case: Case, put: Case, answer: Answer, hello: Hello, rounding: Fraction | None = None
 ) -> Outcome:
     """Judge an answer.
 
@@ -157,8 +156,7 @@ def judge_answer(
         case: a Case.
         put: the same case as the implementation got it.
         answer: the implementation's answer, or its failure.
-        promised: the loops that an answer must have.
-        numbers: the numbers that the implementation reads, as for `compare`.
+        hello: the implementation's hello.
         rounding: the bound that coordinate errors must stay below, as for `compare`.
 
     Returns:
@@ -168,8 +166,9 @@ def judge_answer(
         assert answer.verdict is not None
         comparison = Comparison(case.id, answer.verdict, answer.reason)
     else:
+        promised = hello.parts(case)
         comparison = compare_in_time(
-            put, answer.result, rounding=rounding, promised=promised, numbers=numbers
+            put, answer.result, rounding=rounding, promised=promised, numbers=hello.numbers
         )
     verdict = comparison.verdict
     kept = verdict not in (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.UNSUPPORTED)

@@ -22,7 +22,7 @@ from exactsweep.formats.exact_json import (
 from exactsweep.formats.files import open_bytes
 from exactsweep.formats.parsing import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
-from exactsweep.numbers.error import quote
+from exactsweep.numbers.error import name_refusals, quote
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import ORIGIN, Point, PointRings
 from exactsweep.words import suggest
@@ -77,32 +77,12 @@ def read_case(name: str) -> Case:
     """
     if name != "-" and not Path(name).exists():
         return find_case(name)
-    try:
+    with name_refusals(show_path(name), FormatError):
         text = read_text(name)
         document = _require_object(parse_json(text))
         if "expected" in document:
             return case_from_json(parse_certificate(text))
         return _make_pair(document, show_path(name))
-    except ValueError as error:
-        raise FormatError(f"{show_path(name)}: {error}") from None
-
-
-def read_result(path: str) -> object:
-    """Read an answer: JSON, in which integers are ints and other numbers binary64.
-
-    Args:
-        path: of a file, or "-" for standard input.
-
-    Returns:
-        An answer for `compare`, not checked.
-
-    Raises:
-        FormatError: not to be read, or not JSON.
-    """
-    try:
-        return parse_certificate(read_text(path))
-    except ValueError as error:
-        raise FormatError(f"{show_path(path)}: {error}") from None
 
 
 def _read(
@@ -115,13 +95,11 @@ def _read(
     if _is_pair(first):
         yield from read_lines(file, path, _read_pair)
         return
-    try:
+    with name_refusals(show_path(path), FormatError):
         text = file.read().decode() if path == "-" else read_text(path)
         parts = _name(parse_candidates(text, tolerance, **options))
         for (d, directrix), (g, generatrix) in product(parts, repeat=2):
             yield _make_case(f"{d}/{g}", directrix, generatrix)
-    except ValueError as error:
-        raise FormatError(f"{show_path(path)}: {error}") from None
 
 
 def _is_pair(line: bytes) -> bool:
@@ -169,11 +147,9 @@ def _make_case(
 
 def _read_rings(candidate: Candidate, name: str) -> PointRings:
     """Read a polygon and its holes, vertices as they are given."""
-    try:
+    with name_refusals(name, FormatError):
         candidate.shape()
         return [candidate.vertices(), *(hole.vertices() for hole in candidate.holes())]
-    except ValueError as error:
-        raise FormatError(f"{name}: {error}") from None
 
 
 def _name(candidates: Sequence[Candidate]) -> list[tuple[str, PointRings]]:

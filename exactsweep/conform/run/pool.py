@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
+from itertools import islice
 from typing import Any, Self
 
 from exactsweep.conform.run.outcome import Outcome, judge_case, shrink_outcome
@@ -108,36 +109,27 @@ class Judges:
         self.kill()
 
     def _work_on(self, jobs: Iterable[_Call]) -> Iterator[tuple[str, Outcome]]:
-        pending: dict[Future[Outcome], str] = {}
-        for id, function, arguments in jobs:
+        jobs, pending = iter(jobs), dict[Future[Outcome], str]()
+        # One more for each process, so that none waits for the next case to be made.
+        most = 2 * self._pool.count  # pragma: no mutate: costs only time
+        while (fresh := [*islice(jobs, most - len(pending))]) or pending:
             try:
-                pending[self._pool.submit(function, *arguments)] = id
+                for id, function, arguments in fresh:
+                    pending[self._pool.submit(function, *arguments)] = id
+                done, _ = wait(pending, return_when=FIRST_COMPLETED)
+                for future in [future for future in pending if future in done]:
+                    id = pending.pop(future)
+                    yield id, future.result()
             except BrokenProcessPool:
                 raise JudgeError(f"case {quote(id)}: {_ENDED}") from None
-            # One more for each process, so that none waits for the next case to be made.
-            if len(pending) >= 2 * self._pool.count:  # pragma: no mutate: costs only time
-                yield from _take_results(pending)
-        while pending:
-            yield from _take_results(pending)
+            except (OSError, ValueError) as error:
+                raise JudgeError(f"case {quote(id)}: {error}") from None
 
     def _call_in_each(self, function: Callable[..., Any], *arguments: object) -> list[Any]:
         try:
             return self._pool.call_in_each(function, *arguments)
         except BrokenProcessPool:
             raise JudgeError(_ENDED) from None
-
-
-def _take_results(pending: dict[Future[Outcome], str]) -> Iterator[tuple[str, Outcome]]:
-    """Wait for one outcome at least, and take those that are there."""
-    done, _ = wait(pending, return_when=FIRST_COMPLETED)
-    for future in [future for future in pending if future in done]:
-        id = pending.pop(future)
-        try:
-            yield id, future.result()
-        except BrokenProcessPool:
-            raise JudgeError(f"case {quote(id)}: {_ENDED}") from None
-        except (OSError, ValueError) as error:
-            raise JudgeError(f"case {quote(id)}: {error}") from None
 
 
 # The functions below run in the processes that judge.

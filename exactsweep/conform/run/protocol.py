@@ -42,7 +42,7 @@ from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.point_set import PointSet
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import ExactSweepError, quote
+from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
 from exactsweep.numbers.number import ORIGIN, Point
 
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
@@ -173,12 +173,10 @@ def read_hello(line: str) -> Hello:
         Traceback (most recent call last):
         exactsweep.conform.run.protocol.ProtocolError: the hello has no "reference"
     """
-    try:
+    with name_refusals("the first line is no hello"):
         found = read_object(line)
-    except ProtocolError as error:
-        raise ProtocolError(f"the first line is no hello: {error}") from None
-    if "hello" not in found:
-        raise ProtocolError('the first line is no hello: it has no "hello"')
+        if "hello" not in found:
+            raise ProtocolError('it has no "hello"')
     return make_hello(found)
 
 

@@ -40,7 +40,7 @@ class NamedFault:
 
     def add(self, outcomes: Iterable[Outcome], count: int = 1) -> None:
         """Count some failures, and keep those of the given ones that are among the smallest."""
-        self.kept = sorted([*self.kept, *outcomes], key=_measure)[:SHOWN]
+        self.kept = sorted([*self.kept, *outcomes], key=lambda outcome: outcome.size)[:SHOWN]
         self.count += count
 
 
@@ -185,11 +185,6 @@ class Run:
             "outcomes": [outcome.to_json() for outcome in self.list_outcomes()],
             "shrunk": {id: outcome.to_json() for id, outcome in self.shrunk.items()},
         }
-
-
-def _measure(outcome: Outcome) -> int:
-    case = outcome.case
-    return len(case["directrix"]) + len(case["generatrix"]) if case else 0
 
 
 def _worst(worst: Worst) -> dict[str, Any]:

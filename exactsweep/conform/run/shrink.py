@@ -117,9 +117,8 @@ class _Search:
     ) -> None:
         self._judge, self._fault = judge, fault
         self._tries, self._deadline = tries, deadline
-        self._id, self._title = f"{case.id}-shrunk", f"shrunk: {case.title}"
+        self._case = case
         self._pair = _GivenPair((case.directrix_rings, case.generatrix_rings), case.reference)
-        self._inner_fit = case.inner_regions is not None
         self._size = self._pair.size()
         self._seen: set[_GivenPair] = set()
         self.best = self._make(self._pair)
@@ -158,14 +157,14 @@ class _Search:
     def _make(self, pair: _GivenPair) -> Case:
         (d, *d_holes), (g, *g_holes) = pair.shapes
         return Case.of(
-            self._id,
-            self._title,
+            f"{self._case.id}-shrunk",
+            f"shrunk: {self._case.title}",
             d,
             g,
             pair.reference,
             directrix_holes=d_holes,
             generatrix_holes=g_holes,
-            inner_fit=self._inner_fit,
+            inner_fit=self._case.inner_regions is not None,
         )
 
 
@@ -227,10 +226,11 @@ def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
                 for other in _find_simpler(value):
                     where = [k for k, p in enumerate(ring) if getattr(p, axis) == value]
                     for chosen in [where, *([k] for k in where if len(where) > 1)]:
-                        changed = list(ring)
-                        for k in chosen:
-                            changed[k] = ring[k]._replace(**{axis: other})
-                        yield pair.with_ring(which, number, tuple(changed))
+                        moved = (
+                            p._replace(**{axis: other}) if k in chosen else p
+                            for k, p in enumerate(ring)
+                        )
+                        yield pair.with_ring(which, number, tuple(moved))
 
 
 def _find_simpler(value: Fraction) -> list[Fraction]:

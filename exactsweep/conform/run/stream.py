@@ -63,9 +63,7 @@ class Stream:
                 result = read_object(line)
                 case = self._case(result.get("id"), find)
                 put = adapt(case, terms)
-                outcome = judge_answer(
-                    case, put, read_answer(result), self.hello.parts(case), self.hello.numbers
-                )
+                outcome = judge_answer(case, put, read_answer(result), self.hello)
             except ValueError as error:
                 if len(self.complaints) < _MOST_COMPLAINTS:
                     self.complaints.append(f"line {number}: {error}")
@@ -77,7 +75,7 @@ class Stream:
         answer = Answer(verdict=Verdict.CRASH, reason="no answer")
         for case in cases:
             if self._seen.add(case.id):
-                yield judge_answer(case, case, answer, ())
+                yield judge_answer(case, case, answer, self.hello)
 
     def _case(self, id: object, find: Callable[[str], Case]) -> Case:
         if not isinstance(id, str):

@@ -17,7 +17,7 @@ from fractions import Fraction
 from itertools import pairwise, starmap
 from math import isqrt
 
-from exactsweep.formats.curved.affine import Affine
+from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import Point
@@ -136,6 +136,8 @@ def require_sharp(image: Affine, points: Sequence[Point], reading: Reading) -> N
 
 def place_points(points: Sequence[Point], image: Affine, reading: Reading) -> list[Point]:
     """Map points, exactly, or rounded as `round_points` does where the map is irrational."""
+    if image is IDENTITY:
+        return [*points]
     require_sharp(image, points, reading)
     found = [*starmap(image.point, points)]
     return round_points(found, reading.allow_curve()) if image.off else found

@@ -32,6 +32,7 @@ from exactsweep.numbers.number import Point
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
 _FULL, _ZERO = Fraction(360), Fraction(0)
+_ALL, _INNER = slice(None), slice(1, -1)
 _PointReader = Callable[[], Sequence[Point]]
 
 
@@ -39,7 +40,7 @@ class _Drawn(NamedTuple):
     """The drawing of an entity: its points, and the ends and shape of an OpenLine if it is open."""
 
     points: _PointReader
-    ends: Sequence[Point] = ()
+    ends: tuple[Point, Point] | None = None
     shape: Hashable = ()
     is_exact: bool = True
 
@@ -81,20 +82,20 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
-    points = partial(_name_place, place, drawn.points)
-    if not drawn.ends:
-        return Candidate(place, points, layer=layer)
-    ends = drawn.ends[0], drawn.ends[1]
-    return OpenLine(place, ends, points, drawn.shape, drawn.is_exact, layer=layer)
+    points, ends, shape, is_exact = drawn
+    if not ends:
+        return Candidate(place, partial(_name_place, place, points, _ALL), layer=layer)
+    inner = partial(_name_place, place, points, _INNER) if shape else tuple
+    return OpenLine(place, ends, inner, shape, is_exact, layer=layer)
 
 
-def _name_place(place: str, points: _PointReader) -> Sequence[Point]:
+def _name_place(place: str, points: _PointReader, part: slice) -> Sequence[Point]:
     with name_refusals(place):
-        return points()
+        return points()[part]
 
 
 def _read_line(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
-    reading.require_level(entity.take(30, 31, default=0))
+    reading.require_level(entity.take(30, 31, default="0"))
     x, y, u, v = entity.take(10, 20, 11, 21)
     return _open([Point(x, y), Point(u, v)], [], image, reading)
 
@@ -120,9 +121,11 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
 def _open(
     points: Sequence[Point], bulges: Sequence[Fraction], image: Affine, reading: Reading
 ) -> _Drawn:
-    ends = place_points([points[0], points[-1]], image, reading)
-    shape = (*points, *bulges) if len(points) > 2 or any(bulges[:1]) else ()
-    return _Drawn(partial(_follow, points, bulges, image, reading), ends, shape, not image.off)
+    first, last = place_points([points[0], points[-1]], image, reading)
+    if len(points) == 2 and not any(bulges[:1]):
+        return _Drawn(tuple, (first, last), is_exact=not image.off)
+    vertices = partial(_follow, points, bulges, image, reading)
+    return _Drawn(vertices, (first, last), (*points, *bulges), not image.off)
 
 
 def _follow(
@@ -155,14 +158,14 @@ def _read_circle(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
 
 def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.allow_curve()
-    reading.require_level([_ZERO, entity.number(31, 0)])
+    reading.require_level([_ZERO, entity.number(31, "0")])
     center, (x, y), ratio = entity.point(10), entity.point(11), entity.number(40)
     if not (x or y) or not ratio:
         raise FormatError("an axis has no length")
     if entity.plane.a < 0:
         ratio = -ratio
     image = image @ make_affine(x, y, -ratio * y, ratio * x, *center)
-    start, end = (to_degrees(entity.number(code, 0)) for code in (41, 42))
+    start, end = (to_degrees(entity.number(code, "0")) for code in (41, 42))
     return _turn(image, start, end, reading)
 
 
@@ -190,16 +193,16 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
         spline = Spline.through(entity.points(11))
     spline.require_sound()
     pieces = [piece for piece, _ in spline.pieces()]
-    ends = place_points([pieces[0][0], pieces[-1][-1]], image, reading)
+    first, last = place_points([pieces[0][0], pieces[-1][-1]], image, reading)
     vertices = partial(spline.flatten, image, reading)
-    if ends[0] == ends[1]:
+    if first == last:
         return _Drawn(vertices)
-    return _Drawn(vertices, ends, tuple(spline.points), not image.off)
+    return _Drawn(vertices, (first, last), tuple(spline.points), not image.off)
 
 
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     """Read a filled triangle or quadrangle, whose last two corners are the wrong way round."""
-    reading.require_level(entity.take(30, 31, 32, 33, default=0))
+    reading.require_level(entity.take(30, 31, 32, 33, default="0"))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
     corners = [entity.point(code) for code in (*codes, 10)]
     return _Drawn(partial(_follow, corners, [], image @ entity.plane, reading))

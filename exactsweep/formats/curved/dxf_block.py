@@ -71,9 +71,9 @@ class Blocks:
             reason = ""
         if layer in self.drawing.unplotted and placed.entity.kind != "INSERT":
             self.reading.notes[f"the layer {quote(placed.layer)} does not plot, and is read"] = None
-        on_layer = f"on the layer {quote(placed.layer)}, which is {reason}" if reason else ""
+        on_layer = reason and f"on the layer {quote(placed.layer)}, which is {reason}"
         what = placed.entity.hidden or on_layer
-        return self.reading.hides(what and f"{placed.entity.kind} {what}")
+        return bool(what) and self.reading.hides(f"{placed.entity.kind} {what}")
 
     def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
@@ -113,15 +113,15 @@ class Blocks:
         return [placed.image @ own for own in self._maps[insert.line]]
 
     def _own_maps(self, insert: Entity, block: list[Entity]) -> list[Affine]:
-        columns, rows = (max(1, int(insert.number(code, 1))) for code in (70, 71))
+        columns, rows = (max(1, int(insert.number(code, "1"))) for code in (70, 71))
         if columns * rows * len(block) > MAX_PLACED:
             raise FormatError(f"draws more than {MAX_PLACED:,} entities")
-        turn = make_rotation(insert.number(50, 0), self.reading)
+        turn = make_rotation(insert.number(50, "0"), self.reading)
         position, base = insert.point(10), block[0].point(10)
-        scale = make_affine(insert.number(41, 1), 0, 0, insert.number(42, 1), 0, 0)
+        scale = make_affine(insert.number(41, "1"), 0, 0, insert.number(42, "1"), 0, 0)
         outer = insert.plane @ make_affine(1, 0, 0, 1, *position) @ turn
         own = scale @ make_affine(1, 0, 0, 1, -base.x, -base.y)
-        step = insert.number(44, 0), insert.number(45, 0)
+        step = insert.number(44, "0"), insert.number(45, "0")
         return [
             outer @ make_affine(1, 0, 0, 1, i * step[0], j * step[1]) @ own
             for j in range(rows)

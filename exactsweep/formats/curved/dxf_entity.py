@@ -8,18 +8,18 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
-from exactsweep.formats.decimals import read_each
+from exactsweep.formats.decimals import read_decimal, read_each
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
 from exactsweep.numbers.error import name_refusals, quote
-from exactsweep.numbers.number import Point, make_points, to_fraction
+from exactsweep.numbers.number import Point, make_points
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
 _FROZEN = 1
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
-_NORMAL = {210: 0, 220: 0, 230: 1}
+_NORMAL = {210: "0", 220: "0", 230: "1"}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
 _FRAME = 16
 # The shown letters of an unknown kind.
@@ -30,31 +30,68 @@ FROZEN = "frozen"
 """Why a layer does not show, and no block that is put on it."""
 
 
-Tags = Sequence[tuple[int, str]]
-"""Group codes, each with the text of its value."""
+class KnownNumbers(dict[str | None, Fraction]):
+    """The numbers of a text by how they are written, each of them read once."""
+
+    @classmethod
+    def of(cls, codes: Sequence[int], texts: Sequence[str]) -> KnownNumbers:
+        """Read all coordinates at once, if they are numbers."""
+        found = [*{text for code, text in zip(codes, texts, strict=False) if 10 <= code < 60}]
+        try:
+            return cls(zip(found, read_each(found), strict=True))
+        except ValueError:
+            return cls()
+
+    def __missing__(self, text: str | None) -> Fraction:
+        if text is None:
+            raise FormatError("missing")
+        number = self[text] = read_decimal(text.strip())
+        return number
+
+
+class Tags(NamedTuple):
+    """The tags of a text: group codes, each with the text of its value, and the numbers in them."""
+
+    codes: list[int]
+    texts: list[str]
+    numbers: KnownNumbers
 
 
 class Entity:
     """An entity: its kind, and its values by group code.
 
     Args:
-        tags: the entity's tags, the kind first.
-        line: the line of the file that names the kind.
+        tags: the tags of the whole text.
+        start: the index of the tag that names the kind.
+        end: the index after that of its last tag.
 
     Attributes:
+        tags, start, end: as given.
         kind: "LINE", for instance.
-        line: as given.
+        values: the first value of each group after the kind.
         vertices: the entities that follow it and belong to it.
     """
 
-    __slots__ = ("kind", "line", "tags", "values", "vertices")
+    __slots__ = ("end", "kind", "start", "tags", "values", "vertices")
 
-    def __init__(self, tags: Tags, line: int) -> None:
-        self.tags, self.line = tags, line
-        # The first value of each group after the kind.
-        self.values = dict(reversed(tags[1:]))
-        self.kind = tags[0][1].strip()
+    def __init__(self, tags: Tags, start: int, end: int) -> None:
+        self.tags, self.start, self.end = tags, start, end
+        codes, texts, _ = tags
+        self.kind = texts[start].strip()
+        last = end - 1
+        self.values = dict(zip(codes[last:start:-1], texts[last:start:-1], strict=True))
         self.vertices: Sequence[Entity] = ()
+
+    def list_tags(self) -> list[tuple[int, str]]:
+        """List its group codes with the texts of their values, without comments."""
+        own = slice(self.start, self.end)
+        tags = zip(self.tags.codes[own], self.tags.texts[own], strict=True)
+        return [tag for tag in tags if tag[0] != _COMMENT]
+
+    @property
+    def line(self) -> int:
+        """The line of the file that names the kind."""
+        return 2 * self.start + 2
 
     @property
     def place(self) -> str:
@@ -70,14 +107,15 @@ class Entity:
     @property
     def size(self) -> int:
         """For how many bytes it counts: for those of its values, and as an entity."""
-        own = ENTITY + sum(len(value) + _GROUP for _, value in self.tags)
+        own = ENTITY + sum(len(value) + _GROUP for _, value in self.list_tags())
         return own + sum(vertex.size for vertex in self.vertices)
 
-    def number(self, code: int, default: int | None = None) -> Fraction:
+    def number(self, code: int, default: str | None = None) -> Fraction:
         """Return the number with a group code; refuse if it is missing without a default."""
-        if default is not None and code not in self.values:
-            return to_fraction(default)
-        return _read_group(code, [self._text(code, None)])[0]
+        if code not in self.values and default is None:
+            raise FormatError(f"group {code} is missing")
+        with name_refusals(f"group {code}", FormatError):
+            return self.tags.numbers[self.values.get(code, default)]
 
     def point(self, code: int) -> Point:
         """Return the point whose x has a group code, and its y that code plus ten."""
@@ -85,7 +123,7 @@ class Entity:
 
     def flags(self) -> int:
         """Return the bits of group 70."""
-        return int(self.number(_FLAGS, 0))
+        return int(self.number(_FLAGS, "0"))
 
     @property
     def hidden(self) -> str:
@@ -96,7 +134,9 @@ class Entity:
 
     def numbers(self, code: int) -> list[Fraction]:
         """Return all numbers with a group code."""
-        return _read_group(code, [value for own, value in self.tags if own == code])
+        with name_refusals(f"group {code}", FormatError):
+            numbers = self.tags.numbers
+            return [numbers[text] for own, text in self.list_tags() if own == code]
 
     def points(self, code: int) -> list[Point]:
         """Return all points whose x has a group code."""
@@ -105,10 +145,11 @@ class Entity:
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
         return make_points(xs, ys)
 
-    def take(self, *codes: int, default: int | None = None) -> list[Fraction]:
+    def take(self, *codes: int, default: str | None = None) -> list[Fraction]:
         """Return the numbers with several group codes, as `number` does each."""
+        numbers, values = self.tags.numbers, self.values
         try:
-            return read_each([self.values.get(code, str(default)) for code in codes])
+            return [numbers[values.get(code, default)] for code in codes]
         except ValueError:
             return [self.number(code, default) for code in codes]
 
@@ -133,20 +174,21 @@ class Entity:
         # The last one is for a bulge before all points.
         bulges = [Fraction(0)] * (len(points) + 1)
         place = -1
-        for code, value in self.tags:
-            place += code == 10
-            if code == _BULGE:
-                (bulges[place],) = _read_group(_BULGE, [value])
+        with name_refusals(f"group {_BULGE}", FormatError):
+            for code, text in self.list_tags():
+                place += code == 10
+                if code == _BULGE:
+                    bulges[place] = self.tags.numbers[text]
         return points, bulges[:-1]
 
     def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
-        flags = _read_column(self.vertices, _FLAGS, 0)
+        flags = _read_column(self.vertices, _FLAGS, "0")
         # The frame of a fitted curve is not drawn.
         drawn = [v for v, bits in zip(self.vertices, flags, strict=True) if not int(bits) & _FRAME]
         points = make_points(_read_column(drawn, 10), _read_column(drawn, 20))
-        reading.require_level(_read_column(drawn, 30, 0))
-        return points, _read_column(drawn, _BULGE, 0)
+        reading.require_level(_read_column(drawn, 30, "0"))
+        return points, _read_column(drawn, _BULGE, "0")
 
     def _text(self, code: int, default: str | None) -> str:
         value = self.values.get(code, default)
@@ -229,27 +271,24 @@ def _read_sections(text: str) -> dict[str, list[Entity]]:
 def _divide(text: str) -> Iterator[Entity]:
     """Divide a text into entities; a line has a group code, the next one its value."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    words, values = lines[::2], lines[1::2]
+    words, texts = lines[::2], lines[1::2]
     codes: list[int] = []
     try:
-        for word in words[: len(values)]:
-            codes.append(int(word))
+        codes += map(int, words[: len(texts)])
     except ValueError:
         # The end of the file may come first.
         words = words[: len(codes) + 1]
-    has_comments = _COMMENT in codes
     starts = [k for k, code in enumerate(codes) if code == 0]
     # Vertices of old polylines among them.
     require_count(len(starts), ENTITY, "entities")
+    tags = Tags(codes, texts, KnownNumbers.of(codes, texts))
     for start, end in pairwise([*starts, len(codes)]):
-        is_last = values[start].strip() == "EOF"
-        if end == len(codes) < len(values) and not is_last:
+        entity = Entity(tags, start, end)
+        is_last = entity.kind == "EOF"
+        if end == len(codes) < len(texts) and not is_last:
             place = f"line {2 * end + 1}: {quote(words[end])}"
             raise FormatError(f"not DXF: {place} is no group code")
-        tags = [*zip(codes[start:end], values[start:end], strict=True)]
-        if has_comments:
-            tags = [tag for tag in tags if tag[0] != _COMMENT]
-        yield Entity(tags, 2 * start + 2)
+        yield entity
         if is_last:
             break
 
@@ -264,9 +303,9 @@ def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
         name = layer.name.upper()
         if layer.flags() & _FROZEN:
             hidden[name] = FROZEN
-        elif layer.number(_COLOR, 7) < 0:
+        elif layer.number(_COLOR, "7") < 0:
             hidden[name] = "off"
-        elif name not in hidden and not layer.number(_PLOT, 1):
+        elif name not in hidden and not layer.number(_PLOT, "1"):
             unplotted.add(name)
     return hidden, unplotted
 
@@ -288,7 +327,7 @@ def _gather(found: Iterable[Entity]) -> list[Entity]:
 
 
 def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
-    tags = [tag for entity in sections.get("HEADER", [])[:1] for tag in entity.tags]
+    tags = [tag for entity in sections.get("HEADER", [])[:1] for tag in entity.list_tags()]
     for (code, name), (_, value) in pairwise(tags):
         if code == 9 and name.strip() == "$INSUNITS":
             text = value.strip()
@@ -296,21 +335,14 @@ def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
     return None
 
 
-def _read_group(code: int, texts: Sequence[str]) -> list[Fraction]:
-    with name_refusals(f"group {code}", FormatError):
-        return read_each(texts)
-
-
 def _read_column(
-    entities: Sequence[Entity], code: int, default: int | None = None
+    entities: Sequence[Entity], code: int, default: str | None = None
 ) -> list[Fraction]:
     """Read the number with a group code of each entity; a refusal names the entity."""
-    texts = [entity.values.get(code, str(default)) for entity in entities]
     try:
-        return read_each(texts)
+        return [e.tags.numbers[e.values.get(code, default)] for e in entities]
     except ValueError:
-        found = []
         for entity in entities:
             with name_refusals(entity.place):
-                found.append(entity.number(code, default))
-        return found
+                entity.number(code, default)
+        raise

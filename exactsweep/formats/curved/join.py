@@ -1,7 +1,7 @@
 """Open lines joined at their ends to closed outlines."""
 
 from collections import Counter, defaultdict
-from collections.abc import Callable, Container, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Hashable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
@@ -23,43 +23,37 @@ class OpenLine(NamedTuple):
     Attributes:
         place: what and where it is, for messages.
         ends: its first and its last point.
-        points: reads all of its points, from the first to the last.
+        inner: reads the points between them.
         shape: what tells it from others with the same ends; () for a straight one.
         is_exact: whether its ends are those that are meant, not just close to them.
         name: its id, or None.
         layer: its layer, or None.
-        order: where in the file it starts; lines are joined in this order.
     """
 
     place: str
     ends: tuple[Point, Point]
-    points: Callable[[], Sequence[Point]]
+    inner: Callable[[], Sequence[Point]] = tuple
     shape: Hashable = ()
     is_exact: bool = True
     name: str | None = None
     layer: str | None = None
-    order: int = 0
 
 
 class _Joined(NamedTuple):
-    """A line, and the joints that its ends are moved to: their numbers and places."""
+    """A line, its place in the order of the file, and the joints that its ends are moved to."""
 
+    order: int
     line: OpenLine
     joints: tuple[int, int]
-    ends: tuple[Point, Point]
-
-    def points(self) -> list[Point]:
-        first, last = self.ends
-        return [first, *(self.line.points()[1:-1] if self.line.shape else ()), last]
 
 
 def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Candidate]:
     """List what a file draws, in order, with the open lines of each layer joined."""
     found: list[tuple[int, Candidate]] = []
-    lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
+    lines: defaultdict[str | None, dict[int, OpenLine]] = defaultdict(dict)
     for order, one in enumerate(drawn):
         if isinstance(one, OpenLine):
-            lines[one.layer].append(one._replace(order=order))
+            lines[one.layer][order] = one
         else:
             found.append((order, one))
     for loose in lines.values():
@@ -67,7 +61,7 @@ def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Cand
     return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
 
 
-def join(lines: Sequence[OpenLine], reading: Reading) -> Iterator[tuple[int, Candidate]]:
+def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int, Candidate]]:
     """Join lines whose ends are equal, or close to each other where that is allowed.
 
     Each end is moved to the closest joint within reach, or becomes one itself: first those that are
@@ -76,7 +70,7 @@ def join(lines: Sequence[OpenLine], reading: Reading) -> Iterator[tuple[int, Can
     joint vanishes in an outline through that joint; others are refused, for they may be a hole.
 
     Args:
-        lines: open lines of one layer, in order.
+        lines: open lines of one layer, by their places in the order of the file.
         reading: has the distances.
 
     Yields:
@@ -86,46 +80,47 @@ def join(lines: Sequence[OpenLine], reading: Reading) -> Iterator[tuple[int, Can
 
     Cost: linear.
     """
-    layer = lines[0].layer
+    layer = next(iter(lines.values())).layer
     joints = Joints(reading.join or Fraction(0))
-    exact = [[*map(joints.find, line.ends)] if line.is_exact else [] for line in lines]
+    find = joints.find
+    exact = [(find(a), find(b)) if sure else () for _, (a, b), _, _, sure, *_ in lines.values()]
     if reading.tolerance is not None:
         reach = max(reading.tolerance / 4, joints.reach)
         joints = Joints(reach, joints.points, reading.tolerance)
-    found: dict[tuple[frozenset[int], Hashable], _Joined] = {}
-    lost: defaultdict[int, list[OpenLine]] = defaultdict(list)
-    for line, ends in zip(lines, exact, strict=True):
+    found: dict[tuple[int, int, Hashable], _Joined] = {}
+    lost: defaultdict[int, list[_Joined]] = defaultdict(list)
+    for (order, line), ends in zip(lines.items(), exact, strict=True):
         try:
             i, k = ends or map(joints.find, line.ends)
-            joined = _Joined(line, (i, k), (joints.points[i], joints.points[k]))
+            joined = _Joined(order, line, (i, k))
             if i != k:
-                same = found.setdefault((frozenset((i, k)), line.shape), joined).line
+                same = found.setdefault((min(i, k), max(i, k), line.shape), joined).line
                 if same is not line and sorted(same.ends) != sorted(line.ends):
-                    lost[i].append(line)
+                    lost[i].append(joined)
             elif _is_long(line, 4 * joints.reach):
-                yield line.order, Candidate(line.place, joined.points, line.name, layer)
+                vertices = partial(_walk, [joined], {i: (0, 0)}, joints.points, 0)
+                yield order, Candidate(line.place, vertices, line.name, layer)
             elif line.ends[0] != line.ends[1]:
-                lost[i].append(line)
+                lost[i].append(joined)
         except FormatError as error:
-            yield line.order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
+            yield order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
     passed = {joint for line in found.values() for joint in line.joints}
     for joint, short in lost.items():
-        start = short[0]
+        order, start, _ = short[0]
         vanished = f"{count(len(short), 'line')} vanished, shorter than ends may be apart"
         reason = f"{start.place}: {vanished}"
-        ends_of = Counter(end for line in short for end in line.ends)
+        ends_of = Counter(end for one in short for end in one.line.ends)
         if joint not in passed or not any(number % 2 for number in ends_of.values()):
             alone = len(short) == 1 and not start.shape
-            refused = Candidate.refused(reason, start.name, layer, ornament=alone)
-            yield start.order, refused
+            yield order, Candidate.refused(reason, start.name, layer, ornament=alone)
         elif len(short) > 1:
             reading.notes[reason] = None
-    yield from _outlines(list(found.values()), layer, lost, reading)
+    yield from _outlines(list(found.values()), joints.points, lost, reading)
 
 
 def _is_long(line: OpenLine, reach: Fraction) -> bool:
-    (x, y), *others = line.points()
-    return any(abs(p - x) > reach or abs(q - y) > reach for p, q in others)
+    (x, y), last = line.ends
+    return any(abs(p - x) > reach or abs(q - y) > reach for p, q in [*line.inner(), last])
 
 
 class Joints:
@@ -187,7 +182,7 @@ class Joints:
 
 
 def _outlines(
-    lines: Sequence[_Joined], layer: str | None, lost: Container[int], reading: Reading
+    lines: Sequence[_Joined], points: Sequence[Point], lost: Container[int], reading: Reading
 ) -> Iterator[tuple[int, Candidate]]:
     at: defaultdict[int, list[int]] = defaultdict(list)
     for k, line in enumerate(lines):
@@ -201,29 +196,30 @@ def _outlines(
         together, fault = [first], ""
         seen.add(first)
         for k in together:
-            for joint, end in zip(lines[k].joints, lines[k].ends, strict=True):
+            for joint in lines[k].joints:
                 # Each joint once: there may be very many lines at one.
                 if joint in passed:
                     continue
                 passed.add(joint)
-                fault = fault or _fault(lines[k].line, end, len(at[joint]), reading)
-                new = [other for other in at[joint] if other not in seen]
+                meeting = at[joint]
+                if len(meeting) != 2 and not fault:
+                    fault = _fault(lines[k].line, points[joint], len(meeting), reading)
+                new = [other for other in meeting if other not in seen]
                 seen.update(new)
                 together += new
-        chain = [lines[k] for k in sorted(together)]
-        start = chain[0].line
-        name = next((line.line.name for line in chain if line.line.name is not None), None)
+        chain = [lines[k].line for k in sorted(together)]
+        order, start, joints = lines[first]
+        name = next((line.name for line in chain if line.name is not None), None)
         if fault:
             alone = len(chain) == 1 and not start.shape
-            alone = alone and not any(joint in lost for joint in chain[0].joints)
-            yield start.order, Candidate.refused(fault, name, layer, ornament=alone)
+            alone = alone and not any(joint in lost for joint in joints)
+            yield order, Candidate.refused(fault, name, start.layer, ornament=alone)
         else:
-            yield start.order, Candidate(start.place, partial(_walk, chain), name, layer)
+            vertices = partial(_walk, lines, at, points, first)
+            yield order, Candidate(start.place, vertices, name, start.layer)
 
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
-    if count == 2:
-        return ""
     meets = f"is one of {count} that meet"
     if count == 1:
         exactly = "" if reading.join else " exactly (--join allows a distance)"
@@ -231,21 +227,17 @@ def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
     return f"{line.place}: the end {write_pair(end)} {meets}"
 
 
-def _walk(lines: Sequence[_Joined]) -> list[Point]:
-    """Walk along lines, each of whose ends meets one other, back to the start."""
-    at: defaultdict[int, list[_Joined]] = defaultdict(list)
-    for line in lines:
-        for joint in line.joints:
-            at[joint].append(line)
+def _walk(
+    lines: Sequence[_Joined], at: Mapping[int, Sequence[int]], points: Sequence[Point], first: int
+) -> list[Point]:
+    """Walk along lines, each of whose ends meets one other, back to the first."""
     outline: list[Point] = []
-    line = lines[0]
-    place = line.joints[0]
-    for _ in lines:
-        points = line.points()
-        if line.joints[0] != place:
-            points = points[::-1]
-        outline += points[:-1]
-        place = line.joints[line.joints[0] == place]
-        one, other = at[place]
-        line = other if one is line else one
-    return outline
+    k, joint = first, lines[first].joints[0]
+    while True:
+        _, line, (start, end) = lines[k]
+        outline.append(points[joint])
+        outline += line.inner() if joint == start else line.inner()[::-1]
+        joint = end if joint == start else start
+        k = sum(at[joint]) - k
+        if k == first:
+            return outline

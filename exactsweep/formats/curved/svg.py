@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, NoReturn
 
@@ -186,10 +185,9 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
         drawn.append(Candidate.of_rings(readers, shape.place, name, layer))
     for points in opened:
-        shaped = tuple(points) if len(points) > 2 else ()
-        ends = points[0], points[-1]
-        exact = not matrix.off
-        line = OpenLine(shape.place, ends, partial(list, points), shaped, exact, name, layer)
+        first, *inner, last = points
+        shaped = tuple(points) if inner else ()
+        line = OpenLine(shape.place, (first, last), inner.copy, shaped, not matrix.off, name, layer)
         drawn.append(line)
     return drawn
 

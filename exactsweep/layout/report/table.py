@@ -100,21 +100,17 @@ def write_verdict(judgement: Judgement) -> str:
 def tell_fault(one: WorstFirst) -> tuple[str, str, str, str]:
     """Describe a fault: the place, the measure, the witness and the repair, in rounded numbers."""
     fault = one.fault
-    places = _name_places(fault)
-    witness = " ".join(map(_write_about, fault.points))
+    bad, repair = fault.reason, ""
     if fault.distance_squared is not None:
-        square = fault.distance_squared
-        bad = f"{approximate(take_root(square))} apart"
-        return places, bad, witness, ""
-    if one.square is not None and fault.move is not None:
+        bad = f"{approximate(take_root(fault.distance_squared))} apart"
+    elif one.square is not None and fault.move is not None:
         bad = f"{approximate(take_root(one.square))} deep"
-        last = fault.placements[-1]
-        return places, bad, witness, f"moving {last} by {_write_about(fault.move)}"
-    if fault.kind == "outside":
-        return places, "fits nowhere as it is turned", witness, ""
-    if fault.number:
-        return places, count(fault.number, "placement"), witness, ""
-    return places, fault.reason, witness, ""
+        repair = f"moving {fault.placements[-1]} by {_write_about(fault.move)}"
+    elif fault.kind == "outside":
+        bad = "fits nowhere as it is turned"
+    elif fault.number:
+        bad = count(fault.number, "placement")
+    return _name_places(fault), bad, " ".join(map(_write_about, fault.points)), repair
 
 
 def _name_places(fault: Fault) -> str:

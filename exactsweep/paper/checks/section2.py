@@ -11,7 +11,8 @@ from exactsweep.check import reference_swept
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import explain
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.region import AnyPolygon, number_features
+from exactsweep.geometry.outline import number_features
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.paper.checks.touching import contacts_are_right, touches_are_right
 from exactsweep.paper.claim import (
     Counterexample,

@@ -6,7 +6,8 @@ from itertools import pairwise, product
 
 from exactsweep import Point, Sweep
 from exactsweep.evidence.steps import Step
-from exactsweep.geometry.region import AnyPolygon, number_features
+from exactsweep.geometry.outline import number_features
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.paper.functions import list_edges, tell_loops
 
