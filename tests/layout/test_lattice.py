@@ -56,7 +56,7 @@ def test_parts_whose_boxes_meet_may_be_farther_than_others() -> None:
     parts = {"a": [(0, 0), (4, 0), (0, 4)], "b": [(4, 3), (4, 4), (3, 4)], "c": box(-2, 0, -1, 1)}
     nearest = judge_layout(lay(box(-9, -9, 9, 9), parts, *map(put, parts))).distance
     assert nearest is not None
-    assert (nearest.square, nearest.placements) == (1, (0, 2))
+    assert (nearest.square, nearest.placements) == (Fraction(1), (0, 2))
 
 
 def test_a_witness_may_be_as_deep_as_the_slack_allows() -> None:
