@@ -87,7 +87,7 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise, product
-from math import gcd, isqrt, lcm
+from math import gcd, inf, isqrt, lcm
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
@@ -197,8 +197,8 @@ def under(name: str, read: Callable[..., T], *given: Any) -> T:
         raise Refused(f"{name}: {refused}") from None
 
 
-def integer(item: Any, low: int, end: int) -> int:
-    """Require an int from low on and below end."""
+def integer(item: Any, low: int, end: float = inf) -> int:
+    """Require an int from low on, and below an end if one is given."""
     need(type(item) is int and low <= item < end, "not an int in its range")
     return int(item)
 
@@ -242,8 +242,8 @@ def read_fits(item: Any) -> list[Edge]:
 def least_first(item: Any) -> Ring:
     """Read a list of at least three points, the least one first."""
     points = [*map(point, items(item))]
-    x, y, w = points[0] if len(points) > 2 else (0, 0, 0)
-    need(w > 0, "fewer than three points")
+    need(len(points) > 2, "fewer than three points")
+    x, y, w = points[0]
     least = all((x * v, y * v) <= (s * w, t * w) for s, t, v in points)
     need(least, "not canonical, the least point is not the first")
     return points
@@ -590,7 +590,7 @@ class Layout:
         listed = [] if turns is None else items(turns)
         self.work.take(len(self.facts) + len(listed) * (1 + len(found)))
         allowed = [*map(read_turn, listed)]
-        asked = len(found) if demand is None else integer(demand, 0, 10**9)
+        asked = len(found) if demand is None else integer(demand, 0)
         return {
             "missing": len(found) < asked,
             "surplus": len(found) > asked,
@@ -601,8 +601,7 @@ class Layout:
     def prove_apart(self) -> None:
         """Prove that parts are inside the frame, and apart from each other and the container."""
         normals = {
-            tuple(integer(k, -1, 10**9) for k in items(e, 6)[:4]): point(e[4:])[:2]
-            for e in self.apart
+            tuple(integer(k, -1) for k in items(e, 6)[:4]): point(e[4:])[:2] for e in self.apart
         }
         need(len(normals) == len(self.apart), "apart: a pair is there twice")
         for one in self.placed[:-1]:
@@ -646,11 +645,12 @@ class Layout:
         if kind != "shape":
             need(self.check_rules(k).get(str(kind), False), "faults: a rule that is not broken")
             return
-        (m, i), (n, j) = ([integer(e, 0, 10**9) for e in items(edge, 2)] for edge in items(both, 2))
         written = self.parts[k][1], *(self.parts[k][2] or [])
         self.work.take(2 * count(written))
         rings = [edges(ring(e)) for e in written]
-        need(m < len(rings) > n and i < len(rings[m]) and j < len(rings[n]), "edges: not there")
+        (m, i), (n, j) = (items(edge, 2) for edge in items(both, 2))
+        for r, e in ((m, i), (n, j)):
+            under("edges", integer, e, 0, len(rings[under("edges", integer, r, 0, len(rings))]))
         (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
         clash = i != j and do_clash(p, q, r, s, (j - i) % size, size)
         need(clash if m == n else do_cross(p, q, r, s), "faults: the edges do not clash")

@@ -132,9 +132,8 @@ class _Finder:
     """
 
     def __init__(self, sums: Sums, loops: Sequence[Ring], fits: Sequence[Edge]) -> None:
-        self._sums, self._count = sums, len(fits)
+        self._sums = sums
         self._known: list[Edge] = [*chain.from_iterable(map(edges, loops)), *fits]
-        self._fits = range(len(self._known) - len(fits), len(self._known))
         self._beyond = sums.beyond
         self._listed: dict[int, int] = {}
         self._areas: dict[int, int] = {}
@@ -156,7 +155,6 @@ class _Finder:
             first = len(self._known)
             self.slits = _unite(self._gaps, self._known)
             self._known += self.slits
-            self._fits = range(self._fits.start, len(self._known))
             for n in range(first, len(self._known)):
                 self._list_beside(n)
             found = self._list_chains()
@@ -176,7 +174,7 @@ class _Finder:
         return [[k, *written[k]] for k in numbers]
 
     def _list_beside(self, n: int) -> None:
-        """List sums with sides along an edge, on the left of one of a loop, and both of a fit."""
+        """List sums with sides along an edge; on the right of a loop there are none."""
         a, b = self._known[n]
         near = self._near([a, b])
         if a == b:
@@ -185,7 +183,7 @@ class _Finder:
             ]
             self._list_one(at)
             return
-        for start, end in ((a, b), (b, a))[: 1 + (n in self._fits)]:
+        for start, end in ((a, b), (b, a)):
             spans = [
                 (k, span)
                 for k in near

@@ -150,8 +150,8 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
     off = Fraction(1, 2 ** (bits + 1))
     low, high = bound_half_tangent(rest, bits + 4)
     # Any number strictly between these is within `off` of every number in [low, high].
-    (a, b), (c, d) = (t.as_integer_ratio() for t in (high - off, low + off))
-    q, p = find_simplest_fraction(max(a, 0), b if a > 0 else 1, c, d)
+    (a, b), (c, d) = (t.as_integer_ratio() for t in (max(high - off, _ZERO), low + off))
+    q, p = find_simplest_fraction(a, b, c, d)
     return RationalTurn(*_to_circle(Fraction(p, q), quarter), 2 * off)
 
 

@@ -69,7 +69,7 @@ def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
     while True:
         a, b = share_scale(*refine(bits))
         found = _decide(a, b, bits, spacing)
-        if (found.meeting and found.too_close is not None) or bits >= MOST_BITS:
+        if found.too_close is not None or bits >= MOST_BITS:
             return found
         bits *= 2
 

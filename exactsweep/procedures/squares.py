@@ -20,8 +20,7 @@ def find_squares_of_sum(stationary: Rings, moving: Rings, side: int) -> tuple[in
     """
     cells_left, cells_low, cells = find_squares_in(stationary, side)
     points_left, points_low, points = find_points_in(moving, side)
-    rows = max(map(int.bit_length, cells), default=0)
-    rows += max(map(int.bit_length, points), default=0)
+    rows = max(map(int.bit_length, cells)) + max(map(int.bit_length, points))
     stride = rows + 1
     packed = 0
     for cell_column in reversed(cells):

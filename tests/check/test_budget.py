@@ -2,15 +2,19 @@
 
 import sys
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from math import cos, lcm, pi, sin
+from pathlib import Path
 from random import Random
 from typing import Any
 
 import pytest
 from cells import Holed
+from known_layouts import FAULTY, VALID
 from shape_certificates import HEAD, no_fit_certificate, outline
+from steps import count_steps
+from test_standalone import CERTIFICATES
 
 from exactsweep import Polygon, sweep
 from exactsweep.check import (
@@ -26,7 +30,9 @@ from exactsweep.check import (
 from exactsweep.check.convex import measure_bits
 from exactsweep.check.no_fit import UNLIMITED
 from exactsweep.check.standalone import Work
+from exactsweep.layout import judge_layout
 
+FILE = Path(__file__).with_name("steps.txt")
 Points = list[tuple[int, int]]
 HOOK = [(0, 0), (6, 0), (6, 6), (1, 6), (1, 3), (2, 3), (2, 5), (5, 5), (5, 1), (0, 1)]
 
@@ -154,6 +160,20 @@ def test_there_are_no_fewer_steps_than_work(name: str, monkeypatch: pytest.Monke
     assert verify(claim(*HOSTILE[name])).reason.startswith("exterior[0]: not in the answer")
     assert {*ledger.work} >= {"_leave_on", "near", "_take_all_pairs", "__init__"}
     assert not {payer: work for payer, work in ledger.work.items() if work > ledger.steps[payer]}
+
+
+def list_steps() -> Iterator[str]:
+    """List the steps of checks, which say what each part of a check costs."""
+    layouts = VALID | {name: layout for name, (layout, _) in FAULTY.items()}
+    checked = CERTIFICATES | {name: claim(*pair) for name, pair in HOSTILE.items()}
+    checked |= {name: judge_layout(layout).certificate() for name, layout in layouts.items()}
+    for name, certificate in checked.items():
+        yield f"{name}: {' '.join(map(str, count_steps(certificate)))}"
+
+
+def test_steps_are_as_recorded() -> None:
+    """Steps that are too few let a certificate keep the checker busy; too many refuse true ones."""
+    assert [*list_steps()] == FILE.read_text(encoding="utf-8").splitlines()
 
 
 @pytest.mark.parametrize("name", ["two fans", "two zigzags"])

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from producer import SLOT, UNIT, VALLEY
 from shape_certificates import HEAD
 from shape_families import untangled
+from steps import count_steps
 from tiers import examples
 
 from exactsweep import (
@@ -211,12 +212,10 @@ def test_the_longest_number_is_what_a_step_costs() -> None:
 
 def find_least(certificate: Any) -> int:
     """Find the fewest steps with which a certificate is proved."""
-    low, high = 0, 10**6
-    while high - low > 1:
-        middle = (low + high) // 2
-        proved = verify(certificate, max_steps=middle).proved
-        low, high = (low, middle) if proved else (middle, high)
-    return high
+    least = max(count_steps(certificate))
+    assert verify(certificate, max_steps=least).proved
+    assert not verify(certificate, max_steps=least - 1).proved
+    return least
 
 
 @pytest.mark.parametrize("answer", [sweep, no_fit_polygon])

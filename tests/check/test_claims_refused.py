@@ -159,3 +159,23 @@ def test_rings_are_judged_as_by_the_kernel() -> None:
     assert {"", "rings of a shape cross", "the interior of a shape falls apart"} < seen.keys()
     assert len(seen) == 4
     assert min(seen.values()) > 4
+
+
+def test_a_single_ring_is_judged_as_by_the_kernel() -> None:
+    """Most rings on a small grid cross or touch themselves."""
+    rng, seen = Random(4), Counter[bool]()
+    for _ in range(1000):
+        points = [(rng.randrange(5), rng.randrange(4)) for _ in range(rng.randint(3, 6))]
+        try:
+            expected = bool(Polygon(points))
+        except PolygonError:
+            expected = False
+        try:
+            item = [[str(x), str(y)] for x, y in points]
+            standalone.check_shape(standalone.shape({"exterior": item}), standalone.Work(10**6))
+            found = True
+        except standalone.Refused:
+            found = False
+        assert found == expected, points
+        seen[found] += 1
+    assert min(seen.values()) > 200

@@ -345,9 +345,10 @@ def test_translation_commutes(pair: Pair, by_g: Any, by_d: Any) -> None:
 @given(all_pairs(), own.tiny(-3, 3), own.tiny(1, 3))
 def test_turning_commutes(pair: Pair, a: int, b: int) -> None:
     g, d = pair
-    loops = reference_loops(turned(g, a, b), turned(d, a, b), (a, b))
+    way = Fraction(a, b + 1), Fraction(b, b + 1)
+    loops = reference_loops(turned(g, a, b), turned(d, a, b), way)
     assert loops == tuple(turned(Polygon(loop), a, b).vertices for loop in reference_loops(g, d))
-    fits = reference_exact_fits(turned(g, a, b), turned(d, a, b), (a, b))
+    fits = reference_exact_fits(turned(g, a, b), turned(d, a, b), way)
     assert len(fits) == len(reference_exact_fits(g, d))
 
 

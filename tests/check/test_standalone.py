@@ -349,6 +349,23 @@ def test_a_share_is_what_two_edges_have_in_common(a: Node, b: Node, p: Node, q: 
         assert standalone.lies(at, p, q) == (low <= k <= high)
 
 
+_lines = st.tuples(st.integers(-2, 2), st.integers(-2, 2), st.integers(-4, 4))
+
+
+@examples(200)
+@given(st.lists(_lines, min_size=1, max_size=3), _points, _points)
+def test_a_clipped_edge_is_what_is_inside_all_half_planes(
+    lines: list[Node], a: Node, b: Node
+) -> None:
+    """Both ends count, which an open half-plane that ends there does not hold."""
+    low, high = standalone.clip(lines, a, b) or standalone.NOWHERE
+    (ax, ay), (bx, by) = map(standalone.place, (a, b))
+    for k in {low, high, (low + high) / 2, *(Fraction(n, 24) for n in range(25))}:
+        if 0 <= k <= 1:
+            at = standalone.node(ax + k * (bx - ax), ay + k * (by - ay))
+            assert all(standalone.side(of, at) > 0 for of in lines) == (low < k < high)
+
+
 def test_sums_beyond_the_memory_there_is_are_found_again() -> None:
     ring = standalone.ring([["0", "0"], ["1", "0"], ["0", "1"]])
     work = standalone.Work(10**6)

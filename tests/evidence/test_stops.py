@@ -27,8 +27,10 @@ def overlaps(d: list[Vertex], g: list[Vertex], t: Vertex) -> bool:
     return classify(fixed, moved, t).verdict == "OVERLAP"
 
 
-@pytest.mark.parametrize("forward", [0, 1])
-def test_two_corners_let_each_other_pass_as_the_definition_says(forward: int) -> None:
+@pytest.mark.parametrize(("forward", "size"), [(0, 1), (1, Fraction(1, 9))])
+def test_two_corners_let_each_other_pass_as_the_definition_says(
+    forward: int, size: Fraction | int
+) -> None:
     """Convex and reflex ones, whose edges run along each other, or not."""
     tried = 0
     for d_size, g_first, g_size in product(range(1, 8), range(8), range(1, 8)):
@@ -37,8 +39,9 @@ def test_two_corners_let_each_other_pass_as_the_definition_says(forward: int) ->
         d, g = corner(forward, forward + d_size), corner(g_first, g_first + g_size)
         if overlaps(d, g, (0, 0)):
             continue
+        one, other = (Outline([[(size * x, size * y) for x, y in ring]]) for ring in (g, d))
         for way in WAYS:
-            stopped = blocks(Contact("VV", 0, 0), way, Outline([g]), Outline([d]))
+            stopped = blocks(Contact("VV", 0, 0), way, one, other)
             assert stopped == overlaps(d, g, way), (d, g, way)
             tried += 1
     assert tried > 500

@@ -10,14 +10,14 @@ from itertools import pairwise
 from math import atan2, comb, cos, pi, sin, tau
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from mpmath import mp
 from tiers import examples
 
 from exactsweep import limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
-from exactsweep.formats.curved.affine import IDENTITY, make_affine
+from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine
 from exactsweep.formats.curved.arc import make_arc
 from exactsweep.formats.curved.curves import (
     _bend,
@@ -295,3 +295,26 @@ def test_the_ends_of_a_stretched_arc_are_close_to_those_asked_for(place: int) ->
             c, s = cos(degrees * pi / 180), sin(degrees * pi / 180)
             asked = image.point(Fraction(c), Fraction(s))
             assert (found.x - asked.x) ** 2 + (found.y - asked.y) ** 2 < Fraction(1, 1000) ** 2
+
+
+numbers = st.lists(st.integers(-3, 3).map(Fraction), min_size=6, max_size=6)
+ONE = Fraction(1)
+signs = st.lists(st.sampled_from([-1, 1]), min_size=6, max_size=6)
+offs = st.sampled_from([Fraction(0), Fraction(1, 3), Fraction(2)])
+
+
+@example([ONE] * 6, [ONE] * 6, [1] * 6, [1] * 6, ONE, ONE)  # As far off as can be.
+@given(numbers, numbers, signs, signs, offs, offs)
+def test_products_of_maps_bound_how_far_they_are_off(
+    one: list[Fraction],
+    two: list[Fraction],
+    up: list[int],
+    down: list[int],
+    o: Fraction,
+    p: Fraction,
+) -> None:
+    last, first = Affine(*one, o), Affine(*two, p)
+    true_last = Affine(*(x + o * sign for x, sign in zip(one, up, strict=True)))
+    true_first = Affine(*(x + p * sign for x, sign in zip(two, down, strict=True)))
+    found, true = last @ first, true_last @ true_first
+    assert all(abs(a - b) <= found.off for a, b in zip(found[:6], true[:6], strict=True))

@@ -103,6 +103,9 @@ def test_known_distances(
         assert found.points == nearest
     p, q = found.points
     assert squared(p, q) == value
+    trees = EdgeTree(_clockwise(Region(SQUARE))), EdgeTree(_clockwise(Region(other)))
+    assert find_nearest(*trees, value) is None
+    assert find_nearest(*trees, value + 1) == found
 
 
 def test_a_shape_in_a_hole_does_not_meet_the_shape_around_it() -> None:

@@ -37,9 +37,13 @@ def test_tips_of_holes_touch_the_middles_of_all_edges() -> None:
     assert Overlap(plate, SQUARE).at(ORIGIN)
 
 
-def test_interiors_meet_where_the_definition_says() -> None:
+@pytest.mark.parametrize("few", [0, 24])
+def test_interiors_meet_where_the_definition_says(
+    few: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """At vertices on vertices and on the middles of edges, beside these, and one in the other."""
-    rng = Random(5)
+    monkeypatch.setattr(overlap, "_FEW", few)
+    rng = Random(5 + few)
     found: Counter[bool] = Counter()
     for number in range(100):
         pair = (small_pairs.draw_shapeless if number % 2 else small_pairs.draw)(rng)

@@ -198,6 +198,12 @@ def test_features_are_numbered_in_time_in_proportion_to_them() -> None:
     assert few < many < 5 * few
 
 
+def test_a_region_is_convex_without_holes_and_notches() -> None:
+    notched = [*SQUARE[:3], (5, 4)]
+    found = [Region(*shape).is_convex for shape in ((SQUARE,), (SQUARE, [SMALL]), (notched,))]
+    assert found == [True, False, False]
+
+
 def test_a_region_of_a_region_numbers_its_features_alike() -> None:
     one = Region(SQUARE, [OTHER, SMALL[::-1]])
     again, more = Region(one), Region(one, [[(7, 1), (8, 1), (8, 2)]])

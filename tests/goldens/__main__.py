@@ -1,7 +1,7 @@
 """Write the golden files anew: `python -m tests.goldens [PARTS]...`.
 
-These are the texts of this folder, both golden.json, the reports of `conform`, the options of all
-commands, all transcripts and all refusals.txt; git shows the changes.
+These are the texts of this folder, both golden.json, the steps of checks, the reports of `conform`,
+the options of all commands, all transcripts and all refusals.txt; git shows the changes.
 """
 
 import json
@@ -18,9 +18,10 @@ import click
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.extend(
     f"{Path(__file__).parents[1]}/{folder}"
-    for folder in ("", "support", "batch", "cli", "conform", "formats", "layout")
+    for folder in ("", "support", "batch", "check", "cli", "conform", "formats", "layout")
 )
 import test_batch_golden as batch
+import test_budget as budget
 import test_cli_options as options
 import test_formats_golden as formats
 import test_layout as layout
@@ -37,6 +38,7 @@ def list_goldens() -> Iterator[tuple[Path, Callable[[], str]]]:
         yield Path(__file__).with_name(f"{name}.txt"), partial(join_lines, lines)
     yield batch.FILE, partial(answer, batch.CASES, "record", batch.find_record)
     yield formats.FILE, partial(answer, formats.CASES, "outcome", formats.find_outcome)
+    yield budget.FILE, partial(join_lines, budget.list_steps)
     yield reports.FILE, reports.write_reports
     yield options.FILE, partial(join_lines, options.list_options)
     for path in list_transcripts():

@@ -21,6 +21,13 @@ NEARLY = [
 ]
 ANGLED = {
     "10**-30 apart": NEARLY[0],
+    "10**-30 more than the spacing": lay(
+        box(-9, 0, 9, 9),
+        {"t": TILE},
+        put("t", (2, 2), 30),
+        put("t", (Fraction(1, 4) - TINY, "2.4")),
+        spacing="1/4",
+    ),
     "turned by 30 degrees": lay(
         box(0, 0, 9, 9), {"t": TILE}, put("t", (2, 2), 30), put("t", (4, 2), 30), margin=1
     ),
@@ -31,6 +38,9 @@ ANGLED = {
 ANGLED_FAULTY = {
     "overlap, 10**-30 deep": NEARLY[1],
     "overlap": lay(SHEET, {"t": TILE}, put("t", (2, 2), 30), put("t", ("2.01", 2), "-30.001")),
+    "overlap, left of the origin and below it": lay(
+        box(-9, -9, 0, 0), {"t": TILE}, put("t", (-5, -5), 30), put("t", ("-4.8", "-4.9"), 30)
+    ),
     "outside": lay(SHEET, {"t": TILE}, put("t", ("0.49999", 2), 30)),
     "too close": lay(
         SHEET, {"t": TILE}, put("t", (2, 2), 30), put("t", (4, 2), "33.3"), spacing="3/2"
@@ -98,6 +108,10 @@ UNSIMPLE = {
         [[(0, 0), (1, 1), (1, 0), (0, 1)]],
     ),
     "a hole across the exterior": (box(0, 0, 4, 4), [box(1, 1, 3, 5)]),
+    "a hole across the exterior, which it touches before": (
+        [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)],
+        [[(1, 3), (-1, 1), (2, 0), (3, 1)]],
+    ),
 }
 
 

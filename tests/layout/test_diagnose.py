@@ -22,6 +22,7 @@ PLACED = [
     ("180", (3, 4)),
     ("270", (6, 4)),
 ]
+FLIPPED = [(x, f"-{y}") for x, y in L]
 BOX = [("0", "0"), ("9", "0"), ("9", "4"), ("0", "4")]
 
 
@@ -56,18 +57,29 @@ def turned_back(turn: str, x: int, y: int) -> dict[str, Any]:
     ("write", "said"),
     [
         (lambda turn, x, y: place(f"-{turn}", x, y), "clockwise turns"),
-        (lambda turn, x, y: place(turn, x * 10, y * 10), "moves divided by 10"),
-        (lambda turn, x, y: place(turn, f"{x}/1000", f"{y}/1000"), "moves times 1000"),
         (lambda turn, x, y: place(turn, x, 4 - y), "Y of moves downward"),
+        (lambda turn, x, y: place(f"-{turn}", x, 4 - y), "Y of moves downward and clockwise turns"),
         (lower_left, "moves that say where the lower left corner of the turned box is"),
         (turned_back, "the move before the turn"),
+        (place, "Y of parts downward"),
+        (lambda turn, x, y: place(turn, x, 4 - y), "Y of parts and moves downward"),
     ],
 )
 def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
-    judgement = judge_layout(layout([write(turn, *at) for turn, at in PLACED]))
+    part = FLIPPED if "parts" in said else L
+    judgement = judge_layout(layout([write(turn, *at) for turn, at in PLACED], part))
     assert not judgement.valid
     notes = diagnose(judgement)
     assert any(note.startswith(f"with {said}, 0 of ") for note in notes), notes
+
+
+@pytest.mark.parametrize("scale", ["10", "100", "1000", "127/5", "480/127", "360/127"])
+def test_other_units_are_named(scale: str) -> None:
+    """Powers of ten, millimetres for inches, and units of 1/96 and 1/72 inch for centimetres."""
+    for factor, times in ((Fraction(scale), "divided by"), (1 / Fraction(scale), "times")):
+        placed = [place(turn, x * factor, y * factor) for turn, (x, y) in PLACED]
+        notes = diagnose(judge_layout(layout(placed)))
+        assert any(note.startswith(f"with moves {times} {scale}, 0 of ") for note in notes), notes
 
 
 @pytest.mark.parametrize("digits", [8, 17])
@@ -129,9 +141,12 @@ def test_a_single_overlap_is_no_convention() -> None:
 )
 def test_other_mirrors_are_named(write: Callable[..., Any], said: str) -> None:
     # The whole layout mirrored in x is R(-a) M P + (9 - x, y).
-    right = layout([place(-int(turn), 9 - x, y, mirrored=True) for turn, (x, y) in PLACED])
-    assert judge_layout(right).valid
-    judgement = judge_layout(layout([write(turn, *at) for turn, at in PLACED]))
+    # Beside it is the layout as it is, to which no convention of mirrors applies.
+    beside = [place(turn, x + 9, y) for turn, (x, y) in PLACED]
+    wide = {"container": {"exterior": [("0", "0"), ("18", "0"), ("18", "4"), ("0", "4")]}}
+    mirrored = [place(-int(turn), 9 - x, y, mirrored=True) for turn, (x, y) in PLACED]
+    assert judge_layout(layout([*mirrored, *beside], **wide)).valid
+    judgement = judge_layout(layout([*(write(turn, *at) for turn, at in PLACED), *beside], **wide))
     assert not judgement.valid
     notes = diagnose(judgement)
     assert any(note.startswith(f"with {said}, 0 of ") for note in notes), notes

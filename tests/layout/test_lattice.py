@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from layouts import box, lay, put
 from tiers import examples
@@ -32,6 +32,7 @@ def test_a_finer_lattice_leaves_a_solid_where_it_was(
 
 @examples(60)
 @given(vertices, vertices)
+@example((-6, -6), (-6, -6))
 def test_the_nearest_parts_stay_the_same_when_all_are_moved(
     move: tuple[int, int], by: tuple[int, int]
 ) -> None:
@@ -42,6 +43,20 @@ def test_the_nearest_parts_stay_the_same_when_all_are_moved(
         nearest = judge_layout(lay(box(-20, -20, 20, 20), near, *places)).distance
         assert nearest is not None
         assert (nearest.square, nearest.placements) == (Fraction(9), (0, 1))
+
+
+def test_the_nearest_pair_may_come_last() -> None:
+    places = (put("t", (x, 0)) for x in (0, 2, Fraction(7, 2)))
+    nearest = judge_layout(lay(box(0, 0, 9, 9), {"t": box(0, 0, 1, 1)}, *places)).distance
+    assert nearest is not None
+    assert (nearest.square, nearest.placements) == (Fraction(1, 4), (1, 2))
+
+
+def test_parts_whose_boxes_meet_may_be_farther_than_others() -> None:
+    parts = {"a": [(0, 0), (4, 0), (0, 4)], "b": [(4, 3), (4, 4), (3, 4)], "c": box(-2, 0, -1, 1)}
+    nearest = judge_layout(lay(box(-9, -9, 9, 9), parts, *map(put, parts))).distance
+    assert nearest is not None
+    assert (nearest.square, nearest.placements) == (Fraction(1), (0, 2))
 
 
 def test_a_witness_may_be_as_deep_as_the_slack_allows() -> None:

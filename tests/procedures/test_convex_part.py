@@ -83,5 +83,9 @@ def test_boxes_are_rounded_outwards() -> None:
     part = make([(0, 0), (2, -2), (5, -4)])
     assert part.x_range == cross(part).x_range == cross(part, (1, 2), (9, 2)).x_range == (0, 5)
     assert part.box == cross(part).box == cross(part, (1, 2), (9, 2)).box == (0, 5, -4)
+    for run in (1, 2, 3):
+        gentle = make([(0, 9), (2, 7), (2 + run, 8), (5 + run, 14)])
+        by_lines = cross(gentle)._replace(slopes=[Fraction(s) / UNIT for s in gentle.slopes])
+        assert gentle.box == by_lines.box == (0, 5 + run, 7)
     rising = make([(1, 7), (3, 8), (6, 19)])
     assert rising.box == cross(rising, (3, 2), (11, 2)).box == (1, 6, 7)

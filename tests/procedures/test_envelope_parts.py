@@ -59,11 +59,11 @@ def test_pieces_are_found_before_and_after_each_break() -> None:
 
 def test_x_ranges_side_by_side_leave_no_gap() -> None:
     kept = Envelope.of([(0, 0), (6, 6)]).keep(
-        [((1, 1), (2, 1)), ((4, 2), (3, 1)), ((4, 1), (5, 1))]
+        [((1, 1), (2, 1)), ((4, 2), (3, 1)), ((3, 1), (7, 2)), ((4, 1), (5, 1))]
     )
     assert kept is not None
-    assert [value(at) for at in kept.breaks] == [1, 2, 3, 4, 5]
-    assert [piece == GAP for piece in kept.pieces] == [False, False, True, False]
+    assert [value(at) for at in kept.breaks] == [1, 2, 3, 7 * half, 4, 5]
+    assert [piece == GAP for piece in kept.pieces] == [False, False, False, True, False]
 
 
 def test_an_envelope_is_cut_to_an_x_range() -> None:
