@@ -313,7 +313,7 @@ def test_products_of_maps_bound_how_far_they_are_off(
     o: Fraction,
     p: Fraction,
 ) -> None:
-    last, first = Affine(*one, o), Affine(*two, p)
+    last, first = make_affine(*one)._replace(off=o), make_affine(*two)._replace(off=p)
     true_last = Affine(*(x + o * sign for x, sign in zip(one, up, strict=True)))
     true_first = Affine(*(x + p * sign for x, sign in zip(two, down, strict=True)))
     found, true = last @ first, true_last @ true_first
