@@ -16,6 +16,7 @@ from exactsweep.formats import (
     FormatError,
     format_polygons,
     parse_polygon,
+    parse_polygons,
     read_polygon,
     read_polygons,
 )
@@ -50,6 +51,28 @@ def written(draw: object) -> str:
     text = io.StringIO()
     document.write(text)
     return text.getvalue()
+
+
+@given(st.data(), strategies.simple_rings(), strategies.simple_rings())
+def test_lines_in_any_order_and_direction_are_the_polygons_that_they_bound(
+    data: st.DataObject, one: strategies.Ring, other: strategies.Ring
+) -> None:
+    rings = [one, [(x + 10**6, y) for x, y in other]]
+    lines = [(*ring[k - 1], *p) for ring in rings for k, p in enumerate(ring)]
+    # The file may begin anywhere on a ring, and so have two chains of it.
+    first = data.draw(st.integers(0, len(lines)))
+    lines = lines[first:] + lines[:first]
+    if data.draw(st.booleans()):
+        lines = data.draw(st.permutations(lines))
+    turned = st.lists(st.booleans(), min_size=len(lines), max_size=len(lines))
+    ends = [
+        (c, d, a, b) if turn else (a, b, c, d)
+        for (a, b, c, d), turn in zip(
+            lines, data.draw(turned | st.just([False] * len(lines))), strict=True
+        )
+    ]
+    found = [named.polygon for named in parse_polygons(dxf(*(line(*end) for end in ends)))]
+    assert sorted(found, key=str) == sorted(map(Polygon, rings), key=str)
 
 
 def as_lines(space: Modelspace) -> None:

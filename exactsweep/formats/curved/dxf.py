@@ -83,10 +83,8 @@ def _draw_lines(placed: PlacedEntity, reading: Reading) -> list[Candidate | Open
     entity, count = placed.entity, placed.entity.count
     reading.require_level(entity.take(30, 31, default="0"))
     xs, ys = entity.take(10, 11), entity.take(20, 21)
-    ends = zip(xs[count:], ys[count:], strict=True)
-    starts = zip(xs[1:count], ys[1:count], strict=True)
     breaks = [
-        k for k, (end, start) in enumerate(zip(ends, starts, strict=False), 1) if end != start
+        k for k in range(1, count) if (xs[k], ys[k]) != (xs[count + k - 1], ys[count + k - 1])
     ]
     drawn: list[Candidate | OpenLine] = []
     for i, k in pairwise([0, *breaks, count]):
