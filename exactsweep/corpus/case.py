@@ -17,8 +17,6 @@ from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import inner_fit_polygon, sweep
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
-OF_SWEEP = ["reference", "kind", "trajectory", "inner", "outer", "exact_fits", "area", "unswept"]
-"""The fields that a sweep has, too."""
 Given = AnyPolygon | Iterable[Iterable[object]]
 
 
@@ -108,7 +106,14 @@ class Case(AnsweredPair):
             generatrix_ring=g[0],
             directrix_holes=d[1:],
             generatrix_holes=g[1:],
-            **{name: getattr(s, name) for name in OF_SWEEP},
+            reference=s.reference,
+            kind=s.kind,
+            trajectory=s.trajectory,
+            inner=s.inner,
+            outer=s.outer,
+            unswept=s.unswept,
+            exact_fits=s.exact_fits,
+            area=s.area,
             holes=s.no_fit_holes,
             inner_regions=None if inside is None else inside.regions,
             inner_exact_fits=() if inside is None else inside.exact_fits,
