@@ -66,6 +66,11 @@ def refusal(certificate: Any) -> str:
     return str(refused.value)
 
 
+def test_a_demand_may_have_any_size() -> None:
+    asked = changed("layout.parts.0.demand", 10**30)
+    assert "a part breaks rules: ['missing']" in refusal(asked)
+
+
 def test_a_spacing_may_be_longer_than_python_prints() -> None:
     long = certificate()
     long["layout"]["spacing"] = long["layout"]["margin"] = "9" * 5000
