@@ -2,7 +2,6 @@
 
 import json
 import sys
-import tracemalloc
 from fractions import Fraction
 from pathlib import Path
 
@@ -17,7 +16,6 @@ from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.process import ProcessPeer
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import MOST_FAULTS, SHOWN
-from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case
 
 MIB = 2**20
@@ -174,25 +172,6 @@ def test_memory_is_limited_and_told(tmp_path: Path) -> None:
 def test_a_hello_that_is_not_flushed_is_hinted_at() -> None:
     with pytest.raises(ValueError, match=r"no hello within 0\.2 s; if it writes one, does it"):
         ProcessPeer([*HOSTILE, "no-hello", "--"], to_start=0.2)
-
-
-def test_a_run_takes_a_few_bytes_a_case() -> None:
-    report, seen = Run(Hello("mine")), SeenNames()
-
-    def add(numbers: range) -> None:
-        for k in numbers:
-            assert seen.add(f"case-{k}")
-            report.add(Outcome(f"case-{k}", "CC", (), Verdict.UNSUPPORTED, "too hard"))
-
-    add(range(1000))
-    tracemalloc.start()
-    add(range(1000, 5000))
-    held, _ = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    # Eight bytes are an outcome's place in the file; a mebibyte of the file is held in memory.
-    assert held < 2**20 + 4000 * 40
-    assert not seen.add("case-7")
-    assert (len(report.outcomes), report.outcomes[4999].id) == (5000, "case-4999")
 
 
 def test_shares_are_exact() -> None:

@@ -20,14 +20,12 @@ from tiers import examples
 
 from exactsweep import Point, Polygon
 from exactsweep.check import classify
-from exactsweep.conform import Outcome, Run, Verdict
+from exactsweep.conform import Verdict
 from exactsweep.conform.judge import compare as comparing
 from exactsweep.conform.judge import distance, region
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.region import find_differences, find_overlap
 from exactsweep.conform.judge.verdict import PartComparison
-from exactsweep.conform.run.protocol import Hello
-from exactsweep.conform.run.spool import SpoolError
 from exactsweep.corpus import Case
 from exactsweep.numbers.number import ORIGIN
 
@@ -149,17 +147,6 @@ def test_of_very_many_edges_neither_distance_nor_area_is_measured(
 def limit_files(size: int) -> None:
     _, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
-
-
-def test_a_full_disk_is_told_by_the_spool() -> None:
-    report = Run(Hello("mine"))
-    soft, _ = resource.getrlimit(resource.RLIMIT_FSIZE)
-    limit_files(2**20)
-    try:
-        with pytest.raises(SpoolError, match="temporary files: "):
-            report.add(Outcome("long", "CC", (), Verdict.UNSUPPORTED, "why" * 2**20))
-    finally:
-        limit_files(soft)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import BinaryIO, Self
 
 from exactsweep.conform.run.protocol import read_object
-from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, case_from_json, cases
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.files import open_bytes, split_lines
@@ -91,10 +90,11 @@ def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:
     Raises:
         SelectionError: one does.
     """
-    seen = SeenNames()
+    seen = set()
     for case in cases:
-        if not seen.add(case.id):
+        if case.id in seen:
             raise SelectionError(f"two cases have the id {quote(case.id)}")
+        seen.add(case.id)
         yield case
 
 

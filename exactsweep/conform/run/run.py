@@ -11,7 +11,6 @@ from exactsweep import __version__
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
-from exactsweep.conform.run.spool import Spool
 from exactsweep.conform.run.tally import ACCEPTED, Tally, Worst, fails
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.words import count
@@ -45,7 +44,7 @@ class NamedFault:
 
 
 class Run:
-    """Outcomes as they come in; memory is bounded except for a few bytes a case.
+    """Outcomes as they come in; of most cases without what takes much memory.
 
     Args:
         hello: the implementation's hello.
@@ -54,7 +53,7 @@ class Run:
         least_judged: the least part of the cases that must be judged for the run to pass.
 
     Attributes:
-        outcomes: sequence of all outcomes, without the case, the answer and the measurements.
+        outcomes: list of all outcomes, without the case, the answer and the measurements.
         shrunk: dict from the id of a case to the outcome of a smaller one with the same fault.
         summary: the counts.
         complaints: list of other errors, a line each.
@@ -70,7 +69,7 @@ class Run:
     ) -> None:
         self.hello, self.command, self.accepted = hello, tuple(command), accepted
         self.least_judged = least_judged
-        self.outcomes = Spool()
+        self.outcomes: list[Outcome] = []
         self.shrunk: dict[str, Outcome] = {}
         self.summary = Tally()
         self.complaints: list[str] = []
@@ -81,7 +80,7 @@ class Run:
         """Take in an outcome."""
         self.summary.add(outcome)
         bare = replace(outcome, parts=(), case=None, result=None, stderr="")
-        self.outcomes.add(bare if len(bare.diagnosis) > 1 else replace(bare, diagnosis=()))
+        self.outcomes.append(bare if len(bare.diagnosis) > 1 else replace(bare, diagnosis=()))
         if fails(outcome.verdict, self.accepted):
             name = outcome.fault
             if name not in self._faults and len(self._faults) >= MOST_FAULTS:

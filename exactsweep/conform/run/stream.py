@@ -14,7 +14,6 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, judge_answer
 from exactsweep.conform.run.peer import Answer, read_answer
 from exactsweep.conform.run.protocol import ProtocolError, adapt, read_hello, read_object
-from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.formats.files import split_lines
@@ -46,7 +45,7 @@ class Stream:
         if hello is None:
             raise ProtocolError("no hello: the input is empty")
         self.hello = read_hello(hello)
-        self._seen = SeenNames()
+        self._seen: set[str] = set()
 
     def outcomes(self, find: Callable[[str], Case]) -> Iterator[Outcome]:
         """Judge the answers as they come.
@@ -74,13 +73,14 @@ class Stream:
         """Yield an outcome for each case that has no answer, once all answers have been read."""
         answer = Answer(verdict=Verdict.CRASH, reason="no answer")
         for case in cases:
-            if self._seen.add(case.id):
+            if case.id not in self._seen:
                 yield judge_answer(case, case, answer, self.hello)
 
     def _case(self, id: object, find: Callable[[str], Case]) -> Case:
         if not isinstance(id, str):
             raise ProtocolError(f'"id" is {describe_kind(id)}, not the id of a case')
         case = find(id)
-        if not self._seen.add(id):
+        if id in self._seen:
             raise ProtocolError(f"answers {quote(id)} a second time")
+        self._seen.add(id)
         return case
