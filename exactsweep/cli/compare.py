@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import click
 
-from exactsweep.cli.complete import list_cases, offer
+from exactsweep.cli.complete import CASES, offer
 from exactsweep.cli.options import PATH, takes_json, takes_output
 from exactsweep.cli.output import write
 from exactsweep.cli.reports import takes_accept, takes_rounding
@@ -16,7 +16,7 @@ from exactsweep.formats import read_certificate
 
 
 @click.command("compare")
-@click.argument("case", type=PATH, shell_complete=offer(list_cases, files=True))
+@click.argument("case", type=PATH, shell_complete=offer(CASES, files=True))
 @click.argument("result", type=PATH)
 @takes_rounding
 @takes_accept

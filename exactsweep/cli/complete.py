@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
+from pkgutil import resolve_name
 
 import click
 from click.shell_completion import CompletionItem
@@ -12,39 +13,26 @@ Offer = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
 """A function that click calls with the beginning of a word."""
 
 
-def list_cases() -> Iterable[str]:
-    """The ids of the corpus."""
-    from exactsweep.corpus.shipped import list_ids
+CASES = "exactsweep.corpus.shipped:list_ids"
+THEMES = "exactsweep.corpus:themes"
+FLAGS = "exactsweep.corpus:notes"
+FAMILIES = "exactsweep.corpus:FAMILIES"
+CLASSES = "exactsweep.corpus.case:KINDS"
+"""Places of names, or of functions that list them; they are imported when Tab is pressed."""
 
-    return list_ids()
-
-
-def list_themes() -> Iterable[str]:
-    """The themes of the corpus."""
-    from exactsweep.corpus import themes
-
-    return themes()
+Source = str | Callable[[], Iterable[str]]
+"""Such a place, or a function that lists names."""
 
 
-def list_flags() -> Iterable[str]:
-    """The flags of cases."""
-    from exactsweep.corpus import notes
+def list_names(source: Source) -> Iterable[str]:
+    """List the names of a source.
 
-    return notes()
-
-
-def list_families() -> Iterable[str]:
-    """The families of the generator."""
-    from exactsweep.corpus import FAMILIES
-
-    return FAMILIES
-
-
-def list_classes() -> Iterable[str]:
-    """The classes of pairs."""
-    from exactsweep.corpus.case import KINDS
-
-    return KINDS
+    >>> list(list_names(CLASSES))
+    ['CC', 'CM', 'MM', 'SS']
+    """
+    found = resolve_name(source) if isinstance(source, str) else source
+    names: Iterable[str] = found() if callable(found) else found
+    return names
 
 
 def list_claims() -> Iterable[str]:
@@ -66,19 +54,19 @@ def list_filters() -> Iterable[str]:
     """The filters of cases, each with its value."""
     yield "id="
     yield "size="
-    yield from (f"class={kind}" for kind in list_classes())
-    yield from (f"flag={flag}" for flag in list_flags())
+    yield from (f"class={kind}" for kind in list_names(CLASSES))
+    yield from (f"flag={flag}" for flag in list_names(FLAGS))
 
 
-def offer(*sources: Callable[[], Iterable[str]], files: bool = False) -> Offer:
+def offer(*sources: Source, files: bool = False) -> Offer:
     """Make what click asks for completions.
 
     Args:
-        sources: lists of names, which are only made when Tab is pressed.
+        sources: the names.
         files: whether a file may stand there, too.
 
     Example:
-        >>> found = offer(list_classes)(click.Context(click.Command("")), click.Option(["-c"]), "C")
+        >>> found = offer(CLASSES)(click.Context(click.Command("")), click.Option(["-c"]), "C")
         >>> [item.value for item in found]
         ['CC', 'CM']
     """
@@ -86,7 +74,7 @@ def offer(*sources: Callable[[], Iterable[str]], files: bool = False) -> Offer:
     def complete(
         ctx: click.Context, option: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        names = (name for source in sources for name in source())
+        names = (name for source in sources for name in list_names(source))
         found = [
             CompletionItem(_escape(name))
             for name in names

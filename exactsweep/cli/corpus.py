@@ -11,14 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from exactsweep.cli.complete import (
-    list_cases,
-    list_classes,
-    list_families,
-    list_flags,
-    list_themes,
-    offer,
-)
+from exactsweep.cli import complete
+from exactsweep.cli.complete import offer
 from exactsweep.cli.options import gather, takes_output
 from exactsweep.cli.output import write
 from exactsweep.words import count
@@ -46,14 +40,14 @@ _takes_filters = gather(
         "--flag",
         "flags",
         multiple=True,
-        shell_complete=offer(list_flags),
+        shell_complete=offer(complete.FLAGS),
         help="A flag; repeatable.",
     ),
     click.option(
         "--class",
         "kind",
         metavar="CLASS",
-        shell_complete=offer(list_classes),
+        shell_complete=offer(complete.CLASSES),
         help="CC, CM, MM or SS.",
     ),
     click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
@@ -70,7 +64,7 @@ def _is_any(filters: dict[str, Any]) -> bool:
     "names",
     nargs=-1,
     metavar="[themes|flags|families|ID]...",
-    shell_complete=offer(lambda: ["themes", "flags", "families"], list_themes, list_cases),
+    shell_complete=offer(lambda: ["themes", "flags", "families"], complete.THEMES, complete.CASES),
 )
 # As it was before names were given as to 'export'.
 @click.option("--prefix", hidden=True)
@@ -112,7 +106,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
 @click.argument(
     "name",
     metavar="ID|FLAG|FAMILY",
-    shell_complete=offer(list_cases, list_flags, list_families),
+    shell_complete=offer(complete.CASES, complete.FLAGS, complete.FAMILIES),
 )
 @click.option("--json", "as_json", is_flag=True, help="Write the case as one line of JSON.")
 def show_command(name: str, as_json: bool) -> None:
@@ -156,7 +150,9 @@ def layouts_command(name: str | None, as_json: bool) -> None:
 
 
 @corpus_command.command("export")
-@click.argument("names", nargs=-1, metavar="[ID]...", shell_complete=offer(list_themes, list_cases))
+@click.argument(
+    "names", nargs=-1, metavar="[ID]...", shell_complete=offer(complete.THEMES, complete.CASES)
+)
 @_takes_filters
 @click.option(
     "--to",
@@ -222,7 +218,7 @@ def export_command(
     "--family",
     "families",
     multiple=True,
-    shell_complete=offer(list_families),
+    shell_complete=offer(complete.FAMILIES),
     help="A family; may be repeated. By default all families.",
 )
 @click.option("--seed", type=click.IntRange(min=0), default=0, help="The seed; by default 0.")

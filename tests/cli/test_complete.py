@@ -2,7 +2,6 @@
 
 import os
 import subprocess
-from collections.abc import Callable, Iterable
 
 import pytest
 from click.shell_completion import ShellComplete
@@ -10,13 +9,15 @@ from command import EXACTSWEEP, PATIENCE, run
 
 from exactsweep.cli import main
 from exactsweep.cli.complete import (
-    list_cases,
+    CASES,
+    CLASSES,
+    FAMILIES,
+    FLAGS,
+    THEMES,
+    Source,
     list_claims,
-    list_classes,
-    list_families,
     list_filters,
-    list_flags,
-    list_themes,
+    list_names,
     list_verdicts,
 )
 
@@ -59,18 +60,16 @@ def test_a_file_is_offered_where_there_is_no_such_case() -> None:
 @pytest.mark.parametrize(
     ("source", "arguments"),
     [
-        (list_cases, ("corpus", "show")),
-        (list_flags, ("corpus", "show")),
-        (list_families, ("corpus", "show")),
-        (list_themes, ("corpus", "list", "--prefix")),
-        (list_classes, ("corpus", "list", "--max-size", "9", "--class")),
+        (CASES, ("corpus", "show")),
+        (FLAGS, ("corpus", "show")),
+        (FAMILIES, ("corpus", "show")),
+        (THEMES, ("corpus", "list", "--prefix")),
+        (CLASSES, ("corpus", "list", "--max-size", "9", "--class")),
         (list_claims, ("reproduce", "--list")),
     ],
 )
-def test_what_is_offered_is_taken(
-    source: Callable[[], Iterable[str]], arguments: tuple[str, ...]
-) -> None:
-    names = list(source())
+def test_what_is_offered_is_taken(source: Source, arguments: tuple[str, ...]) -> None:
+    names = list(list_names(source))
     assert names
     for name in names[:: max(1, len(names) // 3)]:
         result = run(*arguments, name)
