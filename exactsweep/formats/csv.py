@@ -15,12 +15,12 @@ from sys import maxsize
 from threading import RLock
 
 from exactsweep.formats.candidate import Candidate, allow_faults
-from exactsweep.formats.decimals import read_each
+from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.numbers.error import name_refusals, quote
-from exactsweep.numbers.number import Point, make_points
+from exactsweep.numbers.number import Point
 
 _NAMES = ("name", "id", "part", "polygon")
 _WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")
@@ -146,15 +146,11 @@ def _candidate(name: str, rings: _RowsByRing) -> Candidate:
 
 
 def _vertices(cells: Sequence[tuple[int, str, str]]) -> list[Point]:
-    _, xs, ys = zip(*cells, strict=True)  # pragma: no mutate: all rows have three
-    try:
-        return make_points(read_each(xs), read_each(ys))
-    except ValueError:
-        found = []
-        for line, x, y in cells:
-            with name_refusals(f"line {line}", FormatError):
-                found.append(Point(*read_each([x, y])))
-        return found
+    found = []
+    for line, x, y in cells:
+        with name_refusals(f"line {line}", FormatError):
+            found.append(Point(read_decimal(x.strip()), read_decimal(y.strip())))
+    return found
 
 
 def write_csv_rows(rows: Iterable[Sequence[object]]) -> str:

@@ -1,7 +1,6 @@
 """Decimal numbers in files, read and written exactly."""
 
 import re
-import sys
 from collections.abc import Sequence
 from fractions import Fraction
 from math import ceil, log2
@@ -9,18 +8,14 @@ from math import ceil, log2
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.digits import abridge, format_fraction, write_int
 from exactsweep.numbers.error import NumberError, quote
-from exactsweep.numbers.limits import get_max_digits
-from exactsweep.numbers.number import Point, divide_exactly, make_points, to_fraction
+from exactsweep.numbers.number import Point, make_points, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
 """A pattern of the numbers that `read_decimal` reads."""
 
-# The number of digits that int() reads under every limit of the interpreter.
-_SHORT = sys.int_info.str_digits_check_threshold
 _DECIMAL = re.compile(DECIMAL)
 _DECIMALS = re.compile(rf"(?:[\s,]*+{DECIMAL})*+[\s,]*+")
-_ROWS = re.compile(rf"(?:[^\S\n]*+{DECIMAL}[^\S\n]*+\n)*+")
 _PARTS = re.compile(r"(-?)\+?([0-9.]*)(.*)")
 
 
@@ -41,29 +36,17 @@ def read_decimal(text: str) -> Fraction:
         >>> read_decimal("+.5"), read_decimal("007.e-2")
         (Fraction(1, 2), Fraction(7, 100))
     """
-    if not _DECIMAL.fullmatch(text):
-        raise FormatError(f"{quote(text)} is not a decimal number")
     try:
-        return to_fraction(text)
+        if "/" not in text:
+            return to_fraction(text)
     except NumberError:
         # Not as JSON has it, or too long, which the second attempt reports.
-        sign, digits, exponent = _PARTS.fullmatch(text).groups()  # type: ignore[union-attr]
-        whole, point, decimals = digits.lstrip("0").partition(".")
-        return to_fraction(f"{sign}{whole or '0'}{point if decimals else ''}{decimals}{exponent}")
-
-
-def _read_plain(texts: Sequence[str]) -> list[Fraction]:
-    """Read texts that match DECIMAL, faster where none has an exponent."""
-    if max(map(len, texts), default=0) > min(_SHORT, get_max_digits()):
-        return [*map(read_decimal, texts)]
-    found = []
-    for text in texts:
-        whole, _, decimals = text.partition(".")
-        try:
-            found.append(divide_exactly(int(whole + decimals), 10 ** len(decimals)))
-        except ValueError:
-            found.append(read_decimal(text))
-    return found
+        pass
+    if not _DECIMAL.fullmatch(text):
+        raise FormatError(f"{quote(text)} is not a decimal number")
+    sign, digits, exponent = _PARTS.fullmatch(text).groups()  # type: ignore[union-attr]
+    whole, point, decimals = digits.lstrip("0").partition(".")
+    return to_fraction(f"{sign}{whole or '0'}{point if decimals else ''}{decimals}{exponent}")
 
 
 def read_decimals(text: str) -> list[Fraction]:
@@ -74,7 +57,7 @@ def read_decimals(text: str) -> list[Fraction]:
     """
     if not _DECIMALS.fullmatch(text):
         raise FormatError(f"{quote(text)} is not a list of decimal numbers")
-    return _read_plain(_DECIMAL.findall(text))
+    return [*map(read_decimal, _DECIMAL.findall(text))]
 
 
 def read_each(texts: Sequence[str]) -> list[Fraction]:
@@ -83,15 +66,8 @@ def read_each(texts: Sequence[str]) -> list[Fraction]:
     >>> read_each([" 1", "-.5 "])
     [Fraction(1, 1), Fraction(-1, 2)]
     """
-    distinct = [*dict.fromkeys(texts)]
-    rows = "\n".join([*distinct, ""])
-    found = rows.split() if _ROWS.fullmatch(rows) else []
-    if len(found) == len(distinct):
-        numbers = _read_plain(found)
-    else:
-        numbers = [read_decimal(text.strip()) for text in distinct]
     # Most drawings have every end of a line twice, and one height and bulge.
-    known = dict(zip(distinct, numbers, strict=True))
+    known = {text: read_decimal(text.strip()) for text in dict.fromkeys(texts)}
     return [known[text] for text in texts]
 
 

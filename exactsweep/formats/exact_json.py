@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Callable
-from contextlib import suppress
 from fractions import Fraction
 from pathlib import Path
 
@@ -11,7 +10,7 @@ from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.size import require_text, weigh
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import NumberError, name_refusals, quote, tells_arguments
+from exactsweep.numbers.error import name_refusals, quote, tells_arguments
 from exactsweep.numbers.number import Point, to_fraction
 
 
@@ -78,10 +77,6 @@ def read_vertices(value: object, path: str) -> list[Point]:
     """
     if not isinstance(value, list):
         raise FormatError(f"{path} is {describe_kind(value)}, not a list of vertices")
-    if all(type(pair) is list and [*map(type, pair)] == [str, str] for pair in value):
-        with suppress(NumberError):
-            return [Point(to_fraction(x), to_fraction(y)) for x, y in value]
-    # The fast path failed: some value is wrong, or has another form.
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
 
 

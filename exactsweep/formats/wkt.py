@@ -8,7 +8,7 @@ from itertools import chain
 from typing import NoReturn, TypeVar
 
 from exactsweep.formats.candidate import Candidate, allow_faults
-from exactsweep.formats.decimals import DECIMAL, read_decimal, read_points
+from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.number import Point
@@ -18,8 +18,6 @@ _TOKEN = re.compile(
     rf"|(?P<number>{DECIMAL}))(?![^\s(),])"
     r"|(?P<unknown>[^\s(),]++)"
 )
-_ROW = rf"\s*+{DECIMAL}\s++{DECIMAL}\s*+"
-_PLANE_RING = re.compile(rf"\(({_ROW}(?:,{_ROW})*+)\)")
 
 # The other geometries of results: exact fits.
 _OTHERS = ("LINESTRING", "POINT")
@@ -118,26 +116,12 @@ class _Reader:
 
     def _ring(self) -> tuple[str, Callable[[], Sequence[Point]]]:
         place = self._place()
-        ring = self._read_plane_ring() or self._list(self._point)
+        ring = self._list(self._point)
         if ring[0] != ring[-1]:
             raise FormatError(
                 f"{place}: the ring is not closed: its last vertex must repeat the first"
             )
         return place, partial(list, ring)
-
-    def _read_plane_ring(self) -> list[Point] | None:
-        """Read a ring without Z all at once; None if it is anything else or has a fault."""
-        match = None if self.height else _PLANE_RING.match(self.text, self.offset)
-        if match is None:
-            return None
-        try:
-            ring = read_points(match[1])
-        except NumberError:
-            return None
-        self.height = _ZERO
-        self.matches = _TOKEN.finditer(self.text, match.end())
-        self._advance()
-        return ring
 
     def _loose_point(self) -> Point:
         self.height = None
