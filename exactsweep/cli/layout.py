@@ -34,6 +34,7 @@ class LayoutRow(NamedTuple):
         valid: None where it could not be read.
         placements: how many there are.
         worst: how bad the worst fault is; of a valid one the least distance.
+        notes: what the reader passed over.
     """
 
     name: str
@@ -41,6 +42,7 @@ class LayoutRow(NamedTuple):
     valid: bool | None
     placements: int = 0
     worst: str = ""
+    notes: Sequence[str] = ()
 
 
 def _make_gaps(spacing: Fraction | None, margin: Fraction | None) -> dict[str, str]:
@@ -222,7 +224,8 @@ def judge_file(
         try:
             for found in read_layouts(path, **options):
                 name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
-                rows.append(_sum_up(name, judge_layout(_make_layout(found, gaps))))
+                row = _sum_up(name, judge_layout(_make_layout(found, gaps)))
+                rows.append(row._replace(notes=found.notes))
         except ValueError as error:
             rows.append(LayoutRow(show_path(path), str(error), None))
     return rows
@@ -250,4 +253,5 @@ def _write_rows(rows: Sequence[LayoutRow], terminal_width: int | None) -> str:
         placements = "" if row.valid is None else str(row.placements)
         table.add_row(row.name, placements, row.verdict, row.worst)
     valid = sum(bool(row.valid) for row in rows)
-    return lay_out([table], terminal_width) + f"{valid} of {len(rows)} valid\n"
+    notes = [f"note: {row.name}: {note}\n" for row in rows for note in row.notes]
+    return lay_out([table], terminal_width) + "".join(notes) + f"{valid} of {len(rows)} valid\n"

@@ -34,8 +34,7 @@ def parse_candidates(
     is_svg = text.lstrip().startswith("<")
     y_down = is_svg if reading.y_down is None else reading.y_down
     coordinates = Coordinates(y_down, reading.found_unit)
-    hidden = [f"hidden: {many} {what} (--hidden)" for what, many in reading.passed.items()]
-    return PartList(candidates, coordinates, hidden, reading.notes)
+    return PartList(candidates, coordinates, reading.list_hidden(), reading.notes)
 
 
 def _parse(text: str, reading: Reading) -> Sequence[Candidate]:

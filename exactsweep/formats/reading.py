@@ -180,6 +180,10 @@ class Reading:
         self.passed[reason] += count
         return True
 
+    def list_hidden(self) -> list[str]:
+        """List what `hides` left out, a remark for each reason."""
+        return [f"hidden: {many} {what} (--hidden)" for what, many in self.passed.items()]
+
     def require_level(self, heights: Sequence[Fraction]) -> None:
         """Refuse heights above the plane that differ by more than the distance of joined ends."""
         # Most are one object, so that no two are compared.

@@ -49,6 +49,15 @@ def test_notes_are_told(nest: Path) -> None:
     )
 
 
+def test_notes_of_several_files_are_told(nest: Path) -> None:
+    files = [str(nest / name) for name in ("drawn.json", "svgnest.svg")]
+    said = "without the instance, items are judged as the solution draws them, rounded"
+    done = run("layout", *files, "--workers", "1")
+    assert done.stdout.endswith(f"note: {files[0]}: {said}\n2 of 2 valid\n")
+    found = json.loads(run("layout", *files, "--workers", "1", "--json").stdout)
+    assert [row["notes"] for row in found] == [[said], []]
+
+
 def test_everything_is_written(tmp_path: Path) -> None:
     file = case_file(tmp_path, "all-at-once")
     names = "p.html", "p.svg", "proof.json", "out.json"

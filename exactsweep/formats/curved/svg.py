@@ -109,7 +109,7 @@ class _Document:
             for defs in elements
             if name_kind(defs) == "defs"
             for child in defs
-            if name_kind(child) in _GROUPS | _SHAPES.keys()
+            if name_kind(child) in _GROUPS | SHAPES.keys()
             if not any(e.get("id") in linked for e in child.iter())
         }
 
@@ -125,10 +125,7 @@ class _Document:
                 if child in self.spare and not self.reading.hides(f"{name_kind(child)} in defs"):
                     yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
             return
-        hidden = "with display none" if placed.style("display") == "none" else ""
-        if name in _SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
-            hidden = "that is not visible"
-        if name in _DRAWN and self.reading.hides(hidden and f"{name} {hidden}"):
+        if self.reading.hides(find_reason_hidden(placed)):
             return
         if depth:
             self.used += 1
@@ -143,7 +140,7 @@ class _Document:
                 yield from self._drawn(PlacedElement(first, placed, self.reading), depth)
         elif name == "use":
             yield from self._follow_use(placed, depth + 1)
-        elif name in _SHAPES:
+        elif name in SHAPES:
             yield placed
 
     def _follow_use(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
@@ -160,6 +157,15 @@ class _Document:
             yield from self._drawn(drawn, depth)
 
 
+def find_reason_hidden(placed: PlacedElement) -> str:
+    """Find why an element that draws is hidden, as `Reading.hides` counts it; "" for no reason."""
+    name = name_kind(placed.element)
+    if name in SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
+        return f"{name} that is not visible"
+    is_hidden = name in DRAWN and placed.style("display") == "none"
+    return f"{name} with display none" if is_hidden else ""
+
+
 def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     """Read what a shape draws: regions, and open lines."""
     name, layer = _name(shape), shape.layer
@@ -168,7 +174,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     except FormatError as error:
         return [Candidate.refused(str(error), name, layer)]
     try:
-        found = _SHAPES[name_kind(shape.element)](shape, matrix, reading)
+        found = SHAPES[name_kind(shape.element)](shape, matrix, reading)
         closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
         opened = [points for points in found if points[0] != points[-1]]
         # The Polygon itself checks a single ring later.
@@ -272,7 +278,7 @@ def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoR
     raise FormatError("draws nothing that is in the file, or itself")
 
 
-_SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Point]]]] = {
+SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Point]]]] = {
     "polygon": _polygon,
     "polyline": _polygon,
     "rect": _rectangle,
@@ -283,4 +289,4 @@ _SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Poin
     # One whose target is not there.
     "use": _refuse_shape,
 }
-_DRAWN = _GROUPS | _SHAPES.keys() | {"switch"}
+DRAWN = _GROUPS | SHAPES.keys() | {"switch"}

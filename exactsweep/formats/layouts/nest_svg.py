@@ -13,12 +13,13 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
-from exactsweep.formats.curved.svg import read_svg
-from exactsweep.formats.curved.svg_style import find_link, name_kind
+from exactsweep.formats.curved.svg import DRAWN, SHAPES, find_reason_hidden, read_svg
+from exactsweep.formats.curved.svg_placed import PlacedElement
+from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
@@ -54,17 +55,66 @@ def read_nest(
     Raises:
         FormatError: a part or a sheet cannot be read.
     """
-    parts: dict[str, Data] = {}
-    sheets = list(_jagua(root, reading, parts, containers)) or list(_nested(root, reading, parts))
+    drawing = _NestDrawing(root, reading)
+    sheets = list(_jagua(drawing, containers)) or list(_nested(root, drawing))
     if not sheets:
         return None
-    return NestingInstance("jagua", parts, {}, {}, {}, ()), sheets
+    return NestingInstance("jagua", drawing.parts, {}, {}, {}, ()), sheets
 
 
-def _jagua(
-    root: Element, reading: Reading, parts: dict[str, Data], containers: Mapping[str, Data]
-) -> Iterator[FilledSheet]:
-    named = {e.attrib["id"]: e for e in root.iter() if "id" in e.attrib}
+class _NestDrawing:
+    """The elements of a document where they are drawn, without hidden ones, and its parts."""
+
+    def __init__(self, root: Element, reading: Reading) -> None:
+        self.reading = reading
+        self.styles = [e for e in root.iter() if name_kind(e) == "style"]
+        self.placed = {root: PlacedElement(root, None, reading, style=Style(root))}
+        self.parts: dict[str, Data] = {}
+        for element in root.iter():
+            shown = []
+            for child in element:
+                placed = PlacedElement(child, self.placed[element], reading)
+                if not reading.hides(find_reason_hidden(placed)):
+                    self.placed[child] = placed
+                    shown.append(child)
+            element[:] = shown
+        self.named = {e.attrib["id"]: e for e in self.placed if "id" in e.attrib}
+
+    def one_shape(self, elements: Iterable[Element]) -> Data:
+        """Read what elements draw together, without the motion of their group."""
+        place = Element("svg")
+        place.attrib["#line"] = "1"
+        place.extend([*self.styles, *elements])
+        outlines = read_svg(place, self.reading)
+        found = nest_candidates(outlines) if len(outlines) > 1 else outlines
+        if len(found) != 1:
+            lines = ", ".join(line(element) for element in elements)
+            raise FormatError(f"line {lines}: {len(found)} outlines, which are not one part")
+        return write_rings(found[0])
+
+    def motion(self, element: Element) -> Data:
+        """Read the move and the turn of a part."""
+        placed = self.placed[element]
+        match = _MOTION.fullmatch(placed.style("transform") or "")
+        if match is None or not element.attrib.keys().isdisjoint("xy"):
+            raise FormatError(f"{placed.place}: not a move and a turn")
+        x, y, turn = (format_fraction(read_decimal(number or "0")) for number in match.groups())
+        return {"turn": turn, "move": [x, y]}
+
+    def require_all(self, within: Element, read: Iterable[Element]) -> None:
+        """Refuse shapes within an element that are in none of those that were read."""
+        known = {*read}
+        for element in within.iter():
+            placed, kind = self.placed[element], name_kind(element)
+            around = placed.parent and placed.parent.element
+            if kind not in DRAWN or around in known:
+                known.add(element)
+            elif kind in SHAPES and element not in known:
+                raise FormatError(f"{placed.place}: neither a sheet nor a placed part")
+
+
+def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[FilledSheet]:
+    named, placed = drawing.named, drawing.placed
     around = next(
         (e for name, e in named.items() if re.fullmatch(r"(?:container|bin)_\d+", name)), None
     )
@@ -75,43 +125,47 @@ def _jagua(
     if container is None and zones is not None and len(zones):
         # Those of quality 0 are defects of the container, which is drawn without them.
         raise FormatError(f"line {line(zones)}: zones of quality are read with --instance only")
-    container = container or _one_shape([around], reading)
+    container = container or drawing.one_shape([around])
+    items, outer = placed[named["items"]], placed[around].parent
+    if outer is None or items.matrix != outer.matrix:
+        raise FormatError(f"{items.place}: moved otherwise than the container")
+    uses = [child for child in items.element if name_kind(child) == "use"]
+    drawing.require_all(items.element, uses)
     placements = []
-    for use in named["items"]:
-        if name_kind(use) != "use":
-            continue
+    for use in uses:
         link = find_link(use)
         name = link.removeprefix("#item_")
         if f"item_{name}" not in named:
             raise FormatError(f"line {line(use)}: use: no item {quote(link)}")
-        if name not in parts:
-            parts[name] = {"id": name, **_one_shape([named[f"item_{name}"]], reading)}
-        motion = _read_motion(use)
-        if motion is None:
-            raise FormatError(f"line {line(use)}: use: not a move and a turn")
-        placements.append({"part": name, **motion})
+        if name not in drawing.parts:
+            shape = drawing.one_shape([named[f"item_{name}"]])
+            drawing.parts[name] = {"id": name, **shape}
+        placements.append({"part": name, **drawing.motion(use)})
     yield FilledSheet(container, placements)
 
 
-def _nested(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator[FilledSheet]:
+def _nested(root: Element, drawing: _NestDrawing) -> Iterator[FilledSheet]:
     """Read sheets of SVGnest and Deepnest; equal outlines are one part."""
     known: dict[str, str] = {}
+    read: list[Element] = []
     for group in root.iter():
         outlines = [child for child in group if _is_sheet(child)]
-        moved = [(child, _read_motion(child)) for child in group if name_kind(child) == "g"]
+        moved = [child for child in group if name_kind(child) == "g" and len(child)]
+        read += outlines
         if not outlines or not moved:
             continue
+        read += moved
         placements = []
-        for child, motion in moved:
-            if motion is None:
-                raise FormatError(f"line {line(child)}: g: not a move and a turn")
-            shape = _one_shape(child, reading)
+        for child in moved:
+            shape = drawing.one_shape(child)
             key = json.dumps(shape)
             if key not in known:
                 known[key] = str(len(known))
-                parts[known[key]] = {"id": known[key], **shape}
-            placements.append({"part": known[key], **motion})
-        yield FilledSheet(_one_shape(outlines, reading), placements)
+                drawing.parts[known[key]] = {"id": known[key], **shape}
+            placements.append({"part": known[key], **drawing.motion(child)})
+        yield FilledSheet(drawing.one_shape(outlines), placements)
+    if known:
+        drawing.require_all(root, read)
 
 
 def _is_sheet(element: Element) -> bool:
@@ -119,24 +173,3 @@ def _is_sheet(element: Element) -> bool:
     return "bin" in element.get("class", "").split() or (
         _SHEET in stroke.lower() and name_kind(element) != "g"
     )
-
-
-def _read_motion(element: Element) -> Data | None:
-    match = _MOTION.fullmatch(element.get("transform", ""))
-    if match is None:
-        return None
-    x, y, turn = (format_fraction(read_decimal(number or "0")) for number in match.groups())
-    return {"turn": turn, "move": [x, y]}
-
-
-def _one_shape(elements: Element | list[Element], reading: Reading) -> Data:
-    """Read what elements draw together, without the motion of their group: an outline and holes."""
-    place = Element("svg")
-    place.attrib["#line"] = "1"
-    place.extend(elements)
-    outlines = read_svg(place, reading)
-    found = nest_candidates(outlines) if len(outlines) > 1 else outlines
-    if len(found) != 1:
-        lines = ", ".join(line(element) for element in elements)
-        raise FormatError(f"line {lines}: {len(found)} outlines, which are not one part")
-    return write_rings(found[0])

@@ -145,7 +145,8 @@ def _parse(
         nest = read_nest(parse_xml(text), reading, known.containers if known else {})
         if nest is not None:
             drawn, sheets = nest
-            notes = _compare_parts(drawn, known) if known else []
+            notes = [*reading.list_hidden(), *reading.notes]
+            notes += _compare_parts(drawn, known) if known else []
             return make_layouts(sheets, known or drawn, notes)
     if known is not None:
         raise FormatError("not a solution to an instance")
@@ -212,11 +213,18 @@ def _make_shape(part: Data) -> object:
 
 
 def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLayout:
-    """Make a layout of a drawing, each outline a part where it stands."""
-    options: Options = {"join": reading.join, "unit": reading.unit}
-    outlines = [*parse_candidates(text, reading.tolerance, **options)]
-    notes = [f"left out: {one.fault}" for one in outlines if one.fault]
-    outlines = [one for one in outlines if not one.fault]
+    """Make a layout of a drawing, each outline a part where it stands.
+
+    Raises FormatError if one of them cannot be read: with it, the layout may be wrong.
+    """
+    options: Options = {"join": reading.join, "unit": reading.unit, "hidden": reading.hidden}
+    drawn = parse_candidates(text, reading.tolerance, **options)
+    notes = [
+        *drawn.left_out,
+        *drawn.notes,
+        *(f"left out: {one.fault}" for one in drawn if one.fault),
+    ]
+    outlines = [one for one in drawn if not one.ornament]
     if not outlines:
         raise FormatError(notes[0] if notes else "no outline is drawn")
     around = _find_around(outlines) if container is None else choose(outlines, container)

@@ -1,0 +1,92 @@
+"""SVG of nesting programs: each part is placed as it is drawn, or the file is refused."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from exactsweep.formats import FormatError
+from exactsweep.formats.layouts import FoundLayout, parse_layouts
+
+PART = '<path d="M0 0H2V2H0z"/>'
+USE = '<use href="#item_0" transform="translate(1 1), rotate(0)"/>'
+GROUP = f'<g transform="translate(5 1) rotate(0)">{PART}</g>'
+
+
+def read_sparrow(items: str, attributes: str = "", **options: Any) -> FoundLayout:
+    """Read an SVG as sparrow writes it."""
+    return read(
+        '<g id="container_0"><path d="M0 0H9V9H0z"/></g>'
+        f'<g id="items"{attributes}><defs><g id="item_0">{PART}</g></defs>{items}</g>',
+        **options,
+    )
+
+
+def read_nest(parts: str, **options: Any) -> FoundLayout:
+    """Read an SVG as SVGnest writes it."""
+    return read(f'<rect class="bin" width="9" height="9"/>{parts}', **options)
+
+
+def read(drawn: str, **options: Any) -> FoundLayout:
+    (found,) = parse_layouts(f"<svg>{drawn}</svg>", **options)
+    return found
+
+
+def test_items_are_not_moved_away_from_their_container() -> None:
+    assert len(read_sparrow(USE).data["placements"]) == 1
+    with pytest.raises(FormatError, match="g 'items': moved otherwise than the container"):
+        read_sparrow(USE, ' transform="translate(99 0)"')
+
+
+@pytest.mark.parametrize("read", [read_sparrow, read_nest])
+@pytest.mark.parametrize("attribute", ['x="99"', 'style="transform: translate(99px, 0)"'])
+def test_all_that_moves_a_part_is_read(read: Any, attribute: str) -> None:
+    part = USE if read is read_sparrow else GROUP
+    with pytest.raises(FormatError, match="not a move and a turn"):
+        read(part.replace("transform", f"{attribute} transform", 1))
+
+
+@pytest.mark.parametrize("stray", [PART, f"<g><g>{PART}</g></g>", f"<g>{USE}</g>"])
+def test_a_shape_that_is_no_part_is_refused(stray: str) -> None:
+    with pytest.raises(FormatError, match="neither a sheet nor a placed part"):
+        read_sparrow(USE + stray)
+    with pytest.raises(FormatError, match="neither a sheet nor a placed part"):
+        read(f'<g><rect class="bin" width="9" height="9"/>{GROUP}</g>{stray}')
+
+
+@pytest.mark.parametrize("how", ['display="none"', 'class="off"', 'visibility="hidden"'])
+def test_hidden_parts_of_sparrow_are_left_out(how: str) -> None:
+    style = "<style>.off {display: none}</style>"
+    hidden = USE.replace("<use", f"<use {how}")
+    found = read_sparrow(style + hidden + USE)
+    assert len(found.data["placements"]) == 1
+    assert [note.startswith("hidden: 1 use ") for note in found.notes] == [True]
+    assert len(read_sparrow(style + hidden + USE, hidden=True).data["placements"]) == 2
+
+
+@pytest.mark.parametrize("how", ['display="none"', 'class="off"'])
+def test_hidden_parts_of_svgnest_are_left_out(how: str) -> None:
+    style = "<style>.off {display: none}</style>"
+    found = read_nest(f"{style}{GROUP.replace('<g', f'<g {how}')}{GROUP}<g/>")
+    assert len(found.data["placements"]) == 1
+    assert found.notes == ("hidden: 1 g with display none (--hidden)",)
+    inside = read_nest(style + GROUP.replace(PART, PART.replace("<path", f"<path {how}") + PART))
+    assert inside.data == read_nest(GROUP).data
+
+
+def test_hidden_outlines_of_a_drawing_are_left_out_and_told() -> None:
+    hidden = PART.replace("<path", '<path display="none"')
+    drawn = f'<rect width="9" height="9"/>{PART}{hidden}'
+    found = read(drawn)
+    assert len(found.data["parts"]) == 1
+    assert found.notes == ("hidden: 1 path with display none (--hidden)",)
+    assert len(read(drawn, hidden=True).data["parts"]) == 2
+
+
+@pytest.mark.parametrize("unread", ['<circle r="1"/>', '<path d="M1 1H3V3H2"/>'])
+def test_a_drawing_with_an_outline_that_cannot_be_read_is_no_valid_layout(unread: str) -> None:
+    with pytest.raises(FormatError, match=r"^line 1: (circle|path): "):
+        read(f'<rect width="9" height="9"/>{PART}{unread}')
+    ornament = read(f'<rect width="9" height="9"/>{PART}<line x2="3"/>')
+    assert [note.startswith("left out: line 1: line: ") for note in ornament.notes] == [True]
