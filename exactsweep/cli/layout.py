@@ -205,7 +205,7 @@ def _judge_all(
         with show_bar(len(jobs)) as show:
             for k, job in enumerate(jobs):
                 yield from job.result()
-                show(k + 1)
+                show(k + 1, "")
     finally:
         pool.close()
 
