@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -18,9 +19,7 @@ from benchmarks import scaling as scaling_runs
 from benchmarks import spent as spent_counts
 from benchmarks.clock import machine
 from benchmarks.peers.cgal import Cgal, compile_program
-from benchmarks.peers.measured import Comparison
-from benchmarks.peers.run import compare
-from benchmarks.peers.tables import tables
+from benchmarks.peers.run import Comparison, compare, tabulate
 
 WIDTH = 140
 WIDE = 190
@@ -36,16 +35,17 @@ cgal_option = click.option(
 )
 
 
-def measure_peers(quick: bool, limit: float, cgal: Path | None) -> Comparison:
+def measure_peers(quick: bool, limit: float) -> Comparison:
     """Run the comparison; what is under way goes to standard error."""
-    with TemporaryDirectory() as folder:
-        return compare(
-            Path(folder),
-            limit=limit,
-            quick=quick,
-            cgal_program=cgal,
-            say=Console(stderr=True, style="dim").print,
-        )
+    return compare(limit=limit, quick=quick, say=Console(stderr=True, style="dim").print)
+
+
+def show(tables: Iterable[object], width: int = WIDTH) -> None:
+    """Print the machine, and tables as they come, each as wide as it has to be."""
+    console = Console(width=max(width, Console().width))
+    console.print(machine())
+    for table in tables:
+        console.print(table)
 
 
 @click.group()
@@ -75,17 +75,14 @@ def scaling(quick: bool) -> None:
 @main.command()
 def spent() -> None:
     """Count what small pairs are spent on: instructions, objects, comparisons."""
-    Console(width=max(WIDTH, Console().width)).print(*spent_counts.tabulate(), sep="\n")
+    show(spent_counts.tabulate())
 
 
 @main.command()
 @quick_option
 def floors(quick: bool) -> None:
     """Measure proofs, undercuts and the page beside the sweep."""
-    console = Console(width=max(WIDTH, Console().width))
-    console.print(machine())
-    for table in floors_runs.tabulate(quick=quick):
-        console.print(table)
+    show(floors_runs.tabulate(quick=quick))
 
 
 @main.command()
@@ -95,10 +92,8 @@ def floors(quick: bool) -> None:
 )
 def growth(quick: bool, plot: Path | None) -> None:
     """Measure seconds and memory of hard shapes over doubling sizes."""
-    console = Console(width=max(WIDTH, Console().width))
-    console.print(machine())
     measured = list(growth_runs.measure_all(quick=quick))
-    console.print(growth_runs.tabulate(measured))
+    show([growth_runs.tabulate(measured)])
     if plot is not None:
         # matplotlib is needed for nothing else.
         from benchmarks import plots
@@ -111,20 +106,17 @@ def growth(quick: bool, plot: Path | None) -> None:
 @click.option("--workers", default=2, help="How many processes of a Dask cluster.")
 def batches(workers: int, quick: bool) -> None:
     """Batches over two decades of pairs on a Dask cluster, and what 10^9 pairs would take."""
-    console = Console(width=max(WIDTH, Console().width))
-    console.print(machine())
-    for table in batch_runs.tabulate(workers=workers, quick=quick):
-        console.print(table)
+    show(batch_runs.tabulate(workers=workers, quick=quick))
 
 
 @main.command()
 @quick_option
 @limit_option
-@cgal_option
-def peers(quick: bool, limit: float, cgal: Path | None) -> None:
-    """The same sweeps by CGAL, SFCGAL, shapely, Clipper and KLayout, side by side."""
-    found = measure_peers(quick, limit, cgal)
-    Console(width=max(WIDTH, Console().width)).print(*tables(found), sep="\n")
+def peers(quick: bool, limit: float) -> None:
+    """The same sweeps by SFCGAL, shapely, Clipper and KLayout, side by side."""
+    found = measure_peers(quick, limit)
+    skipped = (f"skipped: {name}, {reason}" for name, reason in found.skipped.items())
+    show([", ".join(found.versions.values()), *skipped, *tabulate(found)])
 
 
 @main.command()
@@ -132,10 +124,7 @@ def peers(quick: bool, limit: float, cgal: Path | None) -> None:
 @cgal_option
 def layouts(quick: bool, cgal: Path | None) -> None:
     """Layouts judged beside CGAL and shapely, and how that grows with their size."""
-    console = Console(width=max(WIDTH, Console().width))
-    console.print(machine())
-    for table in layout_runs.tabulate(cgal, quick=quick):
-        console.print(table)
+    show(layout_runs.tabulate(cgal, quick=quick))
 
 
 @main.command()
@@ -145,8 +134,7 @@ def fair(limit: float, cgal: Path | None) -> None:
     """Loops by CGAL and by the kernel: kept, made anew, from text; memory, crashes."""
     with TemporaryDirectory() as folder:
         program = Cgal(cgal or compile_program(Path(folder)), limit, fair_runs.SECONDS)
-        for table in fair_runs.tabulate(program):
-            Console(width=max(WIDE, Console().width)).print(table)
+        show(fair_runs.tabulate(program), WIDE)
 
 
 @main.command()
@@ -154,16 +142,15 @@ def fair(limit: float, cgal: Path | None) -> None:
 @click.option("--redraw", is_flag=True, help="From what is in the folder, without measuring.")
 @quick_option
 @limit_option
-@cgal_option
-def report(folder: Path, redraw: bool, quick: bool, limit: float, cgal: Path | None) -> None:
+def report(folder: Path, redraw: bool, quick: bool, limit: float) -> None:
     """Measure everything, and write Markdown and plots into a folder."""
     # matplotlib is needed for nothing else.
-    from benchmarks.report import load, save_peers, save_scaling, write
+    from benchmarks.report import save, write
 
     if not redraw:
-        save_scaling(folder, list(scaling_runs.measure_all(quick=quick)))
-        save_peers(folder, measure_peers(quick, limit, cgal))
-    click.echo(write(folder, *load(folder)))
+        growth = list(scaling_runs.measure_all(quick=quick))
+        save(folder, growth, measure_peers(quick, limit))
+    click.echo(write(folder))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Time, and what it was measured on.
+"""Time and memory, and what they were measured on.
 
 Times are the processor's for one process and one thread: the wall time of a machine that does
 nothing else, whatever other jobs there are.
@@ -7,6 +7,7 @@ nothing else, whatever other jobs there are.
 from __future__ import annotations
 
 import platform
+import sys
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
@@ -77,3 +78,17 @@ def machine() -> str:
                 break
     python = f"{platform.python_implementation()} {platform.python_version()}"
     return f"{processor}, {platform.system()}, {python}, {datetime.now(UTC):%Y-%m-%d}"
+
+
+def peak() -> int:
+    """Return the most bytes that this process has held in memory."""
+    described = Path("/proc/self/status")
+    if described.exists():
+        # The result of getrusage on Linux includes the parent, up to the start of this program.
+        for line in described.read_text(encoding="utf-8").splitlines():
+            if line.startswith("VmHWM:"):
+                return 1024 * int(line.split()[1])
+    import resource
+
+    unit = 1 if sys.platform == "darwin" else 1024
+    return unit * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss

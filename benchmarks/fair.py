@@ -15,16 +15,14 @@ from typing import NamedTuple
 
 from rich.table import Table
 
-from benchmarks.clock import machine
 from benchmarks.families import ANY_SHAPE, FAMILIES
 from benchmarks.outlines import list_outlines
-from benchmarks.peers.cases import LOOPS, TRAJECTORY
 from benchmarks.peers.cgal import Best, Cgal
-from benchmarks.peers.run import FUNCTIONS, UNLIMITED, Ran, run_on, same
+from benchmarks.peers.run import UNLIMITED, Ran, run_on, same
 from exactsweep import sweep
 from exactsweep.corpus.generator.shapes import Ring
 
-MODES = {"kept": FUNCTIONS[TRAJECTORY], "": "first", "text": "text"}
+MODES = {"kept": "trajectory", "": "first", "text": "text"}
 """CGAL's modes, and the operation of `benchmarks.peers.ours` in the same state."""
 SIZES = (16, 64, 256)
 SHAPES = (("radial", 16, 16), ("radial", 64, 64), ("radial", 256, 64), ("tangled", 26, 18))
@@ -81,9 +79,9 @@ def measure(
     for _ in range(TURNS):
         ours.append(run_on(pair, "ours", operation, UNLIMITED, SECONDS))
         path, *others = ours[0].loops
-        steps = [cgal.best(name, TRAJECTORY, directrix, inverse, mode)]
+        steps = [cgal.best(name, "trajectory", directrix, inverse, mode)]
         failed, differing = cgal.failed, cgal.differing
-        if operation == FUNCTIONS[LOOPS]:
+        if operation == "loops":
             steps += [
                 cgal.best(name, stage, path, generatrix, mode) for stage in ("inner", "outer")
             ]
@@ -113,7 +111,7 @@ def measure_row(cgal: Cgal, name: str, m: int, n: int) -> list[str]:
         )
         failures = failures or (cgal.failed, cgal.differing)
         row += found.cells() if found else ["-"] * 3
-    loops = None if name in ANY_SHAPE else measure(cgal, name, pair, FUNCTIONS[LOOPS])
+    loops = None if name in ANY_SHAPE else measure(cgal, name, pair, "loops")
     row += loops.cells() if loops else ["-"] * 3
     held = loops or found
     row += [f"{side.memory / BYTES:.0f}" for side in held] if held else ["-"] * 2
@@ -146,7 +144,7 @@ def _summarize(found: Sequence[Measured]) -> list[str]:
 def tabulate(cgal: Cgal) -> Iterator[Table]:
     """The table of the families, and that of outlines of the corpus."""
     failed = ("crashes", "other answers")
-    table = Table(title=f"{machine()}, CGAL {cgal.version}")
+    table = Table(title=f"CGAL {cgal.version}")
     table.add_column("pair")
     for state in ("kept", "first", "from text", "three loops"):
         for column in (state, "CGAL", "times"):

@@ -20,8 +20,8 @@ from typing import NamedTuple
 
 from rich.table import Table
 
+from benchmarks.clock import peak
 from benchmarks.families import ANY_SHAPE
-from benchmarks.peers.memory import peak
 from benchmarks.peers.process import run
 from exactsweep import Polygon, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import verify

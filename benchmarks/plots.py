@@ -16,8 +16,7 @@ from matplotlib.style import context
 from matplotlib.ticker import NullFormatter, NullLocator
 
 from benchmarks.growth import Grown
-from benchmarks.peers.cases import TRAJECTORY
-from benchmarks.peers.measured import Comparison
+from benchmarks.peers.run import Comparison
 from exactsweep.canvas.style import PALETTE
 from exactsweep.paper.growth import Growth
 from exactsweep.paper.plots import SETTINGS
@@ -76,30 +75,19 @@ def _series(panel: Any, series: Growth, colour: str, marker: str) -> None:
 
 def programs(found: Comparison, path: Path) -> None:
     """One panel a family: the time of every program on pairs with m = n."""
-    results = [
-        r
-        for r in found.results
-        if r.operation == TRAJECTORY and r.case.m == r.case.n and r.times and r.program != "floor"
-    ]
-    families = list(dict.fromkeys(r.case.family for r in results))
-    names = sorted({r.program for r in results}, key=list(found.versions).index)
+    measured = [(r, r.times) for r in found.results if r.m == r.n and r.times]
+    families = list(dict.fromkeys(r.family for r, _ in measured))
     with context(SMALLER):
         figure, panels = _panels(len(families))
         for panel, family in zip(panels, families, strict=False):
-            for name, (colour, marker) in zip(names, STYLES, strict=False):
-                times = sorted(
-                    {
-                        (r.case.m, r.times)
-                        for r in results
-                        if (r.program, r.case.family) == (name, family) and r.times
-                    }
-                )
+            for name, (colour, marker) in zip(found.versions, cycle(STYLES), strict=False):
+                chosen = [(r.m, t) for r, t in measured if (r.program, r.family) == (name, family)]
                 panel.errorbar(
-                    [m for m, _ in times],
-                    [t.median for _, t in times],
+                    [m for m, _ in chosen],
+                    [t.median for _, t in chosen],
                     [
-                        [t.median - t.least for _, t in times],
-                        [t.greatest - t.median for _, t in times],
+                        [t.median - t.least for _, t in chosen],
+                        [t.greatest - t.median for _, t in chosen],
                     ],
                     color=colour,
                     marker=marker,
@@ -107,11 +95,11 @@ def programs(found: Comparison, path: Path) -> None:
                     label=name,
                 )
             panel.set_title(f"trajectory, {family}")
-            _axes(panel, sorted({r.case.m for r in results if r.case.family == family}))
+            _axes(panel, sorted({r.m for r, _ in measured if r.family == family}))
         figure.legend(
             *panels[0].get_legend_handles_labels(),
             loc="outside lower center",
-            ncols=len(names),
+            ncols=len(found.versions),
             frameon=False,
         )
         _finish(figure, panels, "m = n", "ms", path)

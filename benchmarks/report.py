@@ -2,60 +2,56 @@
 
 from __future__ import annotations
 
-import json
+import pickle
 from collections.abc import Sequence
-from dataclasses import asdict
 from pathlib import Path
 
-from benchmarks import plots
-from benchmarks.peers.measured import Comparison
-from benchmarks.peers.tables import TIMES, sections
-from exactsweep.paper.costs import UNITS, tabulate
-from exactsweep.paper.growth import Growth, Size
+from rich.table import Table
 
-SCALING, PEERS = "scaling.json", "peers.json"
+from benchmarks import plots, scaling
+from benchmarks.clock import machine
+from benchmarks.peers.run import TIMES, Comparison, tabulate
+from exactsweep.paper.costs import UNITS
+from exactsweep.paper.growth import Growth
+
+MEASURED = "measured.pickle"
+Measured = tuple[str, Sequence[Growth], Comparison]
+"""The machine, the growth and the comparison."""
 
 
-def save_scaling(folder: Path, measured: Sequence[Growth]) -> None:
-    """Keep the growth as JSON, so that the report can be written again."""
+def save(folder: Path, measured: Sequence[Growth], found: Comparison) -> None:
+    """Keep what was measured, so that the report can be written again."""
     folder.mkdir(parents=True, exist_ok=True)
-    series = [asdict(one) for one in measured]
-    (folder / SCALING).write_text(json.dumps(series, indent=1), encoding="utf-8")
+    (folder / MEASURED).write_bytes(pickle.dumps((machine(), measured, found)))
 
 
-def save_peers(folder: Path, found: Comparison) -> None:
-    """Keep the comparison, likewise."""
-    (folder / PEERS).write_text(json.dumps(found.to_json(), indent=1), encoding="utf-8")
-
-
-def load(folder: Path) -> tuple[list[Growth], Comparison]:
+def load(folder: Path) -> Measured:
     """Read what was kept."""
-    measured = [
-        Growth(**{**one, "points": tuple(Size(**point) for point in one["points"])})
-        for one in json.loads((folder / SCALING).read_text(encoding="utf-8"))
-    ]
-    return measured, Comparison.from_json(json.loads((folder / PEERS).read_text(encoding="utf-8")))
+    kept: Measured = pickle.loads((folder / MEASURED).read_bytes())
+    return kept
 
 
-def write(folder: Path, measured: Sequence[Growth], found: Comparison) -> Path:
-    """Write report.md and its plots, as SVG and PNG.
+def write(folder: Path) -> Path:
+    """Write report.md and its plots, as SVG and PNG, of what the folder keeps.
 
     Returns the path of report.md.
     """
+    described, measured, found = load(folder)
     for unit in UNITS:
         chosen = [series for series in measured if series.unit == unit]
         if chosen:
             plots.growth(chosen, unit, folder / unit)
     plots.programs(found, folder / "programs")
-    lines = ["# Benchmarks", "", f"{found.machine}.", ""]
+    lines = ["# Benchmarks", "", f"{described}.", ""]
     lines += [f"Programs: {', '.join(found.versions.values())}.", ""]
     lines += [f"Skipped: {name}, {reason}.\n" for name, reason in found.skipped.items()]
-    lines += ["## Growth", "", GROWTH, "", *markdown(*tabulate(measured)[1:]), ""]
+    lines += ["## Growth", "", GROWTH, "", *markdown(scaling.summary_table(measured)), ""]
     for unit in dict.fromkeys(series.unit for series in measured):
         lines += [f"![{unit}]({unit}.svg)", "", f"{unit.capitalize()}{FIGURES}", ""]
     lines += ["## Other programs", "", TIMES, ""]
-    for title, header, rows in sections(found):
-        lines += [f"### {title[0].upper()}{title[1:]}", "", *markdown(header, rows), ""]
+    for table in tabulate(found):
+        title = str(table.title)
+        lines += [f"### {title[0].upper()}{title[1:]}", "", *markdown(table), ""]
     lines += ["![Time of the trajectory](programs.svg)", "", PROGRAMS, ""]
     path = folder / "report.md"
     path.write_text("\n".join(lines), encoding="utf-8")
@@ -72,12 +68,14 @@ FIGURES = "; dashed, the claimed bound through the largest size."
 PROGRAMS = "Median time of the trajectory, and the range from the least to the greatest."
 
 
-def markdown(header: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    """A table in Markdown.
+def markdown(table: Table) -> list[str]:
+    """Return a table in Markdown.
 
-    >>> markdown(["a", "b"], [["1", "2"]])
+    >>> table = Table("a", "b")
+    >>> table.add_row("1", "2")
+    >>> markdown(table)
     ['| a | b |', '|---|---|', '| 1 | 2 |']
     """
-    lines = [header, *rows]
-    texts = [f"| {' | '.join(cell.replace('|', '/') for cell in line)} |" for line in lines]
-    return [texts[0], f"|{'---|' * len(header)}", *texts[1:]]
+    rows = zip(*([column.header, *column.cells] for column in table.columns), strict=True)
+    texts = [f"| {' | '.join(str(cell).replace('|', '/') for cell in row)} |" for row in rows]
+    return [texts[0], f"|{'---|' * len(table.columns)}", *texts[1:]]

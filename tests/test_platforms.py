@@ -36,10 +36,10 @@ def test_benchmarks_begin_where_processes_that_ended_are_not_accounted_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, "resource", None)
-    for name in ("benchmarks.batches", "benchmarks.peers.memory"):
+    for name in ("benchmarks.batches", "benchmarks.clock"):
         monkeypatch.delitem(sys.modules, name, raising=False)
     batches = importlib.import_module("benchmarks.batches")
-    assert importlib.import_module("benchmarks.peers.memory").peak
+    assert importlib.import_module("benchmarks.clock").peak
     with pytest.raises(ClickException, match=r"is told by POSIX systems only$"):
         next(batches.tabulate(workers=1, quick=True))
 

@@ -7,7 +7,6 @@ compares; it is also what a list of parts costs, each of which is read once.
 from __future__ import annotations
 
 from collections.abc import Callable
-from fractions import Fraction
 
 import exactsweep
 from benchmarks.clock import REPEATS
@@ -74,28 +73,5 @@ def no_fit(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
         found = exactsweep.no_fit_polygon(stationary, orbiting)
         assert isinstance(found.exact_fits, tuple)
         return [loop.vertices for loop in (found.exterior, *found.holes)]
-
-    return run
-
-
-def reading(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
-    """From lists of ints to Polygons, with every check."""
-
-    def run() -> list[Loop]:
-        exactsweep.Polygon(generatrix)
-        exactsweep.Polygon(directrix)
-        return []
-
-    return run
-
-
-def floor(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
-    """The floor: the Fractions of the trajectory from its numerators and denominators."""
-    vertices = exactsweep.sweep(generatrix, directrix).trajectory.vertices
-    ratios = [(c.numerator, c.denominator) for vertex in vertices for c in vertex]
-
-    def run() -> list[Loop]:
-        [Fraction(n) if d == 1 else Fraction(n, d) for n, d in ratios]
-        return []
 
     return run

@@ -1,147 +1,128 @@
-"""Runs all programs on all cases, one after the other, in processes of their own.
+"""The trajectory by the kernel and by other programs, in turn, in processes of their own.
 
-The kernel is measured before and after the others on each pair, so that a machine that is
-busier at one time than at another shows in its spread and not in the ratios.
+CGAL is measured by `benchmarks.fair`. The kernel is measured before and after the others on each
+pair, so that a machine that is busier at one time than at another shows in its spread.
 """
 
 from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
-from pathlib import Path
 from typing import Any, NamedTuple, cast
 
-from benchmarks.clock import Times, machine, milliseconds
+from rich.markup import escape
+from rich.table import Table
+
+from benchmarks.clock import Times, milliseconds
+from benchmarks.families import ANY_SHAPE, FAMILIES
 from benchmarks.outlines import list_outlines
 from benchmarks.peers import ours
 from benchmarks.peers.adapted import NAMES, version
-from benchmarks.peers.cases import CASES, FLOOR_CASES, LOOPS, MEMORY_CASE, TRAJECTORY, Case
-from benchmarks.peers.cgal import Cgal, compile_program
-from benchmarks.peers.measured import Comparison, Result
 from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
 from exactsweep.conform.adapters import MissingError
 from exactsweep.corpus.generator.shapes import Ring
 
-OURS, CHECKED, CGAL, FLOOR = "exactsweep", "with checks", "CGAL", "floor"
-READING = "ints to polygons"
-FUNCTIONS = {TRAJECTORY: "trajectory", LOOPS: "loops"}
+OURS, CHECKED = "exactsweep", "with checks"
+SIZES = ((16, 16), (64, 64), (256, 64), (256, 256))
+PAIRS = (
+    *((family, m, n) for family in ("cc", "cm", "cm_hard", "mm", "stair") for m, n in SIZES),
+    *(("cc", 10_000, 10_000), ("cm_hard", 1024, 256), ("mm", 1024, 256)),
+    *(("tangled", 26, 18), *(("radial", m, n) for m, n in SIZES)),
+)
+"""The family of each pair, and the vertices of its directrix and of its generatrix."""
+TIMES = (
+    "Processor times in ms: median (least to greatest). The kernel is given polygons; the times "
+    "with checks are from lists of numbers, with every check that they are simple polygons, which "
+    "other programs do not make. Of polygons of any shape, the kernel finds all loops and fits."
+)
 SECONDS = 0.5
 STARTING = 3.0
 """Seconds that a process of Python may take to start, beyond the limit."""
 UNLIMITED = 3600.0
 
 
-def compare(
-    folder: Path,
-    *,
-    limit: float,
-    quick: bool = False,
-    cgal_program: Path | None = None,
-    say: Callable[[str], None] = print,
-) -> Comparison:
+class Result(NamedTuple):
+    """One program on one pair.
+
+    `wrong` counts the vertices of the exact loop that the program's answer lacks; `note` stands in
+    for the times if there is no answer.
+    """
+
+    program: str
+    family: str
+    m: int
+    n: int
+    times: Times | None
+    wrong: int = 0
+    note: str = ""
+
+    def __str__(self) -> str:
+        if self.times is None:
+            return self.note
+        median, least, greatest = (f"{t:.3g}" if t < 1000 else f"{t:.0f}" for t in self.times)
+        return f"{median} ({least}..{greatest})" + (f" [{self.wrong}]" if self.wrong else "")
+
+
+class Comparison(NamedTuple):
+    """All that one run measured: programs with their versions, and those that are not installed."""
+
+    versions: dict[str, str]
+    skipped: dict[str, str]
+    results: list[Result]
+    pairs_a_second: dict[str, float]
+
+
+def compare(*, limit: float, quick: bool = False, say: Callable[[str], None] = print) -> Comparison:
     """Measure everything.
 
     Args:
-        folder: where CGAL's program is compiled.
-        limit: seconds that one program may take on one case.
+        limit: seconds that one program may take on one pair.
         quick: pairs up to 64 vertices only.
-        cgal_program: CGAL's program, if it is compiled already.
         say: a function that is called with the current activity.
     """
-    found = Comparison(machine(), versions={OURS: ours.version()})
-    cgal: Cgal | None = None
-    try:
-        cgal = Cgal(cgal_program or compile_program(folder), limit)
-        found.versions[CGAL] = f"CGAL {cgal.version}"
-    except MissingError as problem:
-        found.skipped[CGAL] = str(problem)
-    peers = []
+    versions, skipped = {OURS: ours.version(), CHECKED: "the same from lists"}, {}
     for name in NAMES:
         try:
-            found.versions[name] = version(name)
-            peers.append(name)
+            versions[name] = version(name)
         except MissingError as problem:
-            found.skipped[name] = str(problem)
-    for case in CASES:
-        if quick and max(case.m, case.n) > 64:
-            continue
-        say(f"{case.family} {case.m}, {case.n}")
-        found.results += measure(case, peers, cgal, limit)
-    for case in () if quick else FLOOR_CASES:
-        say(f"floor of {case.family} {case.m}, {case.n}")
-        found.results += measure_floor(case)
+            skipped[name] = str(problem)
+    results: list[Result] = []
+    for family, m, n in PAIRS:
+        if not (quick and max(m, n) > 64):
+            say(f"{family} {m}, {n}")
+            results += measure(family, m, n, [name for name in NAMES if name in versions], limit)
     say("small pairs")
-    for operation in (TRAJECTORY, LOOPS):
-        found.pairs_a_second[operation] = pairs_a_second(operation)
-        found.pairs_a_second[f"{operation}, {CHECKED}"] = pairs_a_second(operation, checked=True)
-    if not quick:
-        say("memory")
-        found.memory = memory(MEMORY_CASE)
-    return found
+    rates = {
+        "trajectory": pairs_a_second(ours.trajectory),
+        "trajectory, with checks": pairs_a_second(ours.checked_trajectory),
+        "three loops": pairs_a_second(ours.loops),
+        "three loops, with checks": pairs_a_second(ours.checked_loops),
+    }
+    return Comparison(versions, skipped, results, rates)
 
 
-def measure(case: Case, peers: Iterable[str], cgal: Cgal | None, limit: float) -> list[Result]:
-    """All programs on one pair."""
-    before = {operation: run_ours(case, operation) for operation in case.operations}
-    exact = {operation: ran.loops for operation, ran in before.items()}
-    results = []
-    if cgal is not None:
-        results += measure_cgal(case, cgal, limit, exact)
+def measure(family: str, m: int, n: int, peers: Iterable[str], limit: float) -> Iterator[Result]:
+    """Measure all programs on one pair."""
+    pair = (FAMILIES | ANY_SHAPE)[family](m, n, 0)
+    operation = "no_fit" if family in ANY_SHAPE else "trajectory"
+    before = run_on(pair, "ours", operation, UNLIMITED)
+    exact = before.loops[0]
     for name in peers:
         try:
-            times, loops, _ = run_worker("adapted", name, case, limit)
-            results.append(_result(name, TRAJECTORY, case, times, exact[TRAJECTORY], loops))
+            times, (loop, *_), _ = run_on(pair, "adapted", name, limit)
         except StoppedError as problem:
-            results.append(Result(name, TRAJECTORY, case, note=str(problem)))
-    for operation in case.operations:
-        times = before[operation].times + run_ours(case, operation).times
-        results.append(_result(OURS, operation, case, times, exact[operation], exact[operation]))
-        times, loops, _ = run_worker("ours", f"checked_{FUNCTIONS[operation]}", case, UNLIMITED)
-        results.append(_result(CHECKED, operation, case, times, exact[operation], loops))
-    return results
-
-
-def measure_cgal(
-    case: Case, cgal: Cgal, limit: float, exact: dict[str, list[Loop]]
-) -> list[Result]:
-    """The trajectory by the fastest strategy, and the three loops by the fastest for each."""
-    generatrix, directrix = case.pair()
-    inverse = [(-x, -y) for x, y in generatrix]
-    slow = f"> {limit:g} s"
-    trajectory = cgal.best(case.family, TRAJECTORY, directrix, inverse)
-    if trajectory is None:
-        return [Result(CGAL, operation, case, note=slow) for operation in case.operations]
-    one = _result(CGAL, TRAJECTORY, case, trajectory.times, exact[TRAJECTORY], [trajectory.loop])
-    one.note = trajectory.strategy
-    if LOOPS not in case.operations:
-        return [one]
-    swept = exact[TRAJECTORY][0]
-    inner = cgal.best(case.family, "inner", swept, generatrix)
-    outer = cgal.best(case.family, "outer", swept, generatrix)
-    if inner is None or outer is None:
-        return [one, Result(CGAL, LOOPS, case, note=slow)]
-    times = Times(*map(sum, zip(trajectory.times, inner.times, outer.times, strict=True)))
-    three = _result(
-        CGAL, LOOPS, case, times, exact[LOOPS], [trajectory.loop, inner.loop, outer.loop]
-    )
-    three.note = "; ".join(best.strategy for best in (trajectory, inner, outer))
-    return [one, three]
-
-
-def measure_floor(case: Case) -> list[Result]:
-    """A trajectory, the making of its Fractions alone, and the reading of its polygons."""
-    times, loops, _ = run_ours(case, TRAJECTORY)
-    floor = run_worker("ours", "floor", case, UNLIMITED).times
-    reading = run_worker("ours", "reading", case, UNLIMITED).times
-    return [
-        _result(OURS, TRAJECTORY, case, times + run_ours(case, TRAJECTORY).times, loops, loops),
-        _result(FLOOR, TRAJECTORY, case, floor, loops, loops),
-        _result(READING, TRAJECTORY, case, reading, loops, loops),
-    ]
+            yield Result(name, family, m, n, None, note=str(problem))
+            continue
+        lacking = 0 if same(exact, loop) else max(1, len({*exact} - {*loop}))
+        yield Result(name, family, m, n, Times.of(times), lacking)
+    after = run_on(pair, "ours", operation, UNLIMITED)
+    yield Result(OURS, family, m, n, Times.of(before.times + after.times))
+    checked = run_on(pair, "ours", "checked_trajectory", UNLIMITED)
+    yield Result(CHECKED, family, m, n, Times.of(checked.times))
 
 
 class Ran(NamedTuple):
@@ -150,16 +131,6 @@ class Ran(NamedTuple):
     times: list[float]
     loops: list[Loop]
     memory: int
-
-
-def run_ours(case: Case, operation: str) -> Ran:
-    """The kernel; what it gives is the measure of all others."""
-    return run_worker("ours", FUNCTIONS[operation], case, UNLIMITED)
-
-
-def run_worker(module: str, operation: str, case: Case, limit: float) -> Ran:
-    """Run an operation on the pair of a case, as `run_on`."""
-    return run_on(case.pair(), module, operation, limit)
 
 
 def run_on(
@@ -183,28 +154,6 @@ def run_on(
     return Ran(result["milliseconds"], cast(list[Loop], loops), result["memory"])
 
 
-def _result(
-    program: str,
-    operation: str,
-    case: Case,
-    times: list[float] | Times,
-    exact: list[Loop],
-    given: list[Loop],
-) -> Result:
-    wrong = 0
-    for right, answer in zip(exact, given, strict=True):
-        if answer is not right and not same(right, answer):
-            wrong += max(1, len(set(right) - {(Fraction(x), Fraction(y)) for x, y in answer}))
-    return Result(
-        program,
-        operation,
-        case,
-        times if isinstance(times, Times) else Times.of(times),
-        sum(map(len, exact)),
-        wrong,
-    )
-
-
 def same(right: Loop, answer: Loop) -> bool:
     """Decide whether a loop is the same set of points as a canonical one."""
     try:
@@ -213,10 +162,8 @@ def same(right: Loop, answer: Loop) -> bool:
         return False
 
 
-def pairs_a_second(operation: str, *, checked: bool = False, passes: int = 3) -> float:
+def pairs_a_second(task: Callable[[Ring, Ring], Callable[[], object]], passes: int = 3) -> float:
     """Pairs of outlines of parts a second on one core, the median of some passes over all."""
-    name = FUNCTIONS[operation]
-    task = getattr(ours, f"checked_{name}" if checked else name)
     tasks = [task(*pair) for _, pair in list_outlines(["parts"])]
 
     def sweep_all() -> None:
@@ -227,10 +174,21 @@ def pairs_a_second(operation: str, *, checked: bool = False, passes: int = 3) ->
     return 1000 * len(tasks) / Times.of(times).median
 
 
-def memory(case: Case) -> dict[str, float]:
-    """Peak memory of the trajectory in a process of its own; see `benchmarks.peers.memory`."""
-    command = [sys.executable, "-m", "benchmarks.peers.memory"]
-    peaks: dict[str, float] = json.loads(
-        run([*command, case.family, str(case.m), str(case.n)], "", UNLIMITED)
+def tabulate(found: Comparison) -> Iterator[Table]:
+    """The table of all pairs and programs, and that of small pairs."""
+    table = Table(
+        "pair", title="the trajectory; in brackets, vertices that are not exact", caption=TIMES
     )
-    return peaks
+    for name in found.versions:
+        table.add_column(name, justify="right")
+    cells = {result[:4]: escape(str(result)) for result in found.results}
+    for family, m, n in PAIRS:
+        if (OURS, family, m, n) in cells:
+            row = (cells[name, family, m, n] for name in found.versions)
+            table.add_row(f"{family} {m}, {n}", *row)
+    yield table
+    small = Table("operation", title="small pairs on one core: outlines of parts, 7 to 38 vertices")
+    small.add_column("pairs a second", justify="right")
+    for name, rate in found.pairs_a_second.items():
+        small.add_row(name, f"{rate:.0f}")
+    yield small

@@ -14,8 +14,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from importlib import import_module
 
-from benchmarks.clock import milliseconds, require_fine_clock
-from benchmarks.peers.memory import peak
+from benchmarks.clock import milliseconds, peak, require_fine_clock
 
 Coordinate = int | float | Fraction
 Loop = Sequence[tuple[Coordinate, Coordinate]]

@@ -150,7 +150,7 @@ def batch_command(
             def note(number: int) -> None:
                 nonlocal done
                 done = number
-                show(number)
+                show(number, "")
 
             summary = run(
                 job,

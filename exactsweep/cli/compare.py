@@ -9,7 +9,7 @@ from fractions import Fraction
 import click
 
 from exactsweep.cli.complete import CASES, offer
-from exactsweep.cli.options import PATH, takes_json, takes_output
+from exactsweep.cli.options import PATH, takes_output
 from exactsweep.cli.output import write
 from exactsweep.cli.reports import takes_accept, takes_rounding
 from exactsweep.formats import read_certificate
@@ -20,7 +20,7 @@ from exactsweep.formats import read_certificate
 @click.argument("result", type=PATH)
 @takes_rounding
 @takes_accept
-@takes_json
+@click.option("--json", "as_json", is_flag=True, help="Write everything, exactly, as JSON.")
 @takes_output
 def compare_command(
     case: str, result: str, rounding: Fraction | None, accept: str, as_json: bool, output: str

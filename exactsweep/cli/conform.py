@@ -17,6 +17,7 @@ from exactsweep.cli.complete import list_filters, offer
 from exactsweep.cli.options import checked, takes_file
 from exactsweep.cli.pair import takes_reading
 from exactsweep.cli.reports import Reports, require_own_files, takes_reports, takes_rounding
+from exactsweep.cli.working import show_bar
 from exactsweep.formats import FormatError
 
 
@@ -107,7 +108,7 @@ def conform_command(
       exactsweep conform --filter class=CC -- python adapter.py
       exactsweep conform --pairs parts.svg -- node adapter.js
     """
-    from exactsweep.conform.report.text import progress
+    from exactsweep.conform.report.text import write_counts
     from exactsweep.conform.run.cases import Selection, SelectionError, read_cases, require_distinct
     from exactsweep.conform.run.journal import Journal
     from exactsweep.conform.run.pairs import read_pairs
@@ -139,9 +140,16 @@ def conform_command(
             Journal(Path(journal), terms, judges.hello, resume=resume)
         )
         run = reports.begin(judges.hello, command)
-        tell = stack.enter_context(progress(run, total))
+        show = stack.enter_context(show_bar(total))
         smaller = shrink if reports.html or reports.json else 0
-        judge_cases(run, judges, cases, journal=kept or None, tell=tell, made_smaller=smaller)
+        judge_cases(
+            run,
+            judges,
+            cases,
+            journal=kept or None,
+            tell=lambda: show(run.summary.total(), write_counts(run.summary)),
+            made_smaller=smaller,
+        )
     if not run.summary.total() and not run.interrupted:
         raise SelectionError("no case is like that")
     reports.write(run)

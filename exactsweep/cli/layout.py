@@ -18,7 +18,7 @@ from exactsweep.cli.working import show_bar, working
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.limits import limits, list_limits
+from exactsweep.numbers.limits import keep_limits, list_limits
 
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
@@ -201,33 +201,30 @@ def _judge_all(
     """Judge the layouts of several files, in processes of their own, in order."""
     from exactsweep.processes import Pool, count_cores
 
-    pool = Pool(min(workers or count_cores(), len(paths)))
+    pool = Pool(min(workers or count_cores(), len(paths)), keep_limits, list_limits())
     try:
-        jobs = [pool.submit(judge_file, path, options, gaps, list_limits()) for path in paths]
+        jobs = [pool.submit(judge_file, path, options, gaps) for path in paths]
         with show_bar(len(jobs)) as show:
             for k, job in enumerate(jobs):
                 yield from job.result()
-                show(k + 1)
+                show(k + 1, "")
     finally:
         pool.close()
 
 
-def judge_file(
-    path: str, options: Mapping[str, Any], gaps: Mapping[str, str], raised: Mapping[str, Any]
-) -> list[LayoutRow]:
+def judge_file(path: str, options: Mapping[str, Any], gaps: Mapping[str, str]) -> list[LayoutRow]:
     """Judge the layouts of a file; one that cannot be read is a row as well."""
     from exactsweep.formats.layouts import read_layouts
     from exactsweep.layout import judge_layout
 
     rows = []
-    with limits(**raised):
-        try:
-            for found in read_layouts(path, **options):
-                name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
-                row = _sum_up(name, judge_layout(_make_layout(found, gaps)))
-                rows.append(row._replace(notes=found.notes))
-        except ValueError as error:
-            rows.append(LayoutRow(show_path(path), str(error), None))
+    try:
+        for found in read_layouts(path, **options):
+            name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
+            row = _sum_up(name, judge_layout(_make_layout(found, gaps)))
+            rows.append(row._replace(notes=found.notes))
+    except ValueError as error:
+        rows.append(LayoutRow(show_path(path), str(error), None))
     return rows
 
 

@@ -85,9 +85,3 @@ def requires_output(help: str, read: Callable[[Any], object] = str) -> Decorator
     return click.option(
         *names, type=PATH, required=True, callback=checked(read), metavar="FILE", help=help
     )
-
-
-takes_json = click.option(
-    "--json", "as_json", is_flag=True, help="Write everything, exactly, as JSON."
-)
-"""Gives a command the option --json, as `as_json`."""

@@ -1,22 +1,19 @@
-"""A line on a terminal about a command that takes longer than a second.
-
-The rest, which imports rich, is in `bar`.
-"""
+"""Progress on a terminal, of commands that take longer than a second: words, or a bar."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from time import monotonic
+from threading import Timer
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rich.console import Console
+    from rich.progress import Progress
+    from rich.status import Status
 
-    from exactsweep.cli.bar import Bar
-
-_PATIENCE = 1.0
+PATIENCE = 1.0
+"""Seconds before a command says anything."""
 
 
 @contextmanager
@@ -25,47 +22,66 @@ def working(doing: str) -> Iterator[Callable[[str], None]]:
     if not _has_terminal():
         yield lambda doing: None
         return
-    from exactsweep.cli import bar
+    from rich.console import Console
 
-    with bar.words(_PATIENCE) as tell:
-        tell(doing)
-        yield tell
+    status = Console(stderr=True).status(doing)
+    with _show_later(status):
+        yield status.update
 
 
 @contextmanager
-def show_bar(
-    total: int, console: Console | None = None, clock: Callable[[], float] = monotonic
-) -> Iterator[Callable[[int], None]]:
+def show_bar(total: int | None) -> Iterator[Callable[[int, str], None]]:
     """Show a progress bar on standard error, if that is a terminal, after the first second.
 
     Args:
-        total: the number at its end.
-        console: the console of the bar.
-        clock: returns the time in seconds.
+        total: the number at its end; None if it is unknown.
 
     Yields:
-        A function that sets the progress. Its first value does not count for the rate.
+        A function that sets the progress, and words beside it; "" stands for the rate of work. Its
+        first value does not count for the rate.
     """
-    if console is None and not _has_terminal():
-        yield lambda done: None
+    if not _has_terminal():
+        yield lambda done, words: None
         return
-    begun = clock()
-    bar: Bar | None = None
+    from rich.console import Console
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeRemainingColumn,
+    )
 
-    def show(done: int) -> None:
-        nonlocal bar
-        if bar is not None:
-            bar[0](done)
-        elif clock() - begun >= _PATIENCE:
-            from exactsweep.cli.bar import start_bar
+    progress = Progress(
+        BarColumn(bar_width=24),
+        MofNCompleteColumn(),
+        TextColumn("{task.fields[words]}", markup=False),
+        TimeRemainingColumn(),
+        console=Console(stderr=True),
+        transient=True,
+    )
+    task = progress.add_task("", total=total, words="")
 
-            bar = start_bar(total, done, console, clock)
+    def show(done: int, words: str) -> None:
+        speed = progress.tasks[task].speed
+        rate = "" if speed is None else f"{speed:.0f}/s"
+        progress.update(task, completed=done, words=words or rate)
 
-    try:
+    with _show_later(progress):
         yield show
+
+
+@contextmanager
+def _show_later(display: Status | Progress) -> Iterator[None]:
+    waiting = Timer(PATIENCE, display.start)
+    waiting.daemon = True
+    waiting.start()
+    try:
+        yield
     finally:
-        if bar is not None:
-            bar[1]()
+        waiting.cancel()
+        waiting.join()
+        display.stop()
 
 
 def _has_terminal() -> bool:

@@ -104,6 +104,12 @@ def list_limits() -> Limits:
     return {"max_digits": _max_digits.get(), "max_mib": _max_mib.get()}
 
 
+def keep_limits(held: Limits) -> None:
+    """Change the limits for as long as a process runs, to those that `list_limits` returned."""
+    _max_digits.set(held["max_digits"])
+    _max_mib.set(held["max_mib"])
+
+
 def get_max_digits() -> int:
     """Return the largest number of digits of a number, by 1."""
     return _max_digits.get() or DEFAULT_DIGITS

@@ -4,17 +4,14 @@ import json
 import os
 import re
 import shlex
-from io import StringIO
 from pathlib import Path
 
 import click
 import pytest
 from command import HOUSE, NOTCH, list_commands, run, shell
 from partlist import part_list
-from rich.console import Console
 
 from exactsweep.cli import output
-from exactsweep.cli.working import show_bar
 from exactsweep.corpus import find_layout_case
 from exactsweep.formats import format_polygons
 
@@ -86,20 +83,6 @@ def test_reports_fit_a_terminal_and_are_plain_in_files(
     shown = re.sub(r"\x1b\[[\d;]*m", "", run(name, *given).stdout)
     assert max(map(len, shown.splitlines())) <= 40 < max(map(len, plain.splitlines()))
     assert sorted("".join(shown.split())) == sorted("".join(plain.split()))
-
-
-def test_a_bar_with_rate_and_time_begins_after_a_second() -> None:
-    written, now = StringIO(), [0.0]
-    console = Console(file=written, force_terminal=True, width=100)
-    with show_bar(256, console, lambda: now[0]) as show:
-        now[0] = 0.9
-        show(64)
-        assert "256" not in written.getvalue()
-        for now[0], done in ((1.1, 128), (2.0, 192), (3.0, 256)):
-            show(done)
-    assert "256/256" in written.getvalue()
-    assert re.search(r"\d+/s", written.getvalue())
-    assert re.search(r"\d:\d\d:\d\d", written.getvalue())
 
 
 def test_there_is_no_bar_where_there_is_no_terminal(tmp_path: Path) -> None:

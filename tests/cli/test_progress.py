@@ -1,5 +1,6 @@
 """Progress: long commands show it on a terminal, and only there, after a second."""
 
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from io import StringIO
@@ -7,9 +8,10 @@ from pathlib import Path
 
 import pytest
 from command import HOUSE, NOTCH, run
-from rich.console import Console
+from judged import CONVEX
+from rich.status import Status
 
-from exactsweep.cli import bar, working
+from exactsweep.cli import working
 
 
 class Soon:
@@ -37,17 +39,45 @@ class Later(Soon):
         """Wait."""
 
 
-def say(timer: type[Soon], *, terminal: bool = True) -> str:
+@contextmanager
+def terminal(monkeypatch: pytest.MonkeyPatch, timer: type[Soon]) -> Iterator[StringIO]:
+    """A terminal on standard error."""
     text = StringIO()
-    with bar.words(1, Console(file=text, force_terminal=terminal), timer) as tell:  # type: ignore[arg-type]
-        tell("sweeping")
-    return text.getvalue()
+    with monkeypatch.context() as patched:
+        patched.setattr(working, "Timer", timer)
+        patched.setattr(working, "_has_terminal", lambda: True)
+        patched.setattr("sys.stderr", text)
+        patched.setenv("FORCE_COLOR", "1")
+        yield text
 
 
-def test_after_a_second_something_is_said_on_a_terminal() -> None:
-    assert "sweeping" in say(Soon)
-    assert say(Later) == ""
-    assert say(Soon, terminal=False) == ""
+@pytest.mark.parametrize("timer", [Soon, Later])
+def test_after_a_second_something_is_said(
+    timer: type[Soon], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with terminal(monkeypatch, timer) as text, working.working("sweeping"):
+        pass
+    assert ("sweeping" in text.getvalue()) == (timer is Soon)
+
+
+@pytest.mark.parametrize("timer", [Soon, Later])
+def test_a_bar_with_rate_and_time_begins_after_a_second(
+    timer: type[Soon], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with terminal(monkeypatch, timer) as text, working.show_bar(256) as show:
+        for done in (64, 128, 192, 256):
+            show(done, "")
+    for pattern in (r"256/256", r"\d+/s", r"\d:\d\d:\d\d"):
+        assert bool(re.search(pattern, text.getvalue())) == (timer is Soon)
+
+
+def test_a_run_shows_its_verdicts_so_far(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(working, "Timer", Soon)
+    monkeypatch.setattr(working, "_has_terminal", lambda: True)
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    done = run("conform", "--filter", "id=directions-y", "--", *CONVEX)
+    assert "2 unsupported" in done.stderr
+    assert "\x1b" not in done.stdout
 
 
 @pytest.mark.parametrize("terminal", [True, False, None])
@@ -91,10 +121,12 @@ def test_commands_say_what_they_do(
     said: list[str] = []
 
     @contextmanager
-    def listen(_: float) -> Iterator[Callable[[str], None]]:
-        yield said.append
+    def listen(display: Status) -> Iterator[None]:
+        said.append(str(display.status))
+        monkeypatch.setattr(display, "update", said.append)
+        yield
 
-    monkeypatch.setattr(bar, "words", listen)
+    monkeypatch.setattr(working, "_show_later", listen)
     code = run(*command).exit_code
     assert said == []
     monkeypatch.setattr(working, "_has_terminal", lambda: True)

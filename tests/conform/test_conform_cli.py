@@ -1,16 +1,13 @@
 """`exactsweep conform`, as its users run it."""
 
 import json
-import os
-import pty
 import re
 import subprocess
 import sys
-from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from command import EXACTSWEEP, run
+from command import run
 from judged import CONVEX, CORRECT, FAULTY, TWO, write_cases
 
 
@@ -76,21 +73,3 @@ def test_a_failure_at_the_end_is_a_failure(two: str) -> None:
 def test_cases_come_from_standard_input(two: str) -> None:
     done = run("conform", "--cases", "-", "--", *CORRECT, stdin=Path(two).read_text())
     assert "\ncorrect: passed, 2 of 2 cases judged, 0 worse" in done.stdout
-
-
-def test_a_terminal_shows_progress(two: str) -> None:
-    main, side = pty.openpty()
-    command = [EXACTSWEEP, "conform", "--cases", two, "--", *CORRECT]
-    environment = {**os.environ, "TERM": "xterm"}
-    shown = b""
-    with subprocess.Popen(command, stdout=-1, stderr=side, env=environment) as process:
-        os.close(side)
-        # A terminal that is not read fills up; its end is an error.
-        with suppress(OSError):
-            while chunk := os.read(main, 4096):
-                shown += chunk
-        os.close(main)
-        said, _ = process.communicate()
-    assert process.returncode == 0
-    assert b"2 exact" in shown
-    assert b"\x1b" not in said

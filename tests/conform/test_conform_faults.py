@@ -12,7 +12,7 @@ from tiers import few_or_all
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.conform import Verdict
 from exactsweep.conform.run.outcome import Outcome, judge_case
-from exactsweep.conform.run.process import ProcessPeer
+from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.corpus import Case
 
 CASES = {
@@ -55,7 +55,9 @@ ALL = [(fault, "notch", EXPECTED[fault]) for fault in EXPECTED] + [
 
 @pytest.fixture
 def peer(request: pytest.FixtureRequest) -> Iterator[ProcessPeer]:
-    peer = ProcessPeer([*FAULTY, request.param], seconds=0.3 if request.param in SLOW else 600)
+    peer = ProcessPeer(
+        Terms([*FAULTY, request.param], seconds=0.3 if request.param in SLOW else 600)
+    )
     yield peer
     peer.kill()
 
@@ -97,7 +99,7 @@ def test_a_polite_refusal_is_quoted(peer: ProcessPeer) -> None:
 
 
 def outcomes_of(command: list[str], chosen: Iterable[Case]) -> list[Outcome]:
-    peer = ProcessPeer(command)
+    peer = ProcessPeer(Terms(command))
     try:
         outcomes = [judge_case(peer, case) for case in chosen]
         assert peer.close() is None

@@ -12,7 +12,7 @@ from judged import HOSTILE, SQUARE
 
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.conform.run.outcome import judge_case
-from exactsweep.conform.run.process import ProcessPeer
+from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import ProtocolError
 from exactsweep.corpus import Case
 
@@ -65,7 +65,7 @@ def peak() -> int:
 def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> None:
     verdict, reason = SURVIVED[kind]
     # The runner waits briefly for a case without an answer, and long for all others.
-    peer = ProcessPeer([*HOSTILE, kind, mark], seconds=0.5 if verdict == "timeout" else 600)
+    peer = ProcessPeer(Terms([*HOSTILE, kind, mark], seconds=0.5 if verdict == "timeout" else 600))
     before = peak()
     for _ in range(2):
         outcome = judge_case(peer, CASE)
@@ -80,7 +80,7 @@ def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> Non
 @pytest.mark.parametrize("kind", REFUSED)
 def test_a_process_without_a_hello_is_refused(kind: str, mark: str) -> None:
     with pytest.raises(ProtocolError) as refusal:
-        ProcessPeer([*HOSTILE, kind, mark], to_start=0.5 if kind == "no-hello" else 600)
+        ProcessPeer(Terms([*HOSTILE, kind, mark]), to_start=0.5 if kind == "no-hello" else 600)
     assert REFUSED[kind] in str(refusal.value)
     assert "\n" not in str(refusal.value)
 
@@ -88,7 +88,7 @@ def test_a_process_without_a_hello_is_refused(kind: str, mark: str) -> None:
 @pytest.mark.parametrize("command", ["no-such-program", "", "/", "\0"])
 def test_what_does_not_start_is_refused(command: str) -> None:
     with pytest.raises(ProtocolError, match="does not start"):
-        ProcessPeer([command])
+        ProcessPeer(Terms([command]))
 
 
 @pytest.mark.parametrize("kind", AFTER_BYE)
@@ -97,13 +97,13 @@ def test_what_goes_on_after_bye_is_ended_and_told(
 ) -> None:
     seconds = 600 if kind == "speaks-after-bye" else 0.3
     monkeypatch.setattr("exactsweep.conform.run.process.TO_END", seconds)
-    peer = ProcessPeer([*HOSTILE, kind, mark])
+    peer = ProcessPeer(Terms([*HOSTILE, kind, mark]))
     assert judge_case(peer, CASE).verdict == "unsupported"
     assert peer.close() == AFTER_BYE[kind]
 
 
 def test_a_case_larger_than_a_pipe_does_not_block(mark: str) -> None:
-    peer = ProcessPeer([*HOSTILE, "never-reads", mark], seconds=0.3)
+    peer = ProcessPeer(Terms([*HOSTILE, "never-reads", mark], seconds=0.3))
     ring = [(k, k * k) for k in range(4000)]
     large = Case.of("large", "", ring, SQUARE)
     assert judge_case(peer, large).verdict == "timeout"
@@ -126,7 +126,7 @@ def test_another_hello_after_a_restart_is_no_answer(tmp_path: Path) -> None:
         " 'reference': 'given'}), flush=True)\n"
         "sys.stdin.readline()\n"
     )
-    peer = ProcessPeer([sys.executable, str(program)])
+    peer = ProcessPeer(Terms([sys.executable, str(program)]))
     assert judge_case(peer, CASE).reason == "exited with code 0"
     assert (
         judge_case(peer, CASE).reason == "did not start again: its hello is another one than before"

@@ -13,7 +13,7 @@ from exactsweep import processes
 from exactsweep.conform import Outcome, Run, Verdict
 from exactsweep.conform.run.fault import name_fault
 from exactsweep.conform.run.outcome import judge_case
-from exactsweep.conform.run.process import ProcessPeer
+from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import MOST_FAULTS, SHOWN
 from exactsweep.corpus import Case
@@ -122,7 +122,7 @@ for line in sys.stdin:
 def hold(tmp_path: Path, most: int | None) -> ProcessPeer:
     program = tmp_path / "holder.py"
     program.write_text(HOLDER)
-    return ProcessPeer([sys.executable, str(program)], seconds=600, most=most)
+    return ProcessPeer(Terms([sys.executable, str(program)], seconds=600, most=most))
 
 
 needs_proc = pytest.mark.skipif(
@@ -171,7 +171,7 @@ def test_memory_is_limited_and_told(tmp_path: Path) -> None:
 
 def test_a_hello_that_is_not_flushed_is_hinted_at() -> None:
     with pytest.raises(ValueError, match=r"no hello within 0\.2 s; if it writes one, does it"):
-        ProcessPeer([*HOSTILE, "no-hello", "--"], to_start=0.2)
+        ProcessPeer(Terms([*HOSTILE, "no-hello", "--"]), to_start=0.2)
 
 
 def test_shares_are_exact() -> None:

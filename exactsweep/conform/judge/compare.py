@@ -362,14 +362,11 @@ def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> Part
 
 def _have_same_vertices(rings: Sequence[Loop], exact: Sequence[Loop]) -> bool:
     """Decide whether rings are the exact ones, from any vertex on."""
-    if len(rings) != len(exact):
-        return False
-    if not exact:
-        return True
-    if _rotate(rings[0]) != _rotate(exact[0]):
-        return False
+    (first, holes), (right, exact_holes) = ((some[:1], some[1:]) for some in (rings, exact))
     # Holes are written in either orientation.
-    return sorted(map(_orient, rings[1:])) == sorted(map(_orient, exact[1:]))
+    return [*map(_rotate, first)] == [*map(_rotate, right)] and (
+        sorted(map(_orient, holes)) == sorted(map(_orient, exact_holes))
+    )
 
 
 def _rotate(ring: Loop) -> Loop:

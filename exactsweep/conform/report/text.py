@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from typing import Any
-
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
 from exactsweep.conform.judge.witness import LOOP_NAMES
-from exactsweep.conform.run.outcome import Outcome, list_witnesses
+from exactsweep.conform.run.outcome import list_witnesses
 from exactsweep.conform.run.peer import cut, tell_bytes
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import Tally, fails
@@ -160,38 +156,6 @@ def tell_costs(summary: Tally) -> list[str]:
     return lines
 
 
-@contextmanager
-def progress(run: Run, total: int | None) -> Iterator[Callable[[Outcome], None]]:
-    """Show how far a run is and the counts so far, on standard error, if that is a terminal.
-
-    Args:
-        run: the run.
-        total: how many cases there will be, or None.
-
-    Yields:
-        A function to call with each outcome.
-    """
-    console = Console(stderr=True)
-    bar = Progress(
-        BarColumn(bar_width=24),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[counts]}", markup=False),
-        TimeRemainingColumn(),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
-    with bar:
-        task = bar.add_task("", total=total, counts="")
-
-        def tell(outcome: Outcome) -> None:
-            bar.update(task, advance=1, counts=counts(run))
-
-        yield tell
-
-
-def counts(run: Run) -> str:
+def write_counts(summary: Tally) -> str:
     """Say how many cases got which verdict so far."""
-    summary = run.summary
-    said = (f"{summary.total(verdict)} {verdict}" for verdict in summary.verdicts())
-    return ", ".join(said) or count(0, "case")
+    return ", ".join(f"{summary.total(verdict)} {verdict}" for verdict in summary.verdicts())

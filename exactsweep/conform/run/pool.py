@@ -13,7 +13,7 @@ from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
 from exactsweep.numbers.error import ExactSweepError, quote
-from exactsweep.numbers.limits import Limits, limits, list_limits
+from exactsweep.numbers.limits import keep_limits, list_limits
 from exactsweep.processes import Pool
 
 _ENDED = "the process that judges has ended"
@@ -48,11 +48,11 @@ class Judges:
     def __init__(self, terms: Terms, workers: int = 1) -> None:
         self.complaints: list[str] = []
         try:
-            self._pool = Pool(workers)
+            self._pool = Pool(workers, keep_limits, list_limits())
         except OSError as error:
             raise JudgeError(f"no process can be started: {error.strerror or error}") from None
         try:
-            hellos: list[Hello] = self._call_in_each(_start, terms, list_limits())
+            hellos: list[Hello] = self._call_in_each(_start, terms)
             self.hello = hellos[0]
             if any(hello != self.hello for hello in hellos):
                 raise ProtocolError("not all its processes say the same hello")
@@ -135,21 +135,16 @@ class Judges:
 # The functions below run in the processes that judge.
 
 _peer: ProcessPeer
-_terms: Terms
-_limits: Limits
 
 
-def _start(terms: Terms, held: Limits) -> Hello:
-    global _peer, _terms, _limits
-    _terms, _limits = terms, held
-    with limits(**_limits):
-        _peer = ProcessPeer(terms.command, terms.seconds, most=terms.most)
+def _start(terms: Terms) -> Hello:
+    global _peer
+    _peer = ProcessPeer(terms)
     return _peer.hello
 
 
 def _judge(case: Case) -> Outcome:
-    with limits(**_limits):
-        return judge_case(_peer, case, _terms.rounding)
+    return judge_case(_peer, case, _peer.terms.rounding)
 
 
 def _shrink(outcome: Outcome, seconds: float) -> Outcome:

@@ -53,24 +53,15 @@ class ProcessPeer:
     """A process that speaks the protocol; started anew after everything that goes wrong.
 
     Args:
-        command: the program and its arguments.
-        seconds: that an answer may take.
+        terms: the program, and what it may take.
         to_start: seconds that it may take to say hello.
-        most: bytes of memory that it may hold, or None.
 
     Raises:
         ProtocolError: it cannot be started, or says no hello.
     """
 
-    def __init__(
-        self,
-        command: Sequence[str],
-        seconds: float = SECONDS,
-        to_start: float = TO_START,
-        most: int | None = None,
-    ) -> None:
-        self._command, self._seconds, self._to_start = command, seconds, to_start
-        self._most = most
+    def __init__(self, terms: Terms, to_start: float = TO_START) -> None:
+        self.terms, self._to_start = terms, to_start
         self._channel: Channel | None = None
         self.hello = self._start()
 
@@ -104,7 +95,7 @@ class ProcessPeer:
     def _exchange(self, channel: Channel, case: Case) -> Answer:
         channel.send(write_case_line(case, self.hello))
         try:
-            result = read_object(channel.receive(self._seconds))
+            result = read_object(channel.receive(self.terms.seconds))
             if result.get("id") != case.id:
                 raise ProtocolError(
                     f"answers {describe_kind(result.get('id'))}, which was not asked"
@@ -130,10 +121,12 @@ class ProcessPeer:
 
     def _start(self) -> Hello:
         try:
-            channel = self._channel = Channel(self._command, self._most)
+            channel = self._channel = Channel(self.terms.command, self.terms.most)
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or error
-            raise ProtocolError(f"{quote(self._command[0])} does not start: {reason}") from None
+            raise ProtocolError(
+                f"{quote(self.terms.command[0])} does not start: {reason}"
+            ) from None
         try:
             return read_hello(channel.receive(self._to_start))
         except (KeyboardInterrupt, SystemExit):

@@ -28,7 +28,7 @@ def judge_cases(
     cases: Iterable[Case],
     *,
     journal: Journal | None = None,
-    tell: Callable[[Outcome], None] = lambda outcome: None,
+    tell: Callable[[], None] = lambda: None,
     made_smaller: int = 0,
 ) -> None:
     """Put cases to an implementation and collect the outcomes.
@@ -41,7 +41,7 @@ def judge_cases(
         judges: the implementation.
         cases: the cases.
         journal: the file that records each outcome at once.
-        tell: a function to call with each outcome.
+        tell: a function to call after each outcome.
         made_smaller: the number of failures of each fault to shrink.
     """
 
@@ -50,7 +50,7 @@ def judge_cases(
             old = journal and journal.find(digest_case(case))
             if old:
                 run.add(old)
-                tell(old)
+                tell()
             else:
                 yield case
 
@@ -59,7 +59,7 @@ def judge_cases(
             if journal:
                 journal.add(outcome)
             run.add(outcome)
-            tell(outcome)
+            tell()
         failures = run.to_be_smaller(made_smaller)
         for id, smallest in judges.shrink(failures, _share_time(failures)):
             run.add_smaller(id, smallest)
