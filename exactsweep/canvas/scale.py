@@ -14,7 +14,7 @@ from typing import NamedTuple, Self
 
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.window import MOST_STRETCHED
-from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.digits import find_magnitude, format_fraction
 from exactsweep.numbers.number import Rational, Vertex
 
 # An axis keeps its numbers if they have few digits: for these powers of ten, and for an origin no
@@ -136,7 +136,7 @@ class Scale(NamedTuple):
 def _axis(low: Fraction, high: Fraction, size: Fraction) -> AxisScale:
     if not size:
         size = max(abs(high), Fraction(1))
-    exponent = _magnitude(size)
+    exponent = find_magnitude(size)
     origin = Fraction(0)
     if max(abs(low), abs(high)) > _NEAR * size:
         origin = _round_number(low, high, Fraction(10) ** exponent)
@@ -155,24 +155,12 @@ def _round_number(low: Fraction, high: Fraction, step: Fraction) -> Fraction:
     return found
 
 
-def _magnitude(value: Fraction) -> int:
-    """Return the exponent of the greatest power of ten up to a positive number."""
-    bits = value.numerator.bit_length() - value.denominator.bit_length()
-    # log10(2) is a little more than 3/10; the loops correct the rest.
-    exponent = bits * 30103 // 100000
-    while Fraction(10) ** exponent > value:
-        exponent -= 1
-    while Fraction(10) ** (exponent + 1) <= value:
-        exponent += 1
-    return exponent
-
-
 def _size(value: Fraction) -> str:
     """Write a positive number in few characters for mathtext; dots replace missing digits."""
     text = format_fraction(value)
     if len(text) <= _SHOWN_DIGITS:
         return text
-    exponent = _magnitude(value)
+    exponent = find_magnitude(value)
     shown = value / Fraction(10) ** (exponent - _SHOWN_DECIMALS)
     digits = str(floor(shown)).rstrip("0")
     mantissa = f"{digits[0]}.{digits[1:]}".rstrip(".")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
@@ -18,6 +18,7 @@ from exactsweep.numbers.number import Point, split_ratios
 from exactsweep.words import count, suggest
 
 _SHOWN = 4
+_Any = TypeVar("_Any")
 _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
 
 
@@ -167,28 +168,21 @@ class Candidate(NamedTuple):
         return NamedRegion(self.region(), self.name, self.layer)
 
 
-def allow_faults(candidates: Iterable[Candidate]) -> list[Candidate]:
-    """List candidates, with a limit on those known not to be polygons.
+def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
+    """Yield candidates, perhaps among others, with a limit on those known not to be polygons.
 
     Raises:
         FormatError: their number exceeds `limits`; the message has the first of them.
     """
-    found: list[Candidate] = []
-    faults, first = 0, ""
-    for candidate in candidates:
-        found.append(candidate)
-        if candidate.fault:
-            faults, first = faults + 1, first or candidate.fault
-            require_few_faults(faults, first)
-    return found
-
-
-def require_few_faults(count: int, first: str) -> None:
-    """Refuse more elements that are not polygons than the limit."""
-    try:
-        require_count(count, FAULT, "things that are no polygon")
-    except FormatError as error:
-        raise FormatError(f"{error}, first {first}") from None
+    number, first = 0, ""
+    for one in drawn:
+        if isinstance(one, Candidate) and one.fault:
+            number, first = number + 1, first or one.fault
+            try:
+                require_count(number, FAULT, "things that are no polygon")
+            except FormatError as error:
+                raise FormatError(f"{error}, first {first}") from None
+        yield one
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:

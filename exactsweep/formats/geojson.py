@@ -43,7 +43,8 @@ def read_geojson(
         >>> len(outline.vertices())
         4
     """
-    return allow_faults(_read(JsonNode(document, path), None, 0, {} if notes is None else notes))
+    found = _read(JsonNode(document, path), None, 0, {} if notes is None else notes)
+    return [*allow_faults(found)]
 
 
 def _read(

@@ -48,7 +48,7 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
 
 
 def _read_each(node: JsonNode) -> list[Candidate]:
-    return allow_faults(map(_read_one, node.each("a list of polygons")))
+    return [*allow_faults(map(_read_one, node.each("a list of polygons")))]
 
 
 def _is_list_of_rings(value: object) -> bool:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from itertools import chain
 from typing import Unpack
 
 from exactsweep.formats import csv
@@ -101,7 +102,8 @@ def _read_json(text: str, notes: dict[str, None]) -> Sequence[Candidate]:
             parse_json(lines[0][1])
         except FormatError:
             raise error from None
-        return allow_faults(found for k, line in lines for found in _read_line(line, k, notes))
+        found = (_read_line(line, k, notes) for k, line in lines)
+        return [*allow_faults(chain.from_iterable(found))]
     return find_candidates(document, notes=notes)
 
 

@@ -17,6 +17,9 @@ from exactsweep.numbers.number import to_fraction
 MAX_LINES = 20_000
 """The most lines that one curve becomes."""
 
+MAX_COPIES = 20_000
+"""The most things that blocks or uses draw, so that a small file cannot keep its reader busy."""
+
 UNITS = {
     "mm": Fraction(1),
     "cm": Fraction(10),
@@ -79,7 +82,8 @@ class Reading:
         notes: further remarks.
         lines: the number of lines that curves have become.
         vertices: the number of drawn vertices.
-        copied: the bytes of repeated drawings, in addition to those of the file.
+        copies: the number of things that blocks or uses have drawn.
+        copied: their bytes, in addition to those of the file.
 
     Raises:
         FormatError: a number that is not positive, no such unit.
@@ -103,7 +107,7 @@ class Reading:
         self.found_unit: Fraction | None = None
         self.passed: Counter[str] = Counter()
         self.notes: dict[str, None] = {}
-        self.lines = self.vertices = self.copied = 0
+        self.lines = self.vertices = self.copies = self.copied = 0
 
     def allow_curve(self, count: int = 0) -> Fraction:
         """Allow a curve to become a number of lines, before it does.
@@ -140,10 +144,12 @@ class Reading:
         self.vertices += count
         require_count(self.vertices, VERTEX, "vertices are drawn")
 
-    def allow_copy(self, size: int, what: str) -> None:
-        """Count bytes of repeated drawings; raises FormatError beyond the limit."""
-        self.copied += size
-        require_size(self.copied, f"{what} draw ")
+    def allow_copies(self, count: int, size: int, draw: str, things: str) -> None:
+        """Count repeated things and their bytes; raises FormatError beyond the limits."""
+        self.copies, self.copied = self.copies + count, self.copied + size
+        if self.copies > MAX_COPIES:
+            raise FormatError(f"{draw} more than {MAX_COPIES:,} {things}")
+        require_size(self.copied, f"{draw} ")
 
     def allow_angle(self, degrees: Fraction) -> Fraction:
         """Allow an irrational rotation, and return the largest error of its matrix."""

@@ -1,6 +1,7 @@
 """A reader of WKT (OGC 06-103r4, 7.2): POLYGON, MULTIPOLYGON, collections, and PostGIS's SRID."""
 
 import re
+from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
@@ -48,7 +49,7 @@ def parse_wkt(text: str) -> list[Candidate]:
         >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
         [4]
     """
-    found = allow_faults(_Reader(text).outlines())
+    found = [*allow_faults(_Reader(text).outlines())]
     if not found:
         raise FormatError("holds no polygon")
     return found if len(found) > 1 else [found[0]._replace(place="")]
@@ -64,7 +65,7 @@ class _Reader:
         srid = _SRID.match(text)
         self.matches = _TOKEN.finditer(text, srid.end() if srid else 0)
         self._advance()
-        self.line, self.line_start, self.counted = 1, 0, 0
+        self.lines = [0, *(match.end() for match in re.finditer("\n", text))]
         self.height: Fraction | None = None
 
     def outlines(self) -> Iterator[Candidate]:
@@ -164,12 +165,8 @@ class _Reader:
         return "the end" if self.kind == "end" else quote(self.word)
 
     def _place(self) -> str:
-        # Only what is new is searched, as a text may hold very many polygons.
-        before, here = self.counted, self.offset
-        self.line += self.text.count("\n", before, here)
-        self.line_start = max(self.line_start, self.text.rfind("\n", before, here) + 1)
-        self.counted = here
-        return f"line {self.line}, column {here - self.line_start + 1}"
+        line = bisect_right(self.lines, self.offset)
+        return f"line {line}, column {self.offset - self.lines[line - 1] + 1}"
 
     def _refuse(self, reason: str) -> NoReturn:
         raise FormatError(f"{self._place()}: {reason}")

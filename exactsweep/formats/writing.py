@@ -14,7 +14,7 @@ from exactsweep.formats.folder import make_unique
 from exactsweep.formats.part_list import Coordinates
 from exactsweep.formats.reading import INSUNITS, UNITS
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.digits import write_int
+from exactsweep.numbers.digits import find_magnitude
 from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import Fit, Point
 
@@ -182,7 +182,7 @@ def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
     corners += chain.from_iterable(fits)
     low = [min(corner[axis] for corner in corners) for axis in (0, 1)]
     size = [max(corner[axis] for corner in corners) - low[axis] for axis in (0, 1)]
-    margin = _decade(max(size) or Fraction(10)) / 10
+    margin = Fraction(10) ** (find_magnitude(max(size) or Fraction(10)) - 1)
     low, size = [c - margin for c in low], [c + 2 * margin for c in size]
     lengths = zip(("width", "height"), size, strict=True)
     measured = "".join(f'{name}="{_length(c, unit)}" ' for name, c in lengths) if unit else ""
@@ -192,13 +192,6 @@ def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
         f'<svg xmlns="http://www.w3.org/2000/svg" {measured}viewBox="{box}" fill="none" '
         f'stroke="black" stroke-width="{format_decimal(margin / 10)}">\n{body}</svg>\n'
     )
-
-
-def _decade(number: Fraction) -> Fraction:
-    """Find the largest power of ten that is not above a positive number."""
-    n, d = number.as_integer_ratio()
-    power = Fraction(10) ** (len(write_int(n)) - len(write_int(d)))
-    return power if power <= number else power / 10
 
 
 def _length(number: Fraction, unit: Fraction) -> str:

@@ -21,7 +21,6 @@ from exactsweep.layout.certificate import write_certificate
 from exactsweep.layout.closest import NearestPair, find_nearest_pair
 from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.layout import Layout
-from exactsweep.layout.solid import meet
 from exactsweep.layout.verdict import PairVerdict, judge_pair
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
@@ -136,14 +135,6 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
     """Find the faults of pairs of placements, and add pairs that touch to the contacts."""
     spacing, solid = board.layout.spacing, board.solid
     for k, j in board.list_near(spacing):
-        a, b = solid(k), solid(j)
-        if not spacing and a.scale == b.scale and not (a.slack or b.slack):
-            # Most pairs need no more than this.
-            relation = meet(a, b)
-            if relation is Relation.CONTACT:
-                contacts.append((k, j))
-            if relation is not Relation.OVERLAP:
-                continue
         found = judge_pair(lambda bits: (solid(k, bits), solid(j, bits)), TURN_BITS, spacing)  # noqa: B023
         if found.meeting is Relation.CONTACT:
             contacts.append((k, j))

@@ -132,6 +132,22 @@ def format_fraction(value: Fraction) -> str:
     return numerator if value.denominator == 1 else f"{numerator}/{write_int(value.denominator)}"
 
 
+def find_magnitude(value: Fraction) -> int:
+    """Find the exponent of the greatest power of ten up to a positive number.
+
+    >>> find_magnitude(Fraction(1000)), find_magnitude(Fraction(1, 3))
+    (3, -1)
+    """
+    bits = value.numerator.bit_length() - value.denominator.bit_length()
+    # log10(2) is a little more than 3/10; the loops correct the rest.
+    exponent = bits * 30103 // 100000
+    while Fraction(10) ** exponent > value:
+        exponent -= 1
+    while Fraction(10) ** (exponent + 1) <= value:
+        exponent += 1
+    return exponent
+
+
 def abridge(value: Fraction) -> str:
     """Write a number for people: exactly, or its first digits if it is long.
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple
 
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import Point, Rational
 
 _ZERO = Fraction(0)
 
@@ -69,6 +69,16 @@ def make_affine(*numbers: int | Fraction) -> Affine:
     """
     found = Affine(*map(Fraction, numbers))
     return IDENTITY if found == IDENTITY else found
+
+
+def make_shift(x: Rational, y: Rational) -> Affine:
+    """Make the translation by a vector."""
+    return make_affine(1, 0, 0, 1, x, y)
+
+
+def make_scaling(x: Rational, y: Rational) -> Affine:
+    """Make the map that multiplies each coordinate by a factor of its own."""
+    return make_affine(x, 0, 0, y, 0, 0)
 
 
 IDENTITY = Affine(*map(Fraction, (1, 0, 0, 1, 0, 0)))

@@ -5,15 +5,14 @@ Decimals are read exactly, and blocks are placed exactly wherever their angles a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
-from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.curved.affine import Affine, make_affine
+from exactsweep.formats.curved.affine import Affine, make_affine, make_scaling, make_shift
 from exactsweep.formats.curved.arc import Arc, make_arc, to_degrees
 from exactsweep.formats.curved.curves import (
     find_arc_center,
@@ -35,15 +34,8 @@ _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
 _FULL, _ZERO = Fraction(360), Fraction(0)
 _ALL, _INNER = slice(None), slice(1, -1)
 _PointReader = Callable[[], Sequence[Point]]
-
-
-class _Drawn(NamedTuple):
-    """The drawing of an entity: its points, and the ends and shape of an OpenLine if it is open."""
-
-    points: _PointReader
-    ends: tuple[Point, Point] | None = None
-    shape: Hashable = ()
-    is_exact: bool = True
+_Drawn = OpenLine | _PointReader
+"""An open line, whose inner points are all of its points yet; or a reader of a closed one."""
 
 
 def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
@@ -64,7 +56,7 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     """
     drawing = read_drawing(text)
     scale = reading.scale(drawing.unit)
-    image = make_affine(scale, 0, 0, scale, 0, 0)
+    image = make_scaling(scale, scale)
     blocks = Blocks(drawing, reading)
     placed = (one for entity in drawing.entities for one in blocks.place(entity, image))
     return gather((drawn for one in placed for drawn in _draw_run(one, reading)), reading)
@@ -93,7 +85,7 @@ def _draw_lines(placed: PlacedEntity, reading: Reading) -> list[Candidate | Open
         chain = place_points(points, placed.image, reading)
         split = partial(_split, placed, i, chain)
         if k - i > 2:
-            drawn.append(OpenLine(placed.place_at(i), chain, layer=placed.layer, split=split))
+            drawn.append(OpenLine(placed.place(i), chain, layer=placed.layer, split=split))
         else:
             drawn += split()
     return drawn
@@ -101,13 +93,13 @@ def _draw_lines(placed: PlacedEntity, reading: Reading) -> list[Candidate | Open
 
 def _split(placed: PlacedEntity, first: int, chain: Sequence[Point]) -> list[OpenLine]:
     return [
-        OpenLine(placed.place_at(k), ends, layer=placed.layer)
+        OpenLine(placed.place(k), ends, layer=placed.layer)
         for k, ends in enumerate(pairwise(chain), first)
     ]
 
 
 def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
-    place, layer, kind = placed.place, placed.layer, placed.entity.kind
+    place, layer, kind = placed.place(), placed.layer, placed.entity.kind
     try:
         if placed.fault:
             raise FormatError(placed.fault)
@@ -119,11 +111,10 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
-    points, ends, shape, is_exact = drawn
-    if not ends:
-        return Candidate(place, partial(_name_place, place, points, _ALL), layer=layer)
-    inner = partial(_name_place, place, points, _INNER) if shape else tuple
-    return OpenLine(place, ends, inner, shape, is_exact, layer=layer)
+    if not isinstance(drawn, OpenLine):
+        return Candidate(place, partial(_name_place, place, drawn, _ALL), layer=layer)
+    inner = partial(_name_place, place, drawn.inner, _INNER) if drawn.shape else tuple
+    return drawn._replace(place=place, inner=inner, layer=layer)
 
 
 def _name_place(place: str, points: _PointReader, part: slice) -> Sequence[Point]:
@@ -152,7 +143,7 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
         points.append(points[0])
     elif points[0] != points[-1]:
         return _open(points, bulges, image, reading)
-    return _Drawn(partial(_follow, points, bulges, image, reading))
+    return partial(_follow, points, bulges, image, reading)
 
 
 def _open(
@@ -160,9 +151,9 @@ def _open(
 ) -> _Drawn:
     first, last = place_points([points[0], points[-1]], image, reading)
     if len(points) == 2 and not any(bulges[:1]):
-        return _Drawn(tuple, (first, last), is_exact=not image.off)
+        return OpenLine("", (first, last), is_exact=not image.off)
     vertices = partial(_follow, points, bulges, image, reading)
-    return _Drawn(vertices, (first, last), (*points, *bulges), not image.off)
+    return OpenLine("", (first, last), vertices, (*points, *bulges), not image.off)
 
 
 def _follow(
@@ -187,7 +178,7 @@ def _read_circle(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     center, radius = entity.point(10), entity.number(40)
     if radius <= 0:
         raise FormatError("the radius is not positive")
-    image = image @ entity.plane @ make_affine(radius, 0, 0, radius, *center)
+    image = image @ entity.plane @ make_shift(*center) @ make_scaling(radius, radius)
     if entity.kind == "CIRCLE":
         return _turn(image, _ZERO, _FULL, reading)
     return _turn(image, entity.number(50), entity.number(51), reading)
@@ -213,9 +204,9 @@ def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _D
     seen = 16 * gap * (1 + sum(map(abs, image[:4]))) > reading.allow_curve()
     if start == end or (abs(end - start) > _FULL / 2 and not seen):
         first = Point(Fraction(1), _ZERO)
-        return _Drawn(partial(Arc(image, first, first).flatten, reading))
+        return partial(Arc(image, first, first).flatten, reading)
     arc = make_arc(image, start, end, reading)
-    return _Drawn(partial(arc.flatten, reading), arc.ends, arc, is_exact=False)
+    return OpenLine("", arc.ends, partial(arc.flatten, reading), arc, is_exact=False)
 
 
 def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
@@ -233,8 +224,8 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     first, last = place_points([pieces[0][0], pieces[-1][-1]], image, reading)
     vertices = partial(spline.flatten, image, reading)
     if first == last:
-        return _Drawn(vertices)
-    return _Drawn(vertices, (first, last), tuple(spline.points), not image.off)
+        return vertices
+    return OpenLine("", (first, last), vertices, tuple(spline.points), not image.off)
 
 
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
@@ -242,7 +233,7 @@ def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.require_level(entity.take(30, 31, 32, 33, default="0"))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
     corners = [entity.point(code) for code in (*codes, 10)]
-    return _Drawn(partial(_follow, corners, [], image @ entity.plane, reading))
+    return partial(_follow, corners, [], image @ entity.plane, reading)
 
 
 _READERS: dict[str, Callable[[Entity, Affine, Reading], _Drawn]] = {

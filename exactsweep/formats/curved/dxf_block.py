@@ -5,19 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from exactsweep.formats.curved.affine import Affine, make_affine
+from exactsweep.formats.curved.affine import Affine, make_scaling, make_shift
 from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.curved.dxf_entity import FROZEN, Drawing, Entity
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.reading import Reading
+from exactsweep.formats.reading import MAX_COPIES, Reading
 from exactsweep.numbers.error import quote
 
 MAX_DEPTH = 32
 """The greatest depth of nested blocks."""
-
-MAX_PLACED = 20_000
-"""The largest number of entities that blocks may draw, so that a small file cannot keep its reader
-busy. The values in them count each time."""
 
 # Notes, dimensions and systems, which draw no outline.
 _NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}
@@ -41,14 +37,9 @@ class PlacedEntity(NamedTuple):
     around: str = ""
     fault: str = ""
 
-    @property
-    def place(self) -> str:
-        """The kind and the lines, for messages."""
-        return self.place_at(0)
-
-    def place_at(self, k: int) -> str:
-        """Return the place of one entity of a run."""
-        return f"{self.around}{self.entity.place_at(k)}"
+    def place(self, k: int = 0) -> str:
+        """Return the kind and the lines of one entity of a run, for messages."""
+        return f"{self.around}{self.entity.place(k)}"
 
 
 class Blocks:
@@ -61,7 +52,6 @@ class Blocks:
 
     def __init__(self, drawing: Drawing, reading: Reading) -> None:
         self.drawing, self.blocks, self.reading = drawing, drawing.blocks, reading
-        self.placed = 0
         # The maps of each INSERT, by its line, computed once.
         self._maps: dict[int, list[Affine]] = {}
 
@@ -88,10 +78,8 @@ class Blocks:
 
     def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
-            self.placed += placed.entity.count
-            if self.placed > MAX_PLACED:
-                raise FormatError(f"blocks draw more than {MAX_PLACED:,} entities")
-            self.reading.allow_copy(placed.entity.size, "blocks")
+            entity = placed.entity
+            self.reading.allow_copies(entity.count, entity.size, "blocks draw", "entities")
         if placed.entity.kind in _NOTES or self._is_hidden(placed):
             return
         if placed.entity.kind != "INSERT":
@@ -107,7 +95,7 @@ class Blocks:
         for image in images:
             for entity in members:
                 layer = placed.layer if entity.layer == "0" else entity.layer
-                inner = PlacedEntity(entity, image, layer, f"{placed.place}: ")
+                inner = PlacedEntity(entity, image, layer, f"{placed.place()}: ")
                 yield from self._place(inner, (*around, name))
 
     def _images(self, placed: PlacedEntity, name: str, around: tuple[str, ...]) -> list[Affine]:
@@ -125,16 +113,16 @@ class Blocks:
 
     def _own_maps(self, insert: Entity, block: list[Entity]) -> list[Affine]:
         columns, rows = (max(1, int(insert.number(code, "1"))) for code in (70, 71))
-        if columns * rows * sum(entity.count for entity in block) > MAX_PLACED:
-            raise FormatError(f"draws more than {MAX_PLACED:,} entities")
+        if columns * rows * sum(entity.count for entity in block) > MAX_COPIES:
+            raise FormatError(f"draws more than {MAX_COPIES:,} entities")
         turn = make_rotation(insert.number(50, "0"), self.reading)
         position, base = insert.point(10), block[0].point(10)
-        scale = make_affine(insert.number(41, "1"), 0, 0, insert.number(42, "1"), 0, 0)
-        outer = insert.plane @ make_affine(1, 0, 0, 1, *position) @ turn
-        own = scale @ make_affine(1, 0, 0, 1, -base.x, -base.y)
+        scale = make_scaling(insert.number(41, "1"), insert.number(42, "1"))
+        outer = insert.plane @ make_shift(*position) @ turn
+        own = scale @ make_shift(-base.x, -base.y)
         step = insert.number(44, "0"), insert.number(45, "0")
         return [
-            outer @ make_affine(1, 0, 0, 1, i * step[0], j * step[1]) @ own
+            outer @ make_shift(i * step[0], j * step[1]) @ own
             for j in range(rows)
             for i in range(columns)
         ]

@@ -92,13 +92,8 @@ class Entity:
             return self.texts[self._first[code] :: len(self.codes)]
         return [str(default)] * self.count
 
-    @property
-    def place(self) -> str:
-        """The kind and the line, for messages."""
-        return self.place_at(0)
-
-    def place_at(self, k: int) -> str:
-        """Return the kind and the line of one entity of a run."""
+    def place(self, k: int = 0) -> str:
+        """Return the kind and the line of one entity of a run, for messages."""
         is_word = self.kind.isidentifier() and len(self.kind) < _LONG
         line = self.line + 2 * k * len(self.codes)
         return f"line {line}: {self.kind if is_word else quote(self.kind)}"
@@ -364,6 +359,6 @@ def _read_column(
     except ValueError:
         found = []
         for entity in chain.from_iterable(entity.split() for entity in entities):
-            with name_refusals(entity.place):
+            with name_refusals(entity.place()):
                 found.append(entity.number(code, default))
         return found

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import islice
 from typing import TYPE_CHECKING, NoReturn
 
-from exactsweep.formats.candidate import Candidate, require_few_faults
+from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, gather
@@ -32,10 +32,6 @@ _INVISIBLE = ("hidden", "collapse")
 
 MAX_DEPTH = 32
 """The greatest depth of nested uses."""
-
-MAX_USED = 20_000
-"""The largest number of elements that uses may draw, so that a small file cannot keep its reader
-busy. The elements in them count each time."""
 
 
 def parse_svg(text: str, reading: Reading) -> list[Candidate]:
@@ -78,20 +74,15 @@ def read_svg(root: Element, reading: Reading) -> list[Candidate]:
     placed = PlacedElement(root, None, reading, style=style)
     # That there is no unit concerns all of the file.
     _ = placed.unit if reading.unit is None else placed.matrix
-    return gather(_draw(document.shapes(placed, 0), reading), reading)
+    return gather(allow_faults(_draw(document.shapes(placed, 0), reading)), reading)
 
 
 def _draw(shapes: Iterator[PlacedElement], reading: Reading) -> Iterator[Candidate | OpenLine]:
-    faults = 0
     for shape in shapes:
         parts = _read(shape, reading)
         # That there are too many concerns all of the file.
         reading.allow_vertices(0)
-        for drawn in parts:
-            if isinstance(drawn, Candidate) and drawn.fault:
-                faults += 1
-                require_few_faults(faults, drawn.fault)
-            yield drawn
+        yield from parts
 
 
 class _Document:
@@ -101,7 +92,6 @@ class _Document:
         self.reading = reading
         elements = list(root.iter())
         self.by_id = {e.attrib["id"]: e for e in reversed(elements) if "id" in e.attrib}
-        self.used = 0
         linked = {find_link(e).removeprefix("#") for e in elements}
         # Definitions that nothing draws.
         self.spare = {
@@ -128,10 +118,8 @@ class _Document:
         if self.reading.hides(find_reason_hidden(placed)):
             return
         if depth:
-            self.used += 1
-            if self.used > MAX_USED:
-                raise FormatError(f"uses draw more than {MAX_USED:,} elements")
-            self.reading.allow_copy(sum(map(len, element.attrib.values())), "uses")
+            size = sum(map(len, element.attrib.values()))
+            self.reading.allow_copies(1, size, "uses draw", "elements")
         if name in _GROUPS:
             yield from self.shapes(placed, depth)
         elif name == "switch":

@@ -6,7 +6,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine
+from exactsweep.formats.curved.affine import IDENTITY, Affine, make_scaling, make_shift
 from exactsweep.formats.curved.svg_style import Style, name_kind
 from exactsweep.formats.curved.svg_transform import compose, read_transform
 from exactsweep.formats.curved.xml import line
@@ -84,10 +84,9 @@ class PlacedElement:
                 raise FormatError("a transformation in a style cannot be read")
             product = compose(outer, read_transform(attributes.get("transform", ""), self.reading))
             if self.parent is None:
-                return compose(make_affine(*_diagonal(self.unit, self.unit)), product)
+                return compose(make_scaling(self.unit, self.unit), product)
             if name_kind(self.element) == "use":
-                at = make_affine(1, 0, 0, 1, self.length("x"), self.length("y"))
-                return compose(product, at)
+                return compose(product, make_shift(self.length("x"), self.length("y")))
             return compose(product, self._view()) if name_kind(self.element) in _VIEWS else product
 
     @cached_property
@@ -172,7 +171,7 @@ class PlacedElement:
         """Compute the map of the inside of a nested svg, or of a symbol, to the outside."""
         attributes = self.element.attrib
         x, y = (self.length(axis) if name_kind(self.element) == "svg" else 0 for axis in "xy")
-        at = make_affine(1, 0, 0, 1, x, y)
+        at = make_shift(x, y)
         if "viewBox" not in attributes:
             return at
         left, top, width, height = self._box()
@@ -192,8 +191,7 @@ class PlacedElement:
                 for share, own_scale, own in zip(shares, scales, (width, height), strict=True)
             ]
             scales = [scale, scale]
-        moved = make_affine(1, 0, 0, 1, *rests)
-        return at @ moved @ make_affine(*_diagonal(*scales)) @ make_affine(1, 0, 0, 1, -left, -top)
+        return at @ make_shift(*rests) @ make_scaling(*scales) @ make_shift(-left, -top)
 
     def _extent(self, name: str) -> Fraction:
         """A size of a view: that of the `use` that draws it, or its own, or all that there is."""
@@ -203,10 +201,6 @@ class PlacedElement:
 
 # The share of the unused room before a view.
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
-
-
-def _diagonal(x: Fraction, y: Fraction) -> tuple[Fraction | int, ...]:
-    return x, 0, 0, y, 0, 0
 
 
 def _split(text: str) -> tuple[str, str]:

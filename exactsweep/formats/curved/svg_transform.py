@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine
+from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine, make_scaling, make_shift
 from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
@@ -69,7 +69,7 @@ def _rotate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     if not center:
         return turn
     x, y = center
-    return make_affine(1, 0, 0, 1, x, y) @ turn @ make_affine(1, 0, 0, 1, -x, -y)
+    return make_shift(x, y) @ turn @ make_shift(-x, -y)
 
 
 def _skew_x(numbers: Sequence[Fraction], reading: Reading) -> Affine:
@@ -92,8 +92,8 @@ def _skew_y(numbers: Sequence[Fraction], reading: Reading) -> Affine:
 _Make = Callable[[Sequence[Fraction], Reading], Affine]
 _FUNCTIONS: dict[str, tuple[_Make, tuple[int, ...]]] = {
     "matrix": (lambda numbers, _: Affine(*numbers), (6,)),
-    "translate": (lambda n, _: make_affine(1, 0, 0, 1, n[0], n[1] if n[1:] else 0), (1, 2)),
-    "scale": (lambda n, _: make_affine(n[0], 0, 0, n[-1], 0, 0), (1, 2)),
+    "translate": (lambda n, _: make_shift(n[0], n[1] if n[1:] else Fraction(0)), (1, 2)),
+    "scale": (lambda n, _: make_scaling(n[0], n[-1]), (1, 2)),
     "rotate": (_rotate, (1, 3)),
     "skewX": (_skew_x, (1,)),
     "skewY": (_skew_y, (1,)),
