@@ -175,7 +175,7 @@ def test_a_rational_with_the_denominator_zero_is_refused() -> None:
 
 
 def test_a_span_of_time_is_refused() -> None:
-    with pytest.raises(NumberError, match=r"^np.timedelta64\(3,'s'\) is not a rational number$"):
+    with pytest.raises(NumberError, match=r"timedelta64\(3,'s'\) is not a rational number$"):
         to_fraction(np.timedelta64(3, "s"))
 
 
