@@ -100,10 +100,13 @@ def to_fraction(value: object) -> Fraction:
         except TypeError:
             raise NumberError(f"{quote(value)} is not a number") from None
     if isinstance(value, numbers.Rational):
-        numerator, denominator = int(value.numerator), int(value.denominator)
-        if denominator == 0:
-            raise NumberError(f"{quote(value)} has the denominator 0")
-        return Fraction(numerator, denominator)
+        try:
+            return Fraction(int(value.numerator), int(value.denominator))
+        except ZeroDivisionError:
+            raise NumberError(f"{quote(value)} has the denominator 0") from None
+        except (TypeError, ValueError):
+            # Numpy registers its spans of time.
+            raise NumberError(f"{quote(value)} is not a rational number") from None
     if isinstance(value, numbers.Real):
         return _from_real(value)
     raise NumberError(f"{quote(value)} is not a rational number")

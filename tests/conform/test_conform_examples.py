@@ -4,6 +4,7 @@ import json
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -29,6 +30,18 @@ def test_the_protocol_is_as_the_readme_says(tmp_path: Path) -> None:
     for text, verdict in zip(answers, verdicts, strict=True):
         answer = read_answer(read_object(text))
         assert judge_answer(case, case, answer, said).verdict == verdict
+
+
+def test_the_protocol_shows_what_a_case_asks() -> None:
+    readme = (ROOT / "exactsweep/conform/PROTOCOL.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```json\n(.*?)^```$", readme, re.M | re.S)
+    hello, line, (text, _) = (block.splitlines() for block in blocks[3:])
+    said = replace(read_hello(hello[0]), numbers="rational")
+    given = json.loads(line[0])
+    case = Case.of(given["id"], "", given["directrix"], given["generatrix"], inner_fit=True)
+    assert line == [write_case_line(case, said)]
+    answer = read_answer(read_object(text))
+    assert judge_answer(case, case, answer, said).verdict == "exact"
 
 
 @pytest.mark.long

@@ -90,3 +90,10 @@ def test_a_drawing_with_an_outline_that_cannot_be_read_is_no_valid_layout(unread
         read(f'<rect width="9" height="9"/>{PART}{unread}')
     ornament = read(f'<rect width="9" height="9"/>{PART}<line x2="3"/>')
     assert [note.startswith("left out: line 1: line: ") for note in ornament.notes] == [True]
+
+
+def test_a_sheet_lists_its_own_parts_only() -> None:
+    sheet = '<g><rect class="bin" width="9" height="9"/><g transform="translate(1)">{}</g></g>'
+    drawn = "".join(sheet.format(f'<path d="M0 0H{k}V1z"/>') for k in range(1, 5))
+    found = parse_layouts(f"<svg>{drawn}</svg>")
+    assert [[part["id"] for part in one.data["parts"]] for one in found] == [[k] for k in "0123"]

@@ -174,6 +174,11 @@ def test_a_rational_with_the_denominator_zero_is_refused() -> None:
         to_fraction(Broken(1, 2))
 
 
+def test_a_span_of_time_is_refused() -> None:
+    with pytest.raises(NumberError, match=r"timedelta64\(3,'s'\) is not a rational number$"):
+        to_fraction(np.timedelta64(3, "s"))
+
+
 def test_what_is_quoted_stands_on_one_line() -> None:
     class Foreign:
         def __repr__(self) -> str:
