@@ -1,4 +1,4 @@
-"""Log-log plots: measured points beside the claimed curves, and programs beside each other.
+"""Log-log plots: programs beside each other, and hard shapes over their size.
 
 Colours are those of all pictures (`exactsweep.canvas.style`); markers and dashes differ too.
 """
@@ -11,14 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.style import context
 from matplotlib.ticker import NullFormatter, NullLocator
 
 from benchmarks.growth import Grown
 from benchmarks.peers.run import Comparison
 from exactsweep.canvas.style import PALETTE
-from exactsweep.paper.growth import Growth
 from exactsweep.paper.plots import SETTINGS
 
 STYLES = tuple(zip(PALETTE, "os^DvP<", strict=True))
@@ -33,44 +31,6 @@ SMALLER: dict[str, Any] = {
 }
 COLUMNS = 3
 DPI = 300
-
-
-def growth(measured: Sequence[Growth], label: str, path: Path) -> None:
-    """One panel a procedure: what was found over the size doubled, and the claimed bound.
-
-    The claimed curve is scaled to the value at the largest size.
-    """
-    names = list(dict.fromkeys(series.what.partition(" of ")[2] for series in measured))
-    with context(SMALLER):
-        figure, panels = _panels(len(names))
-        for panel, name in zip(panels, names, strict=False):
-            chosen = [s for s in measured if s.what.partition(" of ")[2] == name]
-            for series, (colour, marker) in zip(chosen, cycle(STYLES), strict=False):
-                _series(panel, series, colour, marker)
-            panel.set_title(f"{name}: O({chosen[0].bound})")
-            panel.legend(frameon=False, loc="lower right")
-            _axes(panel, sorted({size for series in chosen for size in series.sizes}))
-        figure.legend(
-            handles=[Line2D([], [], color="black", linestyle="--")],
-            labels=["claimed bound, through the largest size"],
-            loc="outside lower center",
-            frameon=False,
-        )
-        _finish(figure, panels, "size that is doubled", label, path)
-
-
-def _series(panel: Any, series: Growth, colour: str, marker: str) -> None:
-    last = series.points[-1]
-    claimed = [point.bound * last.count / last.bound for point in series.points]
-    panel.loglog(series.sizes, claimed, color=colour, linestyle="--")
-    panel.loglog(
-        series.sizes,
-        [point.count for point in series.points],
-        color=colour,
-        marker=marker,
-        linestyle="",
-        label=f"{series.family}, {series.varied}",
-    )
 
 
 def programs(found: Comparison, path: Path) -> None:

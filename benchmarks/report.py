@@ -11,8 +11,8 @@ from rich.table import Table
 from benchmarks import plots, scaling
 from benchmarks.clock import machine
 from benchmarks.peers.run import TIMES, Comparison, tabulate
-from exactsweep.paper.costs import UNITS
 from exactsweep.paper.growth import Growth
+from exactsweep.paper.plots import ratios
 
 MEASURED = "measured.pickle"
 Measured = tuple[str, Sequence[Growth], Comparison]
@@ -32,22 +32,21 @@ def load(folder: Path) -> Measured:
 
 
 def write(folder: Path) -> Path:
-    """Write report.md and its plots, as SVG and PNG, of what the folder keeps.
+    """Write report.md and its plots, of what the folder keeps.
 
     Returns the path of report.md.
     """
     described, measured, found = load(folder)
-    for unit in UNITS:
-        chosen = [series for series in measured if series.unit == unit]
-        if chosen:
-            plots.growth(chosen, unit, folder / unit)
     plots.programs(found, folder / "programs")
     lines = ["# Benchmarks", "", f"{described}.", ""]
     lines += [f"Programs: {', '.join(found.versions.values())}.", ""]
     lines += [f"Skipped: {name}, {reason}.\n" for name, reason in found.skipped.items()]
     lines += ["## Growth", "", GROWTH, "", *markdown(scaling.summary_table(measured)), ""]
-    for unit in dict.fromkeys(series.unit for series in measured):
-        lines += [f"![{unit}]({unit}.svg)", "", f"{unit.capitalize()}{FIGURES}", ""]
+    for what in dict.fromkeys(series.what for series in measured):
+        name = what.replace(" ", "_")
+        chosen = [series for series in measured if series.what == what]
+        (folder / f"{name}.svg").write_bytes(ratios(chosen))
+        lines += [f"![{what}]({name}.svg)", ""]
     lines += ["## Other programs", "", TIMES, ""]
     for table in tabulate(found):
         title = str(table.title)
@@ -62,9 +61,8 @@ GROWTH = (
     "Exponents of the least squares line through the logarithms; those of seconds over the three "
     "largest sizes. That of the bound is over the same sizes, logarithms included. Operations are "
     "multiplications and comparisons of coordinates and vertices out, the same on every run; bytes "
-    "are the peak beside the input."
+    "are the peak beside the input. The figures show all of these divided by the bounds."
 )
-FIGURES = "; dashed, the claimed bound through the largest size."
 PROGRAMS = "Median time of the trajectory, and the range from the least to the greatest."
 
 

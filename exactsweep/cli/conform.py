@@ -9,7 +9,7 @@ from contextlib import ExitStack, contextmanager
 from fractions import Fraction
 from math import isnan
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import click
 
@@ -109,12 +109,19 @@ def conform_command(
       exactsweep conform --pairs parts.svg -- node adapter.js
     """
     from exactsweep.conform.report.text import write_counts
-    from exactsweep.conform.run.cases import Selection, SelectionError, read_cases, require_distinct
+    from exactsweep.conform.run.cases import (
+        SelectionError,
+        read_cases,
+        read_filters,
+        require_distinct,
+        select,
+    )
     from exactsweep.conform.run.journal import Journal
     from exactsweep.conform.run.pairs import read_pairs
     from exactsweep.conform.run.pool import Judges
     from exactsweep.conform.run.process import Terms
     from exactsweep.conform.run.runner import judge_cases
+    from exactsweep.corpus.shipped import cases, list_summaries
 
     if path is not None and pairs is not None:
         raise click.UsageError("Give either --cases or --pairs.")
@@ -125,14 +132,14 @@ def conform_command(
         raise click.UsageError("--resume needs --journal.")
     most = None if most_memory is None else most_memory * 2**20
     terms = Terms(command, timeout, rounding, most)
-    selection = Selection.of(filters)
+    wanted = read_filters(filters)
     total = None
     given = read_cases(path) if path is not None else None
     if pairs is not None:
         given = read_pairs(pairs, **reading)
     if given is None and sys.stderr is not None and sys.stderr.isatty():
-        total = sum(1 for _ in selection.shipped())
-    cases = require_distinct(selection.shipped() if given is None else selection.among(given))
+        total = sum(1 for _ in list_summaries(**wanted))
+    chosen = cases(**wanted) if given is None else select(given, **wanted)
     with ExitStack() as stack:
         stack.enter_context(_end_as_interrupted())
         judges = stack.enter_context(Judges(terms, workers))
@@ -145,7 +152,7 @@ def conform_command(
         judge_cases(
             run,
             judges,
-            cases,
+            require_distinct(chosen),
             journal=kept or None,
             tell=lambda: show(run.summary.total(), write_counts(run.summary)),
             made_smaller=smaller,
@@ -158,11 +165,7 @@ def conform_command(
 @contextmanager
 def _end_as_interrupted() -> Iterator[None]:
     """Let a polite request to end do what Ctrl-C does."""
-
-    def interrupt(number: int, frame: object) -> NoReturn:
-        raise KeyboardInterrupt
-
-    old = signal.signal(signal.SIGTERM, interrupt)
+    old = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         yield
     finally:

@@ -202,6 +202,4 @@ def trace_rings(boundary: RingBoundary) -> list[Loop]:
                 places[p] = len(path)
                 path.append(p)
             a, p = p, after
-        if len(path) > 1:
-            rings.append(tuple(path))
     return [ring if find_doubled_area(ring) > 0 else ring[::-1] for ring in rings]

@@ -17,7 +17,7 @@ from fractions import Fraction
 from itertools import chain, pairwise
 from typing import NamedTuple
 
-from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import Point, PointRings
 
@@ -99,10 +99,7 @@ def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fract
     if not all(is_near(p, q, rounding) for p, q in corners):  # pragma: no mutate: costs only time
         return False
     if not rounding:
-        try:
-            return Polygon(exact) == Polygon(theirs)
-        except PolygonError:
-            return False
+        return Polygon(exact) == Polygon(theirs)
     turn = find_doubled_area(theirs)
     return (turn >= 0 and walk_together(exact, theirs, rounding)) or (
         turn <= 0 and walk_together(exact, theirs[::-1], rounding)

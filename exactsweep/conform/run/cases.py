@@ -3,85 +3,75 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
-from typing import BinaryIO, Self
+from typing import Any, BinaryIO
 
 from exactsweep.conform.run.protocol import read_object
-from exactsweep.corpus import Case, case_from_json, cases
+from exactsweep.corpus import Case, case_from_json
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.files import open_bytes, split_lines
 from exactsweep.formats.size import require_size
 from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
+
+_FILTERS = {"id": "prefix", "flag": "flags", "class": "kind", "size": "max_size"}
 
 
 class SelectionError(ExactSweepError):
     """A filter that does not exist, or cases with equal ids."""
 
 
-@dataclass(frozen=True)
-class Selection:
-    """Conditions that a case must meet; the default is any case.
+def read_filters(filters: Iterable[str]) -> dict[str, Any]:
+    """Read filters: id=PREFIX, flag=FLAG, class=CC, size=MOST; flags may be several.
 
-    Attributes:
-        prefix: how its id starts.
-        flags: flags that it must all have.
-        kind: its class, or None.
-        max_size: the most vertices of D and G together, or None.
+    Returns:
+        The arguments of `cases` and of `select`.
+
+    Raises:
+        SelectionError: anything else.
+
+    Example:
+        >>> read_filters(["flag=exact-fit", "size=20"])
+        {'flags': ['exact-fit'], 'max_size': 20}
     """
-
-    prefix: str = ""
-    flags: tuple[str, ...] = ()
-    kind: str | None = None
-    max_size: int | None = None
-
-    @classmethod
-    def of(cls, filters: Iterable[str]) -> Self:
-        """Read filters: id=PREFIX, flag=FLAG, class=CC, size=MOST; flags may be several.
-
-        Raises:
-            SelectionError: anything else.
-
-        Example:
-            >>> Selection.of(["flag=exact-fit", "size=20"])
-            Selection(prefix='', flags=('exact-fit',), kind=None, max_size=20)
-        """
-        found: dict[str, list[str]] = {"id": [], "flag": [], "class": [], "size": []}
-        for text in filters:
-            name, equals, value = text.partition("=")
-            if name not in found or not equals:
-                raise SelectionError(
-                    f"{quote(text)} is not id=..., flag=..., class=... or size=..."
-                )
-            found[name].append(value)
-        for name in ("id", "class", "size"):
-            if len(found[name]) > 1:
-                raise SelectionError(f"more than one filter {name}=...")
+    found: dict[str, Any] = {}
+    for text in filters:
+        name, equals, value = text.partition("=")
+        if name not in _FILTERS or not equals:
+            raise SelectionError(f"{quote(text)} is not id=..., flag=..., class=... or size=...")
+        argument = _FILTERS[name]
+        if name == "flag":
+            found.setdefault(argument, []).append(value)
+        elif argument in found:
+            raise SelectionError(f"more than one filter {name}=...")
+        else:
+            found[argument] = value
+    if "max_size" in found:
         try:
-            sizes = [int(size) for size in found["size"]]
+            found["max_size"] = int(found["max_size"])
         except ValueError:
-            raise SelectionError(f"{quote(found['size'][0])} is not a number of vertices") from None
-        kind, most = next(iter(found["class"]), None), next(iter(sizes), None)
-        return cls("".join(found["id"]), tuple(found["flag"]), kind, most)
+            raise SelectionError(
+                f"{quote(found['max_size'])} is not a number of vertices"
+            ) from None
+    return found
 
-    def shipped(self) -> Iterator[Case]:
-        """Yield the cases of the corpus that fit.
 
-        Raises:
-            UnknownNameError: there is no such flag or class.
-        """
-        return cases(prefix=self.prefix, flags=self.flags, kind=self.kind, max_size=self.max_size)
-
-    def among(self, cases: Iterable[Case]) -> Iterator[Case]:
-        """Yield those of some cases that fit."""
-        wanted = set(self.flags)
-        for case in cases:
-            if (
-                case.id.startswith(self.prefix)
-                and wanted <= set(case.flags)
-                and self.kind in (None, case.kind)
-                and (self.max_size is None or case.size <= self.max_size)
-            ):
-                yield case
+def select(
+    cases: Iterable[Case],
+    *,
+    prefix: str = "",
+    flags: Iterable[str] = (),
+    kind: str | None = None,
+    max_size: int | None = None,
+) -> Iterator[Case]:
+    """Yield those of some cases that `cases` of the corpus would yield for these arguments."""
+    wanted = set(flags)
+    for case in cases:
+        if (
+            case.id.startswith(prefix)
+            and wanted <= set(case.flags)
+            and kind in (None, case.kind)
+            and (max_size is None or case.size <= max_size)
+        ):
+            yield case
 
 
 def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:

@@ -6,7 +6,7 @@ import hashlib
 import json
 import signal
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
@@ -22,8 +22,6 @@ from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import ExactSweepError, NumberError, quote
 from exactsweep.numbers.number import to_fraction
-
-Judge = Callable[[Peer, Case], "Outcome"]
 
 TO_COMPARE = 60.0
 """Seconds of the processor that comparing one answer may take: far more than the bounds leave."""
@@ -241,7 +239,7 @@ def stop_after(seconds: float) -> Iterator[None]:
 
 
 def shrink_outcome(
-    peer: Peer, outcome: Outcome, seconds: float, judge: Judge = judge_case
+    peer: Peer, outcome: Outcome, seconds: float, rounding: Fraction | None = None
 ) -> Outcome:
     """Find a smaller case that shows the same fault of an implementation.
 
@@ -249,13 +247,17 @@ def shrink_outcome(
         peer: the implementation.
         outcome: of a case that it failed; with the case.
         seconds: after which no smaller one is looked for.
-        judge: as `judge_case`.
+        rounding: as for `judge_case`.
 
     Returns:
         The Outcome of the smallest case that was found.
     """
+
+    def judge(case: Case) -> Outcome:
+        return judge_case(peer, case, rounding)
+
     case = case_from_json(outcome.case)
-    return judge(peer, shrink(case, lambda case: judge(peer, case).fault, seconds=seconds))
+    return judge(shrink(case, lambda case: judge(case).fault, seconds=seconds))
 
 
 def digest_case(case: Case) -> str:

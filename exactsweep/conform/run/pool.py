@@ -148,7 +148,7 @@ def _judge(case: Case) -> Outcome:
 
 
 def _shrink(outcome: Outcome, seconds: float) -> Outcome:
-    return shrink_outcome(_peer, outcome, seconds, lambda _, case: _judge(case))
+    return shrink_outcome(_peer, outcome, seconds, _peer.terms.rounding)
 
 
 def _finish() -> str | None:

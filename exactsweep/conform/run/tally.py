@@ -13,7 +13,6 @@ from exactsweep.corpus.case import KINDS
 from exactsweep.numbers.number import read_any_length
 
 ALL = "all"
-_MOST_DIAGNOSES = 1000
 
 ACCEPTED = Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
 """The worst verdict that passes, unless the caller says otherwise."""
@@ -78,10 +77,7 @@ class Tally:
         for part in outcome.parts:
             if part["name"] in ("trajectory", "no_fit") and Verdict(part["verdict"]) in _DIFFERENT:
                 self.different += 1
-                for words in part["diagnosis"]:
-                    # Of a reference point that moves, each case has an offset of its own.
-                    if words in self.diagnoses or len(self.diagnoses) < _MOST_DIAGNOSES:
-                        self.diagnoses[words] += 1
+                self.diagnoses.update(part["diagnosis"])
             if part["granted"] and Verdict(part["verdict"]) is Verdict.WITHIN:
                 self.granted = max(self.granted, (read_any_length(part["granted"]), outcome.id))
             if part["distance_squared"] is not None and part["area"] is not None:
