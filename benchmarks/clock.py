@@ -6,6 +6,7 @@ nothing else, whatever other jobs there are.
 
 from __future__ import annotations
 
+import os
 import platform
 import sys
 from collections.abc import Callable
@@ -14,6 +15,8 @@ from pathlib import Path
 from statistics import median
 from time import process_time
 from typing import NamedTuple
+
+from exactsweep.processes import read_peak
 
 REPEATS = 100
 FINEST = 100e-6
@@ -82,12 +85,9 @@ def machine() -> str:
 
 def peak() -> int:
     """Return the most bytes that this process has held in memory."""
-    described = Path("/proc/self/status")
-    if described.exists():
-        # The result of getrusage on Linux includes the parent, up to the start of this program.
-        for line in described.read_text(encoding="utf-8").splitlines():
-            if line.startswith("VmHWM:"):
-                return 1024 * int(line.split()[1])
+    # The result of getrusage on Linux includes the parent, up to the start of this program.
+    if held := read_peak(os.getpid()):
+        return held
     import resource
 
     unit = 1 if sys.platform == "darwin" else 1024

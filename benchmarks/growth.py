@@ -115,12 +115,11 @@ def ask_digits(n: int) -> Question:
 
 
 class Case(NamedTuple):
-    """A question about pairs of growing size, and what it may take at most."""
+    """A question about pairs of growing size."""
 
     what: str
     ask: Callable[[int], Question]
     sizes: tuple[int, ...]
-    bar: str = ""
 
 
 CASES = {
@@ -128,19 +127,16 @@ CASES = {
         "no-fit polygon of strips of n across strips of n",
         ask_strips,
         (50, 100, 200, 400),
-        "2 s and 200 MB at 100",
     ),
     "star": Case(
         "loops of a star of n / 2 around one of n",
         ask_star,
         (50, 100, 200),
-        "2 s and 200 MB at 100",
     ),
     "pentagon": Case(
         "loops of a star of n around a pentagon",
         ask_pentagon,
         (250, 500, 1000),
-        "4.5 times as long for twice the size",
     ),
     "hooks": Case("a square in a comb of n with hooks", ask_hooks, (604, 1204, 2404, 4804)),
     "proof": Case("verify of a star of n around itself", ask_proof, (24, 50, 100)),
@@ -187,15 +183,13 @@ def tabulate(measured: Iterable[Grown]) -> Table:
     table = Table("case", title="seconds and MB, slopes over the three largest sizes")
     for column in ("n", "s", "times", "slope", "MB", "slope"):
         table.add_column(column, justify="right")
-    table.add_column("at most")
     for grown in measured:
         name, last = grown.case.what, 0.0
         for size, spent, held in zip(grown.sizes, grown.seconds, grown.memory, strict=True):
             times = f"{spent / last:.1f}" if last else ""
             is_largest = size == grown.sizes[-1]
             slopes = [f"{slope:.1f}" for slope in grown.slopes] if is_largest else ["", ""]
-            bar = grown.case.bar if is_largest else ""
-            row = (str(size), f"{spent:.3f}", times, slopes[0], f"{held:.0f}", slopes[1], bar)
+            row = (str(size), f"{spent:.3f}", times, slopes[0], f"{held:.0f}", slopes[1])
             table.add_row(name, *row, end_section=is_largest)
             name, last = "", spent
     return table

@@ -37,8 +37,6 @@ RECORDS = ((24, 8), (28, 8), (30, 12), (48, 20), (99, 8), (64, 12), (50, 116), (
 DOUBLINGS = (625, 1250, 2500, 5000, 10_000)
 GROWING = 52
 OPERATIONS = {"CGAL": "intersection", "CGAL meet": "meet"}
-BARS = (", at most 10 asked for", ", at least 5 asked for", "")
-"""Of the judge's time beside shapely, and of its speed beside the operations of CGAL."""
 
 Pairs = set[tuple[int, int]]
 Offsets = list[tuple[int, int]]
@@ -236,7 +234,7 @@ def compile_judge(folder: Path) -> Path | None:
 
 
 def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
-    """The tables, and a line that says whether the bars are met."""
+    """The tables, and lines with the medians of the ratios."""
     with TemporaryDirectory() as folder:
         cgal = cgal or compile_judge(Path(folder))
         found = list(compare_all(cgal, quick=quick))
@@ -257,9 +255,9 @@ def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
         )
     yield beside
     for name in (GAP, TOUCHING):
-        for (a, b), bar in zip(ratios, BARS, strict=False):
+        for a, b in ratios:
             half = median(row.times[a] / row.times[b] for row in found if row.name == name)
-            yield f"{name}: {a} / {b}: median {half:.1f}{bar}"
+            yield f"{name}: {a} / {b}: median {half:.1f}"
     growth = Table(title=f"Tilings by parts of {GROWING} vertices, seconds, and MB at most")
     for name in ("placements", "verdict", "least distance", "memory"):
         growth.add_column(name, justify="right")

@@ -78,7 +78,7 @@ class Started:
         They are the sum of what each of these processes held at most, which they may not have held
         at one time; None where the system does not tell.
         """
-        peaks = [peak for pid in _find_family(self.process.pid) if (peak := _read_peak(pid))]
+        peaks = [peak for pid in _find_family(self.process.pid) if (peak := read_peak(pid))]
         return sum(peaks) or None
 
     def wait(self, seconds: float) -> int | None:
@@ -122,7 +122,8 @@ def _find_family(pid: int) -> list[int]:
     return family
 
 
-def _read_peak(pid: int) -> int | None:
+def read_peak(pid: int) -> int | None:
+    """Return the bytes of memory that a process held at most; None if the system is silent."""
     with suppress(OSError):
         found = re.search(r"^VmHWM:\s*(\d+) kB$", Path(f"/proc/{pid}/status").read_text(), re.M)
         return int(found[1]) * 1024 if found else None

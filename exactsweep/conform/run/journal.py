@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from contextlib import ExitStack, suppress
-from os import SEEK_END
 from pathlib import Path
 from typing import Any, Self
 
@@ -13,6 +12,7 @@ from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import show_path
+from exactsweep.formats.files import name_failures
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.limits import get_max_bytes
@@ -45,7 +45,7 @@ class Journal:
     """
 
     def __init__(self, path: Path, terms: Terms, hello: Hello, *, resume: bool = False) -> None:
-        self._name = show_path(str(path))
+        self._path, self._name = str(path), show_path(str(path))
         # Where the outcomes of before are, by the digest of their case.
         self._places: dict[str, tuple[int, int]] = {}
         head = {
@@ -57,18 +57,14 @@ class Journal:
             "rounding": terms.rounding and format_fraction(terms.rounding),
             "memory": terms.most,
         }
-        try:
-            self._file = path.open("r+b" if resume and path.exists() else "x+b")
-            with ExitStack() as refused:
-                refused.push(self)
-                self._begin(head)
-                refused.pop_all()
-        except FileExistsError:
+        if path.exists() and not resume:
             raise JournalError(
                 f"{self._name} is there already; go on with it by --resume, or remove it"
-            ) from None
-        except OSError as error:
-            raise JournalError(f"{self._name}: {error.strerror or error}") from None
+            )
+        with name_failures(self._path, JournalError), ExitStack() as refused:
+            self._file = refused.enter_context(path.open("a+b"))  # it writes at the end
+            self._begin(head)
+            refused.pop_all()
 
     def add(self, outcome: Outcome) -> None:
         """Write an outcome.
@@ -85,9 +81,7 @@ class Journal:
             return None
         start, length = place
         self._file.seek(start)
-        line = self._file.read(length)
-        self._file.seek(0, SEEK_END)
-        return outcome_from_json(json.loads(line))
+        return outcome_from_json(json.loads(self._file.read(length)))
 
     def __enter__(self) -> Self:
         return self
@@ -101,9 +95,9 @@ class Journal:
         """Write the head, or go on after the last whole line."""
         if not lock(self._file):
             raise JournalError(f"{self._name}: another run is writing it")
+        self._file.seek(0)
         whole = self._read(head)
         self._file.truncate(whole)
-        self._file.seek(whole)
         if whole == 0:
             self._write(head)
 
@@ -135,11 +129,9 @@ class Journal:
                 raise JournalError(f"{self._name} is the journal of another {what}")
 
     def _write(self, data: Mapping[str, Any]) -> None:
-        try:
+        with name_failures(self._path, JournalError):
             self._file.write(_line(data))
             self._file.flush()
-        except OSError as error:
-            raise JournalError(f"{self._name}: {error.strerror or error}") from None
 
 
 def _line(data: Mapping[str, Any]) -> bytes:
