@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.conform.judge.boundary import (
@@ -26,6 +25,7 @@ from exactsweep.conform.judge.region import (
     Trapezoid,
     add_areas,
     find_differences,
+    find_overlap,
 )
 from exactsweep.conform.judge.rounding import grant_rounding, limit_claim, name_arithmetic
 from exactsweep.conform.judge.verdict import (
@@ -52,8 +52,6 @@ from exactsweep.conform.judge.witness import (
 )
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.near import find_near
-from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import Fit, Loop
@@ -232,37 +230,17 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:
     """Say what is wrong with some rings by themselves, or return None."""
-    found = []
     for k, ring in enumerate(rings):
         try:
-            found.append(Polygon(ring))
+            Polygon(ring)
         except PolygonError as error:
             return f"{place if len(rings) == 1 else f'{place}[{k}]'}: {error}"
-    shapes = [_RingOverlap(polygon) for polygon in found]
-    boxes = [(left, right, low, high) for left, low, right, high in (p.bounds for p in found)]
-    for j, k in sorted(find_near(boxes), key=itemgetter(1, 0)):
-        if shapes[j].crosses(shapes[k]):
-            return f"{place}: rings {j} and {k} overlap"
-    return None
-
-
-class _RingOverlap:
-    """A ring, and what is inside and outside of it, to be looked up."""
-
-    def __init__(self, polygon: Polygon) -> None:
-        ring = polygon.vertices
-        self.inside = EdgeIndex([ring])
-        self.outside = EdgeIndex([ring[::-1]], unbounded=True)
-
-    def crosses(self, other: _RingOverlap) -> bool:
-        """Decide whether the two overlap and are the same, or neither is inside the other."""
-        return _overlap(self.inside, other.inside) and _overlap(
-            self.outside, other.inside
-        ) == _overlap(other.outside, self.inside)
-
-
-def _overlap(one: EdgeIndex, other: EdgeIndex) -> bool:
-    return relate(one, other, 0, 0)[0] is Relation.OVERLAP
+    try:
+        overlap = find_overlap(rings) if len(rings) > 1 else None
+    except RegionError:
+        # They are compared with the exact ones all the same.
+        return None
+    return f"{place}: rings {overlap[0]} and {overlap[1]} overlap" if overlap else None
 
 
 def _match_rounded(
