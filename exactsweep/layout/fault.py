@@ -47,6 +47,7 @@ class Fault:
         bound: the greatest error of the placed parts because of angles that have no rational turn;
             0 if all turns are exact. The proof of a fault holds for the true turns; `move` may be
             off by the bound.
+        wall: the obstacle of a fault with one placement: 0 for the outside, k for defect k - 1.
     """
 
     kind: FaultKind
@@ -59,12 +60,7 @@ class Fault:
     _nearest: tuple[Point, ...] = field(default=(), repr=False)
     _board: Board | None = field(default=None, repr=False, compare=False)
     _bits: int = field(default=0, repr=False, compare=False)
-    _wall: int = field(default=0, repr=False, compare=False)
-
-    @property
-    def wall(self) -> int:
-        """The obstacle of a fault with one placement: 0 for the outside, k for defect k - 1."""
-        return self._wall
+    wall: int = field(default=0, repr=False, compare=False)
 
     @cached_property
     def points(self) -> tuple[Point, ...]:
@@ -91,7 +87,7 @@ class Fault:
         first = board.solid(self.placements[0], bits)
         if len(self.placements) > 1:
             return share_scale(first, board.solid(self.placements[1], bits))
-        return share_scale(first, board.around[self._wall])
+        return share_scale(first, board.around[self.wall])
 
     @cached_property
     def move(self) -> Point | None:
