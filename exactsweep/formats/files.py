@@ -36,7 +36,9 @@ def read_text(path: str) -> str:
         # `open` would interpret a number as an open file.
         raise FormatError(f"{quote(path)} is not a path")
     try:
-        data = _read_bytes(path)
+        with _open(path) as file:
+            # One byte too many is enough to know, even of a device without end.
+            data = file.read(get_max_bytes() + 1)
     except OSError as error:
         raise FormatError(error.strerror or str(error)) from None
     require_size(len(data))
@@ -76,12 +78,6 @@ def show_path(path: str) -> str:
     if len(path) > _MOST_SHOWN:
         path = f"{path[: _MOST_SHOWN // 2]}...{path[-_MOST_SHOWN // 2 :]}"
     return path if path and path.isprintable() else ascii(path)
-
-
-def _read_bytes(path: str) -> bytes:
-    # One byte too many is enough to know, even of a device without end.
-    with _open(path) as file:
-        return file.read(get_max_bytes() + 1)
 
 
 @contextmanager

@@ -47,6 +47,7 @@ class Fault:
         bound: the greatest error of the placed parts because of angles that have no rational turn;
             0 if all turns are exact. The proof of a fault holds for the true turns; `move` may be
             off by the bound.
+        wall: the obstacle of a fault with one placement: 0 for the outside, k for defect k - 1.
     """
 
     kind: FaultKind
@@ -59,12 +60,7 @@ class Fault:
     _nearest: tuple[Point, ...] = field(default=(), repr=False)
     _board: Board | None = field(default=None, repr=False, compare=False)
     _bits: int = field(default=0, repr=False, compare=False)
-    _wall: int = field(default=0, repr=False, compare=False)
-
-    @property
-    def wall(self) -> int:
-        """The obstacle of a fault with one placement: 0 for the outside, k for defect k - 1."""
-        return self._wall
+    wall: int = field(default=0, repr=False, compare=False)
 
     @cached_property
     def points(self) -> tuple[Point, ...]:
@@ -91,7 +87,7 @@ class Fault:
         first = board.solid(self.placements[0], bits)
         if len(self.placements) > 1:
             return share_scale(first, board.solid(self.placements[1], bits))
-        return share_scale(first, board.around[self._wall])
+        return share_scale(first, board.around[self.wall])
 
     @cached_property
     def move(self) -> Point | None:
@@ -147,22 +143,17 @@ class Fault:
 
     def __str__(self) -> str:
         named = " and ".join(map(str, self.placements))
-        if self.kind == "overlap":
-            return f"placements {named} overlap at {write_pair(self.points[0])}"
-        if self.kind == "outside":
-            return f"placement {named} is outside at {write_pair(self.points[0])}"
-        if self.kind == "too close":
-            assert self.distance_squared is not None
-            near = "placements" if len(self.placements) > 1 else "the container and placement"
-            return (
-                f"{near} {named} are too close: squared distance {abridge(self.distance_squared)}"
-            )
-        if self.kind == "missing":
-            return f"{count(self.number, 'placement')} of part {self.part} missing"
-        if self.kind == "surplus":
-            return f"{count(self.number, 'placement')} of part {self.part} too many"
-        if self.kind == "shape":
-            return f"part {self.part} is not simple: {self.reason}"
-        if self.kind == "undecided":
-            return f"placements {named}: {self.reason}"
-        return f"placement {named}: {self.reason}"
+        at = write_pair(self.points[0]) if self.points else ""
+        square = "" if self.distance_squared is None else abridge(self.distance_squared)
+        near = "placements" if len(self.placements) > 1 else "the container and placement"
+        placements = count(self.number, "placement")
+        texts: dict[FaultKind, str] = {
+            "overlap": f"placements {named} overlap at {at}",
+            "outside": f"placement {named} is outside at {at}",
+            "too close": f"{near} {named} are too close: squared distance {square}",
+            "missing": f"{placements} of part {self.part} missing",
+            "surplus": f"{placements} of part {self.part} too many",
+            "shape": f"part {self.part} is not simple: {self.reason}",
+            "undecided": f"placements {named}: {self.reason}",
+        }
+        return texts.get(self.kind, f"placement {named}: {self.reason}")

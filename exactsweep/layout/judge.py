@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, get_args
 
 from exactsweep.geometry.overlap import Relation
@@ -161,26 +161,20 @@ def _judge_container(board: Board) -> Iterator[Fault]:
 def _name_faults(
     board: Board, placements: tuple[int, ...], found: PairVerdict, kind: FaultKind, wall: int = 0
 ) -> Iterator[Fault]:
-    bound = found.slack
+    fault = partial(
+        Fault, placements=placements, bound=found.slack, _board=board, _bits=found.bits, wall=wall
+    )
     if found.meeting is None or found.too_close is None:
         what = "overlap" if found.meeting is None else "distance"
-        reason = f"the {what} is undecided within {abridge(bound)}"
-        yield Fault("undecided", placements, reason=reason, bound=bound)
+        yield fault(
+            kind="undecided", reason=f"the {what} is undecided within {abridge(found.slack)}"
+        )
     elif found.meeting is Relation.OVERLAP:
-        yield Fault(kind, placements, bound=bound, _board=board, _bits=found.bits, _wall=wall)
+        yield fault(kind=kind)
     elif found.too_close:
         assert found.gap is not None
         square, points = found.gap
-        yield Fault(
-            "too close",
-            placements,
-            distance_squared=square,
-            bound=bound,
-            _nearest=points,
-            _board=board,
-            _bits=found.bits,
-            _wall=wall,
-        )
+        yield fault(kind="too close", distance_squared=square, _nearest=points)
 
 
 def _judge_rules(layout: Layout) -> Iterator[Fault]:

@@ -75,24 +75,23 @@ def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
 
 
 def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
-    meeting, slack = meet(a, b), a.slack + b.slack
+    slack, gap = a.slack + b.slack, None
+    meeting: Relation | None = meet(a, b)
+    too_close: bool | None = False
     if meeting is Relation.OVERLAP:
-        proved = not slack or find_witness(a, b) is not None
-        return PairVerdict(
-            meeting if proved else None, None, False if proved else None, bits, slack
-        )
-    if not slack:
+        if slack and find_witness(a, b) is None:
+            meeting = too_close = None
+    elif not slack:
         gap = find_gap(a, b, spacing * spacing) if spacing else None
-        return PairVerdict(meeting, gap, gap is not None, bits, slack)
-    gap = find_gap(a, b, (spacing + slack) ** 2)
-    if gap is None:
-        return PairVerdict(Relation.APART, None, False, bits, slack)
-    if gap.value <= slack * slack:
-        return PairVerdict(None, None, None, bits, slack)
-    is_closer = spacing > slack and gap.value < (spacing - slack) ** 2
-    return PairVerdict(
-        Relation.APART, gap, True if is_closer else None if spacing else False, bits, slack
-    )
+        too_close = gap is not None
+    else:
+        meeting, gap = Relation.APART, find_gap(a, b, (spacing + slack) ** 2)
+        if gap is not None and gap.value <= slack * slack:
+            meeting = too_close = gap = None
+        elif gap is not None and spacing:
+            is_closer = spacing > slack and gap.value < (spacing - slack) ** 2
+            too_close = True if is_closer else None
+    return PairVerdict(meeting, gap, too_close, bits, slack)
 
 
 def find_witness(a: Solid, b: Solid) -> CommonPoint | None:

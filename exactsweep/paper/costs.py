@@ -17,7 +17,7 @@ from typing import Any
 from exactsweep.corpus.generator import growing
 from exactsweep.paper import literal
 from exactsweep.paper.claim import Effort, Evidence, Table, find_first_failure
-from exactsweep.paper.counting import PairFamily, grow_pairs
+from exactsweep.paper.counting import PairFamily, count_by, grow
 from exactsweep.paper.functions import keep_corners
 from exactsweep.paper.growth import (
     LIMITS,
@@ -93,7 +93,8 @@ class Cost:
 
     def grow(self, unit: str, sizes: Iterable[tuple[int, int]], limit: float = 1.08) -> Growth:
         """Count or measure the procedure over some sizes."""
-        return grow_pairs(unit, self.procedure, self.run, self.family, self.bound, sizes, limit)
+        what, count = f"{unit} of {self.procedure}", count_by(unit, self.run)
+        return grow(what, self.family, self.bound, sizes, count, limit)
 
     def compare(self) -> str:
         """Say where the output at the three least sizes is not that of Sweep_MM to the letter.

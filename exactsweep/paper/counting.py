@@ -11,7 +11,6 @@ import tracemalloc
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import partial
 from time import process_time
 from typing import Any, Protocol
 
@@ -60,44 +59,29 @@ class Counted(int):
         return Counted(1)
 
 
-def _free(name: str) -> Callable[..., Any]:
-    plain = getattr(int, name)
-    return lambda operand: Counted(plain(operand))
-
-
-def _arithmetic(kind: str, name: str) -> Callable[..., Any]:
+def _count_as(kind: str, make: Callable[[Any], Any], name: str) -> Callable[..., Any]:
+    """Make a method of Counted of that of int: what it counts as, and what it makes of results."""
     plain = getattr(int, name)
 
     def method(*operands: int) -> Any:
         result = plain(*operands)
         if result is NotImplemented:
             return result
-        setattr(_tally, kind, getattr(_tally, kind) + 1)
-        return Counted(result)
+        if kind:
+            setattr(_tally, kind, getattr(_tally, kind) + 1)
+        return make(result)
 
     return method
 
 
-def _comparison(name: str) -> Callable[..., Any]:
-    plain = getattr(int, name)
-
-    def method(*operands: int) -> Any:
-        result = plain(*operands)
-        if result is not NotImplemented:
-            _tally.comparisons += 1
-        return result
-
-    return method
-
-
-for _make, _names in (
-    (_free, "neg pos abs"),
-    (partial(_arithmetic, "additions"), "add radd sub rsub"),
-    (partial(_arithmetic, "multiplications"), "mul rmul floordiv rfloordiv mod rmod"),
-    (_comparison, "lt le gt ge eq ne bool"),
+for _kind, _make, _names in (
+    ("", Counted, "neg pos abs"),
+    ("additions", Counted, "add radd sub rsub"),
+    ("multiplications", Counted, "mul rmul floordiv rfloordiv mod rmod"),
+    ("comparisons", bool, "lt le gt ge eq ne bool"),
 ):
     for _name in _names.split():
-        setattr(Counted, f"__{_name}__", _make(f"__{_name}__"))
+        setattr(Counted, f"__{_name}__", _count_as(_kind, _make, f"__{_name}__"))
 
 
 def make_counted(chain: Iterable[Vertex]) -> list[tuple[Any, Any]]:
@@ -211,6 +195,11 @@ COUNTERS: dict[str, Callable[[Callable[[Chains], Any], Chains], float]] = {
 """Each quantity that grows, with the function that counts or measures it."""
 
 
+def count_by(unit: str, run: Callable[[Chains], Iterable[Any]]) -> Callable[[SweepPair], float]:
+    """Make a function that counts or measures a procedure on a pair, by a key of COUNTERS."""
+    return lambda pair: COUNTERS[unit](run, pair.chains)
+
+
 def grow(
     what: str,
     family: PairFamily,
@@ -244,30 +233,3 @@ def grow(
 
     name = bound if isinstance(bound, str) else bound[0]
     return Growth(what, family.__name__, name, tuple(measure(m, n) for m, n in sizes), limit)
-
-
-def grow_pairs(
-    unit: str,
-    procedure: str,
-    run: Callable[[Chains], Iterable[Any]],
-    family: PairFamily,
-    bound: Bound,
-    sizes: Iterable[tuple[int, int]],
-    limit: float = 1.08,
-) -> Growth:
-    """Count or measure a procedure on a family of pairs beside a bound in m and n.
-
-    Args:
-        unit: a key of COUNTERS.
-        procedure: its name.
-        run: calls it.
-        family: the pairs.
-        bound: the bound.
-        sizes: pairs (m, n).
-        limit: see `Growth`.
-    """
-
-    def count(pair: SweepPair) -> float:
-        return COUNTERS[unit](run, pair.chains)
-
-    return grow(f"{unit} of {procedure}", family, bound, sizes, count, limit)

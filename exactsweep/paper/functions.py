@@ -50,12 +50,16 @@ def reaches(chain: Sequence[Vertex], x: Fraction) -> bool:
     return chain[0][0] < x < chain[-1][0]
 
 
+def list_gaps(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[tuple[Fraction, Fraction]]:
+    """List where both chains reach, of all x of vertices, and how far the first one is above."""
+    left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
+    xs = sorted({Fraction(x) for x, _ in (*first, *second) if left <= x <= right})
+    return [(x, evaluate(first, x) - evaluate(second, x)) for x in xs]
+
+
 def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Fraction]:
     """Find where two chains are equally high, among the x of vertices and ends."""
-    left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
-    xs = {Fraction(x) for x, _ in (*first, *second) if left <= x <= right}
-    xs |= {Fraction(left), Fraction(right)}
-    return sorted(x for x in xs if left <= right and evaluate(first, x) == evaluate(second, x))
+    return [x for x, gap in list_gaps(first, second) if gap == 0]
 
 
 def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Vertex]:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.claim import Effort
-from exactsweep.paper.pairs import SweepPair, draw_pairs
+from exactsweep.paper.claim import Effort, Evidence
+from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.procedures.chain import split
 
 MANY = 40
@@ -58,7 +57,7 @@ def _smaller(pair: SweepPair) -> Iterator[SweepPair]:
         monotone = is_x_monotone(ring)
         for changed in _smaller_rings(ring):
             try:
-                corners = [(int(x), int(y)) for x, y in Polygon(changed).vertices]
+                corners = list_corners(changed)
             except ValueError:
                 continue
             if corners != ring and is_x_monotone(corners) >= monotone:
@@ -87,45 +86,26 @@ def _smaller_rings(ring: Ring) -> Iterator[Ring]:
     yield [(x, y // 2) for x, y in moved]
 
 
-class Trial:
-    """Laws tried on random pairs of several classes; keeps count, and the first failure.
+def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
+    """Try laws on random pairs of several classes, up to the first failure.
 
-    All trials of a run draw the same pairs, whose loops by the definition are kept.
+    All laws of a run meet the same pairs, whose loops by the definition are kept.
+
+    Args:
+        laws: each with how many pairs of which class, such as "100 CC, 60 MM weak, 4 MM large". Its
+            docstring's first line says what holds.
+        effort: the seed, and how much is tried.
     """
-
-    def __init__(self, effort: Effort) -> None:
-        self.effort = effort
-        self.failure = ""
-        self._tried: dict[str, list[str]] = {}
-        self._counts: list[int] = []
-
-    def of(self, law: Law, pairs: str) -> Trial:
-        """Try a law on pairs; returns the trial itself.
-
-        Args:
-            law: its docstring's first line says what holds.
-            pairs: how many of which class, such as "100 CC, 60 MM weak, 4 MM large".
-        """
-        text = (law.__doc__ or "").split("\n")[0]
-        counts = self._tried.setdefault(text, [])
-        self._counts.append(0)
+    tried: dict[str, list[str]] = {}
+    sampled, failure = [], ""
+    for law, pairs in laws:
+        numbers = []
         for number, kind, *how in map(str.split, pairs.split(",")):
-            count = self.effort.cases(int(number))
-            self._counts[-1] += count
-            drawn = draw_pairs(self.effort, kind, count, *how)
-            if not self.failure:
-                self.failure = break_law(law, drawn)
-            counts.append(f"{count} {kind}{KINDS_OF_PAIRS[''.join(how)]}")
-        return self
-
-    @property
-    def sampled(self) -> int:
-        """On how many pairs each law was tried, at least."""
-        return min(self._counts, default=0)
-
-    @property
-    def tried(self) -> str:
-        """Describe the trials, for the evidence."""
-        return " ".join(
-            f"{text} Pairs: {', '.join(counts)}." for text, counts in self._tried.items()
-        )
+            numbers.append(effort.cases(int(number)))
+            failure = failure or break_law(law, draw_pairs(effort, kind, numbers[-1], *how))
+            text = (law.__doc__ or "").split("\n")[0]
+            drawn = f"{numbers[-1]} {kind}{KINDS_OF_PAIRS[''.join(how)]}"
+            tried.setdefault(text, []).append(drawn)
+        sampled.append(sum(numbers))
+    told = " ".join(f"{text} Pairs: {', '.join(drawn)}." for text, drawn in tried.items())
+    return Evidence(told, failure, sampled=min(sampled, default=0))

@@ -17,7 +17,7 @@ from typing import Any
 
 from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, join_evidence
-from exactsweep.paper.laws import Trial
+from exactsweep.paper.laws import try_laws
 from exactsweep.paper.tiny import search_grid
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
@@ -29,10 +29,8 @@ class UnknownClaimError(ExactSweepError):
 
 def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
     """Try the laws of a row on random pairs, run its check, and measure its claimed costs."""
-    trial = Trial(effort)
-    for law, pairs in row.get("laws", {}).items():
-        trial.of(resolve_name(f"{CHECKS}.{law}"), pairs)
-    found = [Evidence(trial.tried, trial.failure, sampled=trial.sampled)]
+    laws = row.get("laws", {}).items()
+    found = [try_laws(((resolve_name(f"{CHECKS}.{law}"), pairs) for law, pairs in laws), effort)]
     for law, side, most, generatrix, directrix in row.get("search", ()):
         fails = resolve_name(f"{CHECKS}.{law}")
         found.append(search_grid(side, most, generatrix, directrix, fails))

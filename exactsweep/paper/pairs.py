@@ -57,7 +57,7 @@ def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
     generatrix, directrix = (_draw_ring(random, letter, strict=strict) for letter in kind)
     factor = random.choice([1, 1, 2, 7])
     return SweepPair(
-        _corners(generatrix), _corners([(factor * x, factor * y) for x, y in directrix])
+        list_corners(generatrix), list_corners([(factor * x, factor * y) for x, y in directrix])
     )
 
 
@@ -82,12 +82,12 @@ def _draw_any(random: Prng) -> Ring:
         points = range(random.between(4, 9))
         drawn = [(random.between(0, side), random.between(0, side)) for _ in points]
         try:
-            return _corners(untangle(drawn))
+            return list_corners(untangle(drawn))
         except PolygonError:
             continue
 
 
-def _corners(ring: Ring) -> Ring:
+def list_corners(ring: Ring) -> Ring:
     """The canonical ring, without collinear vertices."""
     return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
 
@@ -140,8 +140,8 @@ def draw_resting(random: Prng) -> SweepPair:
     lid = [(end, 2), (end // 2, 3)]
     wide = random.choice([4, 9])
     pair = [(1, 0), (wide, 0), (wide + 1, 1), (0, 1)], [*bottom, *lid]
-    return SweepPair(*(_corners([(x, y + slope * x) for x, y in ring]) for ring in pair))
+    return SweepPair(*(list_corners([(x, y + slope * x) for x, y in ring]) for ring in pair))
 
 
 def _move_far(ring: Ring) -> Ring:
-    return _corners([(FAR * x + 7**33, FAR * y - 5**41) for x, y in ring])
+    return list_corners([(FAR * x + 7**33, FAR * y - 5**41) for x, y in ring])

@@ -62,11 +62,10 @@ def tell(s: Sweep) -> Iterator[str]:
 
 
 class _FeatureNames:
-    """The names of the features of a polygon, by index."""
+    """The names of the features of a polygon, of vertices "V" and of edges "E", by index."""
 
     def __init__(self, shape: AnyPolygon, letter: str) -> None:
-        self.vertices: dict[int, str] = {}
-        self.edges: dict[int, str] = {}
+        self.names: dict[str, dict[int, str]] = {"V": {}, "E": {}}
         self.corners, ends = number_features(shape)
         self.ends = {j: set(numbers) for j, numbers in ends.items()}
         self.reflex: set[int] = set()
@@ -74,8 +73,9 @@ class _FeatureNames:
         for before, k, after in walk_rings(shape):
             i, j = shape.vertex_index(k), shape.edge_index(k)
             (px, py), (x, y), (qx, qy) = corners[before], corners[k], corners[after]
-            self.vertices[i] = f"vertex {i} of {letter}, {write_pair((x, y))}"
-            self.edges[j] = f"edge {j} of {letter}, {write_pair((x, y))}-{write_pair((qx, qy))}"
+            start, end = write_pair((x, y)), write_pair((qx, qy))
+            self.names["V"][i] = f"vertex {i} of {letter}, {start}"
+            self.names["E"][j] = f"edge {j} of {letter}, {start}-{end}"
             # The inside of a hole is outside the shape.
             if ((x - px) * (qy - y) < (y - py) * (qx - x)) == (k < len(shape.rings[0])):
                 self.reflex.add(i)
@@ -156,21 +156,24 @@ class _Teller:
             yield ""
             if start == end:
                 yield f"-- Exact fit {k}: G fits at {write_pair(start)} and cannot move --"
-                for event, i, j in self._choose_telling(s.contacts_at(start)):
-                    g = self.g.edges[i] if event[0] == "E" else self.g.vertices[i]
-                    d = self.d.edges[j] if event[1] == "E" else self.d.vertices[j]
-                    yield f"  {event}: {g}, is on {d}"
+                for contact in self._choose_telling(s.contacts_at(start)):
+                    g, d = self._name(contact)
+                    yield f"  {contact.event}: {g}, is on {d}"
             else:
                 way = name_heading((end.x - start.x, end.y - start.y))
                 there = f"from {write_pair(start)} to {write_pair(end)}"
                 yield f"-- Exact fit {k}: G could go {way}, {there} --"
                 yield from (f"  {self._slide(contact)}" for contact in next(ways)[0])
 
-    def _slide(self, contact: Contact) -> str:
+    def _name(self, contact: Contact) -> tuple[str, str]:
+        """Name the feature of G and that of D."""
         event, i, j = contact
-        mover = self.g.vertices[i] if event == "VE" else self.g.edges[i]
-        below = f"over {self.d.vertices[j]}" if event == "EV" else f"along {self.d.edges[j]}"
-        return f"{event}: {mover}, slides {below}"
+        return self.g.names[event[0]][i], self.d.names[event[1]][j]
+
+    def _slide(self, contact: Contact) -> str:
+        mover, below = self._name(contact)
+        how = "over" if contact.event == "EV" else "along"
+        return f"{contact.event}: {mover}, slides {how} {below}"
 
     def _touch(self, touch: Touch, step: Step) -> str:
         text = self._slide(touch.contact)
@@ -182,9 +185,7 @@ class _Teller:
 
     def _ending(self, step: Step) -> str:
         if step.ending == "corner":
-            meetings = (
-                f"{self.g.vertices[i]}, is on {self.d.vertices[j]}" for _, i, j in step.reasons
-            )
+            meetings = (", is on ".join(self._name(contact)) for contact in step.reasons)
             return f"Corner: {', and '.join(meetings)}"
         if step.ending == "stop":
             stops = (
@@ -195,20 +196,17 @@ class _Teller:
 
     def _stop(self, contact: Contact, position: Point) -> str:
         event, i, j = contact
-        g, d = self.g, self.d
+        g, d = self._name(contact)
         if event == "EE":
-            return f"{g.edges[i]}, closes flat on {d.edges[j]}"
-        if event == "EV":
-            return f"{g.edges[i]}, runs into {d.vertices[j]}"
+            return f"{g}, closes flat on {d}"
         if event == "VE":
-            (x, y), (tx, ty), (rx, ry) = g.corners[i], position, self.sweep.reference
-            at = write_pair((x + tx - rx, y + ty - ry))
-            return f"{g.vertices[i]}, runs into {d.edges[j]}, at {at}"
-        if i in g.reflex:
-            return f"{d.vertices[j]}, comes into the reflex corner at {g.vertices[i]}"
-        if j in d.reflex:
-            return f"{g.vertices[i]}, comes into the reflex corner at {d.vertices[j]}"
-        return f"{g.vertices[i]}, runs into {d.vertices[j]}"
+            (x, y), (tx, ty), (rx, ry) = self.g.corners[i], position, self.sweep.reference
+            return f"{g}, runs into {d}, at {write_pair((x + tx - rx, y + ty - ry))}"
+        if event == "VV" and i in self.g.reflex:
+            return f"{d}, comes into the reflex corner at {g}"
+        if event == "VV" and j in self.d.reflex:
+            return f"{g}, comes into the reflex corner at {d}"
+        return f"{g}, runs into {d}"
 
     def _choose_telling(self, contacts: Iterable[Contact]) -> list[Contact]:
         """Drop the contacts at the ends of two edges that touch."""

@@ -138,6 +138,14 @@ def test_long_files_that_are_no_text_are_refused_in_linear_time(tmp_path: Path) 
     require_linear(read)
 
 
+def test_uses_in_deep_groups_are_refused() -> None:
+    groups = (
+        f'<g id="g{k}">{"<g>" * 90}<use href="#g{k + 1}"/>{"</g>" * 90}</g>' for k in range(30)
+    )
+    with pytest.raises(FormatError, match="nested too deeply"):
+        parse_polygons(f'<svg><defs>{"".join(groups)}</defs><use href="#g0"/></svg>')
+
+
 def test_nested_transformations_do_not_grow_without_end() -> None:
     group = f'<g transform="scale({"7" * 4000})">'
     text = f"<svg>{group * 90}<rect width='1' height='1'/>{'</g>' * 90}</svg>"

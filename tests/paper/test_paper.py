@@ -27,7 +27,7 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.data import write_data
 from exactsweep.paper.growth import Growth, Size, double
-from exactsweep.paper.laws import Trial, break_law, shrink
+from exactsweep.paper.laws import break_law, shrink, try_laws
 from exactsweep.paper.ledger import CHECKS, CLAIMS, find, read_rows
 from exactsweep.paper.pairs import SweepPair, draw_pair, draw_pairs
 from exactsweep.paper.tiny import list_polygons, search_grid
@@ -213,9 +213,10 @@ def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
         """It always fails."""
         return "of course"
 
-    trial = Trial(Effort(quick=True)).of(law, "20 CC, 20 CM weak")
-    assert trial.failure.startswith("of course; G = ")
-    assert trial.tried == "It always fails. Pairs: 2 CC, 2 CM with vertical edges."
+    found = try_laws([(law, "20 CC, 20 CM weak")], Effort(quick=True))
+    assert found.failure.startswith("of course; G = ")
+    assert found.sampled == 4
+    assert found.tried == "It always fails. Pairs: 2 CC, 2 CM with vertical edges."
 
 
 def series(power: float, what: str = "vertices", limit: float = 1.08) -> Growth:

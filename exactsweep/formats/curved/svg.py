@@ -74,7 +74,10 @@ def read_svg(root: Element, reading: Reading) -> list[Candidate]:
     placed = PlacedElement(root, None, reading, style=style)
     # That there is no unit concerns all of the file.
     _ = placed.unit if reading.unit is None else placed.matrix
-    return gather(allow_faults(_draw(document.shapes(placed, 0), reading)), reading)
+    try:
+        return gather(allow_faults(_draw(document.shapes(placed, 0), reading)), reading)
+    except RecursionError:
+        raise FormatError("nested too deeply") from None
 
 
 def _draw(shapes: Iterator[PlacedElement], reading: Reading) -> Iterator[Candidate | OpenLine]:

@@ -46,20 +46,14 @@ def write_layout_page(
     )
     template = files("exactsweep.layout.report").joinpath("page.html.j2").read_text("utf-8")
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
-    nearest = judgement.distance
+    environment.filters |= {"about": approximate, "exactly": abridge, "root": take_root}
     return environment.from_string(template).render(
         side=SIDE,
         title=title,
         version=__version__,
         style=Markup(write_style()),
         verdict=write_verdict(judgement),
-        valid=judgement.valid,
-        layout=judgement.layout,
-        density=approximate(judgement.density),
-        exact_density=abridge(judgement.density),
-        contacts=len(judgement.contacts),
-        nearest=nearest,
-        apart=None if nearest is None else approximate(take_root(nearest.square)),
+        judgement=judgement,
         width=width,
         height=height,
         main=Markup(main),

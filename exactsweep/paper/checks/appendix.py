@@ -28,6 +28,7 @@ from exactsweep.paper.functions import (
     evaluate,
     find_common_points,
     list_edges,
+    list_gaps,
     list_sub_chains,
     look_up_bottom,
     reaches,
@@ -148,10 +149,7 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
 
     Returns also whether they meet at all.
     """
-    xs = {Fraction(x) for x, _ in (*first, *second)}
-    left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
-    cuts = sorted(x for x in xs | {Fraction(left), Fraction(right)} if left <= x <= right)
-    gaps = [(x, evaluate(first, x) - evaluate(second, x)) for x in cuts]
+    gaps = list_gaps(first, second)
     zeros = [x for x, gap in gaps if gap == 0]
     zeros += [
         x + (y - x) * gap / (gap - other)

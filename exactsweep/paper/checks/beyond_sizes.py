@@ -11,10 +11,10 @@ from exactsweep.paper import literal
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
 from exactsweep.paper.costs import STEPS
 from exactsweep.paper.counting import (
+    count_by,
     count_chains,
     count_operations,
     grow,
-    grow_pairs,
     make_counted,
 )
 from exactsweep.paper.functions import no_fit_is_the_definition, tell_difference
@@ -96,7 +96,8 @@ def count_convolution(effort: Effort) -> Evidence:
     summed = grow(
         "operations of the sum of T and G by convex parts", cm_hard, MN, sizes, sum_by_parts, STEPS
     )
-    swept = grow_pairs("operations", "SweepO_CM", sweep_by_parts, cm_hard, MN, sizes, STEPS)
+    by_parts = count_by("operations", sweep_by_parts)
+    swept = grow("operations of SweepO_CM", cm_hard, MN, sizes, by_parts, STEPS)
     chains = SweepPair(*cm_hard(32, 32)).chains
     found = weigh(
         "Counts; both to the letter.",

@@ -31,7 +31,7 @@ from exactsweep.paper.functions import (
     tell_boundaries,
     tell_loops,
 )
-from exactsweep.paper.pairs import SweepPair, draw_pairs
+from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.paper.tiny import expect_none, search, search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.monotone import LowerSweep
@@ -201,10 +201,9 @@ def _apexes_and_teeth() -> Iterator[SweepPair]:
     generatrix = [(0, 0), (8, 0), (4, 2)]
     for heights in product(range(3), repeat=5):
         try:
-            ring = Polygon([*enumerate(heights), (2, 9)]).vertices
+            corners = list_corners([*enumerate(heights), (2, 9)])
         except PolygonError:
             continue
-        corners = [(int(x), int(y)) for x, y in ring]
         if len(corners) == 6:
             yield SweepPair(generatrix, corners)
 

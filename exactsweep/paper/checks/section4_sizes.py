@@ -14,7 +14,7 @@ from exactsweep.paper.claim import (
     weigh,
 )
 from exactsweep.paper.costs import RUNS
-from exactsweep.paper.counting import PairFamily, grow_pairs
+from exactsweep.paper.counting import PairFamily, count_by, grow
 from exactsweep.paper.functions import (
     keep_corners,
     list_sub_chains,
@@ -63,7 +63,10 @@ def count_inner_vertices(effort: Effort) -> Evidence:
 
 def _weigh_sizes(effort: Effort, family: PairFamily, *runs: tuple[str, str]) -> Evidence:
     sizes = effort.sizes(32, 3)
-    grown = (grow_pairs("vertices", name, RUNS[run], family, MN, sizes) for name, run in runs)
+    grown = (
+        grow(f"vertices of {name}", family, MN, sizes, count_by("vertices", RUNS[run]))
+        for name, run in runs
+    )
     return weigh("", *grown, attained=True)
 
 

@@ -32,7 +32,7 @@ from exactsweep.paper.claim import (
     weigh,
 )
 from exactsweep.paper.costs import OUTER, RUNS
-from exactsweep.paper.counting import grow_pairs
+from exactsweep.paper.counting import count_by, grow
 from exactsweep.paper.functions import keep_corners, look_up_bottom, tell_difference
 from exactsweep.paper.growth import MN, MN2
 from exactsweep.paper.pairs import SweepPair
@@ -98,8 +98,9 @@ def fill_windows(effort: Effort) -> Evidence:
     )
     rates = [float(row[3]) for _, row in results]
     rising = "" if rates == sorted(rates) else "the pieces for each segment do not rise"
+    count = count_by("vertices", RUNS["Trajectory_MM"])
     growth = tuple(
-        grow_pairs("vertices", "trajectory", RUNS["Trajectory_MM"], family, MN, effort.sizes())
+        grow("vertices of trajectory", family, MN, effort.sizes(), count)
         for family in (mm, figure10)
     )
     failure = find_first_failure(text for text, _ in results) or rising
@@ -160,7 +161,8 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
         m_b, n_t, n_b = sizes
         counts = printed_count(*sizes), m_b * n_t * n_b, outer_edges(pair)
         rows.append([str(sizes), *map(str, counts)])
-    growth = grow_pairs("vertices", "outer boundary", OUTER, figure10, MN2, effort.sizes())
+    count = count_by("vertices", OUTER)
+    growth = grow("vertices of outer boundary", figure10, MN2, effort.sizes(), count)
     fallen = "" if growth.is_attained else "the outer boundary falls behind mn²"
     failure, against, beyond = beyond_mn2()
     records = Table(

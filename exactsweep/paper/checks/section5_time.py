@@ -21,10 +21,10 @@ from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_
 from exactsweep.paper.costs import INNER, STEPS
 from exactsweep.paper.counting import (
     PairFamily,
+    count_by,
     count_chains,
     count_operations,
     grow,
-    grow_pairs,
     make_counted,
     watch_operations,
 )
@@ -148,9 +148,8 @@ def count_step_2(effort: Effort) -> Evidence:
         return [p for top in tops for p in literal.trajectory_cm(top, chains.directrix)]
 
     sizes = effort.sizes(32)
-    counts = (
-        grow_pairs("operations", "step 2", step_2, family, MN, sizes) for family in (figure10, mm)
-    )
+    count = count_by("operations", step_2)
+    counts = (grow("operations of step 2", family, MN, sizes, count) for family in (figure10, mm))
     return weigh("Counts of the step to the letter.", *counts)
 
 
@@ -163,16 +162,15 @@ def count_glance(effort: Effort) -> Evidence:
     def merge_by_halves(chains: Chains) -> list[Vertex]:
         return literal.lower_envelope_mm(_sub_trajectories(chains))
 
+    by_turns, by_halves = (count_by("operations", run) for run in (merge_by_turns, merge_by_halves))
     sizes = [(size, 16) for size, _ in effort.sizes(16, 3, 5)]
     bounds = (
         ("m²n log mn", lambda m, n: m * m * n * log2(m * n)),
         ("mn log m", lambda m, n: m * n * log2(m)),
     )
     growth = (
-        grow_pairs("operations", "merging by turns", merge_by_turns, cm_hard, bounds[0], sizes),
-        grow_pairs(
-            "operations", "merging by halves", merge_by_halves, cm_hard, bounds[1], sizes, STEPS
-        ),
+        grow("operations of merging by turns", cm_hard, bounds[0], sizes, by_turns),
+        grow("operations of merging by halves", cm_hard, bounds[1], sizes, by_halves, STEPS),
     )
     fast = "" if growth[0].exponent() >= 1.7 else "merging by turns takes less than order m²"
     return weigh("Counts to the letter.", *growth, failure=fast)
@@ -229,7 +227,7 @@ def _outgrows(slow: Growth, fast: Growth) -> bool:
 def count_gaps(effort: Effort) -> Evidence:
     """Count the operations of both ways to the inner boundary, and the size of the output."""
     sizes = [(16, n) for _, n in effort.sizes(8)]
-    written = grow_pairs("vertices", "inner boundary", INNER, needles, MN2, sizes)
+    written = grow("vertices of inner boundary", needles, MN2, sizes, count_by("vertices", INNER))
     gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, effort.sizes())
     few = effort.sizes(16, 1, 3)
     again = _inner_grows("Trajectory_MM again", inner_again, MN, few)

@@ -21,7 +21,7 @@ from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Table, find_first_failure
 from exactsweep.paper.costs import INNER
-from exactsweep.paper.counting import PairFamily, grow, grow_pairs
+from exactsweep.paper.counting import PairFamily, count_by, grow
 from exactsweep.paper.functions import list_edges
 from exactsweep.paper.growth import MN2, Growth
 from exactsweep.paper.pairs import SweepPair
@@ -34,7 +34,7 @@ def find_long_undercut(effort: Effort) -> Evidence:
     """Look for an undercut with more edges than G_t, and count the edges over needles."""
     found = search_grid(3, 8, "bent", "bent", long_undercut)
     growth = tuple(
-        grow_pairs("vertices", "inner boundary", INNER, needles, MN2, sizes)
+        grow("vertices of inner boundary", needles, MN2, sizes, count_by("vertices", INNER))
         for sizes in (
             [(size, 16) for size, _ in effort.sizes(16, 3, 5)],
             [(16, size) for _, size in effort.sizes(8, 3, 5)],
