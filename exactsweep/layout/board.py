@@ -181,6 +181,16 @@ class Board:
         for k, j in find_near(boxes, ceil(reach * unit)):
             yield placed[k], placed[j]
 
+    def find_defects(self, reach: Fraction) -> dict[int, list[int]]:
+        """Find for each placement the defects, as in `around`, whose boxes are within reach."""
+        placed, unit = self.placed, self.unit
+        boxes = [_enlarge(solid, unit) for solid in (*map(self.solid, placed), *self.around[1:])]
+        found: dict[int, list[int]] = {k: [] for k in placed}
+        for k, j in find_near(boxes, ceil(reach * unit)):
+            if k < len(placed) <= j:
+                found[placed[k]].append(j - len(placed) + 1)
+        return {k: sorted(walls) for k, walls in found.items()}
+
 
 def _enlarge(solid: Solid, unit: int) -> LatticeBox:
     """Return the box of a solid in a unit, enlarged by its slack."""

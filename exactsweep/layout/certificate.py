@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import chain, combinations, pairwise
+from itertools import accumulate, chain, combinations, pairwise
 from typing import Any
 
 from exactsweep.evidence.certificate import HEADER
@@ -97,14 +97,13 @@ def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 def _part_container(board: Board, bits: int) -> Iterator[list[Any] | None]:
     """Make an entry for each piece of the outside and each near piece of a placement."""
-    for k in board.placed:
-        first = 0
-        for wall in board.around:
-            a, b = share_scale(wall, board.solid(k, bits))
+    first = [0, *accumulate(len(wall.form.pieces) for wall in board.around)]
+    for k, defects in board.find_defects(board.layout.margin).items():
+        for wall in (0, *defects):
+            a, b = share_scale(board.around[wall], board.solid(k, bits))
             distance = (board.layout.margin + b.slack) * a.scale
             for i, h, found in _part_pieces(a, b, distance):
-                yield found and [-1, first + i, k, h, *map(str, found)]
-            first += len(wall.form.pieces)
+                yield found and [-1, first[wall] + i, k, h, *map(str, found)]
 
 
 def _part_pieces(

@@ -108,8 +108,8 @@ def judge_layout(layout: Layout) -> Judgement:
     Returns:
         A Judgement.
 
-    Cost: O(n log n + k) for n placements and k pairs whose boxes meet or are nearer than the
-    spacing, plus that of `meet` for each of these pairs.
+    Cost: O(n log n + k) for n placements and defects and k pairs whose boxes meet or are nearer
+    than the spacing, plus that of `meet` for each of these pairs.
 
     Example:
         >>> square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
@@ -145,10 +145,9 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
 def _judge_container(board: Board) -> Iterator[Fault]:
     """Find the faults of placements with the outside and the defects, at most one each."""
     margin, solid = board.layout.margin, board.solid
-    for k in board.placed:
+    for k, defects in board.find_defects(margin).items():
         worst: list[tuple[Fraction, Fault]] = []
-        clear = board.is_clear(k)
-        for wall in range(clear, 1 + len(board.layout.container.holes)):
+        for wall in defects if board.is_clear(k) else (0, *defects):
             fixed = board.around[wall]
             found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)

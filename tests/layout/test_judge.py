@@ -10,6 +10,7 @@ from layouts import box, image, lay, put
 from exactsweep import Point
 from exactsweep.corpus import layout_cases
 from exactsweep.layout import Judgement, judge_layout
+from exactsweep.layout.verdict import judge_pair
 
 
 def kinds(judgement: Judgement) -> list[tuple[str, tuple[int, ...]]]:
@@ -72,3 +73,20 @@ def test_faults_as_json() -> None:
     assert missing == {"kind": "missing", "placements": [0, 1], "part": "t", "number": 1}
     assert shape["part"] == "bow"
     assert "edges 0 and 2 cross" in shape["reason"]
+
+
+def test_defects_far_from_a_part_take_no_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    # 100 parts, each beside one of 100 defects, in a container that is no box.
+    asked = 0
+
+    def judge_and_count(*pair: Any) -> Any:
+        nonlocal asked
+        asked += 1
+        return judge_pair(*pair)
+
+    monkeypatch.setattr("exactsweep.layout.judge.judge_pair", judge_and_count)
+    sheet = [(0, 0), (400, 0), (400, 9), (399, 10), (0, 10)]
+    defects = [box(4 * k + 2, 1, 4 * k + 3, 2) for k in range(100)]
+    placed = [put("tile", (4 * k, k % 2)) for k in range(100)]
+    assert judge_layout(lay(sheet, {"tile": box(0, 0, 2, 2)}, *placed, defects=defects)).valid
+    assert asked <= 200
