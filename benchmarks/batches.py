@@ -61,12 +61,11 @@ def measure(job: Job, folder: Path, workers: int) -> BatchCost:
 
 def measure_pair(job: Job) -> float:
     """Seconds that a pair of a batch takes, computed in this process."""
-    chunks = [single for chunk in job.chunks(0) for single in chunk.singles()]
-    chunks = Random(0).sample(chunks, min(_SAMPLE, len(chunks)))
+    pairs = [pair for chunk in job.chunks(0) for pair in chunk]
+    pairs = Random(0).sample(pairs, min(_SAMPLE, len(pairs)))
     start = process_time()
-    for chunk in chunks:
-        job.work.lines(chunk)
-    return (process_time() - start) / len(chunks)
+    job.work.lines(pairs)
+    return (process_time() - start) / len(pairs)
 
 
 def tabulate(*, workers: int, quick: bool) -> Iterator[Table]:

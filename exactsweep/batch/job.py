@@ -13,7 +13,7 @@ from exactsweep import __version__
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
-from exactsweep.batch.work import Chunk, Work
+from exactsweep.batch.work import Chunk, NumberedPair, Work
 from exactsweep.formats.candidate import NamedPolygon
 from exactsweep.formats.files import name_failures, show_path, split_lines
 from exactsweep.formats.folder import make_unique
@@ -48,11 +48,21 @@ class Job(NamedTuple):
 
     def chunks(self, start: int) -> Iterator[Chunk]:
         """Yield the pairs in order, beginning with one of them."""
-        size = min(max(CHUNK_PAIRS, self.total // _CHUNKS), _MAX_CHUNK_PAIRS)
+        most = min(max(CHUNK_PAIRS, self.total // _CHUNKS), _MAX_CHUNK_PAIRS)
+        numbers = range(start, self.total)
+        pairs: Iterable[int | bytes] = numbers
         if self.path is not None:
-            return _chunks_of_lines(self.path, start, self.total, size)
-        firsts = range(start, self.total, size)
-        return (Chunk(k, range(k, min(k + size, self.total))) for k in firsts)
+            pairs = islice(_lines(self.path), start, None)
+        chunk: list[NumberedPair] = []
+        size = 0
+        for index, pair in zip(numbers, pairs, strict=False):
+            chunk.append((index, pair))
+            size += len(pair) if isinstance(pair, bytes) else 0
+            if len(chunk) == most or size > _CHUNK_BYTES:
+                yield chunk
+                chunk, size = [], 0
+        if chunk:
+            yield chunk
 
 
 @tells_arguments
@@ -162,19 +172,6 @@ def _digest_input(work: Work, source: bytes) -> str:
                 for vertex in ring:
                     digest.update(" ".join(map(format_fraction, vertex)).encode() + b",")
     return digest.hexdigest()
-
-
-def _chunks_of_lines(path: str, start: int, total: int, most: int) -> Iterator[Chunk]:
-    pending: list[bytes] = []
-    size, first = 0, start
-    for k, line in islice(enumerate(_lines(path)), start, total):
-        pending.append(line)
-        size += len(line)
-        if len(pending) == most or size > _CHUNK_BYTES:
-            yield Chunk(first, pending)
-            first, pending, size = k + 1, [], 0
-    if pending:
-        yield Chunk(first, pending)
 
 
 def _lines(path: str) -> Iterator[bytes]:

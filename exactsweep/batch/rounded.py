@@ -27,20 +27,20 @@ def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any
         PolygonError: a loop is no polygon any more, which does not happen outward.
     """
     places, outward = rounding
-    found: dict[str, Any] = {}
+
+    def round_loop(loop: Polygon, side: Side) -> Polygon | None:
+        region = round_region(Region(loop), places, side if outward else "closest").region
+        return None if region is None else region.exterior
+
+    found = dict(values)
     for name, value in values.items():
         if isinstance(value, Fraction):
             found[name] = round(value, places)
         elif name == "exact_fits":
             found[name], _ = round_fits(value, rounding)
         elif isinstance(value, Polygon):
-            side: Side = "inward" if name == "inner" else "outward"
-            rounded = round_region(Region(value), places, side if outward else "closest")
-            found[name] = None if rounded.region is None else rounded.region.exterior
+            found[name] = round_loop(value, "inward" if name == "inner" else "outward")
         elif name in ("holes", "unswept"):
-            way: Side = "inward" if outward else "closest"
-            loops = [round_region(Region(loop), places, way).region for loop in value]
-            found[name] = [loop.exterior for loop in loops if loop is not None]
-        else:
-            found[name] = value
+            loops = (round_loop(loop, "inward") for loop in value)
+            found[name] = [loop for loop in loops if loop is not None]
     return found

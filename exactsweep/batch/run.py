@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.output import Output
-from exactsweep.batch.work import Chunk, Work
+from exactsweep.batch.work import Chunk, NumberedPair, Work
 from exactsweep.numbers.error import quote, tells_arguments
 
 if TYPE_CHECKING:
@@ -137,14 +137,14 @@ def _take_result(
         return answer.result()
     except processes.lost:
         # One of its pairs, or of another chunk, is too much for a process: one at a time, then.
-        return [_compute_alone(single, processes, work) for single in chunk.singles()]
+        return [_compute_alone(pair, processes, work) for pair in chunk]
 
 
-def _compute_alone(chunk: Chunk, processes: Processes, work: Work) -> bytes:
+def _compute_alone(pair: NumberedPair, processes: Processes, work: Work) -> bytes:
     for _ in range(_TRIES):
         try:
-            (line,) = processes.submit(chunk).result()
+            (line,) = processes.submit([pair]).result()
         except processes.lost:
             continue
         return line
-    return work.lost_line(chunk)
+    return work.lost_line(*pair)

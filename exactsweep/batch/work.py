@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import Quantities, write_error_line, write_result_line
@@ -26,20 +26,11 @@ _OPTIONS = ("direction", "reference")
 _MEMBERS = ("id", "generatrix", "directrix", *_OPTIONS)
 
 
-class Chunk(NamedTuple):
-    """Consecutive pairs.
+NumberedPair = tuple[int, int | bytes]
+"""The index of a pair, and its number among the pairs of parts, or its line in a file of pairs."""
 
-    Attributes:
-        first: the index of the first one.
-        pairs: the numbers of pairs of parts, or lines of a file of pairs.
-    """
-
-    first: int
-    pairs: Sequence[int | bytes]
-
-    def singles(self) -> list[Chunk]:
-        """Return the pairs as chunks of one."""
-        return [Chunk(self.first + k, self.pairs[k : k + 1]) for k in range(len(self.pairs))]
+Chunk = Sequence[NumberedPair]
+"""Pairs that a process computes together."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +54,7 @@ class Work:
 
     def lines(self, chunk: Chunk) -> list[bytes]:
         """Compute the records of a chunk."""
-        return [self.line(chunk.first + k, pair) for k, pair in enumerate(chunk.pairs)]
+        return [self.line(index, pair) for index, pair in chunk]
 
     def line(self, index: int, pair: int | bytes) -> bytes:
         """Compute the record of a pair, whatever happens."""
@@ -87,13 +78,12 @@ class Work:
             reason = f"internal error: {type(error).__name__}: {error}"
         return write_error_line(index, names, reason)
 
-    def lost_line(self, chunk: Chunk) -> bytes:
-        """Write the record of a chunk of one pair that no process survives."""
-        (pair,) = chunk.pairs
+    def lost_line(self, index: int, pair: int | bytes) -> bytes:
+        """Write the record of a pair that no process survives."""
         parts = self._parts(pair) if isinstance(pair, int) else {}
         names: Names = {role: part.name for role, part in parts.items()}
         reason = "the process that computed it was killed each time"
-        return write_error_line(chunk.first, names, reason)
+        return write_error_line(index, names, reason)
 
     def _parts(self, pair: int) -> dict[str, Part]:
         i, k = divmod(pair, len(self.directrices))

@@ -46,8 +46,7 @@ def list_verdicts() -> list[str]:
     """The verdicts that `--accept` takes: those that say something of an answer."""
     from exactsweep.conform.judge.verdict import Verdict
 
-    unjudged = (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
-    return [verdict.value for verdict in Verdict if verdict not in unjudged]
+    return [verdict.value for verdict in Verdict if verdict.is_judgement]
 
 
 def list_filters() -> Iterable[str]:

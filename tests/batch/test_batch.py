@@ -17,7 +17,7 @@ from exactsweep import Polygon, limits, sweep
 from exactsweep.batch import BatchError, Part, read_parts, take_all_pairs, take_listed_pairs, work
 from exactsweep.batch import run as run_batch
 from exactsweep.batch.job import CHUNK_PAIRS
-from exactsweep.batch.work import Chunk, Work
+from exactsweep.batch.work import Work
 from exactsweep.formats import NamedPolygon, format_polygons
 
 SQUARE = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "square")
@@ -94,12 +94,12 @@ def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
 def test_records_do_not_depend_on_the_chunks(polygons: list[Polygon], size: int) -> None:
     named = [NamedPolygon(p) for p in polygons]
     job = take_all_pairs(named, named)
-    pairs = range(job.total)
-    whole = job.work.lines(Chunk(0, pairs))
-    parts = [Chunk(k, pairs[k : k + size]) for k in range(0, job.total, size)]
+    pairs = [*enumerate(range(job.total))]
+    whole = job.work.lines(pairs)
+    parts = [pairs[k : k + size] for k in range(0, job.total, size)]
     assert [line for chunk in parts for line in job.work.lines(chunk)] == whole
-    for single, line in zip(Chunk(0, pairs).singles(), whole, strict=True):
-        assert job.work.lines(single) == [line]
+    for pair, line in zip(pairs, whole, strict=True):
+        assert job.work.lines([pair]) == [line]
 
 
 def test_parts_are_read_once_and_bad_ones_stay(tmp_path: Path) -> None:
@@ -153,13 +153,12 @@ def test_chunks_hold_all_pairs_after_the_first_ones(
     for job, pairs in ((listed, lines), (every, range(36))):
         for start in range(0, 38, 5):
             chunks = [*job.chunks(start)]
-            found = [(chunk.first + k, p) for chunk in chunks for k, p in enumerate(chunk.pairs)]
-            assert found == [*enumerate(pairs)][start:]
-            assert all(len(chunk.pairs) <= CHUNK_PAIRS for chunk in chunks)
+            assert [pair for chunk in chunks for pair in chunk] == [*enumerate(pairs)][start:]
+            assert all(len(chunk) <= CHUNK_PAIRS for chunk in chunks)
     for chunk in [*listed.chunks(0)][:-1]:
-        *before, last = map(len, lines[chunk.first :][: len(chunk.pairs)])
+        *before, last = (len(lines[index]) for index, _ in chunk)
         assert sum(before) <= most
-        assert len(chunk.pairs) == CHUNK_PAIRS or sum(before) + last > most
+        assert len(chunk) == CHUNK_PAIRS or sum(before) + last > most
 
 
 def test_lines_that_come_later_do_not_count(tmp_path: Path) -> None:

@@ -23,8 +23,8 @@ from exactsweep.check import classify
 from exactsweep.conform import Verdict
 from exactsweep.conform.judge import compare as comparing
 from exactsweep.conform.judge import distance, region
-from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.region import find_differences, find_overlap
+from exactsweep.conform.judge.compare import compare, find_fault
+from exactsweep.conform.judge.region import find_differences
 from exactsweep.conform.judge.verdict import PartComparison
 from exactsweep.corpus import Case
 from exactsweep.numbers.number import ORIGIN
@@ -99,7 +99,7 @@ def test_rings_inside_each_other_are_judged_together(monkeypatch: pytest.MonkeyP
 @examples(40)
 def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> None:
     polygons = [Polygon(ring) for ring in rings]
-    found = find_overlap([polygon.vertices for polygon in polygons])
+    found = find_fault([polygon.vertices for polygon in polygons], "$")
     pairs = {
         (j, k)
         for k, one in enumerate(polygons)
@@ -107,7 +107,8 @@ def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> Non
         if classify(one, other, ORIGIN).verdict == "OVERLAP"
         and len({c.first for c in find_differences([one.vertices], [other.vertices])}) != 1
     }
-    assert (found in pairs) if pairs else found is None
+    said = {f"$: rings {j} and {k} overlap" for j, k in pairs}
+    assert (found in said) if said else found is None
 
 
 def test_the_distance_of_large_loops_takes_bounded_work(monkeypatch: pytest.MonkeyPatch) -> None:

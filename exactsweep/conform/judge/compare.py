@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import islice
+from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.conform.judge.boundary import (
@@ -25,7 +27,6 @@ from exactsweep.conform.judge.region import (
     Trapezoid,
     add_areas,
     find_differences,
-    find_overlap,
 )
 from exactsweep.conform.judge.rounding import grant_rounding, limit_claim, name_arithmetic
 from exactsweep.conform.judge.verdict import (
@@ -52,12 +53,17 @@ from exactsweep.conform.judge.witness import (
 )
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.near import find_near
+from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import Fit, Loop
 
 MOST_MEASURED = 3000
 """The most edges, exact and theirs together, of loops whose area and distance are measured."""
+MOST_PAIRS = 20_000
+"""The most pairs of rings that are near each other which are examined for overlap: some seconds."""
 _MOST_SHOWN = 100
 """The number of places that are enough to choose a witness from."""
 
@@ -230,17 +236,27 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:
     """Say what is wrong with some rings by themselves, or return None."""
+    polygons = []
     for k, ring in enumerate(rings):
         try:
-            Polygon(ring)
+            polygons.append(Polygon(ring))
         except PolygonError as error:
             return f"{place if len(rings) == 1 else f'{place}[{k}]'}: {error}"
-    try:
-        overlap = find_overlap(rings) if len(rings) > 1 else None
-    except RegionError:
-        # They are compared with the exact ones all the same.
-        return None
-    return f"{place}: rings {overlap[0]} and {overlap[1]} overlap" if overlap else None
+    _, lattice = common_lattice(polygons)
+    inner = [EdgeIndex([ring]) for ring in lattice]
+    outer = [EdgeIndex([ring[::-1]], unbounded=True) for ring in lattice]
+    for j, k in sorted(
+        islice(find_near([one.box for one in inner]), MOST_PAIRS), key=itemgetter(1, 0)
+    ):
+        # Of two rings that overlap, both reach out of the other one, or none does if they are the
+        # same, unless one is inside the other.
+        if _meet(inner[j], inner[k]) and _meet(outer[j], inner[k]) == _meet(outer[k], inner[j]):
+            return f"{place}: rings {j} and {k} overlap"
+    return None
+
+
+def _meet(one: EdgeIndex, other: EdgeIndex) -> bool:
+    return relate(one, other, 0, 0)[0] is Relation.OVERLAP
 
 
 def _match_rounded(

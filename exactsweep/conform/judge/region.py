@@ -119,49 +119,6 @@ def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoi
                 yield Trapezoid(inside[0], left, right, bottom, top)
 
 
-def find_overlap(rings: Sequence[Sequence[Point]]) -> tuple[int, int] | None:
-    """Find two rings that overlap and are the same, or neither is inside the other.
-
-    Args:
-        rings: each a sequence of Point, not closed, that does not cross itself.
-
-    Returns:
-        The indices of the two, or None where there are none.
-
-    Raises:
-        RegionError: as by `find_differences`.
-
-    Cost: that of `find_differences` of all rings.
-
-    Example:
-        >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
-        >>> moved = [Point(p.x + 1, p.y) for p in square]
-        >>> find_overlap([square, square]), find_overlap([square, moved])
-        ((0, 1), (0, 1))
-    """
-    # Sets of rings as the bits of ints: those that a point of ring k is in besides, and is not in.
-    also, without = [0] * len(rings), [0] * len(rings)
-    for _, _, ordered in _cut([edge for k, ring in enumerate(rings) for edge in _edges([ring], k)]):
-        inside = 0
-        for (bottom, edge), (top, _) in pairwise(ordered):
-            inside ^= 1 << edge.region
-            if bottom != top:
-                for k in _list_bits(inside):
-                    also[k] |= inside
-                    without[k] |= ~inside
-    for k, others in enumerate(also):
-        for j in _list_bits(others & ((1 << k) - 1)):
-            if without[j] >> k & 1 == without[k] >> j & 1:
-                return j, k
-    return None
-
-
-def _list_bits(number: int) -> Iterator[int]:
-    while number:
-        yield (low := (number & -number).bit_length() - 1)
-        number ^= 1 << low
-
-
 def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
     """Yield slabs inside which no edge ends or crosses another one, with the edges across each.
 

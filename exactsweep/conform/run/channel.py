@@ -123,17 +123,16 @@ class Channel:
                 raise SilentError(f"within {seconds:g} s")
             self._transfer(deadline - now)
 
-    def finish(self, seconds: float) -> str | None:
-        """Close its input, after what is still to be sent, wait for its end, kill what is left.
+    def finish(self, line: str, seconds: float) -> str | None:
+        """Send a last line, close its input, wait for its end, kill what is left.
 
         Returns:
             None if it wrote nothing more and ended by itself with exit code 0, or what it did.
         """
+        self.send(line)
         self._closing = True
-        if not self._outgoing:
-            self._close_input()
         try:
-            line = self.receive(seconds)
+            said = self.receive(seconds)
         except SilentError:
             return f"did not end within {seconds:g} s after bye"
         except LongLineError:
@@ -145,7 +144,7 @@ class Channel:
             return None if code == 0 else f"after bye, {tell_exit(code)}"
         finally:
             self.kill()
-        return f"wrote on after bye: {line[:40]!r}"
+        return f"wrote on after bye: {said[:40]!r}"
 
     def kill(self) -> None:
         """End the process and all that it started."""
@@ -209,11 +208,8 @@ class Channel:
         if not self._outgoing:
             self._selector.unregister(self._stdin)
             if self._closing:
-                self._close_input()
-
-    def _close_input(self) -> None:
-        assert self._started.process.stdin is not None
-        self._started.process.stdin.close()
+                assert self._started.process.stdin is not None
+                self._started.process.stdin.close()
 
     def _read(self, fd: int) -> bytes:
         chunk = os.read(fd, _CHUNK)

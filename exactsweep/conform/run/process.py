@@ -82,8 +82,7 @@ class ProcessPeer:
         channel, self._channel = self._channel, None
         if channel is None:
             return None
-        channel.send(BYE)
-        complaint = channel.finish(TO_END)
+        complaint = channel.finish(BYE, TO_END)
         return complaint and _with_last_words(complaint, channel)
 
     def kill(self) -> None:

@@ -128,35 +128,31 @@ def make_hello(said: Mapping[str, object]) -> Hello:
     name, questions = said["hello"], _choose_some(said, "questions", QUESTIONS)
     if not isinstance(name, str) or not 0 < len(name) <= MAX_NAME or not name.isprintable():
         raise ProtocolError(f'"hello" is not a name of 1 to {MAX_NAME} printable characters')
-    return Hello(
-        name,
-        _choose_some(said, "loops", LOOPS) if "sweep" in questions else (),
-        _choose(said, "numbers", NUMBERS),
-        _choose(said, "reference", REFERENCES),
-        questions,
-        _choose(said, "shapes", SHAPES),
-    )
-
-
-def _take(said: Mapping[str, object], key: str) -> object:
-    if key not in said:
-        raise ProtocolError(f'the hello has no "{key}"')
-    return said[key]
+    try:
+        return Hello(
+            name,
+            _choose_some(said, "loops", LOOPS) if "sweep" in questions else (),
+            _choose(said, "numbers", NUMBERS),
+            _choose(said, "reference", REFERENCES),
+            questions,
+            _choose(said, "shapes", SHAPES),
+        )
+    except KeyError as error:
+        raise ProtocolError(f'the hello has no "{error.args[0]}"') from None
 
 
 def _choose(said: Mapping[str, object], key: str, allowed: tuple[Word, ...]) -> Word:
-    found = _take(said, key)
     for word in allowed:
-        if word == found:
+        if word == said[key]:
             return word
-    raise ProtocolError(f'"{key}" is {quote(found)}, not one of {", ".join(allowed)}')
+    raise ProtocolError(f'"{key}" is {quote(said[key])}, not one of {", ".join(allowed)}')
 
 
 def _choose_some(
     said: Mapping[str, object], key: str, allowed: tuple[Word, ...]
 ) -> tuple[Word, ...]:
     """Read a list of some words, in their order."""
-    found = _take(said, key)
+    found = said[key]
     if isinstance(found, (list, tuple)) and found and all(word in allowed for word in found):
         return tuple(word for word in allowed if word in found)
     raise ProtocolError(f'"{key}" is {quote(found)}, not a list of some of {", ".join(allowed)}')
