@@ -97,17 +97,9 @@ class EdgeTree:
             boxes = [_unite(boxes[k : k + 2]) for k in range(0, len(boxes), 2)]
             self.levels.append(boxes)
 
-    def has_inside(self, x: Rational, y: Rational) -> bool:
-        """Decide whether a point is inside the shape, off its boundary."""
-        left, right, low, high = self.levels[-1][0]
-        return left < x < right and low < y < high and is_inside((2 * x, 2 * y), self.rings)
-
 
 def find_nearest(
-    first: EdgeTree,
-    second: EdgeTree,
-    below: Rational | None = None,
-    by: Vertex = (0, 0),
+    first: EdgeTree, second: EdgeTree, below: Rational | None = None
 ) -> SquaredDistance | None:
     """Find two nearest points of two shapes.
 
@@ -115,7 +107,6 @@ def find_nearest(
         first: a shape.
         second: another one, on the same lattice.
         below: an upper bound on the square; the search ends if the square is not below it.
-        by: the move of the second shape.
 
     Returns:
         The squared distance and the points, on the lattice of the shapes or between; None if the
@@ -127,21 +118,20 @@ def find_nearest(
     >>> find_nearest(EdgeTree(square), EdgeTree(other), below=4) is None
     True
     """
-    common = _find_vertex_inside(first, second, by)
+    common = _find_vertex_inside(first, second)
     if common is not None:
         return None if below == 0 else SquaredDistance(Fraction(0), (common, common))
-    x, y = by
-    best: _NearestRatio | None = None if below is None else below.as_integer_ratio()
+    best: _NearestRatio | None = None if below is None else (below, 1)
     nearest: tuple[Edge, Edge] | None = None
     up, over = len(first.levels) - 1, len(second.levels) - 1
-    heap: list[tuple[Rational, int, int, int, int]] = [(0, up, 0, over, 0)]
+    apart = _measure_boxes(first.levels[up][0], second.levels[over][0])
+    heap = [(apart, up, 0, over, 0)]
     while heap:
         apart, up, i, over, j = heappop(heap)
         if best is not None and apart * best[1] >= best[0]:
             break
         if up == over == 0:
-            (px, py), (qx, qy) = second.edges[j]
-            edges = first.edges[i], ((px + x, py + y), (qx + x, qy + y))
+            edges = first.edges[i], second.edges[j]
             if apart == 0 and (point := _find_common_point(*edges)) is not None:
                 return SquaredDistance(Fraction(0), (point, point))
             n, d = measure_ends(*edges)[:2]
@@ -153,12 +143,8 @@ def find_nearest(
         mine = range(2 * i, min(2 * i + 2, len(first.levels[lower]))) if lower < up else (i,)
         theirs = range(2 * j, min(2 * j + 2, len(second.levels[across]))) if lower == up else (j,)
         for k in mine:
-            left, right, low, high = first.levels[lower][k]
             for h in theirs:
-                west, east, south, north = second.levels[across][h]
-                dx = max(0, left - east - x, west + x - right)
-                dy = max(0, low - north - y, south + y - high)
-                apart = dx * dx + dy * dy
+                apart = _measure_boxes(first.levels[lower][k], second.levels[across][h])
                 if best is None or apart * best[1] < best[0]:
                     heappush(heap, (apart, lower, k, across, h))
     if nearest is None:
@@ -167,13 +153,13 @@ def find_nearest(
     return SquaredDistance(divide_exactly(*best), find_nearest_ends(*nearest))
 
 
-def _find_vertex_inside(first: EdgeTree, second: EdgeTree, by: Vertex) -> Point | None:
+def _find_vertex_inside(first: EdgeTree, second: EdgeTree) -> Point | None:
     """Find a vertex of one exterior that is an inner point of the other shape."""
-    (x, y), (u, v), (dx, dy) = first.rings[0][0], second.rings[0][0], by
-    if second.has_inside(x - dx, y - dy):
-        return Point(Fraction(x), Fraction(y))
-    if first.has_inside(u + dx, v + dy):
-        return Point(Fraction(u + dx), Fraction(v + dy))
+    for one, other in ((first, second), (second, first)):
+        x, y = one.rings[0][0]
+        left, right, low, high = other.levels[-1][0]
+        if left < x < right and low < y < high and is_inside((2 * x, 2 * y), other.rings):
+            return Point(Fraction(x), Fraction(y))
     return None
 
 
@@ -182,6 +168,15 @@ def _unite(boxes: Sequence[_EdgeBox]) -> _EdgeBox:
         return boxes[0]
     (left, right, low, high), (west, east, south, north) = boxes
     return min(left, west), max(right, east), min(low, south), max(high, north)
+
+
+def _measure_boxes(a: _EdgeBox, b: _EdgeBox) -> Rational:
+    """Return the squared distance of two boxes."""
+    left, right, low, high = a
+    west, east, south, north = b
+    dx = max(0, left - east, west - right)
+    dy = max(0, low - north, south - high)
+    return dx * dx + dy * dy
 
 
 def _find_common_point(edge: Edge, other: Edge) -> Point | None:

@@ -19,10 +19,11 @@ from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.layout import LayoutPart
+from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
 from exactsweep.layout.pieces import bound_piece
 from exactsweep.layout.reading import LayoutError
-from exactsweep.layout.solid import LatticeBox, Solid, find_gap, share_scale
+from exactsweep.layout.solid import LatticeBox, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point

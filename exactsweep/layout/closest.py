@@ -8,7 +8,8 @@ from math import ceil, isqrt
 from typing import NamedTuple
 
 from exactsweep.layout.board import Board
-from exactsweep.layout.solid import Solid, find_gap, share_scale
+from exactsweep.layout.nearest import find_gap
+from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.numbers.number import Point
 
 

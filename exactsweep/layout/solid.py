@@ -21,7 +21,6 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
-from exactsweep.geometry.distance import EdgeTree, SquaredDistance, find_nearest
 from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
@@ -64,11 +63,6 @@ class LatticeForm(EdgeIndex):
         if found is None:
             found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
         return found
-
-    @cached_property
-    def tree(self) -> EdgeTree:
-        """The edges in a tree of boxes."""
-        return EdgeTree(self.rings)
 
     @cached_property
     def hull(self) -> list[IntVertex]:
@@ -170,24 +164,3 @@ def meet(a: Solid, b: Solid) -> Relation:
     Cost: that of `relate`.
     """
     return relate(a.form, b.form, b.x - a.x, b.y - a.y)[0]
-
-
-def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
-    """Find the least distance of two solids, if its square is below a bound.
-
-    Args:
-        a: a solid.
-        b: another solid on the same lattice, without overlap.
-        below: the bound on the squared distance, more than 0.
-
-    Returns:
-        A SquaredDistance, or None.
-
-    Cost: that of `find_nearest`.
-    """
-    by = b.x - a.x, b.y - a.y
-    found = find_nearest(a.form.tree, b.form.tree, below * a.scale**2, by)
-    if found is None:
-        return None
-    p, q = (a.leave(x + a.x, y + a.y) for x, y in found.points)
-    return SquaredDistance(found.value / a.scale**2, (p, q))

@@ -18,8 +18,9 @@ from typing import NamedTuple
 from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.distance import SquaredDistance, measure_to_edge
 from exactsweep.geometry.overlap import Relation
+from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.pieces import bound_piece, find_common_point
-from exactsweep.layout.solid import Solid, find_gap, meet, share_scale
+from exactsweep.layout.solid import Solid, meet, share_scale
 from exactsweep.numbers.number import Point
 
 MOST_BITS = 256

@@ -1,0 +1,89 @@
+"""The least distance of two solids that do not overlap, by the edges that are near enough.
+
+Two segments that do not meet are nearest at an end of one of them. So their squared distance is a
+quotient of two ints.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+
+from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, measure_ends
+from exactsweep.geometry.overlap import BoxedEdge, touch
+from exactsweep.geometry.vectors import minus, turn
+from exactsweep.layout.solid import Solid
+from exactsweep.numbers.number import Edge, Point, Rational
+
+
+def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
+    """Find the least distance of the boundaries of two solids, if its square is below a bound.
+
+    Args:
+        a: a solid.
+        b: another solid on the same lattice, without overlap.
+        below: the bound on the squared distance, more than 0.
+
+    Returns:
+        A SquaredDistance, or None.
+
+    Cost: O(k h) for k edges of one and h edges of the other that are within the bound of the box of
+    the other solid.
+    """
+    scale = a.scale
+    bound = below * scale * scale
+    n: Rational = bound.numerator
+    d: Rational = bound.denominator
+    reach = isqrt(n // d) + 1
+    x, y = b.x - a.x, b.y - a.y
+    left, right, low, high = a.form.box
+    west, east, south, north = b.form.box
+    ours = a.form.near((west + x - reach, east + x + reach, south + y - reach, north + y + reach))
+    around = (left - x - reach, right - x + reach, low - y - reach, high - y + reach)
+    theirs = b.form.near(around) if ours else []
+    best: tuple[BoxedEdge, BoxedEdge] | None = None
+    for e in theirs:
+        left, right, low, high = e[0] + x, e[1] + x, e[2] + y, e[3] + y
+        farthest, nearest = right + reach, left - reach
+        other = _move(e, x, y)
+        for f in ours:
+            if f[0] > farthest:
+                break
+            if f[1] < nearest:
+                continue
+            across = left - f[1] if left > f[1] else f[0] - right if f[0] > right else 0
+            up = low - f[3] if low > f[3] else f[2] - high if f[2] > high else 0
+            if (across * across + up * up) * d >= n:
+                continue
+            one = (f[4], f[5]), (f[6], f[7])
+            if _is_beside(one, other, n, d) or _is_beside(other, one, n, d):
+                continue
+            square, length = measure_ends(one, other)[:2] if touch(*one, *other) == [] else (0, 1)
+            if square * d < n * length:
+                n, d, best = square, length, (f, e)
+                reach = isqrt(n // d) + 1
+                farthest, nearest = right + reach, left - reach
+    if best is None:
+        return None
+    one, other = _move(best[0], 0, 0), _move(best[1], x, y)
+    if n:
+        p, q = find_nearest_ends(one, other)
+    else:
+        # Solids that do not overlap touch in a vertex of one of them.
+        p = q = Point(*map(Fraction, (touch(*one, *other) or [one[0]])[0]))
+    return SquaredDistance(
+        Fraction(n, d * scale * scale) if type(n) is int else Fraction(n) / d / scale**2,
+        (a.leave(p[0] + a.x, p[1] + a.y), a.leave(q[0] + a.x, q[1] + a.y)),
+    )
+
+
+def _move(edge: BoxedEdge, x: int, y: int) -> Edge:
+    return (edge[4] + x, edge[5] + y), (edge[6] + x, edge[7] + y)
+
+
+def _is_beside(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
+    """Decide whether an edge is at least sqrt(n / d) from the line of another one."""
+    of_p, of_q = (turn(*line, end) for end in edge)
+    least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)
+    dx, dy = minus(*line)
+    return least > 0 and least * least * d >= n * (dx * dx + dy * dy)
