@@ -19,7 +19,8 @@ class Window(NamedTuple):
     """A box of the plane with Y upwards, and a picture of it in pixels with Y downwards.
 
     Attributes:
-        left, bottom, right, top: the box, Fractions, of positive width and height.
+        left, bottom, right, top: the box, Fractions, of positive width and height; where Y points
+            down in the plane, too, the bottom is above the top.
         width, height: the size of the picture, in pixels.
     """
 
@@ -70,6 +71,10 @@ class Window(NamedTuple):
         x, y = (Fraction(max(values) + min(values)) / 2 for values in (xs, ys))
         half_x, half_y = width * x_unit / 2, height * y_unit / 2
         return cls(x - half_x, y - half_y, x + half_x, y + half_y, width, height)
+
+    def turned(self) -> Self:
+        """Return the same box with Y downwards."""
+        return self._replace(bottom=self.top, top=self.bottom)
 
     @property
     def is_true(self) -> bool:

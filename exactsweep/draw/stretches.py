@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -80,22 +78,17 @@ def _cut(
     found: list[ContactStretch] = []
     for k, contacts in enumerate(along):
         start, end = corners[k], corners[(k + 1) % len(corners)]
-        axis = 0 if start.x != end.x else 1
-        sign = 1 if start[axis] < end[axis] else -1
-        cuts: dict[Fraction, Point] = {}
-        begin: defaultdict[Fraction, set[int]] = defaultdict(set)
-        end_at: defaultdict[Fraction, set[int]] = defaultdict(set)
-        for i, contact in enumerate(contacts):
-            ends = sorted(features.span(contact), key=lambda p: sign * p[axis])
-            low = max(ends[0], start, key=lambda p: sign * p[axis])
-            high = min(ends[1], end, key=lambda p: sign * p[axis])
-            for p, changing in (low, begin), (high, end_at):
-                cuts[sign * p[axis]] = p
-                changing[sign * p[axis]].add(i)
-        lasting: set[int] = set()
-        for a, b in pairwise(sorted(cuts)):
-            lasting = (lasting | begin[a]) - end_at[a]
-            found.append(
-                ContactStretch(k, cuts[a], cuts[b], tuple(contacts[i] for i in sorted(lasting)))
-            )
+        first, last = sorted((start, end))
+        whole = map(sorted, map(features.span, contacts))
+        spans = [(max(low, first), min(high, last)) for low, high in whole]
+        cuts = sorted({p for span in spans for p in span}, reverse=end < start)
+        number = {p: i for i, p in enumerate(cuts)}
+        lasting: list[list[Contact]] = [[] for _ in cuts]
+        for contact, span in zip(contacts, spans, strict=True):
+            for i in range(*sorted(number[p] for p in span)):
+                lasting[i].append(contact)
+        found += (
+            ContactStretch(k, a, b, tuple(now))
+            for (a, b), now in zip(pairwise(cuts), lasting, strict=False)
+        )
     return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
-from decimal import MAX_EMAX, MIN_EMIN, ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
 from math import isqrt
@@ -13,7 +13,7 @@ from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
 from exactsweep.numbers.number import Fit, Point
 from exactsweep.words import CLASSES, write_pair
 
@@ -21,15 +21,9 @@ from exactsweep.words import CLASSES, write_pair
 if TYPE_CHECKING:
     from rich.table import Table
 
-_NEAREST, _UPWARD = (
-    Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN, rounding=rounding)
-    for rounding in (ROUND_HALF_EVEN, ROUND_CEILING)
-)
-# The number of leading bits that usually determine the shown digits of a long number; they do not
-# if the value with its error bound is near the middle between two results.
-_BITS = 200
-_NEARLY = Context(prec=60, Emax=MAX_EMAX, Emin=MIN_EMIN)
-_AROUND = Decimal(f"0.{'9' * 50}"), Decimal(f"1.{'0' * 49}1")
+_SHOWN = 6
+"""The significant digits of a rounded number."""
+_ANY_EXPONENT = Context(prec=_SHOWN + 1, Emax=MAX_EMAX, Emin=MIN_EMIN)
 # A width beyond the length of any line, because rich always wraps.
 _NO_WRAPPING = 10**9
 
@@ -290,15 +284,13 @@ def approximate(value: Fraction, *, up: bool = False) -> str:
     >>> [approximate(Fraction(10) ** k) for k in (-7, -6, 12, 13)]
     ['1e-7', '0.000001', '1000000000000', '1e+13']
     """
-    context = _UPWARD if up else _NEAREST
     n, d = value.as_integer_ratio()
-    i, j = (max(k.bit_length() - _BITS, 0) for k in (n, d))
-    near = _NEARLY.divide(Decimal(n >> i), Decimal(d >> j))
-    near = _NEARLY.multiply(near, _NEARLY.power(2, i - j))
-    rounded, other = (context.multiply(near, factor) for factor in _AROUND)
-    if rounded != other:
-        rounded = context.divide(Decimal(n), Decimal(d))
-    rounded = rounded.normalize(context)
+    exponent = find_magnitude(abs(value)) - _SHOWN + 1 if n else 0
+    n, d = n * 10 ** max(0, -exponent), d * 10 ** max(0, exponent)
+    # To the nearest int, of two to the even one; or to the next one up.
+    whole, rest = divmod(2 * n + d, 2 * d)
+    whole = -(-n // d) if up else whole - (whole % 2 if not rest else 0)
+    rounded = Decimal(whole).scaleb(exponent, _ANY_EXPONENT).normalize(_ANY_EXPONENT)
     return f"{rounded:f}" if -6 <= rounded.adjusted() <= 12 else str(rounded).lower()
 
 

@@ -45,7 +45,7 @@ def sweep_to_json(sweep: Sweep) -> str:
         **({"unswept": _write(_loops(sweep.unswept))} if sweep.kind == "SS" else {}),
         "area": _write(sweep.area),
     }
-    return _object(texts)
+    return write_object(texts)
 
 
 def no_fit_to_json(n: NoFitPolygon) -> str:
@@ -61,7 +61,7 @@ def no_fit_to_json(n: NoFitPolygon) -> str:
 
     Cost: linear in the length of the result.
     """
-    return _object(
+    return write_object(
         {
             "stationary": _write(write_json_value(n.stationary)),
             "orbiting": _write(write_json_value(n.orbiting)),
@@ -88,7 +88,7 @@ def inner_fit_to_json(f: InnerFit) -> str:
 
     Cost: linear in the length of the result.
     """
-    return _object(
+    return write_object(
         {
             "container": _write(write_json_value(f.container)),
             "part": _write(write_json_value(f.part)),
@@ -128,7 +128,9 @@ def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit, *, proof: bool 
     """
     found = result.certificate(proof=proof)
     marks = (",", ":") if proof else None
-    return _object({name: json.dumps(value, separators=marks) for name, value in found.items()})
+    return write_object(
+        {name: json.dumps(value, separators=marks) for name, value in found.items()}
+    )
 
 
 def explanation_to_json(sweep: Sweep) -> str:
@@ -149,7 +151,7 @@ def explanation_to_json(sweep: Sweep) -> str:
     Cost: that of `exactsweep.evidence.steps`.
     """
     steps = [_write(_step(step)) for step in explain(sweep)]
-    return _object(
+    return write_object(
         {
             **_input(sweep),
             "features": _write(
@@ -189,7 +191,7 @@ def verification_to_json(verification: Verification) -> str:
     Returns:
         One object; the witness is a point, two strings, or null.
     """
-    return _object({name: _write(part) for name, part in verification._asdict().items()})
+    return write_object({name: _write(part) for name, part in verification._asdict().items()})
 
 
 def _input(sweep: Sweep) -> dict[str, str]:
@@ -232,7 +234,8 @@ def _step(step: Step) -> dict[str, object]:
     }
 
 
-def _object(texts: Mapping[str, str]) -> str:
+def write_object(texts: Mapping[str, str]) -> str:
+    """Write an object of JSON, whose values are written already, one name per line."""
     lines = (f"  {json.dumps(name)}: {text}" for name, text in texts.items())
     return "{\n" + ",\n".join(lines) + "\n}\n"
 

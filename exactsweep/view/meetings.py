@@ -11,14 +11,13 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import lcm
 
 from exactsweep.draw.sweeps import Moving
 from exactsweep.evidence.contact import find_facing
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.region import AnyPolygon
+from exactsweep.geometry.region import AnyPolygon, share_lattice, to_region
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.number import Point, ratio
+from exactsweep.numbers.number import Point
 
 # The number of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
@@ -45,11 +44,12 @@ class Meetings:
         self, s: Moving, others: Sequence[AnyPolygon] = (), *, inside: bool = False
     ) -> None:
         self.reference = s.reference
-        self.scale = lcm(*(shape.lattice()[0] for shape in (s.generatrix, s.directrix, *others)))
-        g = _outline(s.generatrix, self.scale)
-        around = [_outline(s.directrix, self.scale, reverse=inside)]
+        shapes = [to_region(shape, "") for shape in (s.generatrix, s.directrix, *others)]
+        self.scale, (moving, around, *placed) = share_lattice(shapes)
+        g = Outline(moving)
         translations = set()
-        for d in (*around, *(_outline(shape, self.scale) for shape in others)):
+        for rings in ([ring[::-1] for ring in around] if inside else around, *placed):
+            d = Outline(rings)
             pairs = set()
             for i, j in find_facing(g, d, range(len(g.vertices))):
                 pairs |= {(i, j), (g.after[i], j)}
@@ -96,13 +96,3 @@ def find_meetings(
         return None
     found = Meetings(s, others, inside=inside)
     return found if len(found.translations) * corners <= _MOST_LOOKS else None
-
-
-def _outline(shape: AnyPolygon, scale: int, *, reverse: bool = False) -> Outline:
-    """Return the features of a shape, or of all that is outside, with ints on the lattice."""
-    exterior, *holes = (
-        [(ratio(x * scale, 1), ratio(y * scale, 1)) for x, y in ring] for ring in shape.rings
-    )
-    # The interior is on the left, as in every Outline.
-    rings = [exterior, *(hole[::-1] for hole in holes)]
-    return Outline([ring[::-1] for ring in rings] if reverse else rings)

@@ -130,8 +130,8 @@ def draw_parts(
         The width and the height, in pixels, and elements of SVG.
     """
     layout = judgement.layout
-    placed = [place_part(layout, k, y_down=y_down) for k in range(len(layout.placements))]
-    around = _up(layout.container.rings, y_down)
+    placed = [place_part(layout, k) for k in range(len(layout.placements))]
+    around = layout.container.rings
     points = [
         point for ring in (*around, *(ring for one in placed for ring in one)) for point in ring
     ]
@@ -141,6 +141,8 @@ def draw_parts(
     width = _WIDTH if share * wide <= high else max(_NARROW, round(high / share) + 2 * _MARGIN)
     height = min(_MOST, max(_LEAST, round(share * wide) + 2 * _MARGIN))
     window = Window.around(points, width, height, _MARGIN)
+    if y_down:
+        window = window.turned()
     # That there are too few, or too many, is no fault of one of them.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
     drawn = [_path("defect", [hole], window) for hole in around[1:]]
@@ -150,7 +152,7 @@ def draw_parts(
     drawn.append(_path("container", around[:1], window))
     marked = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
     for number, one in enumerate(marked, 1):
-        x, y = window.place(_up_point(one.fault.points[0], y_down))
+        x, y = window.place(one.fault.points[0])
         drawn.append(
             f'<circle class="mark number" cx="{x:.1f}" cy="{y:.1f}" r="10"/>'
             f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{number}</text>'
@@ -167,24 +169,25 @@ def enlarge_faults(
     shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
     for number, one in enumerate(shown, 1):
         fault = one.fault
-        points = [_up_point(point, y_down) for point in fault.points]
+        points = fault.points
         move = None if one.square is None else fault.move
         sizes = [square for square in (one.square, fault.distance_squared) if square]
-        placed = {k: place_part(layout, k, y_down=y_down) for k in fault.placements}
+        placed = {k: place_part(layout, k) for k in fault.placements}
         near = _measure(placed[fault.placements[-1]])
         near = min([near, *(_ROUND * take_root(square) for square in sizes)])
         center = points[0] if len(points) == 1 else _middle(points)
-        window = Window(
-            center.x - near, center.y - near, center.x + near, center.y + near, SIDE, SIDE
-        )
-        around = _up(layout.container.rings, y_down)
+        low, high = (Point(center.x + by, center.y + by) for by in (-near, near))
+        window = Window(*low, *high, SIDE, SIDE)
+        if y_down:
+            window = window.turned()
+        around = layout.container.rings
         drawn = [_path("defect", [_clip(hole, window)], window) for hole in around[1:]]
         drawn += [
             _path("bad", [_clip(ring, window) for ring in one], window) for one in placed.values()
         ]
         drawn.append(_path("container", [_clip(around[0], window)], window))
         if move is not None:
-            end = Point(center.x + move.x, center.y + (-move.y if y_down else move.y))
+            end = Point(center.x + move.x, center.y + move.y)
             drawn.append(_path("way", [[center, end]], window, closed=False))
         for x, y in map(window.place, points):
             drawn.append(f'<circle class="mark" cx="{x:.1f}" cy="{y:.1f}" r="4"/>')
@@ -195,7 +198,7 @@ def enlarge_faults(
     return found
 
 
-def place_part(layout: Layout, k: int, *, y_down: bool = False) -> list[list[Point]]:
+def place_part(layout: Layout, k: int) -> list[list[Point]]:
     """Return the rings of a placement after mirroring, turning and moving.
 
     For an angle without a rational turn, the function uses a turn off by at most 2**-64.
@@ -203,19 +206,10 @@ def place_part(layout: Layout, k: int, *, y_down: bool = False) -> list[list[Poi
     placement = layout.placements[k]
     part = layout.part_by_id[placement.part]
     (a, b, c, d), (dx, dy) = placement.rows(_BITS), placement.move
-    rings = [
+    return [
         [Point(a * x + b * y + dx, c * x + d * y + dy) for x, y in ring]
         for ring in (part.exterior, *part.holes)
     ]
-    return _up(rings, y_down)
-
-
-def _up(rings: Iterable[Sequence[Point]], y_down: bool) -> list[list[Point]]:
-    return [[_up_point(point, y_down) for point in ring] for ring in rings]
-
-
-def _up_point(point: Point, y_down: bool) -> Point:
-    return Point(point.x, -point.y) if y_down else point
 
 
 def _middle(points: Sequence[Point]) -> Point:
@@ -238,7 +232,8 @@ def _path(
 def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:
     """Clip rings exactly, far outside a window, so that the cuts are out of sight."""
     room = window.longest
-    for axis, low, high in ((0, window.left, window.right), (1, window.bottom, window.top)):
+    sides = (window.left, window.right), sorted((window.bottom, window.top))
+    for axis, (low, high) in enumerate(sides):
         ring = [*clip(ring, [high + room - point[axis] for point in ring])]
         ring = [*clip(ring, [point[axis] - low + room for point in ring])]
     return ring

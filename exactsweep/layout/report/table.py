@@ -13,6 +13,7 @@ from exactsweep.layout.report.worst import WorstFirst, rank_faults
 from exactsweep.numbers.digits import abridge, format_fraction
 from exactsweep.numbers.number import Point
 from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
+from exactsweep.text.results import write_object
 from exactsweep.words import count
 
 _MOST_LISTED = 30
@@ -143,8 +144,7 @@ def write_layout_json(judgement: Judgement, notes: Iterable[str] = ()) -> str:
         "nearest": None if nearest is None else list(nearest.placements),
         "notes": list(notes),
     }
-    lines = [f'  "{name}": {write_json(value)}' for name, value in data.items()]
-    return "{\n" + ",\n".join(lines) + "\n}\n"
+    return write_object({name: write_json(value) for name, value in data.items()})
 
 
 def _write_about(point: Point) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from fractions import Fraction
 from importlib.resources import files
 from itertools import chain, product
@@ -14,10 +14,10 @@ from exactsweep.check import (
     point_in_polygon,
     reference_inner_fit,
 )
+from exactsweep.check.contact_segments import find_contacts_of_shapes
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.segment import Segment, choose_cover, lay_point, make_segment
-from exactsweep.geometry.vectors import cross, minus
-from exactsweep.numbers.number import Edge, Vertex
+from exactsweep.numbers.number import Edge
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
@@ -29,7 +29,6 @@ from exactsweep.paper.functions import (
     tell_fits,
 )
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.chain import inverse
 
 # A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
 HELD = SweepPair(
@@ -59,36 +58,16 @@ def loops_are_simple(pair: SweepPair) -> str:
     return no_fit_is_the_definition(pair)
 
 
-def find_contact_segments(pair: SweepPair) -> Iterator[Segment]:
-    """Convex vertices of one polygon along edges of the other that fit between their edges.
-
-    Written from the statement, without the kernel; there are no more than 2 m n.
-    """
-    turned = inverse(pair.generatrix)
-    for still, moving in ((pair.directrix, turned), (turned, pair.directrix)):
-        around = [moving[-1], *moving, moving[0]]
-        for before, at, after in zip(around, around[1:], around[2:], strict=False):
-            into, out = minus(at, before), minus(after, at)
-            for p, q in list_edges(still):
-                way = minus(q, p)
-                turns = cross(into, out), cross(into, way), cross(way, out)
-                if turns[0] > 0 and min(turns) >= 0:
-                    yield make_segment((_plus(at, p), _plus(at, q)))
-
-
-def _plus(p: Vertex, q: Vertex) -> Vertex:
-    return p[0] + q[0], p[1] + q[1]
-
-
 def boundary_is_contact(pair: SweepPair) -> str:
     """Loops and exact fits lie on contact segments, of which there are 2 m n at most."""
-    found, known = no_fit_polygon(*pair[::-1]), list(find_contact_segments(pair))
+    rings = ((tuple(ring),) for ring in pair[::-1])
+    found, known = no_fit_polygon(*pair[::-1]), find_contacts_of_shapes(*rings)[0]
     if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
         return f"{len(known)} contact segments"
     loops = (found.exterior, *found.holes)
     edges = [edge for loop in loops for edge in list_edges(loop.vertices)]
     for edge in (*edges, *found.exact_fits):
-        if not covers(known, edge):
+        if not covers(map(make_segment, known), edge):
             return f"off all contact segments: {show_fits([edge])}"
     return no_fit_is_the_definition(pair)
 
