@@ -1331,6 +1331,7 @@ def load(text: str) -> Any:
 def main(arguments: list[str]) -> int:
     """Print what a certificate proves, of the shapes G and D if given; return the exit code."""
     try:
+        need(len(arguments) in (1, 3), "give a certificate, and perhaps both shapes, G and D")
         text, *given = (Path(name).read_text(encoding="utf-8") for name in arguments)
         certificate = load(text)
         proved = prove(certificate)
