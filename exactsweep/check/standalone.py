@@ -428,21 +428,26 @@ def solid(rings: list[Ring], item: Any, work: Work, frame: Ring | None = None) -
 def check_shape(rings: list[Ring], work: Work) -> None:
     """Refuse rings unless they are simple, an exterior and holes, the interior in one piece."""
     around = [(k, n, e) for k, points in enumerate(rings) for n, e in enumerate(edges(points))]
+    meetings: dict[Node, set[int]] = {}
     for a, b in list_near([grid_box(e, work.scale) for *_, e in around], 0, work):
         (k, n, one), (j, m, other) = around[a], around[b]
         clash = k == j and do_clash(*one, *other, m - n, len(rings[k]))
         need(not clash, "a ring is not simple")
         need(k == j or not do_cross(*one, *other), "rings of a shape cross")
+        work.take(8 * (k != j))
+        for p in (*one, *other) if k != j else ():
+            if lies(p, *one) and lies(p, *other):
+                meetings.setdefault(p, set()).update((k, j))
     parts = list(range(len(rings)))
-    corners = {p for points in rings for p in points} if len(rings) > 1 else []
-    for p in corners:
-        work.take(sum(map(len, rings)))
-        on = [k for k, points in enumerate(rings) if any(lies(p, *e) for e in edges(points))]
+    for on in meetings.values():
+        work.take(len(rings))
         met = [parts[k] for k in on]
         need(len({*met}) == len(met), "the interior of a shape falls apart")
         parts = [met[0] if part in met else part for part in parts]
     # Two rings have at most one point in common by now, so that any other tells.
-    for k, j in ((k, j) for k in range(1, len(rings)) for j in range(len(rings)) if j != k):
+    near = [*list_near([grid_box(points, work.scale) for points in rings], 0, work)]
+    within = [(k, 0) for k in range(1, len(rings))]
+    for k, j in (*within, *((k, j) for pair in near if pair[0] for k, j in (pair, pair[::-1]))):
         work.take(len(rings[j]))
         of = edges(rings[j])
         free = next(p for p in rings[k] if not any(lies(p, *e) for e in of))
@@ -1326,6 +1331,7 @@ def load(text: str) -> Any:
 def main(arguments: list[str]) -> int:
     """Print what a certificate proves, of the shapes G and D if given; return the exit code."""
     try:
+        need(len(arguments) in (1, 3), "give a certificate, and perhaps both shapes, G and D")
         text, *given = (Path(name).read_text(encoding="utf-8") for name in arguments)
         certificate = load(text)
         proved = prove(certificate)

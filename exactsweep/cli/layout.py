@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
@@ -138,7 +139,10 @@ def layout_command(
     from exactsweep.formats.layouts import read_layouts
 
     found = [path for given in files for path in find_files(given)]
+    if "-" in found and len(found) > 1:
+        raise click.UsageError("Standard input is read alone, without other files.")
     options = {"instance": instance, "container": container, **reading}
+    layouts: list[FoundLayout] = []
     if len(found) == 1:
         layouts = read_layouts(found[0], **options)
         if len(layouts) == 1:
@@ -149,7 +153,10 @@ def layout_command(
             sys.exit(0 if valid else 1)
     if wanted.certificate or wanted.html or wanted.svg:
         raise click.UsageError("--certificate, --html and --svg are for a single layout.")
-    rows = [*_judge_all(found, options, gaps, workers)]
+    if layouts:
+        rows = judge_file(found[0], lambda: layouts, gaps)
+    else:
+        rows = [*_judge_all(found, options, gaps, workers)]
     if wanted.as_json:
         text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
     else:
@@ -199,11 +206,15 @@ def _judge_all(
     paths: Sequence[str], options: Mapping[str, Any], gaps: Mapping[str, str], workers: int | None
 ) -> Iterator[LayoutRow]:
     """Judge the layouts of several files, in processes of their own, in order."""
+    from exactsweep.formats.layouts import read_layouts
     from exactsweep.processes import Pool, count_cores
 
     pool = Pool(min(workers or count_cores(), len(paths)), keep_limits, list_limits())
     try:
-        jobs = [pool.submit(judge_file, path, options, gaps) for path in paths]
+        jobs = [
+            pool.submit(judge_file, path, partial(read_layouts, path, **options), gaps)
+            for path in paths
+        ]
         with show_bar(len(jobs)) as show:
             for k, job in enumerate(jobs):
                 yield from job.result()
@@ -212,14 +223,15 @@ def _judge_all(
         pool.close()
 
 
-def judge_file(path: str, options: Mapping[str, Any], gaps: Mapping[str, str]) -> list[LayoutRow]:
+def judge_file(
+    path: str, read: Callable[[], Sequence[FoundLayout]], gaps: Mapping[str, str]
+) -> list[LayoutRow]:
     """Judge the layouts of a file; one that cannot be read is a row as well."""
-    from exactsweep.formats.layouts import read_layouts
     from exactsweep.layout import judge_layout
 
     rows = []
     try:
-        for found in read_layouts(path, **options):
+        for found in read():
             name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
             row = _sum_up(name, judge_layout(_make_layout(found, gaps)))
             rows.append(row._replace(notes=found.notes))

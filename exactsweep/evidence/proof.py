@@ -48,7 +48,8 @@ def add_proof(certificate: dict[str, Any]) -> dict[str, Any]:
         A new dict. If the answer is wrong, it is not proved. The certificate of a sweep of polygons
         with a shared direction needs no proof and gets none.
 
-    Cost: O(k log k) sums of pieces, with k those that are near edges of the answer.
+    Cost: that of `cut_to_convex` for both shapes, and O(k log k) sums of pieces, with k those that
+    are near edges of the answer.
 
     Example:
         >>> from exactsweep import sweep

@@ -11,7 +11,8 @@ from typing import Any
 
 import pytest
 from cells import Holed
-from known_layouts import FAULTY, VALID
+from known_layouts import FAULTY, TILE, VALID
+from layouts import box, lay, put
 from shape_certificates import HEAD, no_fit_certificate, outline
 from steps import count_steps
 from test_standalone import CERTIFICATES
@@ -257,3 +258,13 @@ def test_each_question_takes_steps() -> None:
         assert before is not None
         assert budget.left is not None
         assert before - budget.left >= 3
+
+
+def test_steps_of_a_sheet_are_linear_in_its_defects() -> None:
+    def count(n: int) -> int:
+        defects = [box(2 * k + 1, 1, 2 * k + 2, 2) for k in range(n)]
+        layout = lay(box(0, 0, 2 * n + 1, 9), {"tile": TILE}, put("tile"), defects=defects)
+        (steps,) = count_steps(judge_layout(layout).certificate())
+        return steps
+
+    assert count(80) < 3 * count(40)

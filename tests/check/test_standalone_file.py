@@ -56,16 +56,25 @@ def test_the_file_proves_certificates_by_itself(
         1,
         "not proved: generatrix: not the polygon that is given\n",
     )
-    assert run(at["proof"], at["huge"]) == (
+    assert run(at["proof"], at["huge"], at["d"]) == (
         1,
         "not proved: a number with too large an exponent\n",
     )
-    (tmp_path / "over").write_text('[[0, 0], ["1/0", 0], [0, 1]]', encoding="utf-8")
+    over = str(tmp_path / "over")
+    Path(over).write_text('[[0, 0], ["1/0", 0], [0, 1]]', encoding="utf-8")
     refused = [[at[name]] for name in ("claim", "twice", "nan", "bad", "deep", "long")]
-    for arguments in (*refused, [str(tmp_path / "none")], [at["proof"], str(tmp_path / "over")]):
+    for arguments in (*refused, [str(tmp_path / "none")], [at["proof"], over, at["d"]]):
         assert standalone.main(arguments) == 1
         said = capsys.readouterr().out
         assert (said[:12], said.count("\n")) == ("not proved: ", 1)
+
+
+@pytest.mark.parametrize("count", [0, 2, 4])
+def test_shapes_are_given_both_or_not_at_all(
+    count: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert standalone.main(["none"] * count) == 1
+    assert capsys.readouterr().out.startswith("not proved: give a certificate, and perhaps both ")
 
 
 def test_the_schema_takes_certificates_and_the_page_names_all_keys() -> None:

@@ -58,6 +58,16 @@ def test_notes_of_several_files_are_told(nest: Path) -> None:
     assert [row["notes"] for row in found] == [[said], []]
 
 
+def test_several_sheets_are_read_from_standard_input(nest: Path) -> None:
+    text = (nest / "deepnest.svg").read_text(encoding="utf-8")
+    done = run("layout", "-", stdin=text)
+    assert done.stdout.endswith("2 of 2 valid\n")
+    for other in ("-", str(nest / "sparrow.json")):
+        done = run("layout", "-", other, stdin=text)
+        assert done.exit_code == 2
+        assert "Standard input is read alone" in done.stderr
+
+
 def test_everything_is_written(tmp_path: Path) -> None:
     file = case_file(tmp_path, "all-at-once")
     names = "p.html", "p.svg", "proof.json", "out.json"

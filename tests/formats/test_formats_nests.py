@@ -97,3 +97,8 @@ def test_a_sheet_lists_its_own_parts_only() -> None:
     drawn = "".join(sheet.format(f'<path d="M0 0H{k}V1z"/>') for k in range(1, 5))
     found = parse_layouts(f"<svg>{drawn}</svg>")
     assert [[part["id"] for part in one.data["parts"]] for one in found] == [[k] for k in "0123"]
+
+
+def test_a_drawing_of_one_outline_is_no_layout() -> None:
+    with pytest.raises(FormatError, match=r"^one outline alone is drawn: nothing is placed$"):
+        parse_layouts("[[0, 0], [2, 0], [2, 1]]")

@@ -229,6 +229,8 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
         raise FormatError(notes[0] if notes else "no outline is drawn")
     around = _find_around(outlines) if container is None else choose(outlines, container)
     rest = [one for one in outlines if one is not around]
+    if not rest:
+        raise FormatError("one outline alone is drawn: nothing is placed")
     if reading.nested:
         rest = nest_candidates(rest, reading.nested)
     names = make_unique([one.name or one.layer or str(k) for k, one in enumerate(rest)])
