@@ -59,7 +59,7 @@ class LowerSweep:
     def trajectory(self) -> Envelope:
         """T(G_t, D_b)."""
         if self.kind == "CC":
-            return Envelope.of_convex(self.path)
+            return Envelope.of(self.path)
         if self.kind == "CM":
             return trajectory_cm(self.top, self.directrix)
         return trajectory_mm(self.top, self.directrix)
@@ -83,7 +83,7 @@ class LowerSweep:
         return list(outer_mm(self.bottom, self.trajectory))
 
 
-def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
+def split_polygon(polygon: Polygon, frame: Frame) -> tuple[KeptChain, KeptChain]:
     """The bottom and the top chain of a monotone polygon in a frame (Section 2, Figure 2).
 
     Nesting sweeps each part around many others. So the function caches the chains of the last small
@@ -102,18 +102,16 @@ def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Ve
     >>> split_polygon(square, Frame((1, 0), 2))
     ([(0, 0), (2, 0)], [(2, 2), (0, 2)])
     """
-    lattice = polygon.lattice()
-    return _split(lattice, frame) if len(lattice[1]) > KEPT_VERTICES else _keep(lattice, frame)
+    find = _keep if len(polygon) <= KEPT_VERTICES else _split
+    return find(polygon.lattice(), frame)
 
 
-def _split(lattice: Lattice, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
-    return split(frame.enter(*lattice))
-
-
-@lru_cache(KEPT_POLYGONS)
-def _keep(lattice: Lattice, frame: Frame) -> tuple[KeptChain, KeptChain]:
-    bottom, top = _split(lattice, frame)
+def _split(lattice: Lattice, frame: Frame) -> tuple[KeptChain, KeptChain]:
+    bottom, top = split(frame.enter(*lattice))
     return KeptChain(bottom), KeptChain(top)
+
+
+_keep = lru_cache(KEPT_POLYGONS)(_split)
 
 
 class MonotoneSolution:
