@@ -31,6 +31,9 @@ KEPT_VERTICES = 256
 KEPT_POLYGONS = 512
 """The number of polygons with cached chains, the last ones used; up to 1 kB per vertex."""
 
+_TURN_BACK: tuple[Callable[[Sequence[Vertex]], list[Vertex]], ...] = (list, inverse)
+"""Functions that turn points of the lower sweep and of the upper one back to the frame."""
+
 
 @dataclass(eq=False)
 class LowerSweep:
@@ -175,8 +178,7 @@ class MonotoneSolution:
             if self._direction != X_AXIS:
                 first = find_least(points)
                 points = points[first:] + points[:first]
-            made = self.__dict__
-            if ("trajectory" in made) + ("inner" in made) + ("outer" in made) == 2:
+            if len(self.__dict__.keys() & {"trajectory", "inner", "outer"}) == 2:
                 # This is the last of three: envelopes would hold as much as all of them.
                 for side in self.halves:
                     side.__dict__.pop("trajectory", None)
@@ -202,9 +204,9 @@ class MonotoneSolution:
     def fits(self) -> list[Fit]:
         """The exact fits, in slots of D that are exactly as wide as G."""
         found: list[Fit] = []
-        for half, turned in zip(self.halves, (False, True), strict=True):
+        for half, turn_back in zip(self.halves, _TURN_BACK, strict=True):
             for fit in find_exact_fits(half.top, half.directrix, half.path):
-                hanging, inside = self.frame.leave(inverse(fit) if turned else fit)
+                hanging, inside = self.frame.leave(turn_back(fit))
                 found.append((hanging, inside))
         return sorted(found)
 
@@ -212,8 +214,8 @@ class MonotoneSolution:
     def pockets(self) -> list[list[list[Vertex]]]:
         """The regions between D and the inner loop, along the inner loop."""
         found: list[list[list[Vertex]]] = []
-        for half, turned in zip(self.halves, (False, True), strict=True):
+        for half, turn_back in zip(self.halves, _TURN_BACK, strict=True):
             for pocket in find_pockets(half.inner, half.directrix):
-                bottom, top = map(inverse, pocket) if turned else pocket
+                bottom, top = map(turn_back, pocket)
                 found.append([bottom, top[-2:0:-1]])
         return found
