@@ -90,18 +90,15 @@ class Outline:
     def vertices_at(self, point: Vertex, scale: int = 1) -> Sequence[int]:
         """Find the numbers of the vertices at a point, multiplied by a scale.
 
-        There are several if rings touch there. Cost: O(1), and O(n) the first time for several
-        rings.
+        There are several if rings touch there. Cost: O(1), and O(n) the first time.
         """
         if scale != 1:
             point = ratio(point[0], scale), ratio(point[1], scale)
-        if len(self.starts) == 1:
-            return (self.numbers[point],) if point in self.numbers else ()
         return self._all_numbers.get(point, ())
 
     def twins(self, k: int) -> Sequence[int]:
         """Find the numbers of the vertices at the place of vertex k, k among them."""
-        return (k,) if len(self.starts) == 1 else self._all_numbers[self.vertices[k]]
+        return self._all_numbers[self.vertices[k]]
 
     def vertices_inside(self, k: int) -> list[int]:
         """Find the numbers of the vertices of other rings inside edge k.

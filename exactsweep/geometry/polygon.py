@@ -14,10 +14,7 @@ from exactsweep.geometry.canonical import (
 )
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.reading import (
-    Lattice,
-    read_columns,
-    read_interface,
-    read_point,
+    read_vertices,
     reduce_lattice,
     refuse_number,
     to_lattice,
@@ -78,7 +75,7 @@ class Polygon(PointSet):
             self._directions = vertices._directions
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
             return
-        scale, points = _read(vertices)
+        scale, points = read_vertices(vertices)
         ring = canonicalize_ring(points)
         self._vertices = None
         self._lattice = reduce_lattice(scale, ring.points)
@@ -174,26 +171,28 @@ class Polygon(PointSet):
         except (TypeError, IndexError):
             raise refuse_number(k, "edge", len(self)) from None
 
+    def _scaled(self) -> tuple[int, Sequence[Vertex]]:
+        """Return the lattice and the points on it, if they are known, or else the vertices."""
+        return self._lattice or (1, self.vertices)
+
     @property
     def area(self) -> Fraction:
         """The area, a positive Fraction."""
-        scale, points = self._lattice or (1, self.vertices)
+        scale, points = self._scaled()
         return divide_exactly(find_doubled_area(points), 2 * scale * scale)
 
     @property
     def is_convex(self) -> bool:
         """Decide whether all turns are left turns."""
         if self._convex is None:
-            points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
-            self._convex = min(find_turns(points)) > 0
+            self._convex = min(find_turns(self._scaled()[1])) > 0
         return self._convex
 
     @property
     def is_x_monotone(self) -> bool:
         """Decide whether every vertical line meets the polygon in one piece or not at all."""
         if self._monotone is None:
-            points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
-            self._monotone = are_chains_monotone(points)
+            self._monotone = are_chains_monotone(self._scaled()[1])
         return self._monotone
 
     def _image(self, under: AffineMap) -> "Polygon":
@@ -287,21 +286,3 @@ class Polygon(PointSet):
     def _more(self) -> list[str]:
         hidden = len(self) - _SHOWN_VERTICES
         return [f"... {hidden} more"] if hidden > 0 else []
-
-
-def _read(vertices: Iterable[Iterable[object]]) -> Lattice:
-    rings = read_interface(vertices)
-    if rings is not None:
-        if len(rings) > 1:
-            raise PolygonError("it has holes: make a Region of it")
-        (vertices,) = rings
-    try:
-        pairs = iter(vertices)
-    except TypeError:
-        raise PolygonError(f"{type(vertices).__name__} is not a sequence of vertices") from None
-    rows = list(pairs)
-    found = read_columns(rows)
-    if found is None:
-        points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
-        found = to_lattice(*zip(*points, strict=True)) if points else (1, [])
-    return found

@@ -79,21 +79,47 @@ def read_interface(shape: object) -> list[Pairs] | None:
     return [*rings]
 
 
-def read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
-    """Put vertices on their lattice, if all are tuples or lists of two exact numbers.
+def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
+    """Read the vertices of a polygon, and put them on their lattice.
 
     Args:
-        vertices: any number of vertices.
+        vertices: pairs of numbers, or an object with a `__geo_interface__`.
 
     Returns:
-        As `to_lattice`; None if some vertex is anything else. The caller then reads the vertices
-        one by one, to name the error.
+        As `to_lattice`.
+
+    Raises:
+        PolygonError: not pairs, or a polygon with holes.
+        NumberError: a coordinate that is not an exact number. The message begins with the vertex.
 
     Cost: O(n) for ints; otherwise one `to_fraction` for each number.
 
     Example:
-        >>> read_columns([(0, 1), ("1/2", 0), [2, 0.5]])
+        >>> read_vertices([(0, 1), ("1/2", 0), [2, 0.5]])
         (2, [(0, 2), (1, 0), (4, 1)])
+    """
+    rings = read_interface(vertices)
+    if rings is not None:
+        if len(rings) > 1:
+            raise PolygonError("it has holes: make a Region of it")
+        (vertices,) = rings
+    try:
+        pairs = iter(vertices)
+    except TypeError:
+        raise PolygonError(f"{type(vertices).__name__} is not a sequence of vertices") from None
+    rows = list(pairs)
+    found = _read_columns(rows)
+    if found is None:
+        points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
+        found = to_lattice(*zip(*points, strict=True)) if points else (1, [])
+    return found
+
+
+def _read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
+    """Read all first coordinates, then all second ones, if all vertices are tuples or lists of two.
+
+    Returns None if some vertex is anything else, or some number is refused. The caller then reads
+    the vertices one by one, to name the error.
     """
     kinds = set(map(type, vertices))
     if not kinds <= {tuple, list, Point} or set(map(len, vertices)) != {2}:  # type: ignore[arg-type]

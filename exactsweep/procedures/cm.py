@@ -16,17 +16,15 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from functools import reduce
-from typing import cast
 
-from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, take_corners
-from exactsweep.procedures.convex_part import count_flatter, measure_unit, split_parts, take_whole
+from exactsweep.procedures.convex_part import find_touched, measure_unit, split_parts, take_whole
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
-    Piece,
-    cross,
+    find_point,
     find_point_on,
     height,
 )
@@ -115,10 +113,11 @@ def sweep_inner_cm(
     >>> sweep_inner_cm([(1, 1), (0, 1)], [(0, 0), (1, 1), (2, 0)])
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]
     """
-    reversed_edges, parts = require_convex(inverse(generatrix)), find_convex_parts(directrix)
+    # From left to right, as D_b.
+    top = inverse(require_convex(inverse(generatrix)))[::-1]
+    parts = find_convex_parts(directrix)
     if trajectory is None:
         trajectory = trajectory_cm(generatrix, directrix)
-    top = inverse(reversed_edges)
     pieces, sources = trajectory.pieces, trajectory.sources
     inner: list[Vertex] = []
     joints: set[int] = set()
@@ -128,56 +127,29 @@ def sweep_inner_cm(
             continue
         at = trajectory.breaks[k]
         before, after = parts[sources[k - 1]], parts[sources[k]]
-        i, left, in_left = _find_contact(reversed_edges, before, pieces[k - 1], at)
-        j, right, in_right = _find_contact(reversed_edges, after, pieces[k], at)
+        i, (_, left) = find_touched(before, trajectory, k - 1)
+        j, (right, _) = find_touched(after, trajectory, k)
+        # At a step of the envelope the higher position closes the undercut.
         step = height(pieces[k - 1], pieces[k], at)
-        # Vertices of G are corners. A contact may be collinear with its neighbours, or equal to a
-        # vertex of G, unless both contacts are inside edges of D_b. At a step one of them is an end
-        # of a part of D_b.
-        plain = in_left and in_right
-        higher = trajectory.point(k if step < 0 else k - 1, at)
+        position = find_point(pieces[k if step < 0 else k - 1], at)
+        leaving, arriving = (before[i], before[i + 1]), (after[j], after[j + 1])
+        # Without a step, a contact inside an edge of D_b is a vertex of G, and a corner. Others may
+        # be collinear with their neighbours, or repeat them.
         inner += before[done : i + 1]
-        first = len(inner)
-        inner.append(find_point_on((before[i], before[i + 1]), left))
-        inner += _place(top, higher, at, left, right, touching=not plain)
-        inner.append(find_point_on((after[j], after[j + 1]), right))
-        if not plain:
-            joints |= {first, len(inner) - 1}
+        inner.append(find_point_on(leaving, left))
+        if step or inner[-1] in leaving:
+            joints.add(len(inner) - 1)
+        inner += _place(top, position, at, left, right, touching=step != 0)
+        inner.append(find_point_on(arriving, right))
+        if step or inner[-1] in arriving:
+            joints.add(len(inner) - 1)
         done = j + 1
     inner += parts[sources[-1]][done:]
     return take_corners(inner, joints)
 
 
-def _find_contact(
-    moving: Sequence[Vertex], points: Sequence[Vertex], piece: Piece, at: Break
-) -> tuple[int, Break, bool]:
-    """Find where G, at a break on a piece of the trajectory, touches a convex part of D_b.
-
-    In order of slope, the piece follows all flatter edges of D_i and of reversed G_t. The contact
-    is VE if D_i has an edge of that slope, EV if G_t has one, and EE if both have one. For EE,
-    which is a segment, the result is its right end.
-
-    Returns (number of an edge of the part, x on it, whether the contact is VE and inside the edge).
-    Cost: O(log m + log n).
-    """
-    dx, dy, _, start, _ = piece
-    k, h = count_flatter(points, dx, dy), count_flatter(moving, dx, dy)
-    n, d = at
-    travelled = n - cast(Vertex, start)[0] * d
-    along: Rational
-    inside = False
-    if k == len(points) - 1 or cross(points[k], points[k + 1], piece) > 0:
-        along = 0
-    elif h == len(moving) - 1 or cross(moving[h], moving[h + 1], piece) > 0:
-        along = travelled
-        inside = 0 < along < (points[k + 1][0] - points[k][0]) * d
-    else:
-        along = min(travelled, (points[k + 1][0] - points[k][0]) * d)
-    return min(k, len(points) - 2), (points[k][0] * d + along, d), inside
-
-
 def _place(
-    generatrix: Sequence[Vertex],
+    top: Sequence[Vertex],
     position: Vertex,
     at: Break,
     left: Break,
@@ -185,17 +157,13 @@ def _place(
     *,
     touching: bool,
 ) -> list[Vertex]:
-    """List the vertices of G_t between two breaks, left to right, for a position of G at a break.
+    """List the vertices of G_t between two breaks, for a position of G at a break.
 
-    `touching` includes vertices at the breaks. All three breaks have the same denominator.
-    Cost: O(log n + vertices returned).
+    `touching` includes vertices at the two breaks. Cost: O(log n + vertices returned).
     """
-    n, d = at
-    count = len(generatrix)
+    (n, d), (low, e), (high, f) = at, left, right
     before, after = (bisect_left, bisect_right) if touching else (bisect_right, bisect_left)
-    first = before(range(count), left[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
-    last = after(range(count), right[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
-    if first >= last:
-        return []
+    first = before(top, low * d - n * e, key=lambda v: v[0] * d * e)
+    last = after(top, high * d - n * f, key=lambda v: v[0] * d * f)
     x, y = position
-    return [(x + u, y + v) for u, v in generatrix[count - last : count - first][::-1]]
+    return [(x + u, y + v) for u, v in top[first:last]]

@@ -31,7 +31,7 @@ from typing import NamedTuple, cast
 
 from exactsweep.numbers.number import Rational, Vertex, divide_exactly
 from exactsweep.procedures.chain import KeptChain, measure_width, require_convex, split_by_slope
-from exactsweep.procedures.envelope import Break, Envelope, Piece
+from exactsweep.procedures.envelope import Break, Envelope, Piece, Span
 
 Box = tuple[Rational, Rational, Rational]
 """Bounds of a convex part, rounded outwards to ints: (left, right, low), where low bounds y."""
@@ -61,12 +61,9 @@ class ConvexPart(NamedTuple):
     @property
     def box(self) -> Box:
         """The bounds of the part."""
-        return (*self.x_range, self.points[bisect_left(self.slopes, 0)][1])
-
-    @property
-    def x_range(self) -> tuple[Rational, Rational]:
-        """Its x-range, rounded outwards to ints."""
-        return round_outwards((self.points[0][0], 1), (self.points[-1][0], 1))
+        points = self.points
+        low = points[bisect_left(self.slopes, 0)][1]
+        return (*round_outwards((points[0][0], 1), (points[-1][0], 1)), low)
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope | None:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
@@ -138,12 +135,8 @@ class CrossingPart(NamedTuple):
         k = bisect_left(self.slopes, 0)
         dx, dy, c, _, _ = self.edges[k and k - 1]
         n, d = self.breaks[k]
-        return (*self.x_range, (dy * n + c * d) // (dx * d))
-
-    @property
-    def x_range(self) -> tuple[Rational, Rational]:
-        """Its x-range, rounded outwards to ints."""
-        return round_outwards(self.breaks[0], self.breaks[-1])
+        low = (dy * n + c * d) // (dx * d)
+        return (*round_outwards(self.breaks[0], self.breaks[-1]), low)
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope | None:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
@@ -224,17 +217,44 @@ def _find_what_matters(
     return i, last_i, j, last_j
 
 
-def count_flatter(points: Sequence[Vertex], dx: Rational, dy: Rational) -> int:
-    """Count the edges of a convex chain flatter than the slope dy / dx. Cost: O(log n)."""
-    low, high = 0, len(points) - 1
-    while low < high:
-        middle = (low + high) // 2
-        (ax, ay), (bx, by) = points[middle], points[middle + 1]
-        if (by - ay) * dx < (bx - ax) * dy:
-            low = middle + 1
-        else:
-            high = middle
-    return low
+def find_touched(
+    points: Sequence[Vertex], trajectory: Envelope, k: int, first: int = 0
+) -> tuple[int, Span]:
+    """Find the points of D_b that G touches along a piece of the trajectory (Table 1).
+
+    In order of slope, the piece follows all flatter edges of its part of D_b and of reversed G_t.
+    The contact is VE or EE if the part has an edge of that slope, and EV otherwise.
+
+    Args:
+        points: the vertices of the part of D_b.
+        trajectory: T(G_t, D_b).
+        k: the number of a piece whose source has this part.
+        first: the number of an edge; all edges before it are flatter than the piece.
+
+    Returns:
+        (The number of an edge of the part, the touched x-range on it).
+
+    Cost: O(edges passed over).
+    """
+    dx, dy, _, start, _ = trajectory.pieces[k]
+    v, last = first, len(points) - 1
+    while v < last:
+        (left, y), (right, z) = points[v], points[v + 1]
+        turn = (z - y) * dx - (right - left) * dy
+        if turn == 0:
+            # G's vertex or edge is over D_b from u - g_right to u - g_left, G being at u.
+            x, _ = cast(Vertex, start)
+            (n, d), g_right = trajectory.breaks[k], x + dx - right
+            (m, e), g_left = trajectory.breaks[k + 1], x - left
+            return v, (
+                (left, 1) if n <= (left + g_right) * d else (n - g_right * d, d),
+                (right, 1) if m >= (right + g_left) * e else (m - g_left * e, e),
+            )
+        if turn > 0:
+            break
+        v += 1
+    at = points[v][0], 1
+    return min(v, last - 1), (at, at)
 
 
 def measure_unit(*directrices: Sequence[Vertex] | Envelope) -> int | None:

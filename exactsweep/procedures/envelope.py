@@ -18,7 +18,7 @@ from fractions import Fraction
 from itertools import chain, pairwise
 
 from exactsweep.numbers.number import Edge, Rational, Vertex, divide_exactly, ratio
-from exactsweep.procedures.chain import ChainError, find_convex_parts
+from exactsweep.procedures.chain import ChainError
 
 Break = tuple[Rational, Rational]
 """x = n / d with d > 0; not reduced."""
@@ -62,20 +62,19 @@ class Envelope:
 
         Raises ChainError if the chain is not X-monotone. Cost: O(n).
         """
-        first, *rest = (cls.of_convex(part, source) for part in find_convex_parts(chain))
-        for part in rest:
-            first.take_all(part)
-        return first
-
-    @classmethod
-    def of_convex(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
-        """Wrap a strictly convex chain. Cost: O(n)."""
-        edges: list[Piece] = [
-            (dx := qx - px, dy := qy - py, py * dx - px * dy, start, source)
-            for start, (qx, qy) in pairwise(chain)
-            for px, py in [start]
-        ]
-        return cls([(x, 1) for x, _ in chain], edges)
+        breaks: list[Break] = [(chain[0][0], 1)]
+        pieces: list[Piece] = []
+        for start, (qx, qy) in pairwise(chain):
+            px, py = start
+            dx, dy = qx - px, qy - py
+            if dx < 0:
+                raise ChainError(f"({qx}, {qy}) lies left of ({px}, {py}): not an X-monotone chain")
+            if dx:
+                pieces.append((dx, dy, py * dx - px * dy, start, source))
+                breaks.append((qx, 1))
+        if not pieces:
+            raise ChainError("a chain of no width: all of its edges are vertical")
+        return cls(breaks, pieces)
 
     @property
     def sources(self) -> list[int]:
@@ -90,85 +89,39 @@ class Envelope:
             return max(steps)[0]
         return None
 
-    def point(self, k: int, at: Break) -> Vertex:
-        """The point of piece k at a break. Raises ChainError where there is a gap. Cost: O(1)."""
-        return find_point(self.pieces[k], at)
-
     def edge_before(self, at: Break) -> int:
         """The number of the piece that holds just left of a break. Cost: O(log n)."""
         n, d = at
         return bisect_left(self.breaks, True, key=lambda b: b[0] * d >= n * b[1]) - 1
 
-    def edge_after(self, at: Break, first: int = 0) -> int:
-        """The number of the piece, from the first, that holds just right of a break.
-
-        Cost: O(log n).
-        """
+    def edge_after(self, at: Break) -> int:
+        """The number of the piece that holds just right of a break. Cost: O(log n)."""
         n, d = at
-        return bisect_left(self.breaks, True, first, key=lambda b: b[0] * d > n * b[1]) - 1
+        return bisect_left(self.breaks, True, key=lambda b: b[0] * d > n * b[1]) - 1
 
     def take_all(self, chain: Envelope) -> None:
         """Append a chain that starts where this one ends, or right of that. Cost: O(its size)."""
-        self.take_gap(chain.breaks[0])
+        if precedes(self.breaks[-1], chain.breaks[0]):
+            self.pieces.append(GAP)
+            self.breaks.append(chain.breaks[0])
         self.breaks += chain.breaks[1:]
         self.pieces += chain.pieces
 
-    def take_gap(self, end: Break) -> None:
-        """Append a gap up to a break, if the break is right of the end."""
-        if precedes(self.breaks[-1], end):
-            self.pieces.append(GAP)
-            self.breaks.append(end)
-
-    def take_between(self, chain: Envelope, start: Break, end: Break, first: int = 0) -> int:
+    def take_between(self, chain: Envelope, start: Break, end: Break) -> None:
         """Append the pieces of a chain between two breaks, if the second is right of the first.
 
         Args:
             chain: an envelope over the whole range between the breaks.
             start: the first break.
             end: the second break.
-            first: the number of a piece of the chain that begins at the first break or left of it.
 
-        Returns the number of the last piece taken, or `first`.
         Cost: O(log n + pieces taken).
         """
-        if not precedes(start, end):
-            return first
-        begin = last = chain.edge_after(start, first)
-        breaks = chain.breaks
-        (n, d), (m, e) = end, breaks[last + 1]
-        while m * d < n * e:
-            last += 1
-            m, e = breaks[last + 1]
-        self.pieces += chain.pieces[begin : last + 1]
-        self.breaks += breaks[begin + 1 : last + 1]
-        self.breaks.append(end)
-        return last
-
-    def keep(self, spans: Sequence[Span]) -> Envelope | None:
-        """Keep the parts over some x-ranges, which ascend, and put gaps between them.
-
-        Returns None if the envelope reaches none of the ranges.
-        Cost: O(log k) for k x-ranges, O(log n) for each that it reaches, and O(pieces kept).
-        """
-        kept: Envelope | None = None
-        first, last = self.breaks[0], self.breaks[-1]
-        begin = bisect_left(spans, True, key=lambda span: precedes(first, span[1]))
-        at = 0
-        for k in range(begin, len(spans)):
-            start, end = spans[k]
-            if not precedes(start, last):
-                break
-            if precedes(last, end):
-                end = last
-            if kept is not None:
-                kept.take_gap(start)
-            else:
-                # Only the first one may begin left of it.
-                if precedes(start, first):
-                    start = first
-                kept = Envelope([start], [])
-            at = kept.take_between(self, start, end, at)
-        return kept
+        if precedes(start, end):
+            first, last = chain.edge_after(start), chain.edge_before(end)
+            self.pieces += chain.pieces[first : last + 1]
+            self.breaks += chain.breaks[first + 1 : last + 1]
+            self.breaks.append(end)
 
     def __iter__(self) -> Iterator[Vertex]:
         breaks, pieces = self.breaks, self.pieces
@@ -223,11 +176,6 @@ def find_point_on(edge: Edge, at: Break) -> Vertex:
         return q
     dx, dy = q[0] - p[0], q[1] - p[1]
     return ratio(n, d), ratio(dy * n + (p[1] * dx - p[0] * dy) * d, dx * d)
-
-
-def cross(start: Vertex, end: Vertex, piece: Piece) -> Rational:
-    """Return a number that is positive if start to end is steeper than a piece, 0 if parallel."""
-    return piece[0] * (end[1] - start[1]) - piece[1] * (end[0] - start[0])
 
 
 def height(first: Piece, second: Piece, at: Break) -> Rational:

@@ -31,14 +31,13 @@ touches D. So only the gaps between touched points need a computation of R.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain, pairwise, repeat
-from typing import cast
+from collections.abc import Iterable, Sequence
+from itertools import chain, pairwise
 
-from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, take_corners
 from exactsweep.procedures.convex_part import (
-    count_flatter,
+    find_touched,
     measure_unit,
     split_chain,
     split_parts,
@@ -153,35 +152,14 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
     (Fraction(5, 2), Fraction(7, 2))
     """
     touched: list[list[list[Span]]] = [[[] for _ in part[1:]] for part in parts]
-    last, v, turn = -1, 0, cast(Rational, 0)
-    points, spans = parts[0], touched[0]
-    breaks = trajectory.breaks
-    for k, (dx, dy, _, start, source) in enumerate(trajectory.pieces):
-        if source != last:
-            last, part = source, source % len(parts)
-            points, spans = parts[part], touched[part]
-            v = count_flatter(points, dx, dy)
-        # Edges from one source become steeper.
-        while v < len(spans):
-            (left, y), (right, z) = points[v], points[v + 1]
-            turn = (z - y) * dx - (right - left) * dy
-            if turn >= 0:
-                break
-            v += 1
-        if v == len(spans) or turn > 0:
-            at = points[v][0], 1
-            spans[v - (v == len(spans))].append((at, at))
-            continue
-        # At u, the vertex or edge of G is over D from u - g_right to u - g_left.
-        x, _ = cast(Vertex, start)
-        (n, d), g_right = breaks[k], x + dx - right
-        (m, e), g_left = breaks[k + 1], x - left
-        spans[v].append(
-            (
-                (left, 1) if n <= (left + g_right) * d else (n - g_right * d, d),
-                (right, 1) if m >= (right + g_left) * e else (m - g_left * e, e),
-            )
-        )
+    last = edge = -1
+    for k, source in enumerate(trajectory.sources):
+        part = source % len(parts)
+        # Pieces from one source become steeper.
+        first = edge if source == last else 0
+        edge, span = find_touched(parts[part], trajectory, k, first)
+        touched[part][edge].append(span)
+        last = source
     found: list[Span] = []
     reach: Break = (parts[0][0][0], 1)
     for of_edge in chain.from_iterable(touched):
@@ -229,12 +207,6 @@ def inner_mm(
     inside, reversed_top = _take_inside(trajectory), inverse(generatrix_top)
     unit = measure_unit(reversed_top, inside)
     chains, slots = split_chain(reversed_top, unit), split_parts(inside, unit)
-
-    def guess() -> Iterator[tuple[int, int]]:
-        # The part of G_t that draws the trajectory probably reaches deepest into the next gap.
-        owners = chain.from_iterable(repeat(k, len(slot.edges)) for k, slot in enumerate(slots))
-        return ((source // len(parts), k) for source, k in zip(inside.sources, owners, strict=True))
-
     floor = Envelope.of(inverse(complement(directrix)))
-    closed = sweep_pairs(chains, slots, open_spans, guess)
+    closed = sweep_pairs(chains, slots, open_spans)
     return inverse(complement(list(_close_gaps(floor, closed, open_spans))))

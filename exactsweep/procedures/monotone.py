@@ -31,6 +31,9 @@ KEPT_VERTICES = 256
 KEPT_POLYGONS = 512
 """The number of polygons with cached chains, the last ones used; up to 1 kB per vertex."""
 
+_TURN_BACK: tuple[Callable[[Sequence[Vertex]], list[Vertex]], ...] = (list, inverse)
+"""Functions that turn points of the lower sweep and of the upper one back to the frame."""
+
 
 @dataclass(eq=False)
 class LowerSweep:
@@ -59,7 +62,7 @@ class LowerSweep:
     def trajectory(self) -> Envelope:
         """T(G_t, D_b)."""
         if self.kind == "CC":
-            return Envelope.of_convex(self.path)
+            return Envelope.of(self.path)
         if self.kind == "CM":
             return trajectory_cm(self.top, self.directrix)
         return trajectory_mm(self.top, self.directrix)
@@ -83,7 +86,7 @@ class LowerSweep:
         return list(outer_mm(self.bottom, self.trajectory))
 
 
-def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
+def split_polygon(polygon: Polygon, frame: Frame) -> tuple[KeptChain, KeptChain]:
     """The bottom and the top chain of a monotone polygon in a frame (Section 2, Figure 2).
 
     Nesting sweeps each part around many others. So the function caches the chains of the last small
@@ -102,18 +105,16 @@ def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Ve
     >>> split_polygon(square, Frame((1, 0), 2))
     ([(0, 0), (2, 0)], [(2, 2), (0, 2)])
     """
-    lattice = polygon.lattice()
-    return _split(lattice, frame) if len(lattice[1]) > KEPT_VERTICES else _keep(lattice, frame)
+    find = _keep if len(polygon) <= KEPT_VERTICES else _split
+    return find(polygon.lattice(), frame)
 
 
-def _split(lattice: Lattice, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
-    return split(frame.enter(*lattice))
-
-
-@lru_cache(KEPT_POLYGONS)
-def _keep(lattice: Lattice, frame: Frame) -> tuple[KeptChain, KeptChain]:
-    bottom, top = _split(lattice, frame)
+def _split(lattice: Lattice, frame: Frame) -> tuple[KeptChain, KeptChain]:
+    bottom, top = split(frame.enter(*lattice))
     return KeptChain(bottom), KeptChain(top)
+
+
+_keep = lru_cache(KEPT_POLYGONS)(_split)
 
 
 class MonotoneSolution:
@@ -177,8 +178,7 @@ class MonotoneSolution:
             if self._direction != X_AXIS:
                 first = find_least(points)
                 points = points[first:] + points[:first]
-            made = self.__dict__
-            if ("trajectory" in made) + ("inner" in made) + ("outer" in made) == 2:
+            if len(self.__dict__.keys() & {"trajectory", "inner", "outer"}) == 2:
                 # This is the last of three: envelopes would hold as much as all of them.
                 for side in self.halves:
                     side.__dict__.pop("trajectory", None)
@@ -204,9 +204,9 @@ class MonotoneSolution:
     def fits(self) -> list[Fit]:
         """The exact fits, in slots of D that are exactly as wide as G."""
         found: list[Fit] = []
-        for half, turned in zip(self.halves, (False, True), strict=True):
+        for half, turn_back in zip(self.halves, _TURN_BACK, strict=True):
             for fit in find_exact_fits(half.top, half.directrix, half.path):
-                hanging, inside = self.frame.leave(inverse(fit) if turned else fit)
+                hanging, inside = self.frame.leave(turn_back(fit))
                 found.append((hanging, inside))
         return sorted(found)
 
@@ -214,8 +214,8 @@ class MonotoneSolution:
     def pockets(self) -> list[list[list[Vertex]]]:
         """The regions between D and the inner loop, along the inner loop."""
         found: list[list[list[Vertex]]] = []
-        for half, turned in zip(self.halves, (False, True), strict=True):
+        for half, turn_back in zip(self.halves, _TURN_BACK, strict=True):
             for pocket in find_pockets(half.inner, half.directrix):
-                bottom, top = map(inverse, pocket) if turned else pocket
+                bottom, top = map(turn_back, pocket)
                 found.append([bottom, top[-2:0:-1]])
         return found

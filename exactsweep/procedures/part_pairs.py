@@ -11,9 +11,9 @@ strips are rounded upwards to ints, and those of boxes downwards.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, count
 from math import inf
-from typing import NamedTuple, cast
 
 from exactsweep.numbers.number import Rational
 from exactsweep.procedures.convex_part import Box, ConvexPart, Parts
@@ -25,110 +25,80 @@ STRIPS_PER_CHAIN = 4
 FEW_PAIRS = 40
 """The number of pairs up to which sweeping all is faster than a ceiling over half of them."""
 
-Guess = Callable[[], Iterable[tuple[int, int]]]
-"""Makes pairs of numbers, of parts of G_t and of D_b."""
-
-
-class Boxes(NamedTuple):
-    """The boxes of consecutive parts, and their left and right ends, each ascending."""
-
-    boxes: list[Box]
-    lefts: list[Rational]
-    rights: list[Rational]
-
-    @classmethod
-    def of(cls, parts: Parts) -> Boxes:
-        """Collect the boxes of parts, from left to right."""
-        boxes = [part.box for part in parts]
-        return cls(boxes, [box[0] for box in boxes], [box[1] for box in boxes])
-
 
 class Ceiling:
-    """Upper bounds of an envelope over strips of its x-range; of a gap, infinity.
+    """Upper bounds of an envelope over strips of its x-range.
 
     Args:
         envelope: an upper bound of the envelope to be found.
-        span: bounds of the x-ranges of all sums.
-        chains: the number of convex chains of G_t and D_b. The number of strips is proportional to
-            it, so that a pair crosses O(1) of them on average.
-        gaps: the relevant x-ranges, from left to right; the whole x-range by default.
+        rows: the boxes of the parts of one chain, from left to right.
+        columns: the boxes of the parts of the other chain, likewise.
+        gaps: the relevant x-ranges; the whole x-range by default.
 
-    Cost: O(size of the envelope).
+    Attributes:
+        tops: the bound over each strip: infinity if the envelope does not reach all of the strip,
+            minus infinity if the strip is not relevant.
+
+    The number of strips is proportional to that of all parts, so that a sum of two boxes crosses
+    O(1) strips on average.
+
+    Cost: O(size of the envelope + strips).
     """
 
     def __init__(
         self,
         envelope: Envelope,
-        span: tuple[Rational, Rational],
-        chains: int,
+        rows: Sequence[Box],
+        columns: Sequence[Box],
         gaps: Sequence[Span] | None = None,
     ) -> None:
         breaks, pieces = envelope.breaks, envelope.pieces
-        self.start, end = span
-        width = end - self.start + 1
-        count = int(min(STRIPS_PER_EDGE * len(pieces), STRIPS_PER_CHAIN * chains, width))
-        self.width = -(-width // count)
-        # One more strip: the end of the x-range may lie on a border.
-        self.tops = tops = [cast("Rational | float", -inf)] * (count + 1)
-        # First and last strip of each window; no strip is in two of them.
-        self.windows: list[tuple[int, int]] = []
+        self.columns = columns
+        self.start = rows[0][0] + columns[0][0]
+        width = rows[-1][1] + columns[-1][1] - self.start + 1
+        chains = len(rows) + len(columns)
+        size = int(min(STRIPS_PER_EDGE * len(pieces), STRIPS_PER_CHAIN * chains, width))
+        self.width = -(-width // size)
         strips = self._find_strips(breaks)
-        for left, right in [((self.start, 1), (end, 1))] if gaps is None else gaps:
-            first, last = self._find_strips((left, right))
-            begin, stop = envelope.edge_after(left), envelope.edge_before(right)
-            if begin < 0:
-                self._open(first, min(strips[0], last))
-            if stop == len(pieces):
-                self._open(max(first, strips[-1]), last)
-            for k in range(max(begin, 0), min(stop + 1, len(pieces))):
-                dx, dy, c, _, _ = pieces[k]
-                n, d = breaks[k + 1] if dy > 0 else breaks[k]
-                top: Rational | float = -(-(dy * n + c * d) // (dx * d)) if dx else inf
-                strip, end_strip = strips[k], strips[k + 1]
-                while strip <= end_strip:
-                    if top > tops[strip]:
-                        tops[strip] = top
-                    strip += 1
-            if self.windows and first <= self.windows[-1][1]:
-                first = self.windows.pop()[0]
-            self.windows.append((first, last))
-
-    def _open(self, first: int, last: int) -> None:
-        """Mark some strips as unbounded."""
-        self.tops[first : last + 1] = [inf] * (last + 1 - first)
+        self.tops: list[Rational | float] = [inf] * size
+        first, last = strips[0] + 1, strips[-1]
+        self.tops[first:last] = [-inf] * (last - first)
+        for k, (dx, dy, c, _, _) in enumerate(pieces):
+            n, d = breaks[k + 1] if dy > 0 else breaks[k]
+            top = -(-(dy * n + c * d) // (dx * d)) if dx else inf
+            for strip in range(strips[k], strips[k + 1] + 1):
+                if top > self.tops[strip]:
+                    self.tops[strip] = top
+        if gaps is not None:
+            relevant: list[Rational | float] = [-inf] * size
+            for gap in gaps:
+                first, last = self._find_strips(gap)
+                relevant[first : last + 1] = self.tops[first : last + 1]
+            self.tops = relevant
 
     def _find_strips(self, breaks: Iterable[Break]) -> list[int]:
         """Find the strips that contain breaks."""
         start, width = self.start, self.width
         return [(n // d - start) // width for n, d in breaks]
 
-    def find_reaching(self, part: Box, boxes: Boxes, numbers: Sequence[int]) -> list[int]:
-        """Find the boxes whose sum with that of a part comes below the ceiling.
+    def find_reaching(self, row: Box, numbers: Iterable[int]) -> list[int]:
+        """Find the columns, of those given, whose sum with a row comes below the ceiling.
 
-        Args:
-            part: the box of a part of G_t.
-            boxes: the boxes of D_b.
-            numbers: the numbers of the boxes to test, ascending.
-
-        Cost: O(strips crossed), for most boxes O(1), and O(log m) for each window.
+        Cost: O(strips crossed), for most sums O(1).
         """
-        left, right, low = part
+        left, right, low = row
         left, right = left - self.start, right - self.start
-        width, tops = self.width, self.tops
-        both, twice, each = left + right, 2 * width, boxes.boxes
+        width, tops, columns = self.width, self.tops, self.columns
+        both, twice = left + right, 2 * width
         reached: list[int] = []
-        done = 0
-        for first_strip, last_strip in self.windows:
-            begin = max(done, bisect_left(boxes.rights, first_strip * width - right))
-            done = bisect_right(boxes.lefts, (last_strip + 1) * width - left, begin)
-            for k in numbers[bisect_left(numbers, begin) : bisect_left(numbers, done)]:
-                first, last, least = each[k]
-                least += low
-                # The strip in the middle decides most of them.
-                if least < tops[(both + first + last) // twice] or least < max(
-                    tops[(left + first) // width : (right + last) // width + 1]
-                ):
-                    reached.append(k)
+        for k in numbers:
+            first, last, least = columns[k]
+            least += low
+            # The strip in the middle decides most of them.
+            if least < tops[(both + first + last) // twice] or least < max(
+                tops[(left + first) // width : (right + last) // width + 1]
+            ):
+                reached.append(k)
         return reached
 
 
@@ -157,29 +127,23 @@ class Ceiling:
 #          is above E except for single points.
 #
 # So the lowest of all runs is E, by (2) and (3). A single run need not be the envelope of its
-# members. If only gaps are relevant, (2) holds for each x in a gap. Then pairs whose sums lie
-# outside all gaps are left out, and so are the pieces of a run there.
+# members. If only gaps are relevant, (2) holds for each x in a gap.
 
 
 def sweep_pairs(
-    chains: Sequence[ConvexPart],
-    parts: Parts,
-    gaps: Sequence[Span] | None = None,
-    guess: Guess | None = None,
+    chains: Sequence[ConvexPart], parts: Parts, gaps: Sequence[Span] | None = None
 ) -> Envelope:
     """Steps 2 and 3: sweep each convex part of G_t, and take the lower envelope.
 
     Only the edges between the slopes of both parts are relevant (see `convex_part`), so pairs
     without a common slope give nothing. The other pairs are swept in batches, each three times as
-    large as the last. The parts of G_t that reach highest come first. The result of a batch is a
-    ceiling for the next one, and pairs that do not come below it need no sweep.
+    large as the last, with the parts that reach lowest first. The result of a batch is a ceiling
+    for the next one, and pairs that do not come below it need no sweep.
 
     Args:
         chains: the convex parts of reversed G_t.
         parts: the convex parts of D_b.
         gaps: the relevant x-ranges, from left to right; the whole x-range by default.
-        guess: returns pairs of a chain and a part that are likely to be lowest. They come first, if
-            there are too many pairs to sweep them all at once.
 
     Returns:
         The lower envelope, `sources` as in `trajectory_mm`.
@@ -188,106 +152,88 @@ def sweep_pairs(
     """
     exchanged = len(parts) < len(chains)
     rows, columns = (parts, chains) if exchanged else (chains, parts)
-    count = len(parts)
-    facing: Sequence[Sequence[int]] = [range(len(columns))] * len(rows)
-    few = len(rows) * len(columns) <= FEW_PAIRS
-    if gaps is not None:
-        facing = keep_over(gaps, rows, columns)
-    if not few:
-        facing = find_facing(facing, rows, columns)
-        few = sum(map(len, facing)) <= FEW_PAIRS
 
-    def sweep_row(i: int, numbers: Iterable[int]) -> Iterable[Envelope]:
+    def sweep_row(i: int, numbers: Iterable[int]) -> list[Envelope]:
         """Compute the runs of one row, with some of the columns."""
         runs: list[Envelope] = []
-        run: Envelope | None = None
         for k in numbers:
-            chain, part = (k, i) if exchanged else (i, k)
-            piece = parts[part].sweep(chains[chain], chain * count + part)
-            if piece is not None and not (run is not None and add_to_run(run, piece)):
-                run = piece
-                runs.append(run)
-        return runs if gaps is None else filter(None, [run.keep(gaps) for run in runs])
+            c, p = (k, i) if exchanged else (i, k)
+            piece = parts[p].sweep(chains[c], c * len(parts) + p)
+            if piece is not None and not (runs and add_to_run(runs[-1], piece)):
+                runs.append(piece)
+        return runs
 
-    if few:
-        found: list[Envelope] = []
-        for i, numbers in enumerate(facing):
-            found += sweep_row(i, numbers)
-        return lower_envelope_mm(found)
-
-    row_boxes, boxes = Boxes.of(rows).boxes, Boxes.of(columns)
-    span = row_boxes[0][0] + boxes.lefts[0], row_boxes[-1][1] + boxes.rights[-1]
-
-    def sweep_batch(
-        envelope: Envelope | None, batch: Mapping[int, Sequence[int]]
-    ) -> Envelope | None:
-        runs: list[Envelope] = []
-        ceiling = None
-        if envelope is not None:
-            ceiling = Ceiling(envelope, span, len(rows) + len(columns), gaps)
-        for i, numbers in batch.items():
-            if ceiling is not None:
-                numbers = ceiling.find_reaching(row_boxes[i], boxes, numbers)
-            runs += sweep_row(i, numbers)
-        if not runs:
-            return envelope
-        found = lower_envelope_mm(runs)
-        return merge(envelope, found) if envelope is not None else found
-
-    envelope: Envelope | None = None
+    facing: Sequence[Sequence[int]] = [range(len(columns))] * len(rows)
+    if len(rows) * len(columns) > FEW_PAIRS:
+        facing = find_facing(rows, columns)
+    if gaps is None and sum(map(len, facing)) <= FEW_PAIRS:
+        return lower_envelope_mm(list(chain.from_iterable(map(sweep_row, count(), facing))))
+    row_boxes, boxes = [row.box for row in rows], [column.box for column in columns]
+    if gaps is not None:
+        facing = keep_over(gaps, facing, row_boxes, boxes)
+    found: Envelope | None = None
     order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
-    if guess is not None:
-        guessed: list[set[int]] = [set() for _ in rows]
-        for chain, part in guess():
-            i, k = (part, chain) if exchanged else (chain, part)
-            guessed[i].add(k)
-        likely = {i: [k for k in facing[i] if k in guessed[i]] for i in order}
-        envelope = sweep_batch(envelope, likely)
-        facing = [[k for k in facing[i] if k not in guessed[i]] for i in range(len(rows))]
-    batch: dict[int, Sequence[int]] = {}
-    size, pairs = max(len(rows) + len(columns), FEW_PAIRS), 0
-    for i in order:
-        if batch and pairs + len(facing[i]) > size:
-            envelope = sweep_batch(envelope, batch)
-            batch, size, pairs = {}, 3 * size, 0
-        batch[i] = facing[i]
-        pairs += len(facing[i])
-    envelope = sweep_batch(envelope, batch)
-    assert envelope is not None, "some pair draws the trajectory"
-    return envelope
-
-
-def find_facing(asked: Sequence[Sequence[int]], rows: Parts, columns: Parts) -> list[list[int]]:
-    """Keep, for each row, the given columns that have a slope in common with it.
-
-    Cost: O(columns given).
-    """
-    ends = [(k, columns[k].flattest, columns[k].steepest) for k in range(len(columns))]
-    found = []
-    for i, numbers in enumerate(asked):
-        flattest, steepest = rows[i].flattest, rows[i].steepest
-        some = ends if len(numbers) == len(ends) else [ends[k] for k in numbers]
-        found.append([k for k, first, last in some if first <= steepest and flattest <= last])
+    for batch in split_batches(order, facing, max(len(rows) + len(columns), FEW_PAIRS)):
+        runs: list[Envelope] = []
+        ceiling = None if found is None else Ceiling(found, row_boxes, boxes, gaps)
+        for i in batch:
+            numbers = facing[i]
+            if ceiling is not None:
+                numbers = ceiling.find_reaching(row_boxes[i], numbers)
+            runs += sweep_row(i, numbers)
+        if runs:
+            lowest = lower_envelope_mm(runs)
+            found = lowest if found is None else merge(found, lowest)
+    assert found is not None, "some pair draws the trajectory"
     return found
 
 
-def keep_over(gaps: Sequence[Span], rows: Parts, columns: Parts) -> list[list[int]]:
-    """Find, for each row, the columns whose sum with it lies over some gap.
+def split_batches(
+    order: Sequence[int], facing: Sequence[Sequence[int]], size: int
+) -> Iterator[Sequence[int]]:
+    """Split rows into batches of about `size` pairs, each three times as large as the last.
+
+    >>> list(split_batches(range(5), [[0, 1], [0], [1, 2], [0, 1, 2], [1]], 3))
+    [range(0, 2), range(2, 5)]
+    """
+    first = pairs = 0
+    for k, row in enumerate(order):
+        if first < k and pairs + len(facing[row]) > size:
+            yield order[first:k]
+            first, pairs, size = k, 0, 3 * size
+        pairs += len(facing[row])
+    yield order[first:]
+
+
+def find_facing(rows: Parts, columns: Parts) -> list[list[int]]:
+    """Find, for each row, the columns that have a slope in common with it. Cost: O(pairs)."""
+    ends = [(k, column.flattest, column.steepest) for k, column in enumerate(columns)]
+    return [
+        [k for k, first, last in ends if first <= row.steepest and row.flattest <= last]
+        for row in rows
+    ]
+
+
+def keep_over(
+    gaps: Sequence[Span],
+    facing: Sequence[Sequence[int]],
+    rows: Sequence[Box],
+    columns: Sequence[Box],
+) -> list[list[int]]:
+    """Keep, for each row, the columns whose sum with it lies over some gap.
 
     Cost: O(log m) for each row and each gap, and O(numbers returned).
     """
-    lefts: list[Rational] = [column.x_range[0] for column in columns]
-    rights: list[Rational] = [column.x_range[1] for column in columns]
+    lefts, rights = [box[0] for box in columns], [box[1] for box in columns]
     ends = [(n // d, -(-m // e)) for (n, d), (m, e) in gaps]
     kept = []
-    for row in rows:
-        left, right = row.x_range
+    for (left, right, _), numbers in zip(rows, facing, strict=True):
         found: list[int] = []
         done = 0
         for low, high in ends:
             begin = bisect_right(rights, low - right, done)
             done = bisect_left(lefts, high - left, begin)
-            found += range(begin, done)
+            found += numbers[bisect_left(numbers, begin) : bisect_left(numbers, done)]
         kept.append(found)
     return kept
 

@@ -127,7 +127,7 @@ def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
         take_with_ends(points, unit, left, right)
         for points, left, right in ((one, *turns[:2]), (other, *turns[2:]))
     )
-    whole = Envelope.of_convex(other)
+    whole = Envelope.of(other)
     same = CrossingPart(whole.pieces, whole.breaks, part.flattest, part.steepest, part.slopes)
     found, again = part.sweep(chain, 0), same.sweep(chain, 0)
     assert (found is None) == (again is None)

@@ -15,7 +15,7 @@ from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
 from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.envelope import GAP, Envelope, value
+from exactsweep.procedures.envelope import GAP, Envelope, find_point, value
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
 Chain = list[Vertex]
@@ -71,7 +71,7 @@ def test_where_there_is_no_chain_there_is_a_hole(chains: list[Chain]) -> None:
         at = x.as_integer_ratio()
         k = found.edge_before(at)
         heights = [y for chain in chains if (y := height(chain, x)) is not None]
-        low = None if found.pieces[k] == GAP else found.point(k, at)[1]
+        low = None if found.pieces[k] == GAP else find_point(found.pieces[k], at)[1]
         assert low == min(heights, default=None)
 
 
@@ -233,28 +233,3 @@ def test_chains_may_share_their_points() -> None:
     assert list(trajectory_cm(lid, joined)) == list(trajectory_cm(lid, list(joined)))
     straight = lower_envelope_cm(Envelope.of([(0, 0), shared]), Envelope.of([shared, (8, 4)]))
     assert list(straight) == [(0, 0), (8, 4)]
-
-
-@given(st.lists(graphs_anywhere(), min_size=1, max_size=4), st.sets(own.tiny(-1, 20), max_size=6))
-@usually
-def test_what_is_kept_of_an_envelope_is_what_it_has_over_x_ranges(
-    chains: list[Chain], ends: set[int]
-) -> None:
-    whole = lower_envelope_mm([Envelope.of(chain) for chain in chains])
-    cuts = sorted(ends)
-    spans = list(zip(cuts[::2], cuts[1::2], strict=False))
-    kept = whole.keep([((left, 2), (right, 2)) for left, right in spans])
-    start, end = value(whole.breaks[0]), value(whole.breaks[-1])
-    reached = False
-    for k in range(-2 * 7, 11 * 7):
-        x = Fraction(k, 7) + Fraction(1, 97)
-        inside = any(left < 2 * x < right for left, right in spans) and start < x < end
-        reached = reached or inside
-        at = x.as_integer_ratio()
-        found = -1 if kept is None else kept.edge_before(at)
-        if kept is None or not 0 <= found < len(kept.pieces) or kept.pieces[found] == GAP:
-            assert not inside or whole.pieces[whole.edge_before(at)] == GAP
-        else:
-            assert inside
-            assert kept.point(found, at) == whole.point(whole.edge_before(at), at)
-    assert reached == (kept is not None)

@@ -1,4 +1,4 @@
-"""Parts of an envelope: what it keeps over x-ranges, where its edges are found, and its points."""
+"""Parts of an envelope: where its edges are found, and its points."""
 
 from fractions import Fraction
 from itertools import product
@@ -7,9 +7,8 @@ import pytest
 from tiers import examples
 
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.procedures.chain import take_corners
-from exactsweep.procedures.envelope import GAP, Envelope, find_crossing, find_point_on, value
+from exactsweep.procedures.envelope import Envelope, find_crossing, find_point_on
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 
 Chain = list[Vertex]
@@ -17,35 +16,26 @@ usually = examples(100)
 half, third = Fraction(1, 2), Fraction(1, 3)
 
 
-def test_of_an_envelope_that_reaches_no_x_range_nothing_is_kept() -> None:
-    e = Envelope.of([(0, 0), (2, 2)])
-    assert e.keep([((2, 1), (3, 1)), ((4, 1), (5, 1))]) is None
-    kept = e.keep([((-1, 1), (1, 2)), ((3, 2), (9, 1))])
-    assert kept is not None
-    assert kept.pieces[1] == GAP
-    assert [value(at) for at in kept.breaks] == [0, half, 3 * half, 2]
-
-
-def test_an_envelope_of_a_convex_chain_is_that_of_its_source() -> None:
+def test_an_envelope_of_a_chain_is_that_of_its_source() -> None:
     chain = [(0, 1), (1, 0), (3, 0), (4, 2)]
     for source in (0, 5):
-        found = Envelope.of_convex(chain, source)
+        found = Envelope.of(chain, source)
         assert list(found) == chain
         assert {piece[4] for piece in found.pieces} == {source}
-    assert Envelope.of_convex(chain).pieces == Envelope.of_convex(chain, 0).pieces
+    assert Envelope.of(chain).pieces == Envelope.of(chain, 0).pieces
 
 
-@pytest.mark.parametrize("place", [0, 500, 999])
-def test_an_x_range_is_found_among_many_in_logarithmic_time(place: int) -> None:
-    """All of them were looked at once, which made the inner loops of long zigzags quadratic."""
-    counted = make_counted([(4 * k, 4 * k + 2) for k in range(1000)])
-    spans = [((left, 1), (right, 1)) for left, right in counted]
-    chain = make_counted([(4 * place - 1, 0), (4 * place + 3, 1)])
-    with watch_operations() as tally:
-        kept = Envelope.of_convex(chain).keep(spans)
-    assert kept is not None
-    assert [value(at) for at in kept.breaks] == [4 * place, 4 * place + 2]
-    assert tally.total < 120
+def test_an_envelope_is_cut_to_an_x_range() -> None:
+    e = Envelope.of([(0, 0), (2, 4), (6, 0)])
+    for start, end, points in [
+        (1, 5, [(1, 2), (2, 4), (5, 1)]),
+        (2, 6, [(2, 4), (6, 0)]),
+        (0, 1, [(0, 0), (1, 2)]),
+        (3, 3, []),
+    ]:
+        taken = Envelope([(start, 1)], [])
+        taken.take_between(e, (2 * start, 2), (3 * end, 3))
+        assert ([*taken] if points else taken.pieces) == points
 
 
 def test_pieces_are_found_before_and_after_each_break() -> None:
@@ -55,26 +45,6 @@ def test_pieces_are_found_before_and_after_each_break() -> None:
         starts = [x for x, _ in e.breaks]
         assert e.edge_before(at) == sum(2 * x < twice for x in starts) - 1
         assert e.edge_after(at) == sum(2 * x <= twice for x in starts) - 1
-
-
-def test_x_ranges_side_by_side_leave_no_gap() -> None:
-    kept = Envelope.of([(0, 0), (6, 6)]).keep(
-        [((1, 1), (2, 1)), ((4, 2), (3, 1)), ((3, 1), (7, 2)), ((4, 1), (5, 1))]
-    )
-    assert kept is not None
-    assert [value(at) for at in kept.breaks] == [1, 2, 3, 7 * half, 4, 5]
-    assert [piece == GAP for piece in kept.pieces] == [False, False, False, True, False]
-
-
-def test_an_envelope_is_cut_to_an_x_range() -> None:
-    e = Envelope.of([(0, 0), (2, 4), (6, 0)])
-    for (start, end), points in [
-        ((1, 5), [(1, 2), (2, 4), (5, 1)]),
-        ((-1, 1), [(0, 0), (1, 2)]),
-    ]:
-        kept = e.keep([((start, 1), (end, 1))])
-        assert kept is not None
-        assert [*kept] == points
 
 
 @pytest.mark.parametrize("shift", range(-3, 4))
