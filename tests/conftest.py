@@ -12,13 +12,15 @@ from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
-from shown import FLAGS, MILLISECONDS, Open, Shown
+from shown import FLAGS, MILLISECONDS, SIZE, Open, Shown
 
 from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.view import make_page
 
 for name in ("COLUMNS", "LINES", "TERM", "FORCE_COLOR", "NO_COLOR"):
     os.environ.pop(name, None)
+# Tests start hundreds of processes, which would compile all modules each.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 settings.register_profile("fresh", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 # The same examples at every run: a change fails by itself, never by the luck of a draw. Campaigns
@@ -39,15 +41,16 @@ def pytest_collection() -> Iterator[None]:
         gc.enable()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def browser() -> Iterator[Any]:
-    """Debian's Chromium; without one, the test is skipped."""
+    """Debian's Chromium with one context; without a Chromium, the test is skipped."""
     playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     chromium = shutil.which("chromium") or shutil.which("google-chrome")
     if chromium is None:
         pytest.skip("no Chromium on this machine")
     with playwright.sync_playwright() as driver:
         opened = driver.chromium.launch(executable_path=chromium, args=FLAGS, timeout=MILLISECONDS)
+        opened.new_context(viewport=SIZE)
         yield opened
         opened.close()
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
+from operator import itemgetter
 from typing import Any, TypeVar
 
 from exactsweep.check import ReferenceLoops, reference_loops, reference_no_fit
@@ -32,10 +34,11 @@ def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
     >>> str(evaluate([(0, 0), (3, 1)], Fraction(1)))
     '1/3'
     """
-    for (px, py), (qx, qy) in pairwise(chain):
-        if px < qx and px <= x <= qx:
-            return Fraction(py) + Fraction(qy - py) * (x - px) / (qx - px)
-    raise ExactSweepError(f"the chain does not reach {x}")
+    k = bisect_left(chain, x, key=itemgetter(0))
+    if k == len(chain) or x < chain[0][0]:
+        raise ExactSweepError(f"the chain does not reach {x}")
+    (px, py), (qx, qy) = chain[k - 1], chain[k]
+    return Fraction(qy) if x == qx else Fraction(py) + Fraction(qy - py) * (x - px) / (qx - px)
 
 
 def sample_between(*chains: Sequence[Vertex]) -> Iterator[Fraction]:

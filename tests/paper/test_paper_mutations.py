@@ -19,7 +19,7 @@ def test_many_procedures_are_broken_in_many_ways() -> None:
 
 @pytest.mark.parametrize(
     "mutation",
-    [m if k % 25 == 0 else pytest.param(m, marks=pytest.mark.long) for k, m in enumerate(COUNTED)],
+    [m if k % 25 == 3 else pytest.param(m, marks=pytest.mark.long) for k, m in enumerate(COUNTED)],
     ids=lambda m: m.fault,
 )
 def test_a_fault_turns_its_rows_red(mutation: Mutation) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from itertools import pairwise, product
+from math import lcm
 
 from exactsweep import Point, Sweep
 from exactsweep.evidence.steps import Step
 from exactsweep.geometry.outline import number_features
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import is_on_segment
+from exactsweep.numbers.number import Vertex
 from exactsweep.paper.functions import list_edges, tell_loops
 
 
@@ -72,12 +74,18 @@ def list_lasting(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int,
 def list_touching(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int, int]]:
     """All contacts of G + t and D, every feature of one tried with every one of the other."""
     (g_corners, g_edges), (d_corners, d_edges) = map(number_features, (g, d))
-    moved = {i: Point(x + t.x, y + t.y) for i, (x, y) in g_corners.items()}
+    moved = {i: (x + t.x, y + t.y) for i, (x, y) in g_corners.items()}
+    # Ints compare much faster than Fractions.
+    scale = lcm(*(c.denominator for p in (*moved.values(), *d_corners.values()) for c in p))
+    scaled = [
+        {k: (int(x * scale), int(y * scale)) for k, (x, y) in corners.items()}
+        for corners in (moved, d_corners)
+    ]
     ours, theirs = (
         {k: sorted((corners[a], corners[b])) for k, (a, b) in ends.items()}
-        for corners, ends in ((moved, g_edges), (d_corners, d_edges))
+        for corners, ends in zip(scaled, (g_edges, d_edges), strict=True)
     )
-    gs, ds = moved.items(), d_corners.items()
+    gs, ds = (corners.items() for corners in scaled)
     found = [("VV", i, j) for (i, p), (j, v) in product(gs, ds) if p == v]
     found += [("EV", i, j) for (i, e), (j, v) in product(ours.items(), ds) if _is_inside(v, *e)]
     found += [("VE", i, j) for (i, p), (j, f) in product(gs, theirs.items()) if _is_inside(p, *f)]
@@ -88,6 +96,6 @@ def list_touching(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int
     return sorted(found)
 
 
-def _is_inside(point: Point, low: Point, high: Point) -> bool:
+def _is_inside(point: Vertex, low: Vertex, high: Vertex) -> bool:
     """Decide whether a point is inside a segment, as `is_between` does, but quickly."""
     return low < point < high and is_on_segment(point, low, high)

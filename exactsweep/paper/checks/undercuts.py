@@ -90,7 +90,8 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
     """The edges of G at some positions, and the ways of its vertices along edges of T."""
     drawn = [edge for t in positions for edge in list_edges(place_generatrix(s, t).vertices)]
     for edge in list_edges(s.trajectory.vertices):
-        along = [t for t in positions if is_on_segment(t, *edge)]
+        low, high = sorted(edge)
+        along = [t for t in positions if low <= t <= high and is_on_segment(t, low, high)]
         drawn += [
             (Point(x + t.x, y + t.y), Point(x + u.x, y + u.y))
             for t, u in combinations(along, 2)
