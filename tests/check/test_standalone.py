@@ -81,6 +81,15 @@ def test_certificates_of_minute_shapes_are_proved(ask: Callable[..., Any]) -> No
     assert prove(add_proof(ask(cave, part).certificate()))
 
 
+def test_minute_shapes_are_proved_by_the_same_sums() -> None:
+    cave, house = ([(x / Fraction(999), y / Fraction(999)) for x, y in s] for s in (CAVE, HOUSE))
+    large, minute = (
+        add_proof(no_fit_polygon(*pair).certificate())["proof"]["sums"]
+        for pair in ((CAVE, HOUSE), (cave, house))
+    )
+    assert minute == large
+
+
 def test_it_says_what_is_proved() -> None:
     assert prove(CERTIFICATES["CC"]) == (
         "CC sweep of 5 around 4 vertices, trajectory 6, inner 4, outer 8, area 22"
@@ -210,6 +219,23 @@ def test_a_frame_leaves_pieces_outside() -> None:
     tight = {**true["proof"], "frame": ["0", "0", "3", "3"], "outside": []}
     with pytest.raises(Refused, match="there are no pieces"):
         prove({**true, "proof": tight})
+
+
+@pytest.mark.parametrize("shift", range(5))
+def test_no_piece_of_the_outside_is_inside_a_region(shift: int) -> None:
+    """Whichever of the pieces comes first."""
+    case = next(case for case in FALSE if "the outside is not outside" in case["reason"])
+    exterior, defect = case["still"]
+    true = inner_fit_polygon(Region(exterior, [defect]), SQUARE).certificate()
+    for certificate, holds in ((true, True), ({**true, **case["changes"]}, False)):
+        proof = claim(certificate)["proof"]
+        pieces, count = proof["outside"], len(proof["outside"])
+        assert (len(proof["part"]), count) == (1, 5)
+        turned = {
+            "outside": pieces[shift:] + pieces[:shift],
+            "sums": [[(k - shift) % count, *sides] for k, *sides in proof["sums"]],
+        }
+        assert proves({**certificate, "proof": {**proof, **turned}}) == holds
 
 
 def test_a_frame_is_a_rectangle() -> None:

@@ -11,13 +11,14 @@ import pytest
 from exactsweep.check import verify
 from exactsweep.check.standalone import Refused, load, prove, read_turn, turn_error
 from exactsweep.cli.verify import _describe
+from exactsweep.numbers.number import Rational
 
 CASES = json.loads((Path(__file__).parent / "layout_claims.json").read_text(encoding="utf-8"))
 SQUARE = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
 L = [["0", "0"], ["2", "0"], ["2", "1"], ["1", "1"], ["1", "2"], ["0", "2"]]
 
 
-def box(left: int, low: int, right: int, high: int) -> list[list[str]]:
+def box(left: Rational, low: int, right: Rational, high: int) -> list[list[str]]:
     return [[str(x), str(y)] for x, y in ((left, low), (right, low), (right, high), (left, high))]
 
 
@@ -203,6 +204,60 @@ def test_the_bound_on_a_turn_is_that_of_interval_arithmetic(degrees: int) -> Non
         assert (written - exact).b < iv.mpf(10) ** -94
     finally:
         iv.prec = before
+
+
+def beside(first: Any, second: Any, gap: Fraction, wall: Fraction, *faults: Any) -> Any:
+    """Squares with a gap between their nearest corners, and one between the second and a wall."""
+    move, end = gap + Fraction(7, 5), gap + wall + Fraction(11, 5)
+    both = turned("36", "4/5", "3/5", valid=not faults, faults=[*faults])
+    both["turns"] *= 2
+    both["layout"]["spacing"], both["layout"]["margin"] = "1/2", "1/4"
+    both["layout"]["container"]["exterior"] = box(-2, -2, end, 2)
+    both["layout"]["placements"] = [
+        {"part": "", "turn": first, "move": ["0", "0"]},
+        {"part": "", "turn": second, "move": [str(move), "-1/5"]},
+    ]
+    both["frame"][2] = str(end + 1)
+    both["outside"][:3] = box(-3, -3, end + 1, -2), box(end, -2, end + 1, 2), box(-3, 2, end + 1, 3)
+    return both
+
+
+LEAST = Fraction(1, 10**9)
+
+
+@pytest.mark.parametrize("first", ["36", ["4/5", "3/5"]])
+@pytest.mark.parametrize("second", ["36", ["4/5", "3/5"]])
+def test_errors_of_turns_add_to_distances_and_depths(first: Any, second: Any) -> None:
+    error = 2 * turn_error((Fraction(4, 5), Fraction(3, 5)), Fraction(36))
+    one, other = (error * (turn == "36") for turn in (first, second))
+    apart, inside = Fraction(1, 2) + one + other, Fraction(1, 4) + other
+    assert prove(beside(first, second, apart, inside))
+    for gap, wall in ((apart - LEAST, inside), (apart, inside - LEAST)):
+        assert "no normal" in refusal(beside(first, second, gap, wall))
+    # Where the frame is the wall, there is nothing outside it.
+    for wall in (inside, inside - LEAST):
+        open_ended = beside(first, second, apart, wall)
+        end = open_ended["layout"]["container"]["exterior"][1][0]
+        open_ended["frame"][2] = end
+        open_ended["outside"][:3] = box(-3, -3, end, -2), box(-3, 2, end, 3)
+        assert prove(open_ended) if wall == inside else "frame" in refusal(open_ended)
+
+    def fault(kind: str, gap: Fraction, *points: tuple[Fraction, Fraction]) -> Any:
+        listed = [[str(x), str(y)] for x, y in points]
+        witness = {"kind": kind, "placements": [0, 1], "pieces": [0, 0], "points": listed}
+        return beside(first, second, gap, inside, witness)
+
+    corner = Fraction(4, 5), Fraction(3, 5)
+    for room in (one + other, one + other + LEAST):
+        gap = Fraction(1, 2) - room
+        close = fault("too close", gap, corner, (corner[0] + gap, corner[1]))
+        assert prove(close) if room > one + other else "do not show" in refusal(close)
+    # The second square is 1/5 below the first, and the point below the middle of its upper side.
+    for depth in (other, other + LEAST):
+        height = 1 - depth
+        point = (2 - 3 * height) / 5, (Fraction(1, 2) + 4 * height) / 5
+        overlap = fault("overlap", Fraction(-7, 5), point, point)
+        assert prove(overlap) if depth > other else "do not show" in refusal(overlap)
 
 
 def faulty(*faults: Any, **changes: Any) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from tiers import examples
 
 from exactsweep import Region
 from exactsweep.layout import judge_layout
+from exactsweep.layout.normals import find_normal
 from exactsweep.layout.solid import LatticeForm, Solid, make_form, share_scale
 from exactsweep.layout.verdict import find_witness
 
@@ -68,3 +69,13 @@ def test_a_witness_may_be_as_deep_as_the_slack_allows() -> None:
     # The centre is 2 from each side.
     assert witness(Fraction(199, 100)) is not None
     assert witness(Fraction(2)) is None
+
+
+@given(st.integers(0, 2), st.integers(0, 2))
+def test_the_edge_that_parts_two_pieces_may_come_anywhere(first: int, second: int) -> None:
+    """A corner touches the middle of an edge, whose normal is the only one that parts them."""
+    wall, wedge = [(7, 2), (1, 8), (1, 2)], [(4, 5), (10, 6), (5, 11)]
+    wall, wedge = wall[first:] + wall[:first], wedge[second:] + wedge[:second]
+    nothing = Fraction(0)
+    assert find_normal(wall, wedge, nothing) == (1, 1)
+    assert find_normal(wedge, wall, nothing) == (-1, -1)
