@@ -5,7 +5,7 @@ from __future__ import annotations
 import signal
 import sys
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from fractions import Fraction
 from math import isnan
 from pathlib import Path
@@ -142,7 +142,7 @@ def conform_command(
     chosen = cases(**wanted) if given is None else select(given, **wanted)
     with ExitStack() as stack:
         stack.enter_context(_end_as_interrupted())
-        judges = stack.enter_context(Judges(terms, workers))
+        judges = stack.enter_context(closing(Judges(terms, workers)))
         kept = journal and stack.enter_context(
             Journal(Path(journal), terms, judges.hello, resume=resume)
         )

@@ -6,6 +6,7 @@ import resource
 import signal
 import subprocess
 from collections import Counter
+from contextlib import closing
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
@@ -145,7 +146,7 @@ def test_a_hello_is_read_as_it_was_written() -> None:
 @pytest.mark.parametrize("workers", [1, 3])
 @pytest.mark.long
 def test_all_workers_come_to_the_same(workers: int) -> None:
-    with Judges(Terms(CORRECT), workers) as judges:
+    with closing(Judges(Terms(CORRECT), workers)) as judges:
         outcomes = list(judges.judge(FEW))
         judges.finish()
     assert sorted(outcome.id for outcome in outcomes) == sorted(case.id for case in FEW)
@@ -161,7 +162,7 @@ def test_cases_are_taken_as_they_are_needed() -> None:
             taken.append(k)
             yield FEW[k % len(FEW)]
 
-    with Judges(Terms(CORRECT)) as judges:
+    with closing(Judges(Terms(CORRECT))) as judges:
         outcomes = judges.judge(endless())
         for _ in range(5):
             next(outcomes)
@@ -171,7 +172,7 @@ def test_cases_are_taken_as_they_are_needed() -> None:
 def test_a_case_that_contradicts_itself_ends_the_run() -> None:
     wrong = replace(FEW[0], trajectory=FEW[1].trajectory, id="wrong")
     run = Run(Hello("mine"))
-    with Judges(Terms(CORRECT)) as judges:
+    with closing(Judges(Terms(CORRECT))) as judges:
         judge_cases(run, judges, [FEW[2], wrong, *FEW[3:]])
     assert run.interrupted
     assert run.complaints[0].startswith("case 'wrong': ")
@@ -194,7 +195,7 @@ def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.Monkey
 
 
 def test_a_worker_that_is_killed_ends_the_run() -> None:
-    with Judges(Terms(CORRECT)) as judges:
+    with closing(Judges(Terms(CORRECT))) as judges:
         outcomes = judges.judge(FEW)
         next(outcomes)
         os.kill(next(iter(judges._pool._executor._processes)), signal.SIGKILL)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from itertools import chain
 from pathlib import Path
 
@@ -40,7 +40,7 @@ def judge(name: str, question: str, chosen: Iterator[Case], seconds: float, fold
     command = [sys.executable, "-m", "exactsweep.conform.adapters", name, "--ask", question]
     with ExitStack() as stack:
         terms = Terms(command, seconds)
-        judges = stack.enter_context(Judges(terms))
+        judges = stack.enter_context(closing(Judges(terms)))
         path = folder / f"{name}.{question}"
         # Only the name of the interpreter may differ from machine to machine.
         journal = stack.enter_context(

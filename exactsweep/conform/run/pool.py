@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
-from typing import Any, Self
+from typing import Any
 
 from exactsweep.conform.run.outcome import Outcome, judge_case, shrink_outcome
 from exactsweep.conform.run.process import ProcessPeer, Terms
@@ -27,9 +27,9 @@ class JudgeError(ExactSweepError):
 
 
 class Judges:
-    """An implementation, started once for each process that judges it; a context manager.
+    """An implementation, started once for each process that judges it.
 
-    Nothing that was started is left running after the `with` block, however it ends.
+    `close` leaves nothing running that was started, however that goes on.
 
     Args:
         terms: the program, and what it may take.
@@ -57,7 +57,7 @@ class Judges:
             if any(hello != self.hello for hello in hellos):
                 raise ProtocolError("not all its processes say the same hello")
         except BaseException:
-            self.kill()
+            self.close()
             raise
 
     def judge(self, cases: Iterable[Case]) -> Iterator[Outcome]:
@@ -98,15 +98,9 @@ class Judges:
         """
         self.complaints += filter(None, self._call_in_each(_finish))
 
-    def kill(self) -> None:
+    def close(self) -> None:
         """End all processes and all that they started, at once."""
         self._pool.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self.kill()
 
     def _work_on(self, jobs: Iterable[_Call]) -> Iterator[tuple[str, Outcome]]:
         jobs, pending = iter(jobs), dict[Future[Outcome], str]()
