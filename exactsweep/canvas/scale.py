@@ -46,12 +46,8 @@ class AxisScale(NamedTuple):
 
         Raises DrawError if the coordinate is so far outside that a float cannot hold its place.
         """
-        # One division of ints rounds once; Fractions would also be reduced on the way.
-        (n, d), (a, b), (p, q) = (
-            number.as_integer_ratio() for number in (value, self.origin, self.unit)
-        )
         try:
-            return (n * b - a * d) * q / (d * b * p)
+            return float((value - self.origin) / self.unit)
         except OverflowError:
             raise DrawError("a point is too far outside the picture") from None
 

@@ -11,13 +11,16 @@ from operator import itemgetter
 from typing import Any, TypeVar
 
 from exactsweep.check import ReferenceLoops, reference_loops, reference_no_fit
+from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Fit, Vertex
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import find_convex_parts, split, take_corners
+from exactsweep.procedures.chain import find_convex_parts, inverse, split, take_corners
+from exactsweep.procedures.cm import trajectory_cm
+from exactsweep.procedures.envelope import Envelope
 from exactsweep.sweep import Sweep, no_fit_polygon
 
 P = TypeVar("P", bound=tuple[Any, Any])
@@ -136,6 +139,17 @@ def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vert
         [trajectory_cc(top, part) for part in parts],
         [sweep_outer_cc(top, bottom, part) for part in parts],
     )
+
+
+def list_sub_trajectories(pair: SweepPair) -> list[Envelope]:
+    """The trajectories of the convex parts of G_t, of which that of G is the lower envelope."""
+    top, _, directrix = pair.chains
+    return [trajectory_cm(inverse(part), directrix) for part in find_convex_parts(inverse(top))]
+
+
+def lower_undercuts(s: Sweep) -> list[Undercut]:
+    """The undercuts of the lower sweep."""
+    return [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
 
 
 def no_fit_is_the_definition(pair: SweepPair) -> str:

@@ -18,7 +18,7 @@ from typing import Any
 from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, join_evidence
 from exactsweep.paper.laws import try_laws
-from exactsweep.paper.tiny import search_grid
+from exactsweep.paper.tiny import expect_none, search_grid
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
@@ -31,9 +31,10 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
     """Try the laws of a row on random pairs, run its check, and measure its claimed costs."""
     laws = row.get("laws", {}).items()
     found = [try_laws(((resolve_name(f"{CHECKS}.{law}"), pairs) for law, pairs in laws), effort)]
-    for law, side, most, generatrix, directrix in row.get("search", ()):
+    for law, side, most, generatrix, directrix, *none in row.get("search", ()):
         fails = resolve_name(f"{CHECKS}.{law}")
-        found.append(search_grid(side, most, generatrix, directrix, fails))
+        searched = search_grid(side, most, generatrix, directrix, fails)
+        found.append(expect_none(searched) if none else searched)
     if "check" in row:
         found.append(resolve_name(f"{CHECKS}.{row['check']}")(effort))
     if "figure" in row:

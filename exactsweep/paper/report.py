@@ -11,7 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment, PackageLoader
 from markupsafe import Markup, escape
 
 from exactsweep import sweep
@@ -28,6 +28,7 @@ from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth, write_power
 from exactsweep.paper.ledger import ABSTRACT, OPEN
 from exactsweep.paper.pairs import SweepPair
+from exactsweep.text.template import make_environment
 
 if TYPE_CHECKING:
     pass
@@ -148,13 +149,7 @@ def _plots(rows: Sequence[Finding]) -> dict[str, bytes]:
 
 @cache
 def _environment(*, html: bool) -> Environment:
-    environment = Environment(
-        loader=PackageLoader("exactsweep.paper"),
-        autoescape=html,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
+    environment = make_environment(PackageLoader("exactsweep.paper"), html=html)
     filters: tuple[Callable[..., Any], ...] = (
         *(cell, cite, draw_case, find_alignments, growth_row, make_slug, miss, name_plot),
         *(set_formula, split_proof, title_section),

@@ -79,8 +79,7 @@ def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool 
         "exact fits": str(len(sweep.exact_fits)),
     }
     given = {"generatrix": sweep.generatrix, "directrix": sweep.directrix}
-    shapes = {**given, **loops}
-    return _tell(facts, shapes, "swept area", sweep.area, loops, (), terminal_width, everything)
+    return _tell(facts, given, loops, "swept area", sweep.area, (), terminal_width, everything)
 
 
 def report_no_fit(
@@ -123,8 +122,7 @@ def report_no_fit(
         "exact fits": str(len(n.exact_fits)),
     }
     given = {"stationary": n.stationary, "orbiting": n.orbiting}
-    shapes: dict[str, AnyPolygon] = {**given, **loops}
-    return _tell(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
+    return _tell(facts, given, loops, "no fit", n.area, n.exact_fits, terminal_width, everything)
 
 
 def report_inner_fit(
@@ -169,22 +167,22 @@ def report_inner_fit(
         for k, region in enumerate(f.regions)
         for j, ring in enumerate((region.exterior, *region.holes))
     }
-    shapes: dict[str, AnyPolygon] = {"container": f.container, "part": f.part, **loops}
-    fits = f.exact_fits
-    return _tell(facts, shapes, "positions", f.area, loops, fits, terminal_width, everything)
+    given, fits = {"container": f.container, "part": f.part}, f.exact_fits
+    return _tell(facts, given, loops, "positions", f.area, fits, terminal_width, everything)
 
 
 def _tell(
     facts: Mapping[str, str],
-    shapes: Mapping[str, AnyPolygon],
+    given: Mapping[str, AnyPolygon],
+    loops: Mapping[str, Polygon],
     name: str,
     area: Fraction,
-    loops: Mapping[str, Polygon],
     fits: Sequence[Fit],
     terminal_width: int | None,
     everything: bool,
 ) -> str:
     ends = {f"exact fit {k}": tuple(dict.fromkeys(fit)) for k, fit in enumerate(fits)}
+    shapes: dict[str, AnyPolygon] = {**given, **loops}
     # rich breaks lines at blanks, but must not break a vertex.
     texts = {called: str(loop).replace(", ", ",") for called, loop in loops.items()}
     texts |= {called: " ".join(map(write_pair, points)) for called, points in ends.items()}

@@ -20,6 +20,7 @@ from exactsweep.draw.sweeps import Moving, find_anchor, move_to_anchor, name_anc
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.region import AnyPolygon
+from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import Fit, Point
 from exactsweep.text.results import list_numbers
@@ -304,17 +305,13 @@ def _cut(pieces: list[ContactStretch], inside: Sequence[Point]) -> list[ContactS
     for piece in pieces:
         low, high = sorted((piece.start, piece.end))
         near = inside[bisect_right(inside, low) : bisect_left(inside, high)]
-        cuts = [p for p in near if _on_line(p, low, high)]
+        cuts = [p for p in near if not turn(low, high, p)]
         if low != piece.start:
             cuts.reverse()
         for end in [*cuts, piece.end]:
             found.append(piece._replace(end=end))
             piece = piece._replace(start=end)
     return found
-
-
-def _on_line(p: Point, a: Point, b: Point) -> bool:
-    return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x)
 
 
 def _around_anchor(s: Moving, scale: Scale) -> dict[str, Any]:

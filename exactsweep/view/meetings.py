@@ -16,7 +16,7 @@ from exactsweep.draw.sweeps import Moving
 from exactsweep.evidence.contact import find_facing
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon, share_lattice, to_region
-from exactsweep.geometry.vectors import minus
+from exactsweep.geometry.vectors import minus, turn
 from exactsweep.numbers.number import Point
 
 # The number of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
@@ -73,10 +73,10 @@ class Meetings:
         raised = [((x - rx) * scale, (y - ry) * scale) for x, y in loop]
         found = set()
         for p, q in pairwise([*raised, raised[0]]):
-            (px, py), (qx, qy) = low, high = sorted((p, q))
+            low, high = sorted((p, q))
             start = bisect_right(self.translations, low)
             for x, y in self.translations[start : bisect_left(self.translations, high)]:
-                if (qx - px) * (y - py) == (qy - py) * (x - px):
+                if not turn(low, high, (x, y)):
                     found.add(Point(Fraction(x, scale) + rx, Fraction(y, scale) + ry))
         return sorted(found)
 

@@ -30,11 +30,11 @@ from exactsweep.paper.checks.segments import (
     count_pieces,
     pieces_in,
 )
-from exactsweep.paper.checks.undercuts import lower_undercuts
 from exactsweep.paper.functions import (
     clip,
     evaluate,
     find_common_points,
+    lower_undercuts,
     reaches,
     sample_between,
     take_bottom,
@@ -96,7 +96,7 @@ def test_ceilings_have_order_mn2_undercuts(m: int, n: int, undercuts: int) -> No
     pair = ceilings(m, n)
     s = sweep(*pair)
     assert (len(s.directrix), len(s.generatrix), s.kind) == (m, n, "MM")
-    assert lower_undercuts(s) == undercuts == undercuts_under_ceilings(m, n)
+    assert len(lower_undercuts(s)) == undercuts == undercuts_under_ceilings(m, n)
     # The trajectory between the outer needles is that of the needles without ceilings.
     start, end = -max(x for x, _ in pair[0]), max(x for x, y in pair[1] if y == 0)
     low, high = (

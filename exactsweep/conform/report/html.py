@@ -32,6 +32,7 @@ from exactsweep.corpus import Case, case_from_json
 from exactsweep.numbers.error import NumberError
 from exactsweep.numbers.number import Point, read_any_length, to_fraction
 from exactsweep.text.report import approximate, take_root
+from exactsweep.text.template import make_environment
 
 _MOST_LISTED = 2000
 _KEY = (
@@ -61,11 +62,7 @@ def write_html(run: Run) -> str:
 
     Cost: linear; only failures that the run keeps whole have pictures.
     """
-    from jinja2 import Environment, StrictUndefined
-
-    environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
+    environment = make_environment()
     environment.filters |= {
         "about": _about,
         "root": take_root,

@@ -12,6 +12,7 @@ from exactsweep.layout.report.table import tell_fault, write_verdict
 from exactsweep.layout.report.worst import WorstFirst
 from exactsweep.numbers.digits import abridge
 from exactsweep.text.report import approximate, take_root
+from exactsweep.text.template import make_environment
 
 _MOST_LISTED = 1000
 
@@ -38,12 +39,9 @@ def write_layout_page(
 
     Cost: that of `draw_layout`.
     """
-    from jinja2 import Environment, StrictUndefined
     from markupsafe import Markup
 
-    environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
+    environment = make_environment()
     template = files("exactsweep.layout.report").joinpath("page.html.j2").read_text("utf-8")
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
     environment.filters |= {"about": approximate, "exactly": abridge, "root": take_root}

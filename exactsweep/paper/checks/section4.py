@@ -20,6 +20,7 @@ from exactsweep.paper.functions import (
     evaluate,
     list_sub_chains,
     look_up_bottom,
+    lower_undercuts,
     reaches,
     sample_between,
     tell_loops,
@@ -67,7 +68,7 @@ def few_undercuts(pair: SweepPair) -> str:
     s, (top, _, directrix) = sweep(*pair), pair.chains
     if failure := tell_loops(s, "inner"):
         return failure
-    lower = [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
+    lower = lower_undercuts(s)
     if len(lower) >= len(find_convex_parts(directrix)):
         return f"{len(lower)} undercuts of {len(find_convex_parts(directrix))} convex parts"
     longest = max((len(u.bottom) - 1 for u in lower), default=0)

@@ -25,6 +25,7 @@ from exactsweep.paper.functions import (
     clip_to,
     keep_corners,
     list_edges,
+    list_sub_trajectories,
     look_up,
     look_up_bottom,
     tell_boundaries,
@@ -34,9 +35,8 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import expect_none, search_grid
-from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
-from exactsweep.procedures.cm import trajectory_cm
+from exactsweep.paper.tiny import search_grid
+from exactsweep.procedures.chain import complement, inverse, split
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 # A pair of which G draws parallel edges of both loops 11 apart, where it is 16 wide.
@@ -52,9 +52,7 @@ mm_trajectory_is_monotone = returns("", is_monotone, trajectory="Trajectory_MM")
 
 def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory is the lower envelope of those of the convex parts of G_t."""
-    top, _, directrix = pair.chains
-    parts = find_convex_parts(inverse(top))
-    chains = [list(trajectory_cm(inverse(part), directrix)) for part in parts]
+    chains = [list(chain) for chain in list_sub_trajectories(pair)]
     return lowest("sub-trajectory", chains, look_up_bottom(pair, "trajectory"))
 
 
@@ -230,13 +228,6 @@ def inside_of_the_outer_loop(pair: SweepPair) -> str:
         return ""
     chains = write_chain(found), write_chain(path)
     return f"inside the outer loop G's path is {chains[0]}, the trajectory {chains[1]}"
-
-
-def find_path_inside(effort: Effort) -> Evidence:
-    """Look for a pair of which G's path inside the outer loop is not the trajectory."""
-    convex = search_grid(2, 7, "convex", "convex", inside_of_the_outer_loop)
-    found = search_grid(2, 7, "convex", "any", inside_of_the_outer_loop)
-    return join_evidence(expect_none(convex), found)
 
 
 def kernel_is_literal(pair: SweepPair) -> str:

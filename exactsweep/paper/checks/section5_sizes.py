@@ -33,13 +33,17 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.costs import OUTER, RUNS
 from exactsweep.paper.counting import count_by, grow
-from exactsweep.paper.functions import keep_corners, look_up_bottom, tell_difference
+from exactsweep.paper.functions import (
+    keep_corners,
+    list_sub_trajectories,
+    look_up_bottom,
+    tell_difference,
+)
 from exactsweep.paper.growth import MN, MN2
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import search_grid
-from exactsweep.procedures.chain import find_convex_parts, inverse
-from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import trajectory_mm
+from exactsweep.procedures.monotone import LowerSweep
 
 # The pair that the search in `_check_lemma_5_2` finds.
 OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
@@ -47,10 +51,8 @@ OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0)
 
 def outgrows_its_parts(pair: SweepPair) -> str:
     """The trajectory has more edges than the sub-trajectories of which it is the envelope."""
-    top, _, directrix = pair.chains
-    parts = find_convex_parts(inverse(top))
-    sizes = [len(keep_corners(trajectory_cm(inverse(part), directrix))) - 1 for part in parts]
-    found = len(keep_corners(trajectory_mm(top, directrix))) - 1
+    sizes = [len(keep_corners(chain)) - 1 for chain in list_sub_trajectories(pair)]
+    found = len(keep_corners(trajectory_mm(*pair.chains[::2]))) - 1
     if found <= sum(sizes):
         return ""
     return (
@@ -157,7 +159,7 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
     """Count the edges of outer boundaries."""
     rows = []
     for pair in RECORDS:
-        sizes = sizes_of(pair)
+        sizes = sizes_of(pair.chains)
         m_b, n_t, n_b = sizes
         counts = printed_count(*sizes), m_b * n_t * n_b, outer_edges(pair)
         rows.append([str(sizes), *map(str, counts)])
@@ -181,10 +183,9 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
     )
 
 
-def sizes_of(pair: SweepPair) -> tuple[int, int, int]:
-    """m_b, n_t and n_b."""
-    top, bottom, directrix = pair.chains
-    return len(directrix) - 1, len(top) - 1, len(bottom) - 1
+def sizes_of(half: Chains | LowerSweep) -> tuple[int, int, int]:
+    """m_b, n_t and n_b of a lower sweep."""
+    return len(half.directrix) - 1, len(half.top) - 1, len(half.bottom) - 1
 
 
 def count_bumps(effort: Effort) -> Evidence:

@@ -31,6 +31,7 @@ from exactsweep.paper.counting import (
 from exactsweep.paper.functions import (
     clip_to,
     keep_corners,
+    list_sub_trajectories,
     look_up_bottom,
     tell_difference,
 )
@@ -117,9 +118,7 @@ def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_MM returns the lowest chain over every x."""
-    top, _, directrix = pair.chains
-    parts = find_convex_parts(inverse(top))
-    chains = [trajectory_cm(inverse(part), directrix) for part in parts]
+    chains = list_sub_trajectories(pair)
     found = lower_envelope_mm(chains)
     return lowest(
         "sub-trajectory", [list(chain) for chain in chains], list(found)

@@ -22,7 +22,7 @@ from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Table, find_first_failure
 from exactsweep.paper.costs import INNER
 from exactsweep.paper.counting import PairFamily, count_by, grow
-from exactsweep.paper.functions import list_edges
+from exactsweep.paper.functions import list_edges, lower_undercuts
 from exactsweep.paper.growth import MN2, Growth
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
@@ -100,11 +100,6 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
     return drawn
 
 
-def lower_undercuts(s: Sweep) -> int:
-    """Count the undercuts of the lower sweep."""
-    return sum(u.bottom[0].x < u.bottom[-1].x for u in s.undercuts)
-
-
 def count_undercuts(effort: Effort) -> Evidence:
     """Count the undercuts under ceilings; those of small pairs are proved by certificates."""
 
@@ -126,7 +121,7 @@ def count_undercuts(effort: Effort) -> Evidence:
     )
     pair = SweepPair(*ceilings(7, 8))
     against = Counterexample(
-        f"{lower_undercuts(sweep(*pair))} disjoint undercuts of the lower sweep where D_b has "
+        f"{len(lower_undercuts(sweep(*pair)))} disjoint undercuts of the lower sweep where D_b has "
         f"{len(pair.chains.directrix)} vertices",
         "the least of the family of ceilings",
         *pair,

@@ -7,6 +7,7 @@ from fractions import Fraction
 from exactsweep.corpus.generator.growing import ceilings, undercuts_under_ceilings
 from exactsweep.numbers.number import Point
 from exactsweep.paper.figures.figure import PaperFigure, write_list
+from exactsweep.paper.functions import lower_undercuts
 from exactsweep.sweep import sweep
 
 M, N = 7, 8
@@ -18,9 +19,7 @@ PLACE = Point(Fraction(-9), Fraction(0))
 def compute() -> PaperFigure:
     """Compute the figure."""
     s = sweep(*ceilings(M, N))
-    lower = sorted(
-        (u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x), key=lambda u: u.bottom[0]
-    )
+    lower = sorted(lower_undercuts(s), key=lambda u: u.bottom[0])
     # The places between two undercuts, where G touches the ceiling.
     touched = [undercut.bottom[-1] for undercut in lower[:-1]]
     return PaperFigure(

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
 from exactsweep.numbers.number import Edge, Vertex
+from exactsweep.paper.checks.section5_sizes import sizes_of
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,
@@ -32,12 +33,6 @@ def sweep_example(teeth: int) -> Sweep:
     return sweep(g, d)
 
 
-def _count_sizes(s: Sweep) -> tuple[int, int, int]:
-    """m_b, n_t and n_b, counted."""
-    half = take_half(s)
-    return len(half.directrix) - 1, len(half.top) - 1, len(half.bottom) - 1
-
-
 def _place_numbers(edges: Sequence[Edge]) -> Iterator[Vertex]:
     """The offset of each edge's number: below, but above where the chain turns right."""
     vectors = [(Fraction(q[0] - p[0]), Fraction(q[1] - p[1])) for p, q in edges]
@@ -51,7 +46,7 @@ def _place_numbers(edges: Sequence[Edge]) -> Iterator[Vertex]:
 
 
 def _show(letter: str, s: Sweep) -> PaperFigure:
-    size, lower = _count_sizes(s), take_bottom(s.outer.vertices)
+    size, lower = sizes_of(take_half(s)), take_bottom(s.outer.vertices)
     edges = list(pairwise(lower))
     # G is drawn where a peak of it is under a tooth.
     at = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
@@ -71,7 +66,7 @@ def compute() -> PaperFigure:
     first, second = sweep_example(1), sweep_example(2)
     facts: list[tuple[str, object]] = []
     laws: list[tuple[str, object, object]] = [
-        ("sizes", _count_sizes(first), (2, 4, 6)),
+        ("sizes", sizes_of(take_half(first)), (2, 4, 6)),
         ("edges", len(take_bottom(first.outer.vertices)) - 1, printed_count(2, 4, 6)),
     ]
     cells: list[str] = []

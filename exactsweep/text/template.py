@@ -1,0 +1,27 @@
+"""The environment of all templates."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+# jinja2 takes long to import.
+if TYPE_CHECKING:
+    from jinja2 import BaseLoader, Environment
+
+
+def make_environment(loader: BaseLoader | None = None, *, html: bool = True) -> Environment:
+    """Make an environment in which an unknown name is an error, and lines of tags leave no trace.
+
+    Args:
+        loader: a loader of the templates that others refer to.
+        html: whether values are escaped.
+    """
+    from jinja2 import Environment, StrictUndefined
+
+    return Environment(
+        loader=loader,
+        autoescape=html,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
