@@ -102,3 +102,18 @@ def test_a_sheet_lists_its_own_parts_only() -> None:
 def test_a_drawing_of_one_outline_is_no_layout() -> None:
     with pytest.raises(FormatError, match=r"^one outline alone is drawn: nothing is placed$"):
         parse_layouts("[[0, 0], [2, 0], [2, 1]]")
+
+
+def test_parts_inherit_the_fill_rule() -> None:
+    holed = PART.replace("z", "zM.5 .5H1V1H.5z")
+    nest = read_nest(f'<g fill-rule="evenodd" transform="translate(1 1)">{holed}</g>')
+    use = USE.replace("<use", '<use style="fill-rule: evenodd"').replace("item_0", "item_1")
+    sparrow = read_sparrow(f'<defs><g id="item_1">{holed}</g></defs>{use}')
+    for found in (nest, sparrow):
+        (part,) = found.data["parts"]
+        assert part["holes"] == [[["1/2", "1/2"], ["1", "1/2"], ["1", "1"], ["1/2", "1"]]]
+
+
+def test_of_two_items_with_one_id_the_first_counts_as_in_viewers() -> None:
+    other = '<defs><g id="item_0"><path d="M0 0H1V1z"/></g></defs>'
+    assert read_sparrow(other + USE).data == read_sparrow(USE).data

@@ -78,12 +78,12 @@ class _NestDrawing:
                     self.placed[child] = placed
                     shown.append(child)
             element[:] = shown
-        self.named = {e.attrib["id"]: e for e in self.placed if "id" in e.attrib}
+        self.named = {e.attrib["id"]: e for e in reversed(self.placed) if "id" in e.attrib}
 
-    def one_shape(self, elements: Iterable[Element]) -> Data:
-        """Read what elements draw together, without the motion of their group."""
-        place = Element("svg")
-        place.attrib["#line"] = "1"
+    def one_shape(self, elements: Iterable[Element], within: Element) -> Data:
+        """Read what elements draw together within another one, without the motion of that."""
+        rule = self.placed[within].inherited("fill-rule", "nonzero")
+        place = Element("svg", {"#line": "1", "style": f"fill-rule: {rule}"})
         place.extend([*self.styles, *elements])
         outlines = read_svg(place, self.reading)
         found = nest_candidates(outlines) if len(outlines) > 1 else outlines
@@ -125,7 +125,7 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
     if container is None and zones is not None and len(zones):
         # Those of quality 0 are defects of the container, which is drawn without them.
         raise FormatError(f"line {line(zones)}: zones of quality are read with --instance only")
-    container = container or drawing.one_shape([around])
+    container = container or drawing.one_shape([around], around)
     items, outer = placed[named["items"]], placed[around].parent
     if outer is None or items.matrix != outer.matrix:
         raise FormatError(f"{items.place}: moved otherwise than the container")
@@ -138,7 +138,7 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
         if f"item_{name}" not in named:
             raise FormatError(f"line {line(use)}: use: no item {quote(link)}")
         if name not in drawing.parts:
-            shape = drawing.one_shape([named[f"item_{name}"]])
+            shape = drawing.one_shape([named[f"item_{name}"]], use)
             drawing.parts[name] = {"id": name, **shape}
         placements.append({"part": name, **drawing.motion(use)})
     yield FilledSheet(container, placements)
@@ -157,13 +157,13 @@ def _nested(root: Element, drawing: _NestDrawing) -> Iterator[FilledSheet]:
         read += moved
         placements = []
         for child in moved:
-            shape = drawing.one_shape(child)
+            shape = drawing.one_shape(child, child)
             key = json.dumps(shape)
             if key not in known:
                 known[key] = str(len(known))
                 drawing.parts[known[key]] = {"id": known[key], **shape}
             placements.append({"part": known[key], **drawing.motion(child)})
-        yield FilledSheet(drawing.one_shape(outlines), placements)
+        yield FilledSheet(drawing.one_shape(outlines, group), placements)
     if known:
         drawing.require_all(root, read)
 
