@@ -164,13 +164,13 @@ def sweep_pairs(
         return runs
 
     facing: Sequence[Sequence[int]] = [range(len(columns))] * len(rows)
+    if gaps is not None:
+        facing = keep_over(gaps, rows, columns)
     if len(rows) * len(columns) > FEW_PAIRS:
-        facing = find_facing(rows, columns)
-    if gaps is None and sum(map(len, facing)) <= FEW_PAIRS:
+        facing = find_facing(facing, rows, columns)
+    if sum(map(len, facing)) <= FEW_PAIRS:
         return lower_envelope_mm(list(chain.from_iterable(map(sweep_row, count(), facing))))
     row_boxes, boxes = [row.box for row in rows], [column.box for column in columns]
-    if gaps is not None:
-        facing = keep_over(gaps, facing, row_boxes, boxes)
     found: Envelope | None = None
     order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
     for batch in split_batches(order, facing, max(len(rows) + len(columns), FEW_PAIRS)):
@@ -205,35 +205,37 @@ def split_batches(
     yield order[first:]
 
 
-def find_facing(rows: Parts, columns: Parts) -> list[list[int]]:
-    """Find, for each row, the columns that have a slope in common with it. Cost: O(pairs)."""
+def find_facing(numbers: Sequence[Sequence[int]], rows: Parts, columns: Parts) -> list[list[int]]:
+    """Keep, for each row, the given columns that have a slope in common with it.
+
+    Cost: O(columns given).
+    """
     ends = [(k, column.flattest, column.steepest) for k, column in enumerate(columns)]
-    return [
-        [k for k, first, last in ends if first <= row.steepest and row.flattest <= last]
-        for row in rows
-    ]
+    found = []
+    for row, given in zip(rows, numbers, strict=True):
+        flattest, steepest = row.flattest, row.steepest
+        some = ends if len(given) == len(ends) else [ends[k] for k in given]
+        found.append([k for k, first, last in some if first <= steepest and flattest <= last])
+    return found
 
 
-def keep_over(
-    gaps: Sequence[Span],
-    facing: Sequence[Sequence[int]],
-    rows: Sequence[Box],
-    columns: Sequence[Box],
-) -> list[list[int]]:
-    """Keep, for each row, the columns whose sum with it lies over some gap.
+def keep_over(gaps: Sequence[Span], rows: Parts, columns: Parts) -> list[list[int]]:
+    """Find, for each row, the columns whose sum with it lies over some gap.
 
     Cost: O(log m) for each row and each gap, and O(numbers returned).
     """
-    lefts, rights = [box[0] for box in columns], [box[1] for box in columns]
+    boxes = [column.box for column in columns]
+    lefts, rights = [box[0] for box in boxes], [box[1] for box in boxes]
     ends = [(n // d, -(-m // e)) for (n, d), (m, e) in gaps]
     kept = []
-    for (left, right, _), numbers in zip(rows, facing, strict=True):
+    for row in rows:
+        left, right, _ = row.box
         found: list[int] = []
         done = 0
         for low, high in ends:
             begin = bisect_right(rights, low - right, done)
             done = bisect_left(lefts, high - left, begin)
-            found += numbers[bisect_left(numbers, begin) : bisect_left(numbers, done)]
+            found += range(begin, done)
         kept.append(found)
     return kept
 
