@@ -39,6 +39,14 @@ def pytest_collection() -> Iterator[None]:
     finally:
         gc.freeze()
         gc.enable()
+        # Most of the time of the collector goes into the corpus and golden data, which stay.
+        gc.set_threshold(100_000, 50, 50)
+
+
+def pytest_sessionfinish() -> None:
+    """Collect once and spare what lives: pytest is about to collect five times."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")

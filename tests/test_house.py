@@ -30,13 +30,14 @@ def parse(source: str) -> ast.Module:
     return ast.parse(source)
 
 
-def statements(tree: ast.AST) -> Iterator[ast.stmt]:
-    """Yield all statements of a tree, at any depth, without their expressions."""
-    for field in ("body", "orelse", "handlers", "finalbody", "cases"):
-        for inner in getattr(tree, field, ()):
-            if isinstance(inner, ast.stmt):
-                yield inner
-            yield from statements(inner)
+@cache
+def statements(source: str) -> list[ast.stmt]:
+    """List all statements of a source, at any depth, without their expressions."""
+    found: list[ast.AST] = [parse(source)]
+    for node in found:
+        for field in ("body", "orelse", "handlers", "finalbody", "cases"):
+            found += getattr(node, field, ())
+    return [node for node in found if isinstance(node, ast.stmt)]
 
 
 def modules() -> dict[str, Path]:
@@ -50,7 +51,7 @@ def modules() -> dict[str, Path]:
 
 def imported(source: str, known: set[str]) -> Iterator[str]:
     """The modules of the package that a source imports."""
-    for node in statements(parse(source)):
+    for node in statements(source):
         if isinstance(node, ast.ImportFrom):
             assert node.level == 0, "imports are absolute"
             module = node.module or ""
@@ -164,11 +165,10 @@ def test_few_files_lie_at_the_top_and_none_is_long() -> None:
 
 def named_types(source: str) -> Iterator[str]:
     """The classes and type aliases of a source, without leading underscores."""
-    tree = parse(source)
-    for node in statements(tree):
+    for node in statements(source):
         if isinstance(node, ast.ClassDef):
             yield node.name.lstrip("_")
-    for node in tree.body:
+    for node in parse(source).body:
         if isinstance(node, ast.Assign | ast.AnnAssign):
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
             names = [ast.unparse(target).lstrip("_") for target in targets]
@@ -231,9 +231,8 @@ def misplaced(docstring: str) -> str:
 
 def docstrings(source: str) -> Iterator[tuple[str, str]]:
     """The first line of a module, and the docstrings of its classes and functions, by name."""
-    tree = parse(source)
-    yield "module", (ast.get_docstring(tree) or "").partition("\n")[0]
-    for node in statements(tree):
+    yield "module", (ast.get_docstring(parse(source)) or "").partition("\n")[0]
+    for node in statements(source):
         if isinstance(node, ast.ClassDef | ast.FunctionDef):
             yield node.name, ast.get_docstring(node) or ""
 
@@ -283,7 +282,7 @@ def paragraphs(text: str, suffix: str) -> Iterator[str]:
     else:
         strings = (
             node.value.value
-            for node in statements(parse(text))
+            for node in statements(text)
             if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
             if isinstance(node.value.value, str)
         )

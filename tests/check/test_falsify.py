@@ -11,8 +11,8 @@ from exactsweep.check import standalone
 
 @pytest.mark.parametrize("family", [SHAPES, LAYOUTS])
 def test_falsified_certificates_are_refused(family: Family) -> None:
-    tried, missed = falsify(Random(7), 2, 20, family)
-    assert tried.total() == 40
+    tried, missed = falsify(Random(8), 4, 20, family)
+    assert tried.total() == 80
     assert not missed
 
 

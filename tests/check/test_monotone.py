@@ -251,7 +251,7 @@ def test_without_a_lattice_the_same_is_proved_and_refused(
     """True and changed certificates, with the same reasons and witnesses."""
     rng = Random(f"lattice {kind}")
     seen = Counter[bool]()
-    while seen[True] < 3:
+    while not seen[True]:
         generatrix, directrix = draw(rng)
         thirds, halves = (
             [(Fraction(x, over), Fraction(y, over + 4)) for x, y in shape[0]]
@@ -267,7 +267,7 @@ def test_without_a_lattice_the_same_is_proved_and_refused(
             monkeypatch.setattr(standalone, "find_scale", lambda _: 1)
             assert verify(listed) == expected
             seen[expected.proved] += 1
-    assert seen[False] > 90
+    assert seen[False] > 30
 
 
 def test_numbers_stay_as_long_as_those_of_a_few_points(monkeypatch: pytest.MonkeyPatch) -> None:

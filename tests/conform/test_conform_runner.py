@@ -317,10 +317,18 @@ def test_the_journal_of_something_else_is_refused(tmp_path: Path) -> None:
     "text", ["[]\n", "{}\n", "x\n", '{"format": "exactsweep conform"}\n', "one line", "7" * 2**24]
 )
 def test_a_file_that_is_no_journal_is_left_alone(tmp_path: Path, text: str) -> None:
-    (tmp_path / "journal").write_text(text)
+    path = tmp_path / "journal"
+    path.write_text(text)
+    with pytest.raises(JournalError):
+        Journal(path, Terms([]), Hello("mine"), resume=True)
+    assert path.read_text() == text
+
+
+def test_the_command_refuses_what_is_no_journal(tmp_path: Path) -> None:
+    (tmp_path / "journal").write_text("x\n")
     refused = journal_of(tmp_path, "--resume")
     assert (refused.exit_code, refused.stdout) == (1, "")
-    assert (tmp_path / "journal").read_text() == text
+    assert (tmp_path / "journal").read_text() == "x\n"
 
 
 def test_a_case_that_changed_is_asked_again(tmp_path: Path) -> None:

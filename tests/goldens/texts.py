@@ -10,7 +10,7 @@ from dataclasses import asdict, replace
 from fractions import Fraction
 from hashlib import sha256
 from importlib import import_module
-from itertools import chain, islice
+from itertools import chain
 from pathlib import Path
 from pkgutil import walk_packages
 from typing import Any
@@ -263,12 +263,14 @@ def list_generated() -> Iterator[str]:
     """
     parts = "id", "directrix", "generatrix", "reference", "directrix_holes", "generatrix_holes"
     for family in FAMILIES:
+        drawn = list(generate(family, 7, 12))
         for start, end in ((0, 3), (3, 9)):
-            drawn = [case_to_json(case) for case in islice(generate(family, 7), start, end)]
-            found = [[case[part] for part in parts if part in case] for case in drawn]
+            shown = map(case_to_json, drawn[start:end])
+            found = [[case[part] for part in parts if part in case] for case in shown]
             yield f"{family} {start} {end} {sha256(repr(found).encode()).hexdigest()[:12]}"
-        known = [(case.kind, *case.flags, *case.representable) for case in generate(family, 11, 12)]
-        counts = Counter(chain.from_iterable(known))
+        counts = Counter(
+            chain.from_iterable((case.kind, *case.flags, *case.representable) for case in drawn)
+        )
         yield f"{family} of 12: {', '.join(f'{flag} {counts[flag]}' for flag in sorted(counts))}"
     for id in ("gen-convex-7-0", "gen-container-7-1", "gen-plate-7-2"):
         yield case_to_line(find_case(id)).rstrip()
