@@ -34,7 +34,15 @@ from exactsweep import (
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.canvas.window import Window
-from exactsweep.corpus import FAMILIES, Case, case_to_json, find_case, generate, generator
+from exactsweep.corpus import (
+    FAMILIES,
+    Case,
+    case_to_json,
+    find_case,
+    find_layout_case,
+    generate,
+    generator,
+)
 from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.describe import describe
 from exactsweep.corpus.export import cases_to_geojson, cases_to_svg, cases_to_wkt
@@ -49,6 +57,8 @@ from exactsweep.draw import (
     plot_sweep,
 )
 from exactsweep.draw.stretches import cut_trajectory
+from exactsweep.layout import Layout, judge_layout
+from exactsweep.layout.report import draw_layout, rank_faults
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import checks, figures, report
 from exactsweep.paper.claim import Effort, Finding, reproduce, weigh
@@ -188,6 +198,23 @@ def list_images() -> Iterator[str]:
         yield f"== {name}\n{s._repr_html_()}"
     for name, found in POSITIONS.items():
         yield f"== {name}\n{found._repr_html_()}"
+
+
+def list_layouts() -> Iterator[str]:
+    """Pictures of layouts, without their style sheet."""
+    moves = [(3 * k, 0) for k in range(5)] + [(3 * k + Fraction(k + 1, k + 2), 0) for k in range(5)]
+    overlaps = {
+        "container": {"exterior": [(0, 0), (14, 0), (14, 2), (0, 2)]},
+        "parts": [{"id": "", "exterior": SQUARE}],
+        "placements": [{"part": "", "turn": 0, "move": move} for move in moves],
+    }
+    faulty = (find_layout_case(f"layouts-{name}") for name in ("all-at-once", "defect-overlapped"))
+    for layout in (*(case.layout for case in faulty), Layout.from_json(overlaps)):
+        judgement = judge_layout(layout)
+        for y_down in (False, True):
+            picture = draw_layout(judgement, rank_faults(judgement), "faults", y_down=y_down)
+            head, _, rest = picture.partition("<style>")
+            yield f"{head}{rest.partition('</style>')[2].rstrip()}"
 
 
 def list_pages() -> Iterator[str]:
@@ -344,6 +371,7 @@ TEXTS: dict[str, Callable[[], Iterator[str]]] = {
     "looks": list_looks,
     "pictures": list_pictures,
     "images": list_images,
+    "layouts": list_layouts,
     "pages": list_pages,
     "figures": list_figures,
     "exports": list_exports,

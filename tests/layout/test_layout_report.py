@@ -18,6 +18,7 @@ from exactsweep.layout.report import (
     draw_layout,
     rank_faults,
     report_layout,
+    worst,
     write_layout_json,
     write_layout_page,
 )
@@ -104,6 +105,15 @@ def test_long_lists_are_cut_and_sorted() -> None:
     assert text.count("overlap ") == 30
     assert report_layout(judgement, ranked, everything=True).count("deep") == 40
     assert "more" not in report_layout(many(30))
+
+
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_only_the_first_faults_are_measured(number: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(worst, "MOST_MEASURED", 2)
+    told: list[tuple[int, int]] = []
+    ranked = rank_faults(many(number), lambda *of: told.append(of))
+    assert told == [(k, min(number, 2)) for k in range(min(number, 2))]
+    assert [one.square is not None for one in ranked] == [True, True, False][:number]
 
 
 def test_json_is_exact() -> None:
