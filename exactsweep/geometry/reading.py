@@ -98,6 +98,8 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
         >>> read_vertices([(0, 1), ("1/2", 0), [2, 0.5]])
         (2, [(0, 2), (1, 0), (4, 1)])
     """
+    if isinstance(vertices, (set, frozenset)):
+        raise PolygonError("the vertices are a set, which has no order")
     rings = read_interface(vertices)
     if rings is not None:
         if len(rings) > 1:
