@@ -1,6 +1,6 @@
 """The command line: `exactsweep`, with one module per command."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from importlib import import_module
@@ -22,6 +22,21 @@ _NAMES = (
 _LONGEST = 1000
 
 
+class _Modules(Mapping[str, click.Command]):
+    """The commands by name, each imported when it is first used."""
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_NAMES)
+
+    def __len__(self) -> int:
+        return len(_NAMES)
+
+    def __getitem__(self, name: str) -> click.Command:
+        if name not in _NAMES:
+            raise KeyError(name)
+        return _load(name)
+
+
 @cache
 def _load(name: str) -> click.Command:
     command: click.Command = getattr(import_module(f"exactsweep.cli.{name}"), f"{name}_command")
@@ -31,16 +46,7 @@ def _load(name: str) -> click.Command:
 
 
 class _Commands(click.Group):
-    """Commands that answer a refusal with one line on standard error and exit code 1.
-
-    Each is imported when it is first used.
-    """
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return [*_NAMES]
-
-    def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
-        return _load(name) if name in _NAMES else None
+    """Commands that answer a refusal with one line on standard error and exit code 1."""
 
     def make_context(self, *arguments: Any, **options: Any) -> click.Context:
         # --help and --version write here.
@@ -89,7 +95,7 @@ def _refuse_in_one_line() -> Iterator[None]:
         raise click.ClickException("out of memory") from None
 
 
-@click.group(cls=_Commands)
+@click.group(cls=_Commands, commands=_Modules())
 @click.version_option(__version__, prog_name="exactsweep")
 def main() -> None:
     """Sweep polygons around polygons in exact arithmetic."""

@@ -32,10 +32,7 @@ def run(*arguments: str, stdin: str | bytes | None = None) -> Result:
 
 def list_commands(group: click.Group = main, name: str = "") -> Iterator[tuple[str, click.Command]]:
     """All commands, by the words that call them."""
-    context = click.Context(group)
-    for word in group.list_commands(context):
-        command = group.get_command(context, word)
-        assert command is not None
+    for word, command in group.commands.items():
         path = f"{name} {word}".strip()
         if isinstance(command, click.Group):
             yield from list_commands(command, path)
