@@ -105,8 +105,8 @@ def split_polygon(polygon: Polygon, frame: Frame) -> tuple[KeptChain, KeptChain]
     >>> split_polygon(square, Frame((1, 0), 2))
     ([(0, 0), (2, 0)], [(2, 2), (0, 2)])
     """
-    find = _keep if len(polygon) <= KEPT_VERTICES else _split
-    return find(polygon.lattice(), frame)
+    lattice = polygon.lattice()
+    return _split(lattice, frame) if len(lattice[1]) > KEPT_VERTICES else _keep(lattice, frame)
 
 
 def _split(lattice: Lattice, frame: Frame) -> tuple[KeptChain, KeptChain]:
@@ -178,7 +178,8 @@ class MonotoneSolution:
             if self._direction != X_AXIS:
                 first = find_least(points)
                 points = points[first:] + points[:first]
-            if len(self.__dict__.keys() & {"trajectory", "inner", "outer"}) == 2:
+            made = self.__dict__
+            if ("trajectory" in made) + ("inner" in made) + ("outer" in made) == 2:
                 # This is the last of three: envelopes would hold as much as all of them.
                 for side in self.halves:
                     side.__dict__.pop("trajectory", None)

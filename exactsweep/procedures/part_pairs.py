@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain, count
 from math import inf
 
 from exactsweep.numbers.number import Rational
@@ -169,12 +168,15 @@ def sweep_pairs(
     if len(rows) * len(columns) > FEW_PAIRS:
         facing = find_facing(facing, rows, columns)
     if sum(map(len, facing)) <= FEW_PAIRS:
-        return lower_envelope_mm(list(chain.from_iterable(map(sweep_row, count(), facing))))
+        runs: list[Envelope] = []
+        for i, numbers in enumerate(facing):
+            runs += sweep_row(i, numbers)
+        return lower_envelope_mm(runs)
     row_boxes, boxes = [row.box for row in rows], [column.box for column in columns]
     found: Envelope | None = None
     order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
     for batch in split_batches(order, facing, max(len(rows) + len(columns), FEW_PAIRS)):
-        runs: list[Envelope] = []
+        runs = []
         ceiling = None if found is None else Ceiling(found, row_boxes, boxes, gaps)
         for i in batch:
             numbers = facing[i]
