@@ -3,6 +3,7 @@
 import copy
 import json
 from fractions import Fraction
+from math import isqrt
 from typing import Any
 
 import pytest
@@ -80,6 +81,24 @@ def test_all_faults_are_proved(name: str) -> None:
 def test_faults_of_parts_at_any_angle_are_proved(kind: str) -> None:
     (fault,) = prove(ANGLED_FAULTY[kind])["faults"]
     assert fault["kind"] == kind.partition(",")[0].replace("margin", "too close")
+
+
+@pytest.mark.parametrize("digits", range(17, 23))
+@pytest.mark.parametrize("kind", ["spacing", "margin"])
+def test_gaps_at_the_limit_of_rational_turns_are_proved(kind: str, digits: int) -> None:
+    """Squares that reach sqrt(2), or twice that; the first rational turns are off by some 1e-19."""
+    root = Fraction(isqrt(2 * 100**digits), 10**digits)
+    for reach in (root, root + Fraction(1, 10**digits)):
+        gap = str(2 * (3 - reach))
+        if kind == "margin":
+            walls, large = box(-20, -20, 6, 20), box(-2, -2, 2, 2)
+            layout = lay(walls, {"s": large}, put("s", turn=45), margin=gap)
+        else:
+            places = (put("s", (x, 0), 45) for x in (-3, 3))
+            layout = lay(box(-20, -20, 20, 20), {"s": box(-1, -1, 1, 1)}, *places, spacing=gap)
+        judgement = judge_layout(layout)
+        assert judgement.valid == (reach != root)
+        assert verify(judgement.certificate()).proved
 
 
 def test_what_is_undecided_has_no_certificate() -> None:
