@@ -45,18 +45,18 @@ class ConvexPart(NamedTuple):
 
     Attributes:
         points: the vertices.
+        edges: the edges as vectors.
         flattest: the least relevant slope: that of the first edge, or minus infinity where the
             other polygon has to turn about the left end, (5).
         steepest: the greatest relevant slope, likewise for the right end.
         slopes: the slopes of the edges, ascending.
-        edges: the edges as vectors.
     """
 
     points: Sequence[Vertex]
+    edges: list[Vertex]
     flattest: Slope
     steepest: Slope
     slopes: Sequence[Rational]
-    edges: list[Vertex]
 
     @property
     def box(self) -> Box:
@@ -74,11 +74,9 @@ class ConvexPart(NamedTuple):
 
         Returns an envelope; None if nothing matters. Cost: O(m_i + n_t).
         """
-        points, flattest, steepest, slopes, edges = self
-        origins, chain_flattest, chain_steepest, chain_slopes, others = chain
-        i, last_i, j, last_j = _find_what_matters(
-            slopes, flattest, steepest, chain_slopes, chain_flattest, chain_steepest
-        )
+        points, edges, _, _, slopes = self
+        origins, others, _, _, chain_slopes = chain
+        i, last_i, j, last_j = _find_relevant(self, chain)
         if i >= last_i and j >= last_j:
             return None
         (x, y), (ox, oy) = points[i], origins[j]
@@ -146,11 +144,9 @@ class CrossingPart(NamedTuple):
 
         Arguments, result and cost are those of `ConvexPart.sweep`.
         """
-        own, breaks, flattest, steepest, slopes = self
-        points, chain_flattest, chain_steepest, chain_slopes, others = chain
-        first, last, at, end = _find_what_matters(
-            slopes, flattest, steepest, chain_slopes, chain_flattest, chain_steepest
-        )
+        own, breaks, _, _, slopes = self
+        points, others, _, _, chain_slopes = chain
+        first, last, at, end = _find_relevant(self, chain)
         if first >= last and at >= end:
             return None
         n, d = breaks[first]
@@ -192,19 +188,14 @@ def round_outwards(start: Break, end: Break) -> tuple[Rational, Rational]:
     return n // d, -(-m // e)
 
 
-def _find_what_matters(
-    slopes: Sequence[Rational],
-    flattest: Slope,
-    steepest: Slope,
-    chain_slopes: Sequence[Rational],
-    chain_flattest: Slope,
-    chain_steepest: Slope,
-) -> tuple[int, int, int, int]:
+def _find_relevant(part: ConvexPart | CrossingPart, chain: ConvexPart) -> tuple[int, int, int, int]:
     """Find the relevant edges of a part and of a part of reversed G_t.
 
     Returns (start, end) of the edges of the part, then (start, end) for the other one; ends are
     excluded.
     """
+    _, _, flattest, steepest, slopes = part
+    _, _, chain_flattest, chain_steepest, chain_slopes = chain
     i, last_i, j, last_j = 0, len(slopes), 0, len(chain_slopes)
     if flattest > chain_flattest:  # (2)
         j = bisect_left(chain_slopes, flattest)
@@ -301,7 +292,7 @@ def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPa
             end, start = points[-1][1], found[k][0][0][1]
             rises, falls = start > end, start < end
         steepest: Slope = inf if rises else slopes[-1]
-        parts.append(ConvexPart(points, flattest, steepest, slopes, edges))
+        parts.append(ConvexPart(points, edges, flattest, steepest, slopes))
     if kept is not None:
         kept.parts = unit, parts
     return parts
