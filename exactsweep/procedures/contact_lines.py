@@ -38,6 +38,14 @@ from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
 from exactsweep.numbers.number import Rational, Vertex, ratio
 from exactsweep.procedures.leeway import Leeway
+from exactsweep.procedures.neighbours import (
+    Around,
+    RankedEdge,
+    are_thin,
+    leave_out_overlapped,
+    look_around,
+    look_beside,
+)
 
 _UNITS = 2**32
 _BEYOND = 1  # the length by which pieces extend beyond a leeway
@@ -199,12 +207,8 @@ class Stretch:
         return n // common, d // common, y // other, unit // other
 
 
-_RankedEdge = tuple[int, int, bool, Rational, Rational, Rational]
-"""An edge: its rank; the number of its direction, which opposite directions share; whether the edge
-runs along that direction; dx y - dy x; its least place; its greatest place."""
-
-_Convex = tuple[Vertex, int, int]
-"""A convex vertex, and the ranks of the edges before and after it."""
+_Convex = tuple[Vertex, int, int, Around | None]
+"""A convex vertex, the ranks of the edges before and after it, and the vertices around it."""
 
 
 def find_contact_stretches(
@@ -224,7 +228,8 @@ def find_contact_stretches(
     """
     shapes = [[_DirectedRing(ring) for ring in rings] for rings in (stationary, moving)]
     directions, ranks = _rank(u for rings in shapes for ring in rings for u in ring.directions)
-    sides = [_list_features(rings, ranks, len(directions)) for rings in shapes]
+    thin = are_thin(stationary, moving)
+    sides = [_list_features(rings, ranks, len(directions), thin) for rings in shapes]
     left, right, bottom, top = leeway or (-inf, inf, -inf, inf)
     lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
         list
@@ -235,10 +240,12 @@ def find_contact_stretches(
         order = sorted(edges)
         order += [(edge[0] + circle, *edge[1:]) for edge in order]
         at = [edge[0] for edge in order]
-        for (x, y), first, last in corners:
-            facing = order[bisect_left(at, first) : bisect_right(at, last)]
+        for (x, y), first, last, around in corners:
+            facing: Iterable[RankedEdge] = order[bisect_left(at, first) : bisect_right(at, last)]
+            if around:
+                facing = leave_out_overlapped(facing, directions, around)
             if type(x) is int and type(y) is int:
-                for _, k, ahead, offset, low, high in facing:
+                for _, k, ahead, offset, low, high, _ in facing:
                     dx, dy = directions[k]
                     along, least, greatest = (x, left, right) if dx else (y, bottom, top)
                     if not leeway or (low + along <= greatest and high + along >= least):
@@ -248,7 +255,7 @@ def find_contact_stretches(
             # `unit` times the corner is on the lattice: ints spare most of the Fractions.
             unit = lcm(x.denominator, y.denominator)
             u, v = int(unit * x), int(unit * y)
-            for _, k, ahead, offset, low, high in facing:
+            for _, k, ahead, offset, low, high, _ in facing:
                 dx, dy = directions[k]
                 along, least, greatest = (u, left, right) if dx else (v, bottom, top)
                 start, end = ratio(low * unit + along, unit), ratio(high * unit + along, unit)
@@ -288,29 +295,31 @@ def _rank(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
 
 
 def _list_features(
-    rings: Sequence[_DirectedRing], ranks: dict[Vector, int], half: int
-) -> tuple[list[_RankedEdge], list[_Convex]]:
+    rings: Sequence[_DirectedRing], ranks: dict[Vector, int], half: int, thin: bool
+) -> tuple[list[RankedEdge], list[_Convex]]:
     """List the edges and the convex vertices of a shape, with the ranks of their directions.
 
     Directions are ranked counter-clockwise from just above straight down, `half` to half a turn.
     """
-    edges: list[_RankedEdge] = []
+    edges: list[RankedEdge] = []
     corners: list[_Convex] = []
     for ring in rings:
-        of_ring: list[_RankedEdge] = []
-        for (p, q), u in zip(ring.edges, ring.directions, strict=True):
+        of_ring: list[RankedEdge] = []
+        for i, ((p, q), u) in enumerate(zip(ring.edges, ring.directions, strict=True)):
             (px, py), (qx, qy) = p, q
             k, (dx, dy) = ranks[u], u
             ahead = p < q
             low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
             rank = k if ahead else k + half
-            of_ring.append((rank, k, ahead, dx * py - dy * px, low, high))
+            beside = look_beside(ring.vertices, i) if thin else ()
+            of_ring.append((rank, k, ahead, dx * py - dy * px, low, high, beside))
         for i, point in enumerate(ring.vertices):
             first, last = of_ring[i][0], of_ring[(i + 1) % len(of_ring)][0]
             if last < first:
                 last += 2 * half
             if last - first < half:
-                corners.append((point, first, last))
+                around = look_around(ring.vertices, i) if thin else None
+                corners.append((point, first, last, around))
         edges += of_ring
     return edges, corners
 

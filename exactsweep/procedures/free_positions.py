@@ -15,18 +15,20 @@ See `contact_lines` for (1) and (2). They imply:
     furthest clockwise has that region on its right.
 (6) A single free position has overlap in all directions. So every direction lies left of some
     contact segment through it. This takes more than two segments, or two that run both ways each.
+(7) O is open and a piece between two crossings is free or overlaps as a whole. So the ends of a
+    free piece are free, and pieces that end at a position of overlap overlap.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain, groupby, pairwise
 from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_least
-from exactsweep.geometry.vectors import is_on_segment, way_key
+from exactsweep.geometry.vectors import way_key
 from exactsweep.numbers.number import Fit, Point, Vertex, divide_exactly
 from exactsweep.procedures.contact_lines import ReducedPoint, Stretch, StretchPlace
 
@@ -51,6 +53,9 @@ class Free(NamedTuple):
 _FreeEdge = tuple[ReducedPoint, ReducedPoint, int, int]
 """A piece of a stretch between crossings: start, end, direction. The right side is free."""
 
+_TwoWayPiece = tuple[Stretch, ReducedPoint, ReducedPoint]
+"""A piece with segments both ways, and its ends."""
+
 
 def find_free_positions(
     stretches: Sequence[Stretch],
@@ -66,11 +71,11 @@ def find_free_positions(
         scale: the divisor of positions when they leave the lattice.
         least: the least point of the closure of all overlap, if that is bounded.
 
-    Cost: O(k log k) for k cuts, and one call of `overlap` for each closed walk, each piece with
-    segments both ways, and each position that (6) leaves. Few closed walks are not free.
+    Cost: O(k log k) for k cuts, and at most one call of `overlap` for each closed walk, each piece
+    with segments both ways, and each position that (6) leaves. Few closed walks are not free.
     """
     pieces: list[_FreeEdge] = []
-    both_ways: list[tuple[Stretch, ReducedPoint, ReducedPoint]] = []
+    both_ways: list[_TwoWayPiece] = []
     suspects: set[ReducedPoint] = set()
     for stretch in stretches:
         for low, high in _find_left_over(stretch, suspects):
@@ -83,10 +88,8 @@ def find_free_positions(
                 pieces.append((q, p, -stretch.dx, -stretch.dy))
     rings = list(_walk_rings(pieces, overlap, least))
     bounding = {start for ring in rings for start, _, _, _ in ring}
-    fits = list(_join((f for f in both_ways if not overlap(_find_middle(*f[1:]))), bounding))
-    known = bounding | {end for fit in fits for end in fit}
-    alone = [p for p in suspects - known if not overlap(_leave(p, 1))]
-    fits += [(p, p) for p in alone if not any(_lies_on(p, fit) for fit in fits)]
+    free, alone = _decide(both_ways, suspects, bounding, overlap)
+    fits = [*_join(free, bounding), *((p, p) for p in alone)]
     around: list[list[Point]] = []
     within: list[list[Point]] = []
     for ring in rings:
@@ -233,8 +236,43 @@ def _find_middle(p: ReducedPoint, q: ReducedPoint) -> Point:
     return Point(divide_exactly(a * f + e * b, 2 * b * f), divide_exactly(c * h + g * d, 2 * d * h))
 
 
+def _decide(
+    both_ways: Sequence[_TwoWayPiece],
+    suspects: Set[ReducedPoint],
+    bounding: Set[ReducedPoint],
+    overlap: Callable[[Point], bool],
+) -> tuple[list[_TwoWayPiece], list[ReducedPoint]]:
+    """Find the free pieces with segments both ways, and the single free positions, by (7).
+
+    Exact fits come in rows along a slot, and overlapped pieces in bundles. So the last piece says
+    what to test first, the next piece or its ends. The order changes no answer.
+    """
+    known = dict.fromkeys(bounding, False)
+
+    def overlaps(p: ReducedPoint) -> bool:
+        if p not in known:
+            known[p] = overlap(_leave(p, 1))
+        return known[p]
+
+    free: list[_TwoWayPiece] = []
+    single = suspects - bounding
+    likely = True
+    for piece in both_ways:
+        _, p, q = piece
+        # Pieces at free positions, and after free pieces, are likely to be free.
+        asked = known if likely or not (known.get(p, True) and known.get(q, True)) else suspects
+        if (p in asked and overlaps(p)) or (q in asked and overlaps(q)):
+            continue
+        likely = not overlap(_find_middle(p, q))
+        if likely:
+            free.append(piece)
+            known[p] = known[q] = False
+            single -= {p, q}
+    return free, [p for p in sorted(single) if not overlaps(p)]
+
+
 def _join(
-    fits: Iterable[tuple[Stretch, ReducedPoint, ReducedPoint]], bounding: Container[ReducedPoint]
+    fits: Iterable[_TwoWayPiece], bounding: Container[ReducedPoint]
 ) -> Iterator[tuple[ReducedPoint, ReducedPoint]]:
     """Join exact fits that continue each other on one line, unless a loop passes there."""
     for _, group in groupby(fits, key=lambda fit: (fit[0].dx, fit[0].dy, fit[0].c, fit[0].e)):
@@ -250,10 +288,6 @@ def _join(
         assert start is not None
         assert end is not None
         yield start, end
-
-
-def _lies_on(vertex: ReducedPoint, fit: tuple[ReducedPoint, ReducedPoint]) -> bool:
-    return is_on_segment(*(_leave(place, 1) for place in (vertex, *fit)))
 
 
 def _hang(

@@ -1,0 +1,129 @@
+"""Parts of contact segments that the edges next to them prove to be overlapped.
+
+Let the vertex v of H face the edge a of D, in the terms of `contact_lines`, and let the edges of H
+after v be c and c'. For any edge of D and any edge of H, the inside of the parallelogram that they
+span overlaps; see (2) of `cover`.
+
+(1) Let c' cross the line through v along a, in v + w. Then the common points of the segments a + v
+    and a + v + w, but for the ends of the latter, are inside the parallelogram a + c'. If w has the
+    direction of a, only the start of a + v is left, as far as w; otherwise only its end. The two
+    edges before v serve likewise.
+(2) Let the edge b of D before a end in a reflex vertex, and let c turn to the right of b. Then a
+    runs from that vertex into the angle between b and c, reversed and not, so the start of a + v
+    lies inside the parallelogram b + c. At the vertex itself the interiors of D and G meet, as the
+    cone of G at v reaches beyond the angle that D leaves open. The edge after a and the edge before
+    v serve likewise.
+
+For thin spikes across thin spikes this leaves little more than the answer. Such shapes contain no
+squares for the cover. In wide shapes the cover drops as much at a lower cost.
+
+Ends are rounded outwards to ints. So overlap lies just inside, and numbers stay short.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import lcm
+
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.overlap import Rings
+from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.procedures.leeway import bound
+
+_MANY = 1000
+"""The product of the numbers of edges below which this gains nothing."""
+_THIN = 8
+"""A shape is thin if twice its area is less than this part of its bounds."""
+
+_Scaled = tuple[()] | tuple[int, int, int]
+"""A vector times a common unit, and the unit; empty if there is none."""
+
+Beside = tuple[()] | tuple[_Scaled, _Scaled]
+"""The edges before and after an edge, beyond reflex vertices."""
+
+RankedEdge = tuple[int, int, bool, Rational, Rational, Rational, Beside]
+"""An edge: its rank; the number of its direction, which opposite directions share; whether the edge
+runs along that direction; dx y - dy x; its least place; its greatest place; its neighbours."""
+
+Around = tuple[int, tuple[tuple[int, int, int, int], tuple[int, int, int, int]]]
+"""A unit, and the next vertices after and before a vertex, from it, times the unit."""
+
+
+def are_thin(stationary: Rings, moving: Rings) -> bool:
+    """Decide whether two shapes have many edges, and one of them fills little of its bounds."""
+    size = sum(map(len, stationary)) * sum(map(len, moving))
+    return size > _MANY and any(map(_is_thin, (stationary, moving)))
+
+
+def _is_thin(rings: Rings) -> bool:
+    left, right, low, high = bound(rings)
+    area, size = sum(map(find_doubled_area, rings)), (right - left) * (high - low)
+    return bool(-size < _THIN * area < size)
+
+
+def look_beside(ring: Sequence[Vertex], i: int) -> Beside:
+    """Find the edges before and after the edge that ends at vertex i, beyond reflex vertices."""
+    unit, ((ux, uy), (px, py), _, (qx, qy)) = _scale(ring, (i - 1, i, i - 2, i - 1, i + 1))
+    before, after = (-px, -py), (qx - ux, qy - uy)
+    return (
+        (*before, unit) if before[0] * uy < before[1] * ux else (),
+        (*after, unit) if ux * after[1] < uy * after[0] else (),
+    )
+
+
+def look_around(ring: Sequence[Vertex], i: int) -> Around | None:
+    """Find the vertices around vertex i; None if (1) leaves out nothing there."""
+    unit, (f, g, b, a) = _scale(ring, (i, i + 1, i + 2, i - 1, i - 2))
+    # The cone of the vertex is left of f and right of b.
+    if all(f[0] * y >= f[1] * x and b[0] * y <= b[1] * x for x, y in (g, a)):
+        return None
+    return unit, ((*f, *g), (*b, *a))
+
+
+def _scale(ring: Sequence[Vertex], numbers: Sequence[int]) -> tuple[int, list[tuple[int, int]]]:
+    """Return the vectors from the first vertex to the others, times a common unit."""
+    points = [ring[k % len(ring)] for k in numbers]
+    unit = lcm(*(c.denominator for point in points for c in point))
+    (x, y), *others = ((int(px * unit), int(py * unit)) for px, py in points)
+    return unit, [(px - x, py - y) for px, py in others]
+
+
+def leave_out_overlapped(
+    facing: Iterable[RankedEdge], directions: Sequence[Vector], around: Around
+) -> Iterator[RankedEdge]:
+    """Yield the pieces of edges that a vertex passes without overlap, as far as (1) and (2) tell.
+
+    Args:
+        facing: the edges that the vertex faces.
+        directions: their directions, by number.
+        around: the vertices around the vertex.
+
+    Cost: O(1) for each edge.
+    """
+    unit, sides = around
+    for rank, k, ahead, offset, low, high, beside in facing:
+        dx, dy = directions[k]
+        if not ahead:
+            dx, dy = -dx, -dy
+        start, end = low, high
+        for (px, py, qx, qy), other, is_after in zip(sides, beside, (True, False), strict=True):
+            p, q = dx * py - dy * px, dx * qy - dy * qx
+            if q < 0 < p:
+                w = qx * p - px * q if dx else qy * p - py * q
+                past = abs(w) // ((p - q) * unit) + 1
+                if w > 0:
+                    end = min(end, -(-low // 1) + past)
+                else:
+                    start = max(start, high // 1 - past)
+            if other and p:
+                nx, ny, other_unit = other
+                c = (px * ny - py * nx) * abs(dx or dy)
+                if c > 0:
+                    past = max(-c // (unit * abs(dx * ny - dy * nx)), -c // (other_unit * p)) + 1
+                    if is_after == ahead:
+                        start = max(start, low // 1 - past)
+                    else:
+                        end = min(end, -(-high // 1) + past)
+        if start < end:
+            yield rank, k, ahead, offset, start, end, beside

@@ -1,0 +1,87 @@
+"""Parts of contact segments that the edges beside them overlap: without them nothing changes."""
+
+from fractions import Fraction
+from unittest.mock import patch
+
+from covered import find_free, rings
+from hypothesis import given
+from hypothesis import strategies as st
+from polyominoes import Cells, polyominoes
+from strategies import Ring, simple_rings
+from test_parallelograms import zigzag
+from tiers import examples
+
+from exactsweep import Polygon
+from exactsweep.geometry.overlap import Overlap, Rings
+from exactsweep.numbers.number import Point
+from exactsweep.procedures import contact_lines
+from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
+from exactsweep.procedures.neighbours import are_thin
+from exactsweep.procedures.obstacles import Obstacles
+
+SCALES = st.sampled_from([Fraction(1), Fraction(7, 3), Fraction(10**30), Fraction(1, 10)])
+
+
+def find_left(stationary: Rings, moving: Rings, thin: bool) -> list[Stretch]:
+    with patch.object(contact_lines, "are_thin", return_value=thin):
+        return find_contact_stretches(stationary, moving)
+
+
+def check(stationary: Rings, orbiting: Rings) -> None:
+    moving = [inverse(ring) for ring in orbiting]
+    overlap = Overlap(stationary, orbiting)
+    whole, left = (find_left(stationary, moving, thin) for thin in (False, True))
+    assert find_free(whole, overlap) == find_free(left, overlap)
+
+
+@given(simple_rings(), simple_rings(), SCALES)
+@examples(60)
+def test_overlapped_parts_do_not_matter(d: Ring, g: Ring, scale: Fraction) -> None:
+    stationary, orbiting = (
+        [[(x * scale, y * scale) for x, y in Polygon(ring).vertices]] for ring in (d, g)
+    )
+    check(stationary, orbiting)
+
+
+@given(polyominoes(9, 4), polyominoes(7, 3), st.sampled_from([(7, 0, 0, 7), (5, 3, -2, 9)]))
+@examples(40)
+def test_parallel_edges_and_holes(d: Cells, g: Cells, matrix: tuple[int, int, int, int]) -> None:
+    check(rings(d, matrix), rings(g, matrix))
+
+
+def test_the_same_shape_may_be_placed_twice() -> None:
+    strip, unit = zigzag(20), [[(0, 0), (1, 0), (0, 1)]]
+    moving = [inverse(ring) for ring in unit]
+    at = Obstacles([], [[strip], [strip]], unit).at
+    once, twice = (find_left([strip] * count, moving, True) for count in (1, 2))
+    assert [(s.low, s.high) for s in once] == [(s.low, s.high) for s in twice]
+    assert at(Point(Fraction(0), Fraction(1)))
+
+
+def test_crossed_strips_leave_the_edges_of_the_answer() -> None:
+    strips = [zigzag(80)]
+    moving = [[(y, -x) for x, y in strips[0]]]
+    assert are_thin(strips, moving)
+    assert not are_thin([zigzag(10)], [[(0, 0), (1, 0), (0, 1)]])
+    whole, left = (find_left(strips, moving, thin) for thin in (False, True))
+    # As in `test_crossed_strips_leave_few_crossings`, whose loop has 236 vertices.
+    assert (len(whole), len(left)) == (3200, 236)
+
+
+def test_overlap_is_just_inside_each_cut() -> None:
+    strips = [zigzag(40)]
+    orbiting = [[(-y, x) for x, y in strips[0]]]
+    moving = [inverse(ring) for ring in orbiting]
+    overlap = Overlap(strips, orbiting)
+    whole, left = (find_left(strips, moving, thin) for thin in (False, True))
+    natural = {(s.dx, s.dy, s.c, end) for s in whole for end in (s.low, s.high)}
+    cut = [
+        Point(Fraction(n, d), Fraction(m, e))
+        for stretch in left
+        for place in (stretch.low, stretch.high)
+        if (stretch.dx, stretch.dy, stretch.c, place) not in natural
+        for n, d, m, e in [stretch.vertex(place)]
+    ]
+    assert len(cut) > 10
+    assert all(map(overlap.at, cut))
