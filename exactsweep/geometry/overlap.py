@@ -45,8 +45,7 @@ BoxedEdge = tuple[
 _FEW = 24
 """The number of edges up to which a search examines all of them."""
 _MOST_COLUMNS = 512
-_REMEMBERED = 4
-"""The number of pairs of edges that are kept because they crossed lately."""
+_REMEMBERED = 4  # pairs of edges that crossed lately
 
 
 class Relation(Enum):
@@ -280,9 +279,8 @@ class Overlap:
         for place, (k, i, j, h) in enumerate(self._crossed):
             ring, other = fixed.rings[k], moved.rings[j]
             a, b = ((u * scale, v * scale) for u, v in (ring[i], ring[i + 1 - len(ring)]))
-            p, q = (
-                (u * scale + x, v * scale + y) for u, v in (other[h], other[h + 1 - len(other)])
-            )
+            ends = other[h], other[h + 1 - len(other)]
+            p, q = ((u * scale + x, v * scale + y) for u, v in ends)
             if touch(a, b, p, q) is None:
                 self._crossed.insert(0, self._crossed.pop(place))
                 return True
