@@ -3,7 +3,7 @@
 from fractions import Fraction
 from itertools import product
 
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from strategies import Ring, simple_rings
 from tiers import examples
@@ -51,6 +51,8 @@ ways = st.tuples(st.integers(-9, 9), st.integers(-9, 9))
 
 
 @given(ways, ways, st.integers(1, 2))
+@example((9, 3), (3, 9), 1)
+@example((9, -3), (3, -9), 1)
 @examples(60)
 def test_the_squares_inside_a_wide_parallelogram_are_found(
     a: tuple[int, int], b: tuple[int, int], finer: int
@@ -59,8 +61,8 @@ def test_the_squares_inside_a_wide_parallelogram_are_found(
     area = a[0] * b[1] - a[1] * b[0]
     assume(finer * abs(area) > 5 * max(map(abs, (*a, *b))))
     corners = [(0, 0), a, b, (a[0] + b[0], a[1] + b[1])]
-    (left, right), (low, high) = ((min(of) - 2, max(of)) for of in zip(*corners, strict=True))
-    unit = 16 * finer
+    (left, right), (low, high) = ((min(of), max(of)) for of in zip(*corners, strict=True))
+    unit, far = 16 * finer, 100
     whole, sign = abs(area) * unit, 1 if area > 0 else -1
 
     def holds(k: int, row: int, room: int) -> bool:
@@ -75,10 +77,13 @@ def test_the_squares_inside_a_wide_parallelogram_are_found(
             for share in (x * b[1] - y * b[0], a[0] * y - a[1] * x)
         )
 
-    found = [0] * (finer * (right - left))
-    shapes = [[(0, 0), a]], [[(0, 0), b]]
-    fill_parallelograms(found, (left, low), Fraction(1, finer), shapes, 100)
-    for k, rows in enumerate(found):
+    found = [0] * (finer * (far + right - left))
+    shapes, corner = ([[(0, 0), a]], [[(0, 0), b]]), (left - far, low - far)
+    fill_parallelograms(found, corner, Fraction(1, finer), shapes, 0)  # one edge of each
+    assert not any(found[: finer * far])
+    for k, rows in enumerate(found[finer * far :]):
+        rows, below = divmod(rows, 1 << finer * far)
+        assert not below
         for row in range(finer * (high - low)):
             assert holds(k, row, 0) if rows >> row & 1 else not holds(k, row, 1)
 
