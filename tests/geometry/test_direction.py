@@ -1,12 +1,14 @@
 """Directions of monotonicity against a count of sign changes, one direction at a time."""
 
+from fractions import Fraction
 from itertools import combinations, pairwise
 from math import gcd
 from typing import Any
 
 import pytest
 import strategies as own
-from hypothesis import given
+from hypothesis import example, given
+from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import DirectionError, Polygon, sweep
@@ -20,6 +22,7 @@ from exactsweep.geometry.direction import (
     reduce_direction,
 )
 from exactsweep.geometry.frame import choose_direction
+from exactsweep.geometry.vectors import compare_angles
 
 Vector = tuple[int, int]
 
@@ -239,3 +242,18 @@ def test_what_is_shared_turns_where_either_does() -> None:
         assert shared.critical == ((9, -1), (1, 0), (9, 1), (0, 1))
     lying, sloped = find_monotone_directions(Polygon(NOTCHED)), find_monotone_directions(flat)
     assert str(lying & sloped) == str(sloped & lying) == str(lying)
+
+
+COMPASS = [(2, 0), (2, 1), (1, 2), (0, 2), (-1, 2), (-2, 1)]
+COMPASS += [(-x, -y) for x, y in COMPASS]
+lengths = st.fractions(Fraction(1, 9), 9)
+
+
+@given(st.sampled_from(COMPASS), st.sampled_from(COMPASS), lengths, lengths)
+@example((2, 0), (2, 0), Fraction(1), Fraction(1, 9))
+def test_angles_are_compared_counter_clockwise_at_any_length(
+    u: tuple[int, int], v: tuple[int, int], one: Fraction, other: Fraction
+) -> None:
+    k, m = COMPASS.index(u), COMPASS.index(v)
+    found = compare_angles((u[0] * one, u[1] * one), (v[0] * other, v[1] * other))
+    assert found == (k > m) - (k < m)

@@ -79,3 +79,13 @@ def test_the_edge_that_parts_two_pieces_may_come_anywhere(first: int, second: in
     nothing = Fraction(0)
     assert find_normal(wall, wedge, nothing) == (1, 1)
     assert find_normal(wedge, wall, nothing) == (-1, -1)
+
+
+def test_distances_are_exact_where_moves_have_no_common_lattice() -> None:
+    """Boxes of half a unit, moved by a number with more bits than a lattice may have."""
+    move = 1 + Fraction(1, 2**9000)
+    places = put("b", (0, 0)), put("b", (str(move), 0))
+    judgement = judge_layout(lay(box(-9, -9, 9, 9), {"b": box(0, 0, "1/2", "1/2")}, *places))
+    nearest = judgement.distance
+    assert nearest is not None
+    assert nearest.square == (move - Fraction(1, 2)) ** 2

@@ -3,7 +3,7 @@
 from fractions import Fraction
 from itertools import product
 
-from hypothesis import given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from strategies import Ring, simple_rings
 from tiers import examples
@@ -45,6 +45,47 @@ def test_each_square_of_a_parallelogram_is_overlapped(
                 for i, j in product((0, 1), (0, 1)):
                     x, y = left + (k + i) * side, low + (row + j) * side
                     assert overlap.at(Point(Fraction(x), Fraction(y)))
+
+
+ways = st.tuples(st.integers(-9, 9), st.integers(-9, 9))
+
+
+@given(ways, ways, st.integers(1, 2))
+@example((9, 3), (3, 9), 1)
+@example((9, -3), (3, -9), 1)
+@examples(60)
+def test_the_squares_inside_a_wide_parallelogram_are_found(
+    a: tuple[int, int], b: tuple[int, int], finer: int
+) -> None:
+    """Those that are inside by more than the sixteenth of a square, and no others."""
+    area = a[0] * b[1] - a[1] * b[0]
+    assume(finer * abs(area) > 5 * max(map(abs, (*a, *b))))
+    corners = [(0, 0), a, b, (a[0] + b[0], a[1] + b[1])]
+    (left, right), (low, high) = ((min(of), max(of)) for of in zip(*corners, strict=True))
+    unit, far = 16 * finer, 100
+    whole, sign = abs(area) * unit, 1 if area > 0 else -1
+
+    def holds(k: int, row: int, room: int) -> bool:
+        """Decide whether a square with sixteenths around it is inside."""
+        xs, ys = (
+            (16 * n - room + unit * of, 16 * n + 16 + room + unit * of)
+            for n, of in ((k, left), (row, low))
+        )
+        return all(
+            0 <= sign * share <= whole
+            for x, y in product(xs, ys)
+            for share in (x * b[1] - y * b[0], a[0] * y - a[1] * x)
+        )
+
+    found = [0] * (finer * (far + right - left))
+    shapes, corner = ([[(0, 0), a]], [[(0, 0), b]]), (left - far, low - far)
+    fill_parallelograms(found, corner, Fraction(1, finer), shapes, 0)  # one edge of each
+    assert not any(found[: finer * far])
+    for k, rows in enumerate(found[finer * far :]):
+        rows, below = divmod(rows, 1 << finer * far)
+        assert not below
+        for row in range(finer * (high - low)):
+            assert holds(k, row, 0) if rows >> row & 1 else not holds(k, row, 1)
 
 
 def test_crossed_strips_leave_few_crossings() -> None:
