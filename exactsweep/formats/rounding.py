@@ -290,7 +290,7 @@ def _quadrant(x: Rational, y: Rational) -> int:
     """The quadrant of a direction, its first axis included."""
     if y >= 0 and x > 0:
         return 0
-    if x <= 0 and y > 0:
+    if y > 0:
         return 1
     return 2 if x < 0 else 3
 

@@ -183,10 +183,10 @@ class Finding(NamedTuple):
         return {kind for kind, is_given in given.items() if is_given}
 
 
-def find_first_failure(failures: Iterator[str]) -> str:
+def find_first_failure(failures: Iterable[str]) -> str:
     """Return the first text that is not empty, or the empty one.
 
-    >>> find_first_failure(iter(["", "wrong", "worse"]))
+    >>> find_first_failure(["", "wrong", "worse"])
     'wrong'
     """
     return next(filter(None, failures), "")
@@ -227,7 +227,7 @@ def weigh(tried: str, *growth: Growth, failure: str = "", attained: bool = False
         for series in growth
         if attained and not series.is_attained
     ]
-    return Evidence(tried, find_first_failure(iter(failures)), growth=growth)
+    return Evidence(tried, find_first_failure(failures), growth=growth)
 
 
 def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:

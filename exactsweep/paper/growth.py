@@ -90,7 +90,7 @@ class Growth:
     @property
     def last_rise(self) -> float:
         """By what factor the ratio rose over the last doubling."""
-        return self.points[-1].ratio / self.points[-2].ratio
+        return self._ratios[-1] / self._ratios[-2]
 
     def exponent(self, last: int = 0) -> float:
         """The exponent of the count over all sizes, or over the last few."""
@@ -104,6 +104,10 @@ class Growth:
     def sizes(self) -> list[int]:
         """The size that is doubled."""
         return [point.n if self.varied == "n" else point.m for point in self.points]
+
+    @property
+    def _ratios(self) -> list[float]:
+        return [point.ratio for point in self.points]
 
     def _exponent(self, values: Sequence[float], last: int) -> float:
         return fit_exponent(self.sizes[-last:], values[-last:])
@@ -124,14 +128,14 @@ class Growth:
         """
         if self.limit < 1 or self.unit in LIMITS:
             margin = self.limit if self.limit < 1 else LIMITS[self.unit]
-            return self.exponent(self.judged) <= self.claimed(self.judged) + margin
-        before = max(point.ratio for point in self.points[:-1])
-        return self.points[-1].ratio <= self.limit * before
+            return self._exponent(self._ratios, self.judged) <= margin
+        *before, last = self._ratios
+        return last <= self.limit * max(before)
 
     @property
     def is_attained(self) -> bool:
         """Decide whether the count keeps up with the bound over the three largest sizes."""
-        return self.exponent(3) >= self.claimed(3) - FALL
+        return self._exponent(self._ratios, 3) >= -FALL
 
     @property
     def verdict(self) -> str:

@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import points, simple_rings
 from tiers import examples
@@ -22,6 +22,7 @@ from exactsweep.conform.judge.distance import (
 )
 from exactsweep.conform.judge.region import RegionError, add_areas, find_differences, find_simplest
 from exactsweep.conform.judge.walk import walk_together
+from exactsweep.geometry.distance import measure_to_edge
 
 Ring = Sequence[Point]
 
@@ -204,6 +205,32 @@ def test_an_edge_is_cut_where_two_others_are_equally_near() -> None:
     floor, ramp = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 0), (8, 6))
     ends = _PieceEnd(Fraction(0), floor), _PieceEnd(Fraction(1), ramp)
     assert _find_cut(LoopEdge((4, 0), (4, 3)), *ends) == Fraction(4, 9)
+
+
+def test_a_cut_of_many_digits_is_rounded() -> None:
+    long = Fraction(10**4000 + 7, 3 * 10**4000)
+    low, high = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 2 * long), (9, 2 * long))
+    ends = _PieceEnd(Fraction(0), low), _PieceEnd(Fraction(1), high)
+    cut = _find_cut(LoopEdge((4, 0), (4, 1)), *ends)
+    assert 0 < abs(cut - long) < Fraction(1, 2**120)
+    assert cut.denominator < 2**140
+
+
+@patient
+@given(
+    st.lists(st.integers(-6, 6), min_size=8, max_size=8),
+    st.fractions(-2, 2, max_denominator=4),
+)
+def test_the_squared_distance_along_a_line_is_that_to_the_edge(
+    numbers: list[int], t: Fraction
+) -> None:
+    (ax, ay, bx, by, x, y, u, v) = numbers
+    assume((ax, ay) != (bx, by))
+    edge = LoopEdge((ax, ay), (bx, by))
+    (square, mixed, constant), divisor = edge.along(Place(x, y), u, v, t)
+    at = Point(x + t * u, y + t * v)
+    nearest = measure_to_edge(at, (Point(ax, ay), Point(bx, by)))
+    assert (square * t + mixed) * t + constant == divisor * Fraction(*nearest)
 
 
 def test_an_irrational_distance_is_bounded() -> None:

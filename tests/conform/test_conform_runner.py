@@ -34,6 +34,7 @@ from exactsweep.conform.run.protocol import (
 )
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.runner import conform, judge_cases
+from exactsweep.conform.run.tally import Tally
 from exactsweep.corpus import Case, cases
 from exactsweep.processes import lock
 
@@ -351,6 +352,39 @@ def test_an_outcome_is_read_as_it_was_written() -> None:
     assert json.dumps(outcome_from_json(json.loads(text)).to_json()) == text
     assert outcome.result is not None
     assert outcome.result["trajectory"][0] == [0.5, 0]
+
+
+def test_a_cause_that_comes_first_leaves_the_others_in_order() -> None:
+    part = {"name": "no_fit", "diagnosis": ["a", "b", "c"], "reason": "so: a"}
+    other = {"name": "inner", "diagnosis": ["d"], "reason": "so: d"}
+    outcome = Outcome("x", "CC", (), Verdict.WRONG, "so: a", "wrong: a", ("a", "b", "c"))
+    led = replace(outcome, parts=(part, other)).lead_with("b")
+    assert led.diagnosis == ("b", "a", "c")
+    assert (led.reason, led.fault) == ("so: b", "wrong: b")
+    first = {"name": "no_fit", "diagnosis": ["b", "a", "c"], "reason": "so: b"}
+    assert led.parts == (first, other)
+    assert outcome.lead_with("a") is outcome.lead_with("d") is outcome
+
+
+def test_a_cause_explains_all_answers_that_differ_and_two_at_least() -> None:
+    tally = Tally()
+    for words, cause in (("a", None), ("a", "a"), ("b", None)):
+        part = {"name": "no_fit", "verdict": "wrong", "diagnosis": [words], "granted": ""}
+        part |= {"distance_squared": None, "area": None}
+        tally.add(Outcome("x", "CC", (), Verdict.WRONG, parts=(part,)))
+        assert tally.find_cause() == cause
+
+
+def test_faults_are_listed_by_severity_then_by_number() -> None:
+    run = Run(Hello("mine"))
+    for k, fault in enumerate("abbbcc"):
+        verdict = Verdict.CRASH if fault == "a" else Verdict.WRONG
+        run.add(Outcome(f"case-{k}", "CC", (), verdict, fault, fault))
+    assert [(fault.name, fault.count) for fault in run.list_faults()] == [
+        ("a", 1),
+        ("b", 3),
+        ("c", 2),
+    ]
 
 
 def test_of_many_failures_the_smallest_are_kept_whole() -> None:

@@ -233,6 +233,15 @@ def test_growth_tells_flat_rising_and_falling() -> None:
     assert not series(0.2).is_attained
 
 
+def test_the_three_largest_sizes_tell_whether_a_bound_is_attained() -> None:
+    def attained(*ratios: int) -> bool:
+        points = (Size(2**k, 2**k, ratio << k, 2**k) for k, ratio in enumerate(ratios))
+        return Growth("vertices", "ints", "n", tuple(points)).is_attained
+
+    assert attained(90, 10, 10, 10)
+    assert not attained(10, 90, 10, 10)
+
+
 def test_measured_growth_is_judged_by_its_exponent() -> None:
     assert series(1.3, "seconds of f").is_flat
     assert series(1.4, "bytes of f").is_flat

@@ -28,7 +28,7 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.data import make_slug, write_data
 from exactsweep.paper.ledger import CLAIMS, find
-from exactsweep.paper.report import count_verdicts, read_bibtex, write
+from exactsweep.paper.report import count_verdicts, read_bibtex, render_row, write
 
 FEW = ("Slope", "Corollary 3.4", "Lemma 5.3", "Lemma A.3")
 EFFORT = Effort(5, quick=True)
@@ -109,7 +109,9 @@ def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
     claim = Claim(
         nasty, "1", nasty, ClaimVerdict.REFUTED, (), (nasty,), lambda effort: evidence, nasty
     )
-    html, markdown, _ = write(tmp_path, list(reproduce([claim], Effort())), Effort())
+    (found,) = reproduce([claim], Effort())
+    html, markdown, _ = write(tmp_path, [found], Effort())
+    assert render_row(found).strip() in markdown.read_text(encoding="utf-8")
     assert "<script>" not in html.read_text(encoding="utf-8")
     assert "| <script>alert(1)</script> \\| & m_b |" in markdown.read_text(encoding="utf-8")
 

@@ -31,6 +31,15 @@ def test_every_sweep_is_told(g: Polygon, d: Polygon) -> None:
     assert sum(line.startswith("-- Exact fit") for line in lines) == len(s.exact_fits)
 
 
+@pytest.mark.parametrize("height", [1, 3, 5])
+def test_a_stop_at_a_wall_is_told_without_the_ends_of_its_edges(height: int) -> None:
+    g = [(0, 0), (3, 0), (3, 3), (0, 3)]
+    d = [(0, -1), (10, -1), (10, 0), (4, 0), (4, height), (0, height)]
+    (stop,) = (line for line in tell(sweep(g, d)) if "Stop: " in line)
+    told = f"edge 3 of G, (0,3)-(0,0), closes flat on edge 3 of D, (4,0)-(4,{height})"
+    assert stop.split(";")[0] == f"  Stop: {told}"
+
+
 @examples(20)
 @given(simple_polygons(), simple_polygons())
 def test_the_written_answer_is_the_answer(d: Polygon, g: Polygon) -> None:

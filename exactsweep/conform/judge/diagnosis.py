@@ -191,8 +191,10 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
             found.append((1, f"exact for {words}"))
             continue
         joint = f"{words}, and for " if words else ""
-        ranks = (3, 3) if words else (1, 2)
-        found += ((ranks[point not in _USUAL], f"exact for {joint}{point}") for point in points)
+        found += (
+            (3 if words else 1 + (point not in _USUAL), f"exact for {joint}{point}")
+            for point in points
+        )
         if not points:
             by = write_pair(subtract(offset, case.reference))
             found.append((4, f"exact for {joint}another reference point: all is moved by {by}"))

@@ -141,9 +141,7 @@ def _find_cut(edge: LoopEdge, start: _PieceEnd, end: _PieceEnd) -> Fraction:
     square, mixed, constant = (p * n - q * m for p, q in zip(first, second, strict=True))
     roots: list[Fraction] = []
     if square and (discriminant := mixed * mixed - 4 * square * constant) >= 0:
-        root, one = isqrt(discriminant), 1
-        if root * root != discriminant:
-            root, one = isqrt(discriminant << 2 * _BITS), 1 << _BITS
+        root, one = isqrt(discriminant << 2 * _BITS), 1 << _BITS
         roots = [Fraction(sign * root - mixed * one, 2 * square * one) for sign in (-1, 1)]
     elif mixed and not square:
         roots = [Fraction(-constant, mixed)]

@@ -167,7 +167,7 @@ def _along(p: Point, path: Sequence[Point], bound: Fraction) -> dict[int, _EdgeP
     found: dict[int, _EdgePart] = {}
     for k, (a, b) in enumerate(pairwise(path)):
         close = find_close_part(p, a, b, bound)
-        if close is None or close.low >= 0:
+        if close is None:
             break
         found[k] = close
         if close.high <= 1:

@@ -16,7 +16,11 @@ from exactsweep.corpus.generator.shapes import IntegerPoint, Ring, turn_half, wa
 
 
 def convex(n: int, random: Random, size: int = 1000) -> Ring:
-    """A convex polygon of n vertices (n even): n/2 random primitive edges and their opposites."""
+    """A convex polygon of n vertices (n even): n/2 random primitive edges and their opposites.
+
+    >>> convex(6, Random(1), 1)
+    [(0, 0), (1, -1), (2, -1), (3, 0), (2, 1), (1, 1)]
+    """
     edges: set[IntegerPoint] = set()
     while len(edges) < n // 2:
         x, y = random.randrange(1, size + 1), random.randrange(-size, size + 1)
@@ -27,7 +31,11 @@ def convex(n: int, random: Random, size: int = 1000) -> Ring:
 
 
 def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring:
-    """An X-monotone polygon of n vertices: two random chains on a regular grid of x."""
+    """An X-monotone polygon of n vertices: two random chains on a regular grid of x.
+
+    >>> zigzag(6, Random(1), 5, 1)
+    [(0, 0), (5, -1), (10, -1), (15, 0), (10, 1), (5, 1)]
+    """
     half = n // 2 - 1
     bottom = [(step * k, random.randrange(-height, 0)) for k in range(1, half + 1)]
     top = [(step * k, random.randrange(1, height + 1)) for k in range(1, half + 1)]

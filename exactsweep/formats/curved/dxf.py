@@ -206,6 +206,9 @@ def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _D
         first = Point(Fraction(1), _ZERO)
         return partial(Arc(image, first, first).flatten, reading)
     arc = make_arc(image, start, end, reading)
+    if arc.start == arc.end and span < _FULL / 2:
+        # Rounded it is one point, from which an arc would run all the way around.
+        return OpenLine("", arc.ends, is_exact=False)
     return OpenLine("", arc.ends, partial(arc.flatten, reading), arc, is_exact=False)
 
 

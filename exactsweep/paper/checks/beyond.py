@@ -88,7 +88,7 @@ def fits_have_no_room(pair: SweepPair) -> str:
         steps = _AROUND if p == q else [(p.y - q.y, q.x - p.x), (q.y - p.y, p.x - q.x)]
         near = [(t.x + STEP * x, t.y + STEP * y) for x, y in steps]
         at, *beside = (classify(*pair[::-1], place).verdict for place in (t, *near))
-        if at != "CONTACT" or set(beside) != {"OVERLAP"}:
+        if (at, {*beside}) != ("CONTACT", {"OVERLAP"}):
             return f"at ({t.x}, {t.y}), along an exact fit, {at}, and beside it {set(beside)}"
     return no_fit_is_the_definition(pair)
 
@@ -166,14 +166,14 @@ def find_touching_loops(effort: Effort) -> Evidence:
             failures.append(f"a loop is off {case['common']}")
         if len(found.exact_fits) != (not loops):
             failures.append(f"exact fits {show_fits(found.exact_fits)}")
-    return Evidence("And 5 cases by hand.", find_first_failure(iter(failures)))
+    return Evidence("And 5 cases by hand.", find_first_failure(failures))
 
 
 def find_room(effort: Effort) -> Evidence:
     """Show a cave in which G has room."""
-    failure = loops_are_simple(ROOM)
     holes = len(no_fit_polygon(*ROOM[::-1]).holes)
-    return Evidence("And a cave with room.", failure or ("" if holes == 1 else f"{holes} holes"))
+    failures = [loops_are_simple(ROOM), "" if holes == 1 else f"{holes} holes"]
+    return Evidence("And a cave with room.", find_first_failure(failures))
 
 
 def find_unswept(effort: Effort) -> Evidence:
@@ -185,4 +185,4 @@ def find_unswept(effort: Effort) -> Evidence:
         loops = len(sweep(*pair).unswept)
         failures += [swept_area_is_the_definition(pair), f"{loops} loops" * (loops != number)]
     tried = "And the cave of Theorem 2.2, with one more loop, and two of these, with two."
-    return Evidence(tried, find_first_failure(iter(failures)))
+    return Evidence(tried, find_first_failure(failures))

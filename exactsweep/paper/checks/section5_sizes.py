@@ -152,7 +152,7 @@ def beyond_mn2() -> tuple[str, Counterexample, Table]:
         ("s", "pieces", "full windows", "pieces in all", "for each segment, peak and tip"),
         [row for _, row in results],
     )
-    return find_first_failure(text for text, _ in results) or rising, against, table
+    return find_first_failure([*(text for text, _ in results), rising]), against, table
 
 
 def fill_windows_of_windows(effort: Effort) -> Evidence:

@@ -235,11 +235,17 @@ def count_gaps(effort: Effort) -> Evidence:
         "Operations counted where most of D_b is touched: "
         f"{beside.count:,} in place of {again.points[-1].count:,} at m = n = {beside.m}. "
         "A family of needles, vertices counted.",
-        gaps.failure
-        or ("" if written.is_attained else "the inner boundary falls behind mn²")
-        or ("" if _outgrows(again, gaps) else "calling Trajectory_MM again is as good, or nearly"),
+        find_first_failure(
+            [
+                gaps.failure,
+                "" if written.is_attained else "the inner boundary falls behind mn²",
+                ""
+                if _outgrows(again, gaps)
+                else "calling Trajectory_MM again is as good, or nearly",
+            ]
+        ),
         Counterexample(
-            f"{last.count - 1:,} edges to be written for m = {last.m} and n = {last.n}, mn being "
+            f"{last.count:,} vertices to be written for m = {last.m} and n = {last.n}, mn being "
             f"{last.m * last.n:,}",
             "a family made for the purpose: see Lemma 5.5",
         ),
