@@ -30,9 +30,8 @@ from exactsweep.procedures.squares import find_squares_of_sum, halve_squares
 
 _FEW = 250
 _FEW_CROSSINGS = 2000
-_FEW_PER_STRETCH = 4
-"""The numbers of stretches, of their likely crossings, and of likely crossings for each stretch,
-below which a cover gains nothing."""
+"""The numbers of stretches and of their likely crossings below which a cover gains nothing. It
+gains nothing either if there are fewer likely crossings than stretches."""
 _SQUARES_PER_STRETCH = 2
 _MOST_COLUMNS = 384
 """A sum of (1) takes time by the third power of their number."""
@@ -61,7 +60,7 @@ def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings
     length = _ONE_OF * (sum(rights) - sum(lefts) + sum(highs) - sum(lows))
     # Stretches in all directions and places cross about as often as the square of their length
     # exceeds the area that they share.
-    few = max(_FEW_CROSSINGS, _FEW_PER_STRETCH * len(stretches))
+    few = max(_FEW_CROSSINGS, len(stretches))
     if length**2 < few * (max(rights) - min(lefts)) * (max(highs) - min(lows)):
         return stretches
     columns = round((_SQUARES_PER_STRETCH * len(stretches)) ** 0.5)

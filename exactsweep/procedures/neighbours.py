@@ -57,8 +57,10 @@ def are_thin(stationary: Rings, moving: Rings) -> bool:
 
 
 def _is_thin(rings: Rings) -> bool:
-    left, right, low, high = bound(rings)
-    area, size = sum(map(find_doubled_area, rings)), (right - left) * (high - low)
+    # Rounded, as the numbers of a trajectory can be long; this decides nothing but the time.
+    rounded = [[(int(x), int(y)) for x, y in ring] for ring in rings]
+    left, right, low, high = bound(rounded)
+    area, size = sum(map(find_doubled_area, rounded)), (right - left) * (high - low)
     return bool(-size < _THIN * area < size)
 
 
