@@ -57,7 +57,7 @@ ways = st.tuples(st.integers(-9, 9), st.integers(-9, 9))
 def test_the_squares_inside_a_wide_parallelogram_are_found(
     a: tuple[int, int], b: tuple[int, int], finer: int
 ) -> None:
-    """Those that are inside by more than the sixteenth of a square, and no others."""
+    """Squares that are inside by more than a sixteenth of their side are found, and no others."""
     area = a[0] * b[1] - a[1] * b[0]
     assume(finer * abs(area) > 5 * max(map(abs, (*a, *b))))
     corners = [(0, 0), a, b, (a[0] + b[0], a[1] + b[1])]
