@@ -1,6 +1,7 @@
 """The ledger's own computations: contacts, envelopes of segments, families."""
 
 from fractions import Fraction
+from itertools import pairwise
 
 import pytest
 from hypothesis import given
@@ -18,6 +19,7 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.corpus.generator.prng import Prng
+from exactsweep.paper.checks.section1 import draw_slots
 from exactsweep.paper.checks.section4 import (
     bottom_chains_have_two_forms,
     labels_name_the_extremes,
@@ -54,6 +56,16 @@ def test_segments_have_about_as_many_pieces_as_there_can_be(
 ) -> None:
     most = LONGEST[len(segments)]
     assert most - (len(segments) > 5) <= count_pieces(segments) <= most
+
+
+def test_a_box_fits_exactly_into_the_slots_of_its_width() -> None:
+    drawn = [draw_slots(Prng(str(seed))) for seed in range(6)]
+    for box, plate in drawn:
+        floors = [abs(q[0] - p[0]) for p, q in pairwise(plate) if p[1] == q[1] not in (0, 40)]
+        wide = box[1][0]
+        assert len(sweep(box, plate).exact_fits) == floors.count(wide)
+        assert {*floors} <= {wide - 1, wide, wide + 1}
+    assert sum(len(plate) > 4 for _, plate in drawn) > 3
 
 
 def test_windows_lay_segments_over_one_another() -> None:

@@ -95,6 +95,7 @@ def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None
     assert all(r.startswith(("#", "data:image/svg+xml;base64,")) for r in checker.references)
     assert {r[1:] for r in checker.references if r[0] == "#"} == set(checker.ids)
     text = markdown.read_text(encoding="utf-8")
+    assert re.findall(r"!\[counts of ([^]]*)\]", text) == ["Corollary 3.4"]
     for name in re.findall(r"!\[[^]]*\]\(([^)]*)\)", text):
         assert (tmp_path / name).is_file()
     assert f"exactsweep {__version__}" in text

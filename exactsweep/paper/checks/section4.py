@@ -10,7 +10,6 @@ from exactsweep import Point, sweep
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
-from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.section3 import returns
@@ -127,18 +126,18 @@ def _form(undercut: Undercut, pair: SweepPair) -> str:
 
 
 def labels_name_the_extremes(pair: SweepPair) -> str:
-    """The contacts along the edges of T at a closing position, or there, name both extremes."""
+    """The contacts at the positions that close an undercut name both of its extremes."""
     s = sweep(*pair)
     if failure := contacts_are_right(s) or tell_loops(s, "inner"):
         return failure
-    features, corners = Features(s), s.trajectory.vertices
+    features = Features(s)
     for undercut in s.undercuts:
-        spots = set()
-        for t in undercut.positions:
-            spots |= {spot for c in s.contacts_at(t) for spot in features.spot(c, t)}
-            for k, end in enumerate(corners):
-                if is_on_segment(t, corners[k - 1], end):
-                    spots |= {spot for c in s.contacts[k - 1] for spot in features.spot(c, t)}
+        spots = {
+            spot
+            for t in undercut.positions
+            for c in s.contacts_at(t)
+            for spot in features.spot(c, t)
+        }
         missed = set(undercut.extremes) - spots
         if missed:
             return f"no label names ({min(missed).x}, {min(missed).y}), an end of an undercut"
