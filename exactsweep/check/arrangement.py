@@ -16,7 +16,7 @@ from typing import NamedTuple
 from exactsweep.check.boxes import BoxTree, Rectangle
 from exactsweep.check.cone import by_turn, divide, subtract
 from exactsweep.check.standalone import Work
-from exactsweep.check.uncovered import LinePiece, OpenSets
+from exactsweep.check.uncovered import LinePiece, OpenSets, find_axis
 from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
 from exactsweep.numbers.number import Edge, Rational, Vertex
 
@@ -93,8 +93,8 @@ def assemble(
 
 
 def _is_on(p: Vertex, piece: LinePiece) -> bool:
-    dx, dy, c = piece.line
-    return dx * p[1] - dy * p[0] == c and piece.holds(p)
+    a, b, c = piece.line
+    return a * p[0] + b * p[1] + c == 0 and piece.holds(p)
 
 
 def _find_cuts(
@@ -113,17 +113,17 @@ def _find_cuts(
             budget.take(4, bits)
             if (p := _find_common_point(pieces[j], pieces[k])) is not None:
                 for i in (j, k):
-                    cuts[i][p[pieces[i].line.axis]] = p
+                    cuts[i][p[find_axis(pieces[i].line)]] = p
     return cuts
 
 
 def _find_common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
     """Find the point where two pieces of different lines meet."""
-    (dx, dy, c), (ex, ey, e) = one.line, other.line
-    turn = dx * ey - dy * ex
+    (a, b, c), (k, m, n) = one.line, other.line
+    turn = a * m - b * k
     if turn == 0:
         return None
-    p = divide(c * ex - e * dx, turn), divide(c * ey - e * dy, turn)
+    p = divide(b * n - c * m, turn), divide(c * k - a * n, turn)
     return p if one.holds(p) and other.holds(p) else None
 
 

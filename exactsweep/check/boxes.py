@@ -25,7 +25,7 @@ def find_box(points: Iterable[Vertex]) -> Rectangle:
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def meet(one: Rectangle, other: Rectangle) -> bool:
+def meet(one: Sequence[Rational], other: Sequence[Rational]) -> bool:
     """Decide whether two boxes, with their borders, have a point in common."""
     return one[0] <= other[1] and other[0] <= one[1] and one[2] <= other[3] and other[2] <= one[3]
 
@@ -68,7 +68,7 @@ class BoxTree:
             ]
         self._roots = branches
 
-    def near(self, box: Rectangle) -> Iterator[int]:
+    def near(self, box: Sequence[Rational]) -> Iterator[int]:
         """The numbers of the boxes that meet another one, in ascending order.
 
         Cost: O(log k) for each, where few are beside each other; O(k) at worst for all.
@@ -78,6 +78,8 @@ class BoxTree:
         ]
         while found:
             k, branch = heappop(found)
+            if not meet(branch.box if branch else self._boxes[k], box):
+                continue
             if branch is None:
                 yield k
                 continue

@@ -8,6 +8,7 @@ from functools import cmp_to_key
 from math import gcd
 from typing import NamedTuple
 
+from exactsweep.check.standalone import Node
 from exactsweep.numbers.number import Rational, Vertex
 
 
@@ -73,6 +74,11 @@ def find_direction_inside(cone: Cone) -> Vertex:
 def subtract(p: Vertex, q: Vertex) -> Vertex:
     """The way from q to p."""
     return p[0] - q[0], p[1] - q[1]
+
+
+def find_way(p: Node, q: Node) -> tuple[int, int]:
+    """The direction from a point to another."""
+    return q[0] * p[2] - p[0] * q[2], q[1] * p[2] - p[1] * q[2]
 
 
 def cross(p: Vertex, q: Vertex) -> Rational:

@@ -1,94 +1,66 @@
 """Contact segments: where a translate can touch a shape, a vertex of one on an edge of the other.
 
-Left out are segments along which the two overlap beside the contact itself: the cones there have a
-direction in common. Where two vertices meet, the position is an end of a segment that is left in:
-of two angles without a common direction, one lies beyond a side of the other. But where rings touch
+With H = -G they are sums of a vertex of D or of H and an edge of the other. Left out are segments
+along which D and G + t overlap beside the contact itself, for an angle at the vertex reaches to the
+right of the edge. Where two vertices meet, the position is an end of a segment that is left in: of
+two angles without a common direction, one lies beyond a side of the other. But where rings touch
 there are several angles at a vertex. Such positions are points of their own: two links of a chain
 may hold each other by such vertices and nothing else.
 """
 
 from __future__ import annotations
 
-from exactsweep.check.cone import Cone, find_common_direction, reduce_way, subtract
-from exactsweep.check.meeting import Cones, find_cones_of, split_where_touching
-from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
-from exactsweep.numbers.number import Edge, Vertex
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator
+from itertools import chain, product
+
+from exactsweep.check.cone import Cone, by_turn, find_common_direction, find_way, subtract
+from exactsweep.check.meeting import Cones, find_angles, split_where_touching
+from exactsweep.check.shape import LatticeShape, list_edges, to_vertex
+from exactsweep.check.standalone import Edge, Node, add, node
+from exactsweep.numbers.number import Vertex
+
+_Angles = dict[Node, Cones]
 
 
-def find_contacts_of_shapes(d: LatticeShape, g: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
+def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
     """Translations t at which a vertex of D or G + t is on an edge, or a vertex, of the other.
 
     Args:
         d: the rings of D, its interior on their left.
-        g: those of G.
+        h: those of H, G turned by half a turn.
 
     Returns:
         Segments and points that hold all positions of contact without overlap.
 
-    Cost: O(mn) for m and n edges.
+    Cost: O((m + n) log(m + n)) for m and n edges, and linear for each segment.
     """
-    d, g = split_where_touching(d), split_where_touching(g)
-    d_cones, g_cones = _find_angles(d), _find_angles(g)
-    segments = []
-    for walls, angles in ((g, d_cones), (d, g_cones)):
-        convex = _leave_out_wide(angles)
-        for a, b in list_edges(walls):
-            wall = [_half_plane(reduce_way(subtract(b, a)))]
-            free = [v for v, cones in convex.items() if not find_common_direction(cones, wall)]
-            ends = [(subtract(v, a), subtract(v, b)) for v in free]
-            segments += ends if walls is g else [(_back(p), _back(q)) for p, q in ends]
+    shapes = split_where_touching(d), split_where_touching(h)
+    one, other = ({node(*p): c for p, c in find_angles(shape).items()} for shape in shapes)
+    segments = [*_list_sums(one, shapes[1]), *_list_sums(other, shapes[0])]
+    many, more = ([(p, c) for p, c in of.items() if len(c) > 1] for of in (one, other))
     points = {
-        subtract(v, w)
-        for v, cones in d_cones.items()
-        for w, others in g_cones.items()
-        if (len(cones) > 1 or len(others) > 1) and not find_common_direction(cones, others)
+        to_vertex(add(p, q))
+        for (p, cones), (q, others) in chain(
+            product(many, other.items()), product(one.items(), more)
+        )
+        if not find_common_direction(cones, [Cone(_back(c.start), _back(c.end)) for c in others])
     }
     return segments, points
 
 
-def find_contacts_of_curve(curve: LatticeRing, g: LatticeShape) -> list[Edge]:
-    """Points p at which p - G touches a closed curve with a vertex of either on an edge.
-
-    Args:
-        curve: a ring, of which the line itself counts, not the inside.
-        g: the rings of G, its interior on their left.
-
-    Returns:
-        Segments that hold all points p where the curve meets p - G but not its interior.
-
-    Cost: O(tn) for t and n edges.
-    """
-    g = split_where_touching(g)
-    segments = []
-    ways = [reduce_way(subtract(b, a)) for a, b in list_edges([curve])]
-    for a, b in list_edges(g):
-        inverse = _half_plane(_back(reduce_way(subtract(b, a))))
-        for k, (vx, vy) in enumerate(curve):
-            if not any(map(inverse.surrounds, (_back(ways[k - 1]), ways[k]))):
-                segments.append(((vx + a[0], vy + a[1]), (vx + b[0], vy + b[1])))
-    for w, cones in _find_angles(g).items():
-        inverses = [Cone(_back(cone.start), _back(cone.end)) for cone in cones]
-        for (a, b), way in zip(list_edges([curve]), ways, strict=True):
-            if not any(c.surrounds(along) for c in inverses for along in (way, _back(way))):
-                segments.append(((a[0] + w[0], a[1] + w[1]), (b[0] + w[0], b[1] + w[1])))
-    return segments
-
-
-def _find_angles(shape: LatticeShape) -> dict[Vertex, Cones]:
-    """The cones of a shape, in short ints."""
-    return {
-        p: [Cone(reduce_way(cone.start), reduce_way(cone.end)) for cone in cones]
-        for p, cones in find_cones_of(shape).items()
-    }
-
-
-def _leave_out_wide(angles: dict[Vertex, Cones]) -> dict[Vertex, Cones]:
-    """Vertices without a wide angle, which has a direction in common with every half-plane."""
-    return {p: cones for p, cones in angles.items() if not any(cone.is_wide for cone in cones)}
-
-
-def _half_plane(way: Vertex) -> Cone:
-    return Cone(way, _back(way))
+def _list_sums(angles: _Angles, walls: LatticeShape) -> Iterator[Edge]:
+    """List the sums of vertices and edges at whose right no angle reaches."""
+    ways = sorted((by_turn(subtract(b, a)), (node(*a), node(*b))) for a, b in list_edges(walls))
+    turns = [turn for turn, _ in ways]
+    for v, (cone, *others) in angles.items():
+        if not cone.is_wide:
+            start, end = by_turn(_back(cone.end)), by_turn(cone.start)
+            k, j = bisect_left(turns, start), bisect_right(turns, end)
+            for _, (a, b) in ways[k:j] if start <= end else ways[k:] + ways[:j]:
+                right = [Cone(find_way(b, a), find_way(a, b))] if others else []
+                if not find_common_direction(others, right):
+                    yield add(v, a), add(v, b)
 
 
 def _back(way: Vertex) -> Vertex:

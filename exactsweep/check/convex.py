@@ -8,19 +8,16 @@ not cross can be completed to a triangulation.
 
 from __future__ import annotations
 
-from bisect import bisect_left
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
 
-from exactsweep.check.cone import Cone, cross, dot, subtract
-from exactsweep.check.meeting import find_cones_of, split_where_touching
+from exactsweep.check.cone import Cone, cross, dot, find_way, reduce_way
+from exactsweep.check.meeting import find_angles, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
-from exactsweep.check.standalone import Work
-from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.check.standalone import Grid, Node, Work, grid_box, line, node, side
+from exactsweep.numbers.number import Vertex
 
 _NEAR = 32  # as many vertices to either side are tried first
-
-_Wall = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex]
-"""A segment by its ends, behind its least and its greatest x and y."""
 
 
 def cut_to_convex(shape: LatticeShape, budget: Work) -> list[LatticeRing]:
@@ -40,36 +37,90 @@ def cut_to_convex(shape: LatticeShape, budget: Work) -> list[LatticeRing]:
     >>> len(cut_to_convex((((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)),), UNLIMITED))
     2
     """
-    touching = split_where_touching(shape)
-    cones, walls = find_cones_of(touching), [_box(*edge) for edge in list_edges(touching)]
-    order = sorted(cones)
-    bits = measure_bits(order)
-    for p in cones:
-        while wide := next((cone for cone in cones[p] if cone.is_wide), None):
-            q = _find_diagonal(p, wide, order, cones, walls, lambda steps: budget.take(steps, bits))
-            walls.append(_box(p, q))
-            for a, b in ((p, q), (q, p)):
-                _split(cones[a], subtract(b, a))
-    return _faces(cones)
+    faces = _Faces(split_where_touching(shape), budget)
+    faces.cut()
+    return faces.walk()
 
 
-def _faces(cones: dict[Vertex, list[Cone]]) -> list[LatticeRing]:
-    """Walk around the faces: the end of an edge is the cone that ends in the way back."""
-    ending = {(p, cone.end): cone for p, found in cones.items() for cone in found}
-    faces = []
-    while ending:
-        (p, end), cone = ending.popitem()
-        face, first = [], (p, end)
-        while True:
-            if cross(*cone):
-                face.append(p)
-            (x, y), (dx, dy) = p, cone.start
-            p = x + dx, y + dy
-            if (p, (-dx, -dy)) == first:
-                break
-            cone = ending.pop((p, (-dx, -dy)))
-        faces.append(tuple(face))
-    return faces
+class _Faces:
+    """The faces between the edges of a shape and diagonals."""
+
+    def __init__(self, shape: LatticeShape, budget: Work) -> None:
+        self._budget = budget
+        self._vertices = {node(*p): p for ring in shape for p in ring}
+        self._order = sorted(self._vertices, key=self._vertices.__getitem__)
+        self._angles = {node(*p): cones for p, cones in find_angles(shape).items()}
+        self._bits = measure_bits(self._order)
+        # The other end of each side of a face, by its first end and its direction.
+        self._ahead: dict[tuple[Node, Vertex], Node] = {}
+        self._walls: list[tuple[Grid, Node, Node]] = []
+        for a, b in list_edges(shape):
+            self._add_wall(node(*a), node(*b))
+
+    def _add_wall(self, p: Node, q: Node) -> Vertex:
+        """Add an edge, or a diagonal; return the direction of the side from p to q."""
+        self._walls.append((grid_box((p, q), 1), p, q))
+        way = reduce_way(find_way(p, q))
+        self._ahead[p, way] = q
+        return way
+
+    def cut(self) -> None:
+        """Cut all wide angles."""
+        for k, p in enumerate(self._order):
+            while wide := next((cone for cone in self._angles[p] if cone.is_wide), None):
+                q = self._find_diagonal(k, p, wide)
+                dx, dy = way = self._add_wall(p, q)
+                self._ahead[q, (-dx, -dy)] = p
+                _split(self._angles[p], way)
+                _split(self._angles[q], (-dx, -dy))
+
+    def walk(self) -> list[LatticeRing]:
+        """Walk around the faces: the end of an edge is the cone that ends in the way back."""
+        ending = {(p, cone.end): cone for p, found in self._angles.items() for cone in found}
+        faces = []
+        while ending:
+            (p, end), cone = ending.popitem()
+            face, first = [], (p, end)
+            while True:
+                if cross(*cone):
+                    face.append(self._vertices[p])
+                dx, dy = cone.start
+                p, back = self._ahead[p, cone.start], (-dx, -dy)
+                if (p, back) == first:
+                    break
+                cone = ending.pop((p, back))
+            faces.append(tuple(face))
+        return faces
+
+    def _find_diagonal(self, k: int, p: Node, wide: Cone) -> Node:
+        """The end of the best diagonal into a wide angle: to a vertex near in x, else to any."""
+        for ends in (self._order[max(k - _NEAR, 0) : k + _NEAR + 1], self._order):
+            self._budget.take(2 * len(ends), self._bits)
+            for _, _, _, q in sorted(self._rank_diagonals(p, wide, ends)):
+                self._budget.take(1 + len(self._walls) // 8, self._bits)
+                if not _is_blocked(p, q, self._walls):
+                    return q
+        raise AssertionError("a wide angle has a diagonal")
+
+    def _rank_diagonals(
+        self, p: Node, wide: Cone, ends: Iterable[Node]
+    ) -> Iterator[tuple[int, Fraction, Vertex, Node]]:
+        """Rank diagonals by the wide angles left at both ends, then by squared length."""
+        for q in ends:
+            way = find_way(p, q)
+            if not wide.surrounds(way):  # nor any that is none, to p itself
+                continue
+            back = (-way[0], -way[1])
+            if opposite := next((cone for cone in self._angles[q] if cone.surrounds(back)), None):
+                halves = [*_halves(wide, way), *_halves(opposite, back)]
+                remaining = sum(half.is_wide for half in halves) - opposite.is_wide
+                length = Fraction(dot(way, way), (p[2] * q[2]) ** 2)
+                yield remaining, length, self._vertices[q], q
+
+
+def measure_bits(points: Iterable[Node]) -> int:
+    """Measure the longest number by which two points are compared."""
+    return max(max(x.bit_length(), y.bit_length()) + w.bit_length() - 1 for x, y, w in points)
 
 
 def _halves(cone: Cone, way: Vertex) -> list[Cone]:
@@ -81,70 +132,22 @@ def _split(cones: list[Cone], way: Vertex) -> None:
     cones[k : k + 1] = _halves(cones[k], way)
 
 
-def _box(a: Vertex, b: Vertex) -> _Wall:
-    """A wall, and its box."""
-    (left, right), (low, high) = (sorted(pair) for pair in zip(a, b, strict=True))
-    return left, right, low, high, a, b
-
-
-def _find_diagonal(
-    p: Vertex,
-    wide: Cone,
-    order: Sequence[Vertex],
-    cones: dict[Vertex, list[Cone]],
-    walls: Sequence[_Wall],
-    take: Callable[[int], None],
-) -> Vertex:
-    """The end of the best diagonal into a wide angle: to a vertex near in x, else to any."""
-    k = bisect_left(order, p)
-    for ends in (order[max(k - _NEAR, 0) : k + _NEAR + 1], order):
-        take(2 * len(ends))
-        for _, _, q in sorted(_rank_diagonals(p, wide, ends, cones)):
-            take(1 + len(walls) // 8)
-            if not _is_blocked(p, q, walls):
-                return q
-    raise AssertionError("a wide angle has a diagonal")
-
-
-def _rank_diagonals(
-    p: Vertex, wide: Cone, ends: Iterable[Vertex], cones: dict[Vertex, list[Cone]]
-) -> Iterator[tuple[int, Rational, Vertex]]:
-    """Rank diagonals by the wide angles left at both ends, then by squared length."""
-    for q in ends:
-        way = subtract(q, p)
-        if not wide.surrounds(way):  # nor any that is none, to p itself
-            continue
-        back = (-way[0], -way[1])
-        if opposite := next((cone for cone in cones[q] if cone.surrounds(back)), None):
-            halves = [*_halves(wide, way), *_halves(opposite, back)]
-            remaining = sum(half.is_wide for half in halves) - opposite.is_wide
-            yield remaining, dot(way, way), q
-
-
-def _is_blocked(p: Vertex, q: Vertex, walls: Sequence[_Wall]) -> bool:
+def _is_blocked(p: Node, q: Node, walls: Iterable[tuple[Grid, Node, Node]]) -> bool:
     """Decide whether a wall that does not end in p or q meets the segment between them.
 
     A wall along the segment does not count, as at its end there is another one that does not.
     """
-    way = subtract(q, p)
-    first, last, bottom, top, _, _ = _box(p, q)
-    for left, right, low, high, a, b in walls:
+    of, (first, last, bottom, top) = line(p, q), grid_box((p, q), 1)
+    for (left, right, low, high), a, b in walls:
         # Most are nowhere near.
         if left > last or right < first or low > top or high < bottom:
             continue
         if p in (a, b) or q in (a, b):
             continue
-        from_a, from_b = cross(way, subtract(a, p)), cross(way, subtract(b, p))
+        from_a, from_b = side(of, a), side(of, b)
         if from_a * from_b > 0 or from_a == from_b == 0:
             continue
-        along = subtract(b, a)
-        if cross(along, subtract(p, a)) * cross(along, subtract(q, a)) <= 0:
+        along = line(a, b)
+        if side(along, p) * side(along, q) <= 0:
             return True
     return False
-
-
-def measure_bits(points: Iterable[Vertex]) -> int:
-    """Measure the longest coordinate, 32 times as long for Fractions, which take more time."""
-    ratios = [c.as_integer_ratio() for p in points for c in p]
-    bits = max(max(n.bit_length(), d.bit_length()) for n, d in ratios)
-    return bits if all(d == 1 for _, d in ratios) else 32 * bits

@@ -8,23 +8,23 @@ from __future__ import annotations
 import operator
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from math import lcm
-from typing import NamedTuple
 
 from exactsweep.check.boxes import Rectangle
-from exactsweep.check.standalone import Node, Ring, Work, add, add_convex, from_lowest, grid_box
+from exactsweep.check.standalone import (
+    Node,
+    Ring,
+    Work,
+    add,
+    add_convex,
+    from_lowest,
+    grid_box,
+    node,
+    reduce,
+)
 from exactsweep.numbers.number import Rational, Vertex
 
 _SUM = 20  # steps to put a sum into its place, where it takes memory, too
 _KEPT = 2**16  # rings that are not made again
-
-
-class ScaledRing(NamedTuple):
-    """A convex ring on a lattice of its own: ints, which stand for themselves over a scale."""
-
-    points: tuple[tuple[int, int], ...]
-    scale: int
-    bits: int  # of the longest coordinate
 
 
 class ConvexSums:
@@ -44,8 +44,8 @@ class ConvexSums:
     Example:
         >>> from exactsweep.check.no_fit import UNLIMITED
         >>> sums = ConvexSums([[(0, 0), (1, 0), (0, 1)]], [[(0, 0), (2, 0)]], UNLIMITED)
-        >>> sums.boxes, sums.ring(0).points
-        ([(0, 3, 0, 1)], ((0, 0), (3, 0), (2, 1), (0, 1)))
+        >>> sums.boxes, sums.ring(0)
+        ([(0, 3, 0, 1)], [(0, 0, 1), (3, 0, 1), (2, 1, 1), (0, 1, 1)])
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class ConvexSums:
         found: dict[object, tuple[Rectangle, Ring, Ring]] = {}
         for one, form, around in one_forms:
             for other, other_form, beside in other_forms:
-                key = form, other_form, add(one[0], other[0])
+                key = form, other_form, reduce(*add(one[0], other[0]))
                 if key not in found:
                     left, right, low, high = map(operator.add, around, beside)
                     found[key] = (left, right, low, high), one, other
@@ -83,23 +83,21 @@ class ConvexSums:
         self._budget = budget
         self.ring = lru_cache(_KEPT)(self._make_ring)
 
-    def _make_ring(self, k: int) -> ScaledRing:
+    def _make_ring(self, k: int) -> Ring:
         """Sum k."""
         one, other = self._pairs[k]
         self._budget.take(2 * (len(one) + len(other)), self.bits)
-        found = add_convex(one, other)
-        return ScaledRing(tuple((x, y) for x, y, _ in found), found[0][2], _measure_bits(found))
+        return add_convex(one, other)
 
 
 def _enter(ring: Sequence[Vertex]) -> Ring:
-    """A ring over one denominator, from its lowest vertex on."""
-    w = lcm(*(c.denominator for p in ring for c in p))
-    return from_lowest([(int(x * w), int(y * w), w) for x, y in ring])
+    """A ring of nodes, from its lowest vertex on."""
+    return from_lowest([node(*p) for p in ring])
 
 
 def _move_to_origin(ring: Ring) -> tuple[Node, ...]:
-    x0, y0, _ = ring[0]
-    return tuple((x - x0, y - y0, w) for x, y, w in ring)
+    x0, y0, w0 = ring[0]
+    return tuple(reduce(*add(p, (-x0, -y0, w0))) for p in ring)
 
 
 def _measure_bits(ring: Ring) -> int:

@@ -8,7 +8,16 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from exactsweep.check.boxes import find_box, meet
-from exactsweep.check.cone import Cone, Ray, cross, dot, find_cones, is_between, subtract
+from exactsweep.check.cone import (
+    Cone,
+    Ray,
+    cross,
+    dot,
+    find_cones,
+    is_between,
+    reduce_way,
+    subtract,
+)
 from exactsweep.check.shape import LatticeShape, list_edges
 from exactsweep.numbers.number import Edge, Vertex
 
@@ -97,3 +106,11 @@ def find_cones_of(shape: LatticeShape) -> dict[Vertex, Cones]:
         for p in edge:
             at[p].append(edge)
     return {p: _find_cones_at(p, edges) for p, edges in at.items()}
+
+
+def find_angles(shape: LatticeShape) -> dict[Vertex, Cones]:
+    """The cones of a shape at each of its vertices, in short ints."""
+    return {
+        p: [Cone(reduce_way(cone.start), reduce_way(cone.end)) for cone in cones]
+        for p, cones in find_cones_of(shape).items()
+    }

@@ -22,11 +22,9 @@ the container will do: if G + t touches the container and is not inside it, G + 
 it that are as close to it as any. Here O may be disconnected, so that a component is bounded by
 more loops than one, and may touch itself: loops are cut where they would visit a point twice.
 
-The area swept along the exterior T is T + G. All of the above holds with the curve T in the place
-of D, except that T can pass along a cut between pieces of G. So the union of the open sets, one for
-each edge of T and piece of G, may lack some slits, but not its closure, nor any loop. Slits do not
-change the test beside an edge either: a slit holds points close to the edge, to one side of
-it, only where it ends there, at single points.
+The area swept along the exterior T is T + G: p is outside it if p + H, where H = -G, does not meet
+T, which means that p + H is outside T, or inside it. So its outer loop and the holes are those of
+the no-fit polygon of what T surrounds and of H, and the exteriors of the positions of H inside T.
 """
 
 from __future__ import annotations
@@ -37,17 +35,16 @@ from math import inf
 from typing import Any, NamedTuple
 
 from exactsweep.check.arrangement import Boundary, WalkedLoop, assemble, canonicalize
-from exactsweep.check.contact_segments import find_contacts_of_curve, find_contacts_of_shapes
+from exactsweep.check.contact_segments import find_contacts
 from exactsweep.check.convex import cut_to_convex
 from exactsweep.check.location import locate
 from exactsweep.check.shape import (
     LatticeRing,
     LatticeShape,
     Outlines,
-    list_edges,
     list_rings,
-    scale_ring,
     scale_shapes,
+    to_point,
     to_points,
 )
 from exactsweep.check.standalone import Work
@@ -111,8 +108,8 @@ def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
 
 def find_no_fit(directrix: Outlines, generatrix: Outlines, budget: Work) -> ReferenceNoFit:
     """Evaluate `reference_no_fit` within a budget."""
-    scale, (d, g) = scale_shapes((directrix, generatrix))
-    found = _assemble_boundary(cut_to_convex(d, budget), d, g, budget)
+    scale, (d, h) = scale_shapes((directrix, _turn(generatrix)))
+    found = _assemble_boundary(cut_to_convex(d, budget), d, h, budget)
     (exterior,) = (loop for loop in found.loops if not loop.is_hole)
     return ReferenceNoFit(
         _vertices(exterior, scale),
@@ -146,11 +143,11 @@ def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
 
 def find_inner_fit(container: Outlines, part: Outlines, budget: Work) -> ReferenceInnerFit:
     """Evaluate `reference_inner_fit` within a budget."""
-    scale, (c, g) = scale_shapes((container, part))
+    scale, (c, h) = scale_shapes((container, _turn(part)))
     outside = tuple(ring[::-1] for ring in c)
     solids = [(_box_around(c[0]), outside[0]), *((ring,) for ring in outside[1:])]
     pieces = [piece for solid in solids for piece in cut_to_convex(solid, budget)]
-    found = _assemble_boundary(pieces, outside, g, budget)
+    found = _assemble_boundary(pieces, outside, h, budget)
     # Where each hole lies.
     holes = sum(not loop.is_hole for loop in found.loops)
     budget.take(holes * sum(len(loop.points) for loop in found.loops) // 8)
@@ -190,40 +187,35 @@ def reference_swept(
 def find_swept(
     directrix: Outlines, generatrix: Outlines, trajectory: Loop, budget: Work
 ) -> ReferenceSwept:
-    """Evaluate `reference_swept` within a budget.
+    """Evaluate `reference_swept` within a budget."""
+    inverse = _turn(generatrix)
+    beyond = find_no_fit((trajectory,), inverse, budget)
+    within = [exterior for exterior, _ in find_inner_fit((trajectory,), inverse, budget).regions]
+    scale, (d,) = scale_shapes((directrix,))
+    inside = to_point(_point_inside(cut_to_convex(d, budget)[0]), scale)
+    (inner,) = (loop for loop in within if locate(inside, loop) > 0)
+    unswept = [*beyond.holes, *(loop for loop in within if loop is not inner)]
+    return ReferenceSwept(beyond.exterior, inner, tuple(sorted(unswept)))
 
-    The trajectory need not be on the lattice of the others. Its crossings have denominators of
-    their own, so that a lattice for all of it would be as fine as all of them together are long.
-    """
-    scale, (d, g) = scale_shapes((directrix, generatrix))
-    curve = scale_ring(trajectory, scale)
-    pieces = cut_to_convex(g, budget)
-    edges = list_edges([curve])
-    sets = OpenSets(edges, pieces, budget)
-    left, _ = sets.uncovered(find_contacts_of_curve(curve, g))
-    loops = assemble(left, (), sets, budget).loops
-    (outer,) = (loop for loop in loops if not loop.is_hole)
-    holes = [loop for loop in loops if loop.is_hole]
-    inside = _point_inside(cut_to_convex(d, budget)[0])
-    (inner,) = (loop for loop in holes if locate(inside, loop.points) > 0)
-    unswept = sorted(_vertices(loop, scale) for loop in holes if loop is not inner)
-    return ReferenceSwept(_vertices(outer, scale), _vertices(inner, scale), tuple(unswept))
+
+def _turn(shape: Outlines) -> Outlines:
+    """Turn a shape by half a turn."""
+    return tuple(tuple(Point(-x, -y) for x, y in ring) for ring in shape)
 
 
 def _assemble_boundary(
-    pieces: Sequence[LatticeRing], boundary: LatticeShape, g: LatticeShape, budget: Work
+    pieces: Sequence[LatticeRing], boundary: LatticeShape, h: LatticeShape, budget: Work
 ) -> Boundary:
     """Assemble the boundary of the positions at which G overlaps a solid, by steps 1 to 4.
 
     Args:
         pieces: the convex pieces of the solid.
         boundary: its rings, as far as G is to touch them.
-        g: the rings of G.
+        h: the rings of I(G).
         budget: the steps that it may take.
     """
-    inverses = [tuple((-x, -y) for x, y in piece) for piece in cut_to_convex(g, budget)]
-    sets = OpenSets(pieces, inverses, budget)
-    segments, points = find_contacts_of_shapes(boundary, g)
+    sets = OpenSets(pieces, cut_to_convex(h, budget), budget)
+    segments, points = find_contacts(boundary, h)
     left, more = sets.uncovered(segments)
     single = more | {p for p in points if not sets.holds(p)}
     return assemble(left, single, sets, budget)

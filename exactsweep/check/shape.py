@@ -10,7 +10,7 @@ from math import lcm
 from typing import Any
 
 from exactsweep.check.cone import divide
-from exactsweep.check.standalone import find_scale, node
+from exactsweep.check.standalone import Node, find_scale, node
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import Loop, Point, Vertex, divide_exactly
 
@@ -65,3 +65,8 @@ def to_points(ring: Iterable[Vertex], scale: int) -> tuple[Point, ...]:
 def to_point(p: Vertex, scale: int) -> Point:
     """Leave the lattice."""
     return Point(divide_exactly(p[0], scale), divide_exactly(p[1], scale))
+
+
+def to_vertex(p: Node) -> Vertex:
+    """The coordinates of a point, ints where they come out."""
+    return divide(p[0], p[2]), divide(p[1], p[2])

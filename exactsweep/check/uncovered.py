@@ -4,80 +4,56 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from math import ceil, floor, lcm
 from typing import NamedTuple
 
 from exactsweep.check.boxes import BoxTree
-from exactsweep.check.cone import cross, divide, reduce_way, subtract
+from exactsweep.check.cone import divide
 from exactsweep.check.convex_sums import ConvexSums
-from exactsweep.check.shape import list_edges
-from exactsweep.check.standalone import Work
+from exactsweep.check.standalone import Grid, Node, Ring, Work, edges, grid_box, line, node
 from exactsweep.numbers.number import Edge, Rational, Vertex
 
 # Steps to put a segment on its line, and to begin with it.
 _SEGMENT = 16
 
-Interval = tuple[Rational, Rational]
-
 _Unreduced = tuple[int, int]
 """A number by its numerator and its denominator, which is positive; not reduced: to compare two of
 them so takes a tenth of the time that it takes with Fractions."""
 
-_Remnant = tuple[_Unreduced, _Unreduced]
+_Interval = tuple[_Unreduced, _Unreduced]
 """A closed interval."""
 
 
-class LatticeLine(NamedTuple):
-    """All (x, y) with dx y - dy x = c: a primitive direction to the right, or straight up."""
-
-    dx: int
-    dy: int
-    c: Rational
-
-    @property
-    def axis(self) -> int:
-        """The coordinate that tells the points of the line apart."""
-        return 0 if self.dx else 1
-
-    def at(self, along: Rational) -> Vertex:
-        """The point with that coordinate."""
-        if self.dx:
-            return along, divide(self.c + self.dy * along, self.dx)
-        return -self.c, along
+def find_axis(line: Node) -> int:
+    """The coordinate that tells the points of a line apart."""
+    return 0 if line[1] else 1
 
 
-def find_line(a: Vertex, b: Vertex) -> LatticeLine:
-    """The line through two different points."""
-    dx, dy = reduce_way(subtract(b, a))
-    if (dx, dy) < (0, 0):
-        dx, dy = -dx, -dy
-    return LatticeLine(dx, dy, divide(dx * a[1] - dy * a[0], 1))
+def find_place(line: Node, along: Rational) -> Vertex:
+    """The point of a line with that coordinate."""
+    a, b, c = line
+    return (along, divide(-a * along - c, b)) if b else (divide(-c, a), along)
 
 
 class LinePiece(NamedTuple):
-    """A part of a line, of positive length."""
+    """A part of a line, of positive length; the line leads to the right, or straight up."""
 
-    line: LatticeLine
+    line: Node
     low: Rational
     high: Rational
 
     def holds(self, p: Vertex) -> bool:
         """Decide whether a point of the line is on the part."""
-        return self.low <= p[self.line.axis] <= self.high
+        return self.low <= p[find_axis(self.line)] <= self.high
 
     @property
     def ends(self) -> Edge:
         """Both ends, the lexicographically least first."""
-        return self.line.at(self.low), self.line.at(self.high)
+        return find_place(self.line, self.low), find_place(self.line, self.high)
 
     @property
-    def box(self) -> tuple[int, int, int, int]:
+    def box(self) -> Grid:
         """The box around it, rounded outwards."""
-        return _frame(self.line, [(self.low.as_integer_ratio(), self.high.as_integer_ratio())])
-
-
-_Heights = tuple[int, int, list[int]]
-"""Distances of the vertices of a ring to the left of a direction, behind the least and greatest."""
+        return grid_box([node(*p) for p in self.ends], 1)
 
 
 class OpenSets:
@@ -104,7 +80,9 @@ class OpenSets:
         self._budget = budget
         self.bits = self._sums.bits
 
-    def uncovered(self, segments: Iterable[Edge]) -> tuple[list[LinePiece], set[Vertex]]:
+    def uncovered(
+        self, segments: Iterable[tuple[Node, Node]]
+    ) -> tuple[list[LinePiece], set[Vertex]]:
         """Take the union away from segments.
 
         Args:
@@ -117,73 +95,47 @@ class OpenSets:
         Cost: for s segments on l lines and k rings of v vertices in all, O(lk + s log s) and
         O(v) for each line at worst; only rings near a line are examined.
         """
-        by_line: dict[LatticeLine, list[Interval]] = defaultdict(list)
-        for a, b in segments:
+        by_line: dict[Node, list[_Interval]] = defaultdict(list)
+        for p, q in segments:
             self._budget.take(_SEGMENT)
-            line = find_line(a, b)
-            low, high = sorted((a[line.axis], b[line.axis]))
-            by_line[line].append((low, high))
-        # Lines of one direction come together, and data on the sets for that direction are dropped
-        # after them: data for all directions would need memory for all edges times all sets.
-        lines = sorted(by_line, key=lambda line: line[:2])
-        spans: dict[LatticeLine, list[_Remnant]] = {
-            line: [
-                (low.as_integer_ratio(), high.as_integer_ratio())
-                for low, high in _unite(by_line[line])
-            ]
-            for line in lines
-        }
+            (a, b, c), ends = line(p, q), (p, q)
+            if (b, -a) < (0, 0):
+                (a, b, c), ends = (-a, -b, -c), (q, p)
+            low, high = ((p[0], p[2]) if b else (p[1], p[2]) for p in ends)
+            by_line[a, b, c].append((low, high))
         pieces, points = [], set()
-        way = None
-        for line in lines:
-            if line[:2] != way:
-                way = line[:2]
-                heights: dict[int, _Heights] = {}
-            self._leave_on(line, spans[line], heights)
-            for span in spans[line]:
-                start, end = (divide(*ratio) for ratio in span)
+        for of, found in by_line.items():
+            spans = _unite(found)
+            self._leave_on(of, spans)
+            for low, high in spans:
+                start, end = divide(*low), divide(*high)
                 if start == end:
-                    points.add(line.at(start))
+                    points.add(find_place(of, start))
                 else:
-                    pieces.append(LinePiece(line, start, end))
+                    pieces.append(LinePiece(of, start, end))
         return pieces, points
 
-    def _leave_on(
-        self,
-        line: LatticeLine,
-        spans: list[_Remnant],
-        heights: dict[int, _Heights],
-    ) -> None:
+    def _leave_on(self, of: Node, spans: list[_Interval]) -> None:
         """Take the union away from closed intervals on a line, the large sets first."""
-        axis, (n, d) = line.axis, line.c.as_integer_ratio()
-        bits = max(c.bit_length() for c in (line.dx, line.dy, n, d))
-        frame = _frame(line, spans)
-        for k in self._tree.near(frame):
-            box = self._sums.boxes[k]
-            if box[0] >= frame[1] or box[1] <= frame[0]:
-                continue
-            if box[2] >= frame[3] or box[3] <= frame[2]:
-                continue
-            ring, scale, length = self._sums.ring(k)
-            if k not in heights:
-                self._budget.take(1 + len(ring) // 4, length + bits)
-                heights[k] = _measure_heights(ring, line)
-            low, high, values = heights[k]
-            level = n * scale
-            if not low * d < level < high * d:
-                continue
-            self._budget.take(3 + (len(ring) + len(spans)) // 4, length + bits)
-            shadow = _find_shadow(ring, scale, [d * value - level for value in values], axis)
-            spans[:] = _cut_away(spans, *shadow)
-            if not spans:
-                break
-            frame = _frame(line, spans)
+        a, b, c = of
+        axis, bits = find_axis(of), self.bits + max(n.bit_length() for n in of)
+        box = _frame(of, spans)
+        for k in self._tree.near(box):
+            ring = self._sums.ring(k)
+            self._budget.take(1 + len(ring) // 4, bits)
+            sides = [a * x + b * y + c * w for x, y, w in ring]
+            if min(sides) < 0 < max(sides):
+                self._budget.take(2 + (len(ring) + len(spans)) // 4, bits)
+                spans[:] = _cut_away(spans, *_find_shadow(ring, sides, axis))
+                if not spans:
+                    break
+                box[:] = _frame(of, spans)
 
     def holds(self, point: Vertex) -> bool:
         """Decide whether a point is in the union."""
-        return self._holds_near(point, None)
+        return self._holds_near(point, (0, 0))
 
-    def is_beside(self, line: LatticeLine, along: Rational, side: int) -> bool:
+    def is_beside(self, line: Node, along: Rational, side: int) -> bool:
         """Decide whether points close to one of the line are in the union.
 
         Args:
@@ -191,66 +143,51 @@ class OpenSets:
             along: the coordinate of a point on it, which is not in the union.
             side: 1 for the points straight to the left of the line, -1 for those to the right.
         """
-        return self._holds_near(line.at(along), (-side * line.dy, side * line.dx))
+        return self._holds_near(find_place(line, along), (side * line[0], side * line[1]))
 
-    def _holds_near(self, point: Vertex, way: Vertex | None) -> bool:
+    def _holds_near(self, point: Vertex, way: Vertex) -> bool:
         """Decide whether the union has a point, or points close to it in a direction."""
-        # Homogeneous: only ints below.
-        (x, y), w = point, lcm(point[0].denominator, point[1].denominator)
-        px, py = int(x * w), int(y * w)
-        left, bottom = floor(x), floor(y)
-        right, top = ceil(x), ceil(y)
+        (x, y, w), (dx, dy) = (p := node(*point)), way
+        left, right, low, high = grid_box([p], 1)
+        bits = self.bits + w.bit_length()
         # Boxes that meet this one, which is turned inside out, hold the point.
-        for k in self._tree.near((right, left, top, bottom)):
-            ring, scale, length = self._sums.ring(k)
-            self._budget.take(1 + len(ring) // 8, length + w.bit_length())
-            qx, qy = px * scale, py * scale
-            for (ax, ay), (bx, by) in list_edges([ring]):
-                dx, dy = bx - ax, by - ay
-                side = dx * (qy - ay * w) - dy * (qx - ax * w)
-                if side < 0 or (side == 0 and (way is None or cross((dx, dy), way) <= 0)):
+        for k in self._tree.near((right, left, high, low)):
+            ring = self._sums.ring(k)
+            self._budget.take(1 + len(ring) // 8, bits)
+            for e in edges(ring):
+                a, b, c = line(*e)
+                at = a * x + b * y + c * w
+                if at < 0 or (at == 0 and a * dx + b * dy <= 0):
                     break
             else:
                 return True
         return False
 
 
-def _measure_heights(ring: Iterable[tuple[int, int]], line: LatticeLine) -> _Heights:
-    values = [line.dx * y - line.dy * x for x, y in ring]
-    return min(values), max(values), values
-
-
-def _frame(line: LatticeLine, spans: Sequence[_Remnant]) -> tuple[int, int, int, int]:
-    """The box around intervals on a line, rounded outwards."""
+def _frame(line: Node, spans: Sequence[_Interval]) -> list[int]:
+    """The box that open sets have to meet, by more than the border, to meet intervals on a line."""
+    a, b, c = line
     (n, d), (m, e) = spans[0][0], spans[-1][1]
-    first, last = n // d, -(-m // e)
-    (dx, dy, _), (c, w) = line, line.c.as_integer_ratio()
-    if dx == 0:
-        return -c // w, -(c // w), first, last
-    low, high = sorted(c + dy * w * along for along in (first, last))
-    return first, last, low // (dx * w), -(-high // (dx * w))
+    first, last = n // d + 1, -(-m // e) - 1
+    if b == 0:
+        return [-c // a + 1, -(c // a) - 1, first, last]
+    up, down = (-a * n - c * d, b * d), (-a * m - c * e, b * e)
+    if a > 0:
+        up, down = down, up
+    return [first, last, up[0] // up[1] + 1, -(-down[0] // down[1]) - 1]
 
 
-def _find_shadow(
-    ring: Sequence[tuple[int, int]], scale: int, heights: Sequence[int], axis: int
-) -> _Remnant:
-    """The open interval in which the inside of a ring, on both sides of a line, meets it.
-
-    Args:
-        ring: times the scale.
-        scale: of the ring.
-        heights: of its vertices above the line, in any unit.
-        axis: the coordinate that tells points of the line apart.
-    """
+def _find_shadow(ring: Ring, sides: Sequence[int], axis: int) -> _Interval:
+    """The open interval in which the inside of a ring, on both sides of a line, meets it."""
     ends: list[_Unreduced] = []
-    before, p = heights[-1], ring[-1]
-    for after, q in zip(heights, ring, strict=True):
+    before, p = sides[-1], ring[-1]
+    for after, q in zip(sides, ring, strict=True):
         if after == 0:
-            ends.append((q[axis], scale))
+            ends.append((q[axis], q[2]))
         elif before < 0 < after:
-            ends.append((p[axis] * after - q[axis] * before, (after - before) * scale))
+            ends.append((p[axis] * after - q[axis] * before, p[2] * after - q[2] * before))
         elif after < 0 < before:
-            ends.append((q[axis] * before - p[axis] * after, (before - after) * scale))
+            ends.append((q[axis] * before - p[axis] * after, q[2] * before - p[2] * after))
         before, p = after, q
     low = high = ends[0]
     for end in ends[1:]:
@@ -262,18 +199,19 @@ def _is_least(p: _Unreduced, q: _Unreduced) -> bool:
     return p[0] * q[1] <= q[0] * p[1]
 
 
-def _unite(spans: Iterable[Interval]) -> list[Interval]:
+def _unite(spans: list[_Interval]) -> list[_Interval]:
     """The union of closed intervals."""
-    joined: list[Interval] = []
-    for low, high in sorted(spans):
-        if joined and low <= joined[-1][1]:
-            joined[-1] = joined[-1][0], max(high, joined[-1][1])
+    joined: list[_Interval] = []
+    for low, high in sorted(spans, key=lambda span: divide(*span[0])):
+        if joined and _is_least(low, joined[-1][1]):
+            if _is_least(joined[-1][1], high):
+                joined[-1] = joined[-1][0], high
         else:
             joined.append((low, high))
     return joined
 
 
-def _cut_away(spans: Iterable[_Remnant], low: _Unreduced, high: _Unreduced) -> Iterator[_Remnant]:
+def _cut_away(spans: Iterable[_Interval], low: _Unreduced, high: _Unreduced) -> Iterator[_Interval]:
     """Take an open interval away from closed ones, which may be points."""
     for start, end in spans:
         if _is_least(start, low):

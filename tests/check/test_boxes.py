@@ -11,7 +11,7 @@ from exactsweep.check import boxes, reference_no_fit, uncovered
 from exactsweep.check.boxes import BoxTree, Rectangle, find_box, meet
 from exactsweep.check.no_fit import UNLIMITED
 from exactsweep.check.standalone import Work
-from exactsweep.numbers.number import Vertex
+from exactsweep.numbers.number import Rational, Vertex
 
 NUMBERS = st.integers(-20, 20) | st.integers(-900, 900)
 SIDES = st.integers(0, 3) | st.integers(0, 400)
@@ -90,7 +90,7 @@ def test_of_a_saw_the_sets_near_a_line_are_looked_at(monkeypatch: pytest.MonkeyP
             super().__init__(known, budget)
             sets.append(len(known))
 
-        def near(self, box: Rectangle) -> Iterator[int]:
+        def near(self, box: Sequence[Rational]) -> Iterator[int]:
             asked.append(0)
             for k in super().near(box):
                 asked[-1] += 1

@@ -113,7 +113,6 @@ class Ledger:
         self._patch = monkeypatch
         lines, diagonals = "_leave_on", "_find_diagonal"
         self.watch(uncovered, "_find_shadow", lines, lambda ring, *_: 2 + 0.1 * len(ring))
-        self.watch(uncovered, "_measure_heights", lines, lambda ring, _: 0.2 * len(ring))
         self.watch(convex, "_is_blocked", diagonals, lambda p, q, walls: 0.12 * len(walls))
         self.watch(arrangement, "_find_common_point", "_find_cuts", lambda *_: 3)
         self.watch(contact_segments, "find_common_direction", "_take_all_pairs", lambda *_: 1)
@@ -213,12 +212,12 @@ def seen(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 
 def test_the_common_lattice_of_crossings_is_not_used(seen: list[int]) -> None:
-    """Each edge of a trajectory is checked by itself, with its own two crossings."""
-    s = sweep(star(9), [(-y, x) for x, y in star(8)])
+    """Unless it is short: each vertex of a trajectory has a denominator of its own."""
+    s = sweep(star(14), [(-y, x) for x, y in star(12)])
     denominators = [lcm(x.denominator, y.denominator) for x, y in s.trajectory.vertices]
     assert verify(s.certificate()).proved
-    assert lcm(*denominators).bit_length() > 110
-    assert len(seen) == 2
+    assert lcm(*denominators).bit_length() > 256
+    assert len(seen) == 3
     assert max(seen) <= 2 * max(d.bit_length() for d in denominators) + 24
 
 
@@ -244,8 +243,8 @@ def test_a_diagonal_takes_steps_by_walls(shape: Points, monkeypatch: pytest.Monk
 
 
 def test_numbers_over_others_count_more() -> None:
-    assert measure_bits([(1, -9), (2, 3)]) == 4
-    assert measure_bits([(1, Fraction(1, 9)), (2, 3)]) == 32 * 4
+    assert measure_bits([(1, -9, 1), (2, 3, 1)]) == 4
+    assert measure_bits([(9, 1, 9), (2, 3, 1)]) == 7
 
 
 def test_each_question_takes_steps() -> None:

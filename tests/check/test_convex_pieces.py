@@ -18,7 +18,8 @@ from exactsweep.check.arrangement import WalkedLoop
 from exactsweep.check.convex import cut_to_convex
 from exactsweep.check.no_fit import UNLIMITED
 from exactsweep.check.shape import bring_to_integers
-from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
+from exactsweep.check.standalone import node
+from exactsweep.check.uncovered import LinePiece, OpenSets
 from exactsweep.geometry import convex as kernel_convex
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
 from exactsweep.numbers.number import Vertex
@@ -84,6 +85,10 @@ ORIGIN = [(0, 0)]
 SQUARE = ((0, 0), (4, 0), (4, 4), (0, 4))
 
 
+def leave_uncovered(sets: OpenSets, segments: Any) -> tuple[list[LinePiece], set[Vertex]]:
+    return sets.uncovered((node(*p), node(*q)) for p, q in segments)
+
+
 @pytest.mark.parametrize(
     ("segments", "pieces", "points"),
     [
@@ -102,7 +107,7 @@ SQUARE = ((0, 0), (4, 0), (4, 4), (0, 4))
 )
 def test_what_an_open_square_leaves_of_segments(segments: Any, pieces: Any, points: Any) -> None:
     """The border is not in it, and an end on the border is left as a point."""
-    found, single = OpenSets([SQUARE], [ORIGIN], UNLIMITED).uncovered(segments)
+    found, single = leave_uncovered(OpenSets([SQUARE], [ORIGIN], UNLIMITED), segments)
     assert [piece.ends for piece in found] == pieces
     assert single == {*points}
 
@@ -110,7 +115,7 @@ def test_what_an_open_square_leaves_of_segments(segments: Any, pieces: Any, poin
 def test_points_beside_a_line_are_in_the_union_or_not() -> None:
     """Near (4, 2), right of the square; and up along a border nothing is inside."""
     sets = OpenSets([SQUARE], [ORIGIN], UNLIMITED)
-    upwards, level = LatticeLine(0, 1, -4), LatticeLine(1, 0, 0)
+    upwards, level = (-1, 0, 4), (0, 1, 0)
     assert sets.is_beside(upwards, 2, 1)
     assert not sets.is_beside(upwards, 2, -1)
     assert not sets.is_beside(level, 0, 1)
@@ -127,7 +132,7 @@ def test_a_loop_of_the_least_triangle_has_its_sense() -> None:
 
 
 def test_pieces_of_lines_go_from_left_to_right() -> None:
-    assert LinePiece(LatticeLine(1, 2, 4), 0, 2).ends == ((0, 4), (2, 8))
+    assert LinePiece((-2, 1, -4), 0, 2).ends == ((0, 4), (2, 8))
 
 
 def test_a_diagonal_is_found_among_vertices_far_away() -> None:
@@ -149,7 +154,7 @@ def test_segments_of_one_line_far_apart_meet_the_squares_near_them(y: int, uprig
     if upright:
         corners, ends = ([(-y, x) for x, y in points] for points in (corners, ends))
     sets = OpenSets([corners[k : k + 4] for k in range(0, 160, 4)], [ORIGIN], UNLIMITED)
-    pieces, points = sets.uncovered([(ends[2], ends[3]), (ends[0], ends[1])])
+    pieces, points = leave_uncovered(sets, [(ends[2], ends[3]), (ends[0], ends[1])])
     assert pieces == []
     assert points == {*ends}
 
@@ -171,9 +176,9 @@ def test_lattices_of_their_own_change_nothing(x: Fraction, y: Fraction, segments
     def stretch(item: Any) -> Any:
         return tuple(map(stretch, item)) if isinstance(item, (list, tuple)) else int(item * times)
 
-    pieces, points = OpenSets(first, second, UNLIMITED).uncovered(segments)
+    pieces, points = leave_uncovered(OpenSets(first, second, UNLIMITED), segments)
     sets = OpenSets(stretch(first), stretch(second), UNLIMITED)
-    more_pieces, more_points = sets.uncovered(stretch(segments))
+    more_pieces, more_points = leave_uncovered(sets, stretch(segments))
     found, expected = ({part.ends for part in parts} for parts in (pieces, more_pieces))
 
     def times_all(p: Vertex) -> Vertex:
