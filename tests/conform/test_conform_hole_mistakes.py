@@ -69,6 +69,14 @@ def test_on_symmetric_shapes_exchanged_roles_come_before_another_reference_point
     found = say(case, "no_fit", [turned])
     assert found[0] == "exact for exchanged roles, D around G"
     assert any("all is moved by" in words for words in found)
+    for (px, py), name in (((1, 1), "first"), ((3, 2), "rightmost")):
+        turned = [Point(Fraction(1, 3) + px - x, 2 + py - y) for x, y in ring]
+        first, *others = say(case, "no_fit", [turned])
+        assert (
+            first
+            == f"exact for exchanged roles, D around G, and for G's {name} vertex as reference"
+        )
+        assert any(words.startswith("exact for another reference point:") for words in others)
 
 
 def test_the_cause_of_all_answers_of_a_run_comes_first_in_every_report() -> None:

@@ -25,8 +25,10 @@ from exactsweep.paper.claim import (
     Finding,
     Table,
     reproduce,
+    weigh,
 )
 from exactsweep.paper.data import make_slug, write_data
+from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.paper.report import count_verdicts, read_bibtex, render_row, write
 
@@ -115,6 +117,16 @@ def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
     assert render_row(found).strip() in markdown.read_text(encoding="utf-8")
     assert "<script>" not in html.read_text(encoding="utf-8")
     assert "| <script>alert(1)</script> \\| & m_b |" in markdown.read_text(encoding="utf-8")
+
+
+def test_what_is_measured_is_not_plotted(tmp_path: Path) -> None:
+    sizes = tuple(Size(n, n, n, n) for n in (8, 16, 32))
+    timed = Growth("seconds of f", "ints", "n", sizes)
+    claim = Claim(
+        *("Timed", "1", "", ClaimVerdict.REFUTED, (), ()), lambda effort: weigh("", timed), ""
+    )
+    _, markdown, _ = write(tmp_path, list(reproduce([claim], Effort())), Effort())
+    assert "![counts of" not in markdown.read_text(encoding="utf-8")
 
 
 def test_without_matplotlib_there_are_tables_only(
