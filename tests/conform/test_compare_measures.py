@@ -209,9 +209,10 @@ def test_an_edge_is_cut_where_two_others_are_equally_near() -> None:
 
 def test_a_cut_of_many_digits_is_rounded() -> None:
     long = Fraction(10**4000 + 7, 3 * 10**4000)
-    low, high = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 2 * long), (9, 2 * long))
+    half, height = long.as_integer_ratio()
+    low, high = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 2 * half), (9, 2 * half))
     ends = _PieceEnd(Fraction(0), low), _PieceEnd(Fraction(1), high)
-    cut = _find_cut(LoopEdge((4, 0), (4, 1)), *ends)
+    cut = _find_cut(LoopEdge((4, 0), (4, height)), *ends)
     assert 0 < abs(cut - long) < Fraction(1, 2**120)
     assert cut.denominator < 2**140
 
@@ -229,7 +230,7 @@ def test_the_squared_distance_along_a_line_is_that_to_the_edge(
     edge = LoopEdge((ax, ay), (bx, by))
     (square, mixed, constant), divisor = edge.along(Place(x, y), u, v, t)
     at = Point(x + t * u, y + t * v)
-    nearest = measure_to_edge(at, (Point(ax, ay), Point(bx, by)))
+    nearest = measure_to_edge(at, ((ax, ay), (bx, by)))
     assert (square * t + mixed) * t + constant == divisor * Fraction(*nearest)
 
 

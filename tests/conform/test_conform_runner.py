@@ -369,8 +369,8 @@ def test_a_cause_that_comes_first_leaves_the_others_in_order() -> None:
 def test_a_cause_explains_all_answers_that_differ_and_two_at_least() -> None:
     tally = Tally()
     for words, cause in (("a", None), ("a", "a"), ("b", None)):
-        part = {"name": "no_fit", "verdict": "wrong", "diagnosis": [words], "granted": ""}
-        part |= {"distance_squared": None, "area": None}
+        part: dict[str, Any] = {"name": "no_fit", "verdict": "wrong", "diagnosis": [words]}
+        part |= dict.fromkeys(("granted", "distance_squared", "area"))
         tally.add(Outcome("x", "CC", (), Verdict.WRONG, parts=(part,)))
         assert tally.find_cause() == cause
 
