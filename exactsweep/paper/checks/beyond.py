@@ -14,7 +14,8 @@ from exactsweep.check import (
     point_in_polygon,
     reference_inner_fit,
 )
-from exactsweep.check.contact_segments import find_contacts_of_shapes
+from exactsweep.check.contact_segments import find_contacts
+from exactsweep.check.shape import to_vertex
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.segment import Segment, choose_cover, lay_point, make_segment
 from exactsweep.numbers.number import Edge
@@ -29,6 +30,7 @@ from exactsweep.paper.functions import (
     tell_fits,
 )
 from exactsweep.paper.pairs import SweepPair
+from exactsweep.procedures.chain import inverse
 
 # A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
 HELD = SweepPair(
@@ -60,14 +62,15 @@ def loops_are_simple(pair: SweepPair) -> str:
 
 def boundary_is_contact(pair: SweepPair) -> str:
     """Loops and exact fits lie on contact segments, of which there are 2 m n at most."""
-    rings = ((tuple(ring),) for ring in pair[::-1])
-    found, known = no_fit_polygon(*pair[::-1]), find_contacts_of_shapes(*rings)[0]
+    found = no_fit_polygon(*pair[::-1])
+    known, _ = find_contacts((tuple(pair.directrix),), (tuple(inverse(pair.generatrix)),))
     if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
         return f"{len(known)} contact segments"
+    segments = [make_segment((to_vertex(a), to_vertex(b))) for a, b in known]
     loops = (found.exterior, *found.holes)
     edges = [edge for loop in loops for edge in list_edges(loop.vertices)]
     for edge in (*edges, *found.exact_fits):
-        if not covers(map(make_segment, known), edge):
+        if not covers(segments, edge):
             return f"off all contact segments: {show_fits([edge])}"
     return no_fit_is_the_definition(pair)
 
