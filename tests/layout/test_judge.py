@@ -25,14 +25,14 @@ LAYOUTS = VALID | {name: layout for name, (layout, _) in FAULTY.items()}
 LAYOUTS |= {case.id: case.layout for case in layout_cases() if len(case.layout.placements) < 20}
 
 
-# With numbers as long as the last one there is no lattice for all parts.
+# Parts left of the origin and below it. With numbers as long as the last one they share no lattice.
 @pytest.mark.parametrize("factor", [Fraction(1, 3), Fraction(9, 7**400)], ids=["third", "tiny"])
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_a_layout_scaled_and_moved_as_a_whole_has_the_same_faults(
     name: str, factor: Fraction
 ) -> None:
     one = judge_layout(LAYOUTS[name])
-    other = judge_layout(image(LAYOUTS[name], factor, 1000 * factor, Fraction(777, 2) * factor))
+    other = judge_layout(image(LAYOUTS[name], factor, -1000 * factor, Fraction(-777, 2) * factor))
     assert kinds(other) == kinds(one)
     assert other.contacts == one.contacts
     assert other.density == one.density
