@@ -56,6 +56,14 @@ def test_a_part_as_wide_as_the_container_is_moved_onto_an_exact_fit() -> None:
     assert fault.move == point("-1/10", 0)
 
 
+@pytest.mark.parametrize("place", [(1, 4), (17, 4), (4, 1), (4, 13)])
+def test_a_part_keeps_the_margin_on_every_side(place: tuple[int, int]) -> None:
+    sheet, part = box(0, 0, 20, 16), box(0, 0, 2, 2)
+    (fault,) = judge_layout(lay(sheet, {"t": part}, put("t", place), margin="3/2")).faults
+    assert (fault.kind, fault.distance_squared) == ("too close", 1)
+    assert judge_layout(lay(sheet, {"t": part}, put("t", place), margin="1")).valid
+
+
 def test_faults_as_json() -> None:
     layout = lay(
         SHEET,
