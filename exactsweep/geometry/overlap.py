@@ -45,7 +45,6 @@ BoxedEdge = tuple[
 _FEW = 24
 """The number of edges up to which a search examines all of them."""
 _MOST_COLUMNS = 512
-_REMEMBERED = 4  # pairs of edges that crossed lately
 
 
 class Relation(Enum):
@@ -258,13 +257,13 @@ class Overlap:
 
     def __init__(self, stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> None:
         self._shapes = EdgeIndex(stationary, unbounded=unbounded), EdgeIndex(orbiting)
-        # Edges that crossed before are likely to cross again, the last ones most.
-        self._crossed: list[_CrossingEdges] = []
+        # Edges that crossed last time are likely to cross again.
+        self._last: _CrossingEdges | None = None
 
     def at(self, t: Point) -> bool:
         """Decide whether the interiors of D and G + t meet.
 
-        Cost: that of `relate`, or O(1) if edges that crossed lately cross again.
+        Cost: that of `relate`, or O(1) if the edges that crossed last time cross again.
 
         >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
         >>> overlap = Overlap(square, square)
@@ -275,18 +274,15 @@ class Overlap:
         (n, d), (m, e) = t.x.as_integer_ratio(), t.y.as_integer_ratio()
         scale = lcm(d, e)
         x, y = n * (scale // d), m * (scale // e)
-        fixed, moved = self._shapes
-        for place, (k, i, j, h) in enumerate(self._crossed):
-            ring, other = fixed.rings[k], moved.rings[j]
-            a, b = ((u * scale, v * scale) for u, v in (ring[i], ring[i + 1 - len(ring)]))
-            ends = other[h], other[h + 1 - len(other)]
-            p, q = ((u * scale + x, v * scale + y) for u, v in ends)
-            if touch(a, b, p, q) is None:
-                self._crossed.insert(0, self._crossed.pop(place))
+        if self._last is not None:
+            k, i, j, h = self._last
+            fixed, moved = self._shapes[0].rings[k], self._shapes[1].rings[j]
+            edge = [(u * scale, v * scale) for u, v in (fixed[i], fixed[i + 1 - len(fixed)])]
+            other = moved[h], moved[h + 1 - len(moved)]
+            if touch(*edge, *((u * scale + x, v * scale + y) for u, v in other)) is None:
                 return True
-        relation, crossing = relate(fixed, moved, x, y, scale)
-        if crossing:
-            self._crossed = [crossing, *self._crossed[: _REMEMBERED - 1]]
+        relation, crossing = relate(*self._shapes, x, y, scale)
+        self._last = crossing or self._last
         return relation is Relation.OVERLAP
 
 

@@ -247,28 +247,25 @@ def _decide(
     Exact fits come in rows along a slot, and overlapped pieces in bundles. So the last piece says
     what to test first, the next piece or its ends. The order changes no answer.
     """
-    known = dict.fromkeys(bounding, False)
+    known: dict[ReducedPoint, bool] = {}
+    touched = set(bounding)
 
     def overlaps(p: ReducedPoint) -> bool:
         if p not in known:
-            known[p] = overlap(_leave(p, 1))
+            known[p] = p not in touched and overlap(_leave(p, 1))
         return known[p]
 
     free: list[_TwoWayPiece] = []
-    single = suspects - bounding
     likely = True
     for piece in both_ways:
         _, p, q = piece
-        # Pieces at free positions, and after free pieces, are likely to be free.
-        asked = known if likely or not (known.get(p, True) and known.get(q, True)) else suspects
-        if (p in asked and overlaps(p)) or (q in asked and overlaps(q)):
+        if not likely and ((p in suspects and overlaps(p)) or (q in suspects and overlaps(q))):
             continue
-        likely = not overlap(_find_middle(p, q))
+        likely = not (known.get(p) or known.get(q) or overlap(_find_middle(p, q)))
         if likely:
             free.append(piece)
-            known[p] = known[q] = False
-            single -= {p, q}
-    return free, [p for p in sorted(single) if not overlaps(p)]
+            touched |= {p, q}
+    return free, [p for p in suspects - touched if not overlaps(p)]
 
 
 def _join(
