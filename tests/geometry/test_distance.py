@@ -89,6 +89,8 @@ def _clockwise(shape: Region) -> list[list[Point]]:
         ([(1, "1/2"), (2, 0), (2, 3)], 0, points((1, "1/2"), (1, "1/2"))),
         ([(0, 0), (1, 0), (1, 3), (0, 3)], 0, None),
         ([("1/2", -1), (3, -1), ("1/2", 3)], 0, None),
+        ([(-1, -1), (5, 3), (-1, 4)], 0, None),
+        ([(2, "1/3"), (-1, "2/3"), (-1, "1/2")], 0, None),
         # One holds the other.
         ([(-9, -9), (9, -9), (9, 9), (-9, 9)], 0, None),
         ([("1/4", "1/4"), ("1/2", "1/4"), ("1/4", "1/2")], 0, None),
@@ -103,6 +105,7 @@ def test_known_distances(
         assert found.points == nearest
     p, q = found.points
     assert squared(p, q) == value
+    assert point_in_polygon(p, Region(SQUARE)) >= 0 <= point_in_polygon(q, Region(other))
     trees = EdgeTree(_clockwise(Region(SQUARE))), EdgeTree(_clockwise(Region(other)))
     assert find_nearest(*trees, value) is None
     assert find_nearest(*trees, value + 1) == found
