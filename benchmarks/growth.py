@@ -42,6 +42,11 @@ def strips(n: int) -> Ring:
     return up + [(x, y + 3) for x, y in reversed(up)]
 
 
+def saw(n: int) -> Ring:
+    """A saw of n vertices, an odd number, with teeth 100 high that fill half of its bounds."""
+    return [(0, 0), (n - 3, 0), *((x, 100 if x % 2 else 3) for x in range(n - 3, -1, -1))]
+
+
 def spikes(n: int, outer: int, inner: int) -> Ring:
     """A star of n vertices at two distances from the middle."""
     ends = [((inner if k % 2 else outer), 2 * pi * k / n) for k in range(n)]
@@ -57,7 +62,15 @@ def hooks(n: int) -> Ring:
 
 
 def ask_strips(n: int) -> Question:
-    upright, lying = Polygon(strips(n)), Polygon([(-y, x) for x, y in strips(n)])
+    return ask_across(strips(n))
+
+
+def ask_saws(n: int) -> Question:
+    return ask_across(saw(n + 1))
+
+
+def ask_across(ring: Ring) -> Question:
+    upright, lying = Polygon(ring), Polygon([(-y, x) for x, y in ring])
     return lambda: no_fit_polygon(upright, lying).exact_fits
 
 
@@ -128,6 +141,7 @@ CASES = {
         ask_strips,
         (50, 100, 200, 400),
     ),
+    "saws": Case("no-fit polygon of a saw of n across a saw of n", ask_saws, (100, 200, 400)),
     "star": Case(
         "loops of a star of n / 2 around one of n",
         ask_star,

@@ -41,7 +41,6 @@ from exactsweep.procedures.leeway import Leeway
 from exactsweep.procedures.neighbours import (
     Around,
     RankedEdge,
-    are_thin,
     leave_out_overlapped,
     look_around,
     look_beside,
@@ -49,6 +48,8 @@ from exactsweep.procedures.neighbours import (
 
 _UNITS = 2**32
 _BEYOND = 1  # the length by which pieces extend beyond a leeway
+_MANY = 1000
+"""The product of the numbers of edges from which it pays to look at the edges beside each other."""
 
 StretchPlace = tuple[int, int]
 """A place n / d on a line; d > 0."""
@@ -228,8 +229,8 @@ def find_contact_stretches(
     """
     shapes = [[_DirectedRing(ring) for ring in rings] for rings in (stationary, moving)]
     directions, ranks = _rank(u for rings in shapes for ring in rings for u in ring.directions)
-    thin = are_thin(stationary, moving)
-    sides = [_list_features(rings, ranks, len(directions), thin) for rings in shapes]
+    many = sum(map(len, stationary)) * sum(map(len, moving)) > _MANY
+    sides = [_list_features(rings, ranks, len(directions), many) for rings in shapes]
     left, right, bottom, top = leeway or (-inf, inf, -inf, inf)
     lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
         list
@@ -295,7 +296,7 @@ def _rank(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
 
 
 def _list_features(
-    rings: Sequence[_DirectedRing], ranks: dict[Vector, int], half: int, thin: bool
+    rings: Sequence[_DirectedRing], ranks: dict[Vector, int], half: int, many: bool
 ) -> tuple[list[RankedEdge], list[_Convex]]:
     """List the edges and the convex vertices of a shape, with the ranks of their directions.
 
@@ -311,14 +312,14 @@ def _list_features(
             ahead = p < q
             low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
             rank = k if ahead else k + half
-            beside = look_beside(ring.vertices, i) if thin else ()
+            beside = look_beside(ring.vertices, i) if many else ()
             of_ring.append((rank, k, ahead, dx * py - dy * px, low, high, beside))
         for i, point in enumerate(ring.vertices):
             first, last = of_ring[i][0], of_ring[(i + 1) % len(of_ring)][0]
             if last < first:
                 last += 2 * half
             if last - first < half:
-                around = look_around(ring.vertices, i) if thin else None
+                around = look_around(ring.vertices, i) if many else None
                 corners.append((point, first, last, around))
         edges += of_ring
     return edges, corners

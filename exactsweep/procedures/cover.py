@@ -1,20 +1,15 @@
 """Squares of a grid that lie in the overlap; pieces of contact segments in them are dropped.
 
 Most of a contact segment runs inside O = int D + int H, the positions of overlap. A grid cuts the
-plane into squares of side h. A closed square lies in O if it lies in one of these sets:
+plane into squares of side h.
 
-(1) A + B, for the closed squares A in D and the grid points B inside H. A point p of a square in A
-    is a limit of inner points of D. So p + b = p' + b' for an inner point p' of D near p, and an
-    inner point b' of H near b.
-(2) The inside of the parallelogram a + b, for an edge a of D and an edge b of H. At its inner
-    points the edge a and the edge -b of G cross, and where edges cross, interiors meet.
-
-Squares of (1) fill wide shapes. Squares of (2) fill the sums of thin shapes, whose edges are long:
-for n zigzags across n zigzags, each parallelogram is as large as the whole answer. Rounding of
-bounds can lose a square but never adds a wrong one.
-
-(3) Only the columns in which a stretch leaves the squares are relevant. The stretch is cut at
+(1) A closed square lies in O if it lies in A + B, for the closed squares A in D and the grid points
+    B inside H. A point p of a square in A is a limit of inner points of D. So p + b = p' + b' for
+    an inner point p' of D near p, and an inner point b' of H near b.
+(2) Only the columns in which a stretch leaves the squares are relevant. The stretch is cut at
     borders of columns, and just inside each cut there is overlap.
+
+Such squares fill wide shapes. In thin ones, `neighbours` has left out most before.
 """
 
 from __future__ import annotations
@@ -25,8 +20,7 @@ from itertools import chain
 from exactsweep.geometry.overlap import Rings
 from exactsweep.numbers.number import Rational, ratio
 from exactsweep.procedures.contact_lines import Stretch
-from exactsweep.procedures.parallelograms import fill_parallelograms
-from exactsweep.procedures.squares import find_squares_of_sum, halve_squares
+from exactsweep.procedures.squares import find_squares_of_sum
 
 _FEW = 250
 _FEW_CROSSINGS = 2000
@@ -40,7 +34,7 @@ _ONE_OF = 16
 
 
 def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings) -> list[Stretch]:
-    """Drop the parts of stretches that lie in covered squares, by (3).
+    """Drop the parts of stretches that lie in covered squares, by (2).
 
     Args:
         stretches: of the contact segments of D and H.
@@ -65,8 +59,6 @@ def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings
         return stretches
     columns = round((_SQUARES_PER_STRETCH * len(stretches)) ** 0.5)
     cover = Cover(stationary, moving, min(columns, _MOST_COLUMNS))
-    if sum(any(cover.uncovered(stretch)) for stretch in some) > len(some) // 2:
-        cover.refine((stationary, moving), len(stretches))
     return list(chain.from_iterable(map(cover.uncovered, stretches)))
 
 
@@ -85,21 +77,8 @@ class Cover:
             for ring in (stationary[0], moving[0])
             for k in (0, 1)
         ]
-        side = max(spans) // columns
-        self.side = max(1, side - side % 2)
+        self.side = max(1, max(spans) // columns)
         self.left, self.low, self.columns = find_squares_of_sum(stationary, moving, self.side)
-        self._blocks = _list_blocks(self.columns)
-
-    def refine(self, shapes: tuple[Rings, Rings], work: int) -> None:
-        """Halve the squares and add those of (2), up to a number of column borders.
-
-        Sums of (1) would take much longer on the finer grid, and gain little.
-        """
-        if self.side % 2 == 0:
-            self.side, self.left, self.low = self.side // 2, 2 * self.left, 2 * self.low
-            self.columns = halve_squares(self.columns)
-        corner = self.left * self.side, self.low * self.side
-        fill_parallelograms(self.columns, corner, self.side, shapes, work)
         self._blocks = _list_blocks(self.columns)
 
     def uncovered(self, stretch: Stretch) -> Iterator[Stretch]:

@@ -1,8 +1,8 @@
 """Parts of contact segments that the edges next to them prove to be overlapped.
 
 Let the vertex v of H face the edge a of D, in the terms of `contact_lines`, and let the edges of H
-after v be c and c'. For any edge of D and any edge of H, the inside of the parallelogram that they
-span overlaps; see (2) of `cover`.
+after v be c and c'. For any edge p of D and any edge q of H, the inside of the parallelogram p + q
+overlaps: there p and the edge -q of G cross, and where edges cross, interiors meet.
 
 (1) Let c' cross the line through v along a, in v + w. Then the common points of the segments a + v
     and a + v + w, but for the ends of the latter, are inside the parallelogram a + c'. If w has the
@@ -15,7 +15,7 @@ span overlaps; see (2) of `cover`.
     v serve likewise.
 
 For thin spikes across thin spikes this leaves little more than the answer. Such shapes contain no
-squares for the cover. In wide shapes the cover drops as much at a lower cost.
+squares for the cover.
 
 Ends are rounded outwards to ints. So overlap lies just inside, and numbers stay short.
 """
@@ -25,16 +25,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import lcm
 
-from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.direction import Vector
-from exactsweep.geometry.overlap import Rings
 from exactsweep.numbers.number import Rational, Vertex
-from exactsweep.procedures.leeway import bound
-
-_MANY = 1000
-"""The product of the numbers of edges below which this gains nothing."""
-_THIN = 8
-"""A shape is thin if twice its area is less than this part of its bounds."""
 
 _Scaled = tuple[()] | tuple[int, int, int]
 """A vector times a common unit, and the unit; empty if there is none."""
@@ -48,20 +40,6 @@ runs along that direction; dx y - dy x; its least place; its greatest place; its
 
 Around = tuple[int, tuple[tuple[int, int, int, int], tuple[int, int, int, int]]]
 """A unit, and the next vertices after and before a vertex, from it, times the unit."""
-
-
-def are_thin(stationary: Rings, moving: Rings) -> bool:
-    """Decide whether two shapes have many edges, and one of them fills little of its bounds."""
-    size = sum(map(len, stationary)) * sum(map(len, moving))
-    return size > _MANY and any(map(_is_thin, (stationary, moving)))
-
-
-def _is_thin(rings: Rings) -> bool:
-    # Rounded, as the numbers of a trajectory can be long; this decides nothing but the time.
-    rounded = [[(int(x), int(y)) for x, y in ring] for ring in rings]
-    left, right, low, high = bound(rounded)
-    area, size = sum(map(find_doubled_area, rounded)), (right - left) * (high - low)
-    return bool(-size < _THIN * area < size)
 
 
 def look_beside(ring: Sequence[Vertex], i: int) -> Beside:

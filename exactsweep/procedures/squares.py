@@ -35,21 +35,6 @@ def find_squares_of_sum(stationary: Rings, moving: Rings, side: int) -> tuple[in
     return cells_left + points_left, cells_low + points_low, columns
 
 
-def halve_squares(columns: list[int]) -> list[int]:
-    """Return the same squares on the grid of half the side.
-
-    >>> [bin(column) for column in halve_squares([0b101])]
-    ['0b110011', '0b110011']
-    """
-    halved: list[int] = []
-    for column in columns:
-        rows = 0
-        for start, length in _find_runs(column):
-            rows |= (1 << 2 * length) - 1 << 2 * start
-        halved += [rows, rows]
-    return halved
-
-
 def _stack(stacked: dict[int, int], length: int) -> int:
     """Return the union of the bits moved by 0, 1, ..., length - 1 places."""
     found = stacked.get(length)

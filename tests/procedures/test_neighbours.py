@@ -3,35 +3,47 @@
 from fractions import Fraction
 from unittest.mock import patch
 
+import pytest
 from covered import find_free, rings
 from hypothesis import given
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes
 from strategies import Ring, simple_rings
-from test_parallelograms import zigzag
 from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures import contact_lines
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
-from exactsweep.procedures.neighbours import are_thin
 from exactsweep.procedures.obstacles import Obstacles
+from exactsweep.procedures.ss import no_fit_ss
 
 SCALES = st.sampled_from([Fraction(1), Fraction(7, 3), Fraction(10**30), Fraction(1, 10)])
 
 
-def find_left(stationary: Rings, moving: Rings, thin: bool) -> list[Stretch]:
-    with patch.object(contact_lines, "are_thin", return_value=thin):
+def zigzag(size: int) -> list[Vertex]:
+    """A thin strip up and down."""
+    up = [(2 * i, 400 if i % 2 else 0) for i in range(size // 2)]
+    return [*up, *((x, y + 3) for x, y in reversed(up))]
+
+
+def saw(size: int) -> list[Vertex]:
+    """A saw with high teeth, which fill half of its bounds."""
+    teeth = [(x, 100 if x % 2 else 3) for x in range(size)]
+    return [(0, 0), (size - 1, 0), *reversed(teeth)]
+
+
+def find_left(stationary: Rings, moving: Rings, looks: bool) -> list[Stretch]:
+    with patch.object(contact_lines, "_MANY", 0 if looks else 10**9):
         return find_contact_stretches(stationary, moving)
 
 
 def check(stationary: Rings, orbiting: Rings) -> None:
     moving = [inverse(ring) for ring in orbiting]
     overlap = Overlap(stationary, orbiting)
-    whole, left = (find_left(stationary, moving, thin) for thin in (False, True))
+    whole, left = (find_left(stationary, moving, looks) for looks in (False, True))
     assert find_free(whole, overlap) == find_free(left, overlap)
 
 
@@ -59,14 +71,18 @@ def test_the_same_shape_may_be_placed_twice() -> None:
     assert at(Point(Fraction(0), Fraction(1)))
 
 
-def test_crossed_strips_leave_the_edges_of_the_answer() -> None:
-    strips = [zigzag(80)]
-    moving = [[(y, -x) for x, y in strips[0]]]
-    assert are_thin(strips, moving)
-    assert not are_thin([zigzag(10)], [[(0, 0), (1, 0), (0, 1)]])
-    whole, left = (find_left(strips, moving, thin) for thin in (False, True))
-    # As in `test_crossed_strips_leave_few_crossings`, whose loop has 236 vertices.
-    assert (len(whole), len(left)) == (3200, 236)
+# Two rows of 40 teeth each way and what is between them; of saws an octagon, as tips are in line.
+@pytest.mark.parametrize(
+    ("ring", "contacts", "few", "corners"), [(zigzag(80), 3200, 236, 236), (saw(81), 3284, 164, 8)]
+)
+def test_spikes_across_spikes_leave_about_the_edges_of_the_answer(
+    ring: list[Vertex], contacts: int, few: int, corners: int
+) -> None:
+    moving = [[(y, -x) for x, y in ring]]
+    whole, left = (find_left([ring], moving, looks) for looks in (False, True))
+    assert (len(whole), len(left)) == (contacts, few)
+    found = no_fit_ss([ring], [inverse(moving[0])])
+    assert ([len(loop) for loop in found.around], found.within, found.fits) == ([corners], [], [])
 
 
 def test_overlap_is_just_inside_each_cut() -> None:
@@ -74,7 +90,7 @@ def test_overlap_is_just_inside_each_cut() -> None:
     orbiting = [[(-y, x) for x, y in strips[0]]]
     moving = [inverse(ring) for ring in orbiting]
     overlap = Overlap(strips, orbiting)
-    whole, left = (find_left(strips, moving, thin) for thin in (False, True))
+    whole, left = (find_left(strips, moving, looks) for looks in (False, True))
     natural = {(s.dx, s.dy, s.c, end) for s in whole for end in (s.low, s.high)}
     cut = [
         Point(Fraction(n, d), Fraction(m, e))
