@@ -23,6 +23,9 @@ from exactsweep.procedures.monotone import LowerSweep, MonotoneSolution
 from exactsweep.procedures.solution import pause_collector
 
 PAIRS = (("mm", 16), ("stair", 16), ("cm", 64))
+TOO_NEW = (3, 12)
+"""The version of CPython from which on some instructions are not reported, and not the same ones
+on every run."""
 COUNTED = ("instructions", "calls", "objects", "Fractions", "products", "comparisons")
 
 

@@ -11,7 +11,7 @@ from exactsweep.cli.output import write
 from exactsweep.cli.working import working
 from exactsweep.formats import read_certificate, read_region
 from exactsweep.text.results import verification_to_json
-from exactsweep.words import write_pair
+from exactsweep.words import count, write_pair
 
 
 @click.command("verify")
@@ -81,8 +81,9 @@ def verify_command(
 def _describe(certificate: dict[str, Any]) -> str:
     """Say which question a certificate answers, of polygons of how many vertices."""
     if "layout" in certificate:
-        is_valid = "valid" if certificate["valid"] else f"{len(certificate['faults'])} faults"
-        return f"layout of {len(certificate['layout']['placements'])} placements, {is_valid}"
+        faults, placed = certificate["faults"], certificate["layout"]["placements"]
+        verdict = count(len(faults), "fault") if faults else "valid"
+        return f"layout of {count(len(placed), 'placement')}, {verdict}"
     names = ("part", "container") if "part" in certificate else ("generatrix", "directrix")
     sizes = [sum(map(len, _list_rings(certificate[name]))) for name in names]
     question = certificate.get("kind") or certificate["claim"].replace("_", " ")

@@ -1,5 +1,6 @@
 """The benchmarks' families, counting numbers and bounds; on counts alone, which never vary."""
 
+import sys
 from dataclasses import replace
 from fractions import Fraction
 
@@ -15,7 +16,7 @@ from benchmarks.growth import CASES
 from benchmarks.layouts import judge_ours, make_shapely, place_all, tile, write_shapes
 from benchmarks.outlines import list_outlines
 from benchmarks.peers import ours
-from benchmarks.spent import COUNTED, count
+from benchmarks.spent import COUNTED, TOO_NEW, count
 from exactsweep import Point, Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
 from exactsweep.layout import judge_layout
@@ -160,6 +161,10 @@ def test_scaling_says_by_its_exit_code_whether_all_is_within(
     assert "operations of Trajectory_CC on cc" in result.output
 
 
+traced = pytest.mark.skipif(sys.version_info >= TOO_NEW, reason="needs CPython 3.11")
+
+
+@traced
 def test_what_a_pair_is_spent_on_is_counted_the_same_each_time() -> None:
     pair = [Polygon(ring) for ring in FAMILIES["stair"](8, 8, 0)]
     size = len(sweep(*pair).trajectory)
@@ -169,6 +174,7 @@ def test_what_a_pair_is_spent_on_is_counted_the_same_each_time() -> None:
     assert 2 * size <= first["Fractions"] <= 3 * size
 
 
+@traced
 def test_instructions_are_counted_by_what_they_do() -> None:
     x = 3
     found = count(lambda: ([x * x, x // 2], x < 6))
