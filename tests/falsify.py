@@ -12,10 +12,12 @@ from __future__ import annotations
 import ast
 import json
 import os
+import signal
 import subprocess
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from fractions import Fraction
 from itertools import islice
 from pathlib import Path
@@ -333,18 +335,22 @@ def weaken(tests: tuple[str, ...], every: int) -> tuple[int, list[str]]:
 
 def _pass(tests: tuple[str, ...], folder: str) -> bool:
     """Decide whether tests pass in a folder, in ten minutes: a weaker checker may not end."""
+    run = subprocess.Popen(
+        [sys.executable, "-m", "pytest", "-n0", "-qx", "-p", "no:cacheprovider", *tests],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": folder},
+        stdout=subprocess.DEVNULL,
+        start_new_session=True,
+    )
     try:
-        done = subprocess.run(
-            [sys.executable, "-m", "pytest", "-n0", "-qx", "-p", "no:cacheprovider", *tests],
-            cwd=folder,
-            env={**os.environ, "PYTHONPATH": folder},
-            stdout=subprocess.DEVNULL,
-            timeout=600,
-            check=False,
-        )
+        return run.wait(600) == 0
     except subprocess.TimeoutExpired:
         return False
-    return done.returncode == 0
+    finally:
+        # A checker that a test started may not end either.
+        with suppress(ProcessLookupError):
+            os.killpg(run.pid, signal.SIGKILL)
+        run.wait()
 
 
 @click.command()
