@@ -464,12 +464,11 @@ def frame(left: Rational, low: Rational, right: Rational, high: Rational) -> Rin
 
 
 class Placed(NamedTuple):
-    """Pieces where they are, all their points, boxes, and how far off points may be."""
+    """Pieces where they are, all their points, boxes of both, and how far off points may be."""
 
     pieces: list[Ring]
     points: Ring
     boxes: list[Grid]
-    box: Grid
     error: Fraction
 
     def holds(self, k: Any, p: Node, closed: bool) -> bool:
@@ -567,9 +566,9 @@ class Layout:
 
     def put(self, pieces: list[Ring], error: Fraction) -> None:
         """Put pieces where they are."""
-        points = list(chain.from_iterable(pieces)) or [(0, 0, 1)]
-        boxes = [grid_box(piece, self.work.scale) for piece in pieces]
-        self.placed.append(Placed(pieces, points, boxes, grid_box(points, self.work.scale), error))
+        points = list(chain.from_iterable(pieces))
+        boxes = [grid_box(of, self.work.scale) for of in (*pieces, points) if of]
+        self.placed.append(Placed(pieces, points, boxes, error))
 
     def prove(self) -> str:
         """Prove the claim, and describe it."""
@@ -615,7 +614,7 @@ class Layout:
                 need(inside, "a part reaches beyond the frame")
         widest = max(self.spacing, self.margin) + 2 * max(one.error for one in self.placed)
         reach = -int(-widest * self.work.scale // 1)
-        boxes = [one.box for one in (self.placed[-1], *self.placed[:-1])]
+        boxes = [one.boxes[-1] for one in (self.placed[-1], *self.placed[:-1])]
         for a, b in list_near(boxes, reach, self.work):
             self.prove_pair(a - 1, b - 1, reach, normals)
 
@@ -628,7 +627,8 @@ class Layout:
             whole = are_apart(one.points, other.points, normals[a, -1, b, -1], distance)
             need(whole, f"{a} and {b}: no normal that parts them")
             return
-        near = [(j, box) for j, box in enumerate(other.boxes) if are_near(box, one.box, reach)]
+        parts = enumerate(other.boxes[:-1])
+        near = [(j, box) for j, box in parts if are_near(box, one.boxes[-1], reach)]
         self.work.take(len(one.pieces) * len(near) // 4)  # pragma: no mutate: steps alone
         for i, piece in enumerate(one.pieces):
             for j in [j for j, box in near if are_near(box, one.boxes[i], reach)]:
@@ -781,11 +781,12 @@ def meet(trees: list[Tree], work: Work) -> Iterator[tuple[int, int, int]]:
         (e, f, g, h), far, others = found[2]
         work.take(1)
         if a + e < right and left < b + f and c + g < high and low < d + h:
-            if size < 0 > wide and far < 0:
+            largest = max(size, wide, far)
+            if largest < 0:
                 yield of, ones, others
-            elif size >= wide and size >= far:
+            elif size == largest:
                 stack += [(part, *found[1:]) for part in of]
-            elif wide >= far:
+            elif wide == largest:
                 stack += [(found[0], part, found[2]) for part in ones]
             else:
                 stack += [(*found[:2], part) for part in others]
@@ -871,8 +872,7 @@ def prove_positions(
             need(is_chain(spans), "chains: a gap")
     for n, (p, q) in enumerate(known):
         for left in [True] if n < len(known) - len(fits) else [True, False]:
-            parts = is_chain([e for e in sorted(beside[n, left]) if e[0][0] <= 1])
-            need(parts, "a loop or a fit does not part what it should")
+            need(is_chain(sorted(beside[n, left])), "a loop or a fit does not part what it should")
         if p == q:
             work.take(len(known))
             alone = not any(lies(p, *e) for k, e in enumerate(known) if k != n)
@@ -975,8 +975,8 @@ class Part(NamedTuple):
     points: Ring
     numbers: list[Any]
     lines: list[Node]
-    least: Node = (1, 0, 0)
-    greatest: Node = (-1, 0, 0)
+    least: Sequence[int] = (1, 0)
+    greatest: Sequence[int] = (-1, 0)
 
     def sides(self) -> list[Side]:
         """Return its edges."""
@@ -1036,8 +1036,8 @@ def lower_chain(points: Ring, lines: list[Node], start: int, end: int) -> Chain:
     for first, last in pairwise(cuts):
         found = numbers[first : last + 1]
         along = [lines[k] for k in found[:-1]]
-        least = along[0] if first else (1, 0, 0)
-        greatest = along[-1] if last < cuts[-1] else (-1, 0, 0)
+        least = along[0] if first else (1, 0)
+        greatest = along[-1] if last < cuts[-1] else (-1, 0)
         parts.append(Part([points[k] for k in found], found, along, least, greatest))
     return Chain(parts, [e for part in parts for e in part.sides() if e[3][1]])
 

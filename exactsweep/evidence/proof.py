@@ -153,11 +153,8 @@ class _Finder:
             self._list_beside(n)
         found = self._list_chains()
         if self._gaps:
-            first = len(self._known)
             self.slits = _unite(self._gaps, self._known)
             self._known += self.slits
-            for n in range(first, len(self._known)):
-                self._list_beside(n)
             found = self._list_chains()
         # Half-planes are numbered after sums.
         numbers = list(self._listed)

@@ -78,7 +78,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     elif least:
         corners = starts = [*corners[least:], *corners[:least]]
         found = [*found[least:], *found[:least]]
-    convex = min(turns) > 0 or max(turns) < 0
+    convex = (min(turns) > 0) == (max(turns) > 0)
     monotone = is_simple_monotone(found, convex=convex)
     if not monotone:
         _refuse_conflicts(ring, vertices, edges)

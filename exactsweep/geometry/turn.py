@@ -148,7 +148,7 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
     if not rest:
         return RationalTurn(*_QUARTERS[quarter], _ZERO)
     off = Fraction(1, 2 ** (bits + 1))
-    low, high = bound_half_tangent(rest, bits + 4)
+    low, high = bound_half_tangent(rest, bits)
     # Any number strictly between these is within `off` of every number in [low, high].
     (a, b), (c, d) = (t.as_integer_ratio() for t in (max(high - off, _ZERO), low + off))
     q, p = find_simplest_fraction(a, b, c, d)
@@ -197,7 +197,7 @@ def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction
 
     Args:
         degrees: an angle from 0 to 90.
-        bits: the precision; the bounds differ by at most 2**-bits.
+        bits: the precision; the bounds differ by less than 2**-bits.
 
     Returns:
         The lower and the upper bound.
@@ -219,5 +219,5 @@ def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction
         )
     finally:
         iv.prec = before
-    assert 2**bits * (high - low) <= 1
+    assert 2**bits * (high - low) < 1
     return low, high

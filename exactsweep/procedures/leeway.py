@@ -9,6 +9,7 @@
 from __future__ import annotations
 
 from itertools import chain
+from operator import sub
 from typing import NamedTuple
 
 from exactsweep.geometry.overlap import Rings
@@ -32,7 +33,7 @@ class Leeway(NamedTuple):
 def find_leeway(container: Rings, part: Rings) -> Leeway:
     """Find the leeway of a part in a container. Cost: O(m + n)."""
     around, within = bound(container), bound(part)
-    return Leeway(*(a - b for a, b in zip(around, within, strict=True)))
+    return Leeway(*map(sub, around, within))
 
 
 def frame_outside(container: Rings) -> list[list[Vertex]]:
