@@ -196,16 +196,12 @@ def _find_relevant(part: ConvexPart | CrossingPart, chain: ConvexPart) -> tuple[
     """
     _, _, flattest, steepest, slopes = part
     _, _, chain_flattest, chain_steepest, chain_slopes = chain
-    i, last_i, j, last_j = 0, len(slopes), 0, len(chain_slopes)
-    if flattest > chain_flattest:  # (2)
-        j = bisect_left(chain_slopes, flattest)
-    elif flattest < chain_flattest:  # (4)
-        i = bisect_left(slopes, chain_flattest)
-    if steepest < chain_steepest:  # (3)
-        last_j = bisect_right(chain_slopes, steepest)
-    elif steepest > chain_steepest:  # (4)
-        last_i = bisect_right(slopes, chain_steepest)
-    return i, last_i, j, last_j
+    return (
+        bisect_left(slopes, chain_flattest),  # (4)
+        bisect_right(slopes, chain_steepest),
+        bisect_left(chain_slopes, flattest),  # (2)
+        bisect_right(chain_slopes, steepest),  # (3)
+    )
 
 
 def find_touched(
