@@ -111,6 +111,24 @@ def test_a_number_in_lowest_terms_is_read(text: str) -> None:
     assert number(text) == Fraction(int(above), int(below or 1))
 
 
+def test_a_number_has_as_many_digits_as_are_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All characters count, also those of a fraction."""
+    assert standalone.MAX_DIGITS == 10**6
+    monkeypatch.setattr(standalone, "MAX_DIGITS", 7)
+    for text, longer in (("1" * 7, "1" * 8), ("-123/40", "-123/100"), ("1/99999", "1/999999")):
+        assert number(text) == Fraction(text)
+        with pytest.raises(Refused, match="not a number in a string"):
+            number(longer)
+
+
+@pytest.mark.parametrize("length", [1, 999, 1000, 1001, 1999, 2000, 2001, 2002, 4001, 4002, 9000])
+def test_long_numbers_are_read_by_halves(length: int) -> None:
+    seven = (10**length - 1) // 9 * 7
+    assert standalone.whole("7" * length) == seven
+    assert standalone.whole("-" + "7" * length) == -seven
+    assert standalone.whole("1" + "0" * length) == 10**length
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("claim", CERTIFICATES)
 def test_junk_is_refused_with_a_reason(claim: str) -> None:

@@ -179,3 +179,11 @@ def test_a_single_ring_is_judged_as_by_the_kernel() -> None:
         assert found == expected, points
         seen[found] += 1
     assert min(seen.values()) > 200
+
+
+def test_a_deeply_nested_claim_is_refused_without_its_points() -> None:
+    nested: Any = ["0", "0"]
+    for _ in range(10**4):
+        nested = [nested]
+    for key in ("exterior", "holes", "exact_fits"):
+        assert _refuse({**NO_FIT, key: nested}).startswith(key)

@@ -206,12 +206,44 @@ def test_entries_of_chains_have_points_of_the_side() -> None:
         assert not proves(put(true, places, chain)), chain
 
 
+def test_a_fit_of_one_point_is_listed_once() -> None:
+    """Copies of a point have one box without width, on the grid, which cannot be halved."""
+    slanted = [(0, 2), (2, 0), (5, 3), (3, 5)]
+    exactly = inner_fit_polygon(slanted, slanted).certificate()
+    ((p, q),) = exactly["exact_fits"]
+    assert p == q
+    assert proves(add_proof(exactly))
+    for count in (2, 3):
+        twice = {**add_proof(exactly), "exact_fits": [[p, q]] * count}
+        with pytest.raises(Refused, match="a fit of one point is on a loop or another fit"):
+            prove(twice)
+
+
 def test_a_frame_leaves_pieces_outside() -> None:
     wide = [(0, 0), (3, 0), (3, 3), (0, 3)]
     true = add_proof(json.loads(json.dumps(inner_fit_polygon(wide, SQUARE).certificate())))
     tight = {**true["proof"], "frame": ["0", "0", "3", "3"], "outside": []}
     with pytest.raises(Refused, match="there are no pieces"):
         prove({**true, "proof": tight})
+
+
+@pytest.mark.parametrize("name", ["SS", "cave", "room", "inside"])
+@pytest.mark.parametrize("shift", range(1, 4))
+def test_pieces_begin_anywhere(name: str, shift: int) -> None:
+    certificate = CERTIFICATES[name]
+    proof = dict(certificate["proof"])
+    for key in {"directrix", "generatrix", "outside", "part"} & {*proof}:
+        proof[key] = [piece[shift:] + piece[:shift] for piece in proof[key]]
+    assert proves({**certificate, "proof": proof})
+
+
+@pytest.mark.parametrize("shift", range(5))
+def test_a_sum_begins_with_its_lowest_point_the_left_one_of_two(shift: int) -> None:
+    rings = [[(x, y, 1) for x, y in ring[shift:] + ring[:shift]] for ring in (HOUSE, SQUARE)]
+    one, other = map(standalone.from_lowest, rings)
+    assert (one[0], other[0]) == ((0, 0, 1), (0, 0, 1))
+    expected = [(0, 0), (3, 0), (3, 2), (2, 3), (1, 3), (0, 2)]
+    assert standalone.add_convex(one, other) == [(x, y, 1) for x, y in expected]
 
 
 @pytest.mark.parametrize("shift", range(5))

@@ -206,6 +206,43 @@ def test_the_bound_on_a_turn_is_that_of_interval_arithmetic(degrees: int) -> Non
         iv.prec = before
 
 
+def test_the_bound_on_no_turn_is_what_is_added_for_the_digits_of_pi() -> None:
+    turn, quarter = ((Fraction(x), Fraction(1 - x)) for x in (1, 0))
+    assert turn_error(turn, Fraction(0)) == Fraction(1, 10**95)
+    assert Fraction(1, 10**95) < turn_error(quarter, Fraction(90)) < Fraction(2, 10**95)
+    assert turn_error(quarter, Fraction(0)) == 2 + Fraction(1, 10**95)
+
+
+def in_units(item: Any, unit: Fraction) -> Any:
+    """The same certificate in other units of length; turns and kinds stay."""
+    if isinstance(item, dict):
+        kept = "turn", "turns", "demand", "id", "part", "kind", "format", "placements"
+        return {
+            key: each
+            if key in kept and key != "placements"
+            else [{**e, "move": in_units(e["move"], unit)} for e in each]
+            if key == "placements" and type(each[0]) is dict
+            else in_units(each, unit)
+            for key, each in item.items()
+        }
+    if isinstance(item, list):
+        return [in_units(each, unit) for each in item]
+    return str(Fraction(item) * unit) if isinstance(item, str) else item
+
+
+@pytest.mark.parametrize("power", [-99, -31, -28, 0, 24, 28, 29, 30, 31, 99])
+def test_units_of_length_do_not_matter(power: int) -> None:
+    """Boxes are rounded to a grid of about 2**30 cells across, however wide the frame is."""
+    unit = Fraction(2) ** power
+    assert prove(in_units(certificate(), unit))
+    for path, value in (("layout.spacing", "1/9"), ("layout.margin", "1/9")):
+        assert "no normal" in refusal(in_units(changed(path, value), unit))
+    for x in ("29/10", "31/10"):
+        assert refusal(in_units(changed("layout.placements.1.move.0", x), unit))
+    far = changed("layout.placements.1.move", ["3", "1"])
+    assert refusal(in_units(far, unit))
+
+
 def beside(first: Any, second: Any, gap: Fraction, wall: Fraction, *faults: Any) -> Any:
     """Squares with a gap between their nearest corners, and one between the second and a wall."""
     move, end = gap + Fraction(7, 5), gap + wall + Fraction(11, 5)

@@ -182,3 +182,12 @@ def edge_of(rng: Random, shape: small_pairs.Shape) -> tuple[Vertex, Vertex]:
     ring = rng.choice(shape)
     k = rng.randrange(len(ring))
     return ring[k - 1], ring[k]
+
+
+@pytest.mark.parametrize("far", [-(10**6), 0, 10**6])
+def test_edges_are_looked_up_in_narrow_columns(far: int) -> None:
+    """Of 800 short edges side by side no more than a few are examined at any place."""
+    low = [(3 * k + far, k % 2) for k in range(400)]
+    index = EdgeIndex([[*low, *((x, y + 5) for x, y in low[::-1])]])
+    for x in range(far, far + 1197, 7):
+        assert 2 <= len(index._between(x, x)) <= 12

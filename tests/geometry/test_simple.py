@@ -1,12 +1,13 @@
 """The sweep of `find_conflict` against all pairs of edges, on grids where most rings fail."""
 
 import random
+from fractions import Fraction
 from itertools import combinations
 
 import pytest
 
 from exactsweep import Polygon, PolygonError
-from exactsweep.geometry.canonical import canonicalize_ring
+from exactsweep.geometry.canonical import canonicalize_ring, find_turns
 from exactsweep.geometry.simplicity import Conflict, find_conflict
 from exactsweep.numbers.number import Vertex
 
@@ -179,3 +180,28 @@ def test_chains_that_meet_at_walls_are_refused(ring: list[Vertex]) -> None:
     assert not agrees(ring)
     assert not agrees(ring[::-1])
     assert not agrees([(-x, -y) for x, y in ring])
+
+
+@pytest.mark.parametrize("scale", [1, 10**40, Fraction(1, 10**4), Fraction(7, 10**9 + 7)])
+def test_rings_in_all_units_are_told_alike(scale: int | Fraction) -> None:
+    """Convex, monotone, simple or not, also where all turns are below 1 and one vertex has ints."""
+    rng, kinds = random.Random(9), set()
+    for _ in range(300):
+        size = rng.randint(3, 6)
+        points: list[Vertex] = [
+            (0, 0),
+            *((rng.randint(-3, 3), rng.randint(-3, 3)) for _ in range(size)),
+        ]
+        scaled: list[Vertex] = [(x * scale, y * scale) if x or y else (0, 0) for x, y in points]
+        try:
+            ring = canonicalize_ring(points)
+        except PolygonError as error:
+            with pytest.raises(PolygonError, match=str(error)):
+                canonicalize_ring(scaled)
+            continue
+        found = canonicalize_ring(scaled)
+        assert found.points == tuple((x * scale, y * scale) for x, y in ring.points)
+        assert found[1:] == ring[1:]
+        assert ring.convex == (min(find_turns(ring.points)) > 0)
+        kinds.add(found[3:])
+    assert kinds == {(True, True), (False, True), (False, False)}

@@ -65,6 +65,17 @@ def test_what_matters_of_two_parts(
         assert found.sources == [7] * (len(expected) - 1)
 
 
+def test_parts_without_common_slopes_sweep_nothing() -> None:
+    chains: list[list[Vertex]] = [[(0, 0), (1, 2), (2, 5)], [(0, 5), (1, 2), (2, 0)]]
+    part = make(CORNER, -UNIT, UNIT)
+    for points, first, last in zip(chains, (2, -3), (3, -2), strict=True):
+        chain = make(points, first * UNIT, last * UNIT)
+        for one in (part, cross(part)):
+            assert one.sweep(chain, 7) is None
+        whole = part.sweep(make(points, -UNIT, UNIT), 7)
+        assert whole is not None
+
+
 def test_an_edge_that_is_cut_is_swept_as_far_as_it_holds() -> None:
     cut = cross(make(CORNER, -UNIT, UNIT), (1, 2), (7, 2))
     both, half = cut.sweep(make(BOWL), 0), cut.sweep(make([(0, 0), (1, 0)], 0), 0)

@@ -15,7 +15,7 @@ from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.numbers.number import Point
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
-from exactsweep.procedures.cover import Cover
+from exactsweep.procedures.cover import Cover, leave_out_covered
 from exactsweep.procedures.squares import _stack, find_points_in
 
 MATRICES = st.sampled_from([(7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6, 5)])
@@ -60,15 +60,17 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     assert -60 <= left.high[0] <= -56
 
 
-@given(polyominoes(9, 4), MATRICES, st.integers(1, 8))
+@given(polyominoes(9, 4), MATRICES, st.integers(1, 8), st.integers(-60, 60))
 @examples(15)
 def test_points_are_all_of_the_interior(
-    cells: Cells, matrix: tuple[int, int, int, int], side: int
+    cells: Cells, matrix: tuple[int, int, int, int], side: int, moved: int
 ) -> None:
     """Points on the boundary are left out, on vertical edges, too."""
-    shape = rings(cells, matrix)
+    shape = [[(x + moved, y - moved) for x, y in ring] for ring in rings(cells, matrix)]
     exterior, *holes = map(Polygon, shape)
     left, low, columns = find_points_in(shape, side)
+    xs = [x for x, _ in shape[0]]
+    assert len(columns) <= (max(xs) - min(xs)) // side + 4
     for k, bits in enumerate(columns):
         for row in range(bits.bit_length() + 2):
             point = Point(Fraction((left + k) * side), Fraction((low + row) * side))
@@ -96,3 +98,26 @@ def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: 
 def test_bits_are_moved_by_every_place(length: int) -> None:
     assert _stack({1: 0b1}, length) == 2**length - 1
     assert _stack({1: 0b1001}, length) == (2**length - 1) | (2**length - 1) << 3
+
+
+def ring_of(size: int, x: int, y: int) -> list[tuple[int, int]]:
+    """A convex polygon of steps that turn from (1, 0) upwards, and back on straight ways."""
+    steps = [(size - k, k) for k in range(size)]
+    points = [(x, y)]
+    for dx, dy in steps:
+        points.append((points[-1][0] + dx, points[-1][1] + dy))
+    return [*points, (x, points[-1][1])]
+
+
+@pytest.mark.parametrize("far", [-(10**7), -1000, 0, 1000, 10**7])
+def test_a_cover_is_laid_only_over_many_likely_crossings(far: int) -> None:
+    """Wherever the shapes are: about as many segments as edges have few crossings."""
+    moved = [ring_of(300, far, -far)], [inverse(ring_of(20, far, far))]
+    few = find_contact_stretches(*moved)
+    assert len(few) > 300
+    assert leave_out_covered(few, *moved) is few
+    teeth = [(2 * k + far, 400 * (k % 2) - far) for k in range(200)]
+    strips = [*teeth, *((x, y + 3) for x, y in teeth[::-1])]
+    crossed = [strips], [[(y, -x) for x, y in strips]]
+    many = find_contact_stretches(*crossed)
+    assert leave_out_covered(many, *crossed) is not many

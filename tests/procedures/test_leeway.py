@@ -56,6 +56,13 @@ def test_what_is_cut_away_lies_outside(
         assert kept.high_covered == (high_end != end)
         for at, is_cut in ((low_end, kept.low_covered), (high_end, kept.high_covered)):
             assert not (is_cut and is_within(place(kept, at), leeway))
+        if kept is not stretch:
+            assert start < low_end or high_end < end
+        # No end is farther outside than pieces are to extend, with room for rounding.
+        for at in (low_end, high_end):
+            x, y = place(kept, at)
+            assert left - 2 <= x <= left + width + 2
+            assert low - 2 <= y <= low + height + 2
     for a, b in pairwise(sorted({*ends, *(start + (end - start) * k / 40 for k in range(41))})):
         middle = (a + b) / 2
         if is_within(place(stretch, middle), leeway):
