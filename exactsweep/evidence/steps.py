@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from itertools import permutations
+from itertools import pairwise, permutations
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from exactsweep.evidence.contact import Contact, find_contacts, find_translations, list_edges
@@ -126,7 +126,7 @@ class _Guide:
         halves = self._halves()
         found = []
         positions = s.trajectory.vertices
-        for k, (edge, following) in enumerate(zip(edges, edges[1:] + edges[:1], strict=True)):
+        for k, (edge, following) in enumerate(pairwise([*edges, edges[0]])):
             pieces = [(c, self._piece(c, edge)) for c in s._numbered_contacts[k]]
             pieces.sort(key=lambda piece: _progress(edge, piece[1][0]))
             ending, reasons = self._ending(edge, following, s._numbered_contacts[k])
