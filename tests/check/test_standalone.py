@@ -2,6 +2,7 @@
 
 import json
 import sys
+import tracemalloc
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
@@ -426,3 +427,18 @@ def test_sums_beyond_the_memory_there_is_are_found_again() -> None:
     assert work.left == before
     sums.get(10)
     assert work.left < before
+
+
+def test_sums_are_kept_in_some_500_megabytes() -> None:
+    """The sides of as many sums as are kept, by the memory that a few thousand of them take."""
+    d, h = ([(97 * x + 1, 89 * y + 3, 101) for x, y in ring] for ring in (HOUSE, SQUARE))
+    sums = standalone.Sums([d] * 30, [h] * 30, standalone.Work(10**6), [])
+    room = sums.room
+    tracemalloc.start()
+    try:
+        for k in range(900):
+            sums.get(k)
+        kept = tracemalloc.get_traced_memory()[0]
+    finally:
+        tracemalloc.stop()
+    assert 3e8 < kept * room / (room - sums.room) < 7e8
