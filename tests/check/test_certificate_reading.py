@@ -121,6 +121,14 @@ def test_a_number_has_as_many_digits_as_are_allowed(monkeypatch: pytest.MonkeyPa
             number(longer)
 
 
+def test_a_ring_has_three_points_that_are_not_repeated() -> None:
+    p, q, r = ["0", "0"], ["1", "0"], ["0", "1"]
+    assert len(standalone.ring([p, p, q, r, r, p])) == 3
+    for points in ([], [p], [p, q], [p, p, q, q], [p, q, q, p]):
+        with pytest.raises(Refused, match="a ring of fewer than three points"):
+            standalone.ring(points)
+
+
 @pytest.mark.parametrize("length", [1, 999, 1000, 1001, 1999, 2000, 2001, 2002, 4001, 4002, 9000])
 def test_long_numbers_are_read_by_halves(length: int) -> None:
     seven = (10**length - 1) // 9 * 7

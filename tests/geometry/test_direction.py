@@ -18,6 +18,7 @@ from exactsweep.geometry.direction import (
     _find_simplest_between,
     angle_key,
     find_monotone_directions,
+    is_monotone,
     read_direction,
     reduce_direction,
 )
@@ -80,6 +81,8 @@ def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
     for u in trials(polygon):
         assert (u in found) == is_weakly_monotone(polygon, u), u
         assert found.strict(u) == is_strictly_monotone(polygon, u), u
+        assert is_monotone(polygon, u) == is_weakly_monotone(polygon, u), u
+        assert is_monotone(polygon, u, strict=True) == is_strictly_monotone(polygon, u), u
         assert ((-u[0], -u[1]) in found) == (u in found)
     assert bool(found) == any(is_weakly_monotone(polygon, u) for u in trials(polygon))
 
