@@ -361,7 +361,7 @@ def test_a_frame_has_its_ends_in_order() -> None:
 
 def test_a_certificate_is_described_by_what_it_claims() -> None:
     assert _describe(certificate()) == "layout of 2 placements, valid"
-    assert _describe(faulty(OVERLAP)) == "layout of 2 placements, 1 faults"
+    assert _describe(faulty(OVERLAP)) == "layout of 2 placements, 1 fault"
 
 
 def alone(exterior: Any, holes: Any, *pieces: Any) -> dict[str, Any]:
