@@ -40,10 +40,17 @@ def test_items_are_not_moved_away_from_their_container() -> None:
 
 
 @pytest.mark.parametrize("read", [read_sparrow, read_nest])
-@pytest.mark.parametrize("attribute", ['x="99"', 'style="transform: translate(99px, 0)"'])
-def test_all_that_moves_a_part_is_read(read: Any, attribute: str) -> None:
+@pytest.mark.parametrize(
+    ("attribute", "reason"),
+    [
+        ('x="99"', "not a move and a turn"),
+        ('style="transform: translate(99px, 0)"', "a transformation in a style"),
+        ('transform-origin="9 9"', "with a center of its own"),
+    ],
+)
+def test_all_that_moves_a_part_is_read(read: Any, attribute: str, reason: str) -> None:
     part = USE if read is read_sparrow else GROUP
-    with pytest.raises(FormatError, match="not a move and a turn"):
+    with pytest.raises(FormatError, match=reason):
         read(part.replace("transform", f"{attribute} transform", 1))
 
 

@@ -1,12 +1,13 @@
 from fractions import Fraction
 
+import pytest
 import strategies
 from hypothesis import given
 from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.formats import format_polygons, parse_polygon
+from exactsweep.formats import FormatError, format_polygons, parse_polygon
 
 fewer = examples(40)
 SPACE = 'xmlns="http://www.w3.org/2000/svg"'
@@ -51,3 +52,60 @@ def test_any_path_is_read_or_refused(data: str) -> None:
     except ValueError as error:
         message = str(error)
     assert message.isprintable()
+
+
+RULES = ".b {display: none} .a {display: inline} #c {display: none} .d {display: none !important}"
+
+
+@pytest.mark.parametrize(
+    ("attributes", "is_drawn"),
+    [
+        ("class='a b'", True),
+        ("class='b a'", True),
+        ("class='b'", False),
+        ("class='a' id='c'", False),
+        ("class='b' style='display: inline'", True),
+        ("class='d' style='display: inline'", False),
+        ("style='display: none; display: inline'", True),
+        ("style='/* off */ DISPLAY: None'", False),
+    ],
+)
+def test_the_cascade_decides_what_is_hidden(attributes: str, is_drawn: bool) -> None:
+    drawing = svg(f"<style>{RULES}</style><rect width='2' height='1' {attributes}/>")
+    if is_drawn:
+        assert parse_polygon(drawing).area == 2
+    else:
+        with pytest.raises(FormatError, match="holds no polygon"):
+            parse_polygon(drawing)
+
+
+@pytest.mark.parametrize("style", ["transform-origin: 1px 1px", "transform-box: fill-box"])
+@pytest.mark.parametrize("start", ["<style>rect {{{}}}</style><rect", "<rect style='{}'"])
+def test_a_turn_about_a_center_of_its_own_is_refused(style: str, start: str) -> None:
+    shape = f"{start.format(style)} width='2' height='1'"
+    assert parse_polygon(svg(f"{shape}/>")).area == 2
+    with pytest.raises(FormatError, match="a center of its own"):
+        parse_polygon(svg(f"{shape} transform='rotate(90)'/>"))
+
+
+def test_other_styles_leave_shapes_where_they_are() -> None:
+    style = "text-transform: none; transform-origin: 0px 0px; transform-box: view-box"
+    turned = parse_polygon(svg(f"<path d='M0 0H1V1z' style='{style}' transform='rotate(90)'/>"))
+    assert turned == Polygon([(0, 0), (0, 1), (-1, 1)])
+
+
+def test_sizes_in_styles_are_refused() -> None:
+    with pytest.raises(FormatError, match="width is in a style"):
+        parse_polygon(svg("<rect width='2' height='1' style='width: 5px'/>"))
+
+
+@pytest.mark.parametrize(
+    ("ratio", "side"), [("xMidYMid", 5), ("xMinYMax slice", 10), ("xMaxYMid meet", 5)]
+)
+def test_the_unit_is_that_of_the_tighter_side(ratio: str, side: int) -> None:
+    root = f"<svg width='100mm' height='50mm' viewBox='0 0 100 100' preserveAspectRatio='{ratio}'>"
+    square = f"{root}<rect width='10' height='10'/></svg>"
+    assert parse_polygon(square, unit="mm").area == side * side
+    with pytest.raises(FormatError, match="one unit across and another down"):
+        parse_polygon(square.replace(ratio, "none"), unit="mm")
+    assert parse_polygon(square.replace(ratio, "none")).area == 100

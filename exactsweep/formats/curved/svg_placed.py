@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
 
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 _VIEWS = {"svg", "symbol"}
+# The properties by which a style moves an element, and the origin as the center of its motion.
+_STYLED = "transform", "rotate", "scale", "translate"
+_ORIGIN = re.compile(r"(?:\s*0(?:px)?\b){2,3}\s*")
+_BOXES = None, "view-box"
 # The units of lengths, in px; what a percentage is of depends on the place.
 _PX = {unit: UNITS[unit] / UNITS["px"] for unit in ("mm", "cm", "in", "pt", "pc", "px")}
 _PX |= {"": Fraction(1), "%": Fraction(1)}
@@ -71,18 +76,24 @@ class PlacedElement:
         name = f" {quote(self.element.attrib['id'])}" if "id" in self.element.attrib else ""
         return f"line {line(self.element)}: {name_kind(self.element)}{name}"
 
+    @property
+    def transform(self) -> str:
+        """The attribute of that name; raises FormatError where a style moves the element, too."""
+        found: str = self.element.get("transform", "")
+        if self._style:
+            if any(self._style.find_styled(self.element, name) for name in _STYLED):
+                raise FormatError("a transformation in a style cannot be read")
+            center = self.style("transform-origin"), self.style("transform-box")
+            if found and not (_ORIGIN.fullmatch(center[0] or "0 0") and center[1] in _BOXES):
+                raise FormatError("a transformation with a center of its own cannot be read")
+        return found
+
     @cached_property
     def matrix(self) -> Affine:
         """The map of the element's coordinates to those of the drawing."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
-        attributes = self.element.attrib
         with name_refusals(self.place, FormatError):
-            styled = self._style and self._style.find(self.element, "transform")
-            if "transform" in attributes.get("style", "") or (
-                styled and styled != attributes.get("transform")
-            ):
-                raise FormatError("a transformation in a style cannot be read")
-            product = compose(outer, read_transform(attributes.get("transform", ""), self.reading))
+            product = compose(outer, read_transform(self.transform, self.reading))
             if self.parent is None:
                 return compose(make_scaling(self.unit, self.unit), product)
             if name_kind(self.element) == "use":
@@ -110,6 +121,8 @@ class PlacedElement:
         text = self.element.get(name, default)
         if text is None:
             raise FormatError(f"{name} is missing")
+        if self.parent and self._style and self._style.find_styled(self.element, name):
+            raise FormatError(f"{name} is in a style, where it cannot be read")
         number, unit = _split(text.strip())
         with name_refusals(name, FormatError):
             return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
@@ -155,7 +168,7 @@ class PlacedElement:
             if "viewBox" not in attributes:
                 unit = UNITS["px"]
             elif text and not text.endswith("%"):
-                unit = self.size("width") * UNITS["px"] / self._box()[2]
+                unit = self._measure_unit() * UNITS["px"]
         except FormatError:
             if self.reading.unit is not None:
                 raise
@@ -179,19 +192,37 @@ class PlacedElement:
         scales = [size / own for size, own in zip(sizes, (width, height), strict=True) if size]
         if len(scales) < 2:
             raise FormatError("a view without width or height is not drawn")
-        fit, _, how = attributes.get("preserveAspectRatio", "xMidYMid").strip().partition(" ")
-        rests = [Fraction(0), Fraction(0)]
-        if fit != "none":
-            scale = max(scales) if how == "slice" else min(scales)
-            if (fit[:1], fit[4:5]) != ("x", "Y") or not {fit[1:4], fit[5:]} <= _SHARES.keys():
-                raise FormatError(f"preserveAspectRatio is {quote(fit)}")
-            shares = _SHARES[fit[1:4]], _SHARES[fit[5:]]
-            rests = [
-                share * (own_scale - scale) * own
-                for share, own_scale, own in zip(shares, scales, (width, height), strict=True)
-            ]
-            scales = [scale, scale]
-        return at @ make_shift(*rests) @ make_scaling(*scales) @ make_shift(-left, -top)
+        fitted, shares = self._fit(scales)
+        rests = [
+            share * (scale - own_scale) * own
+            for share, scale, own_scale, own in zip(
+                shares, scales, fitted, (width, height), strict=True
+            )
+        ]
+        return at @ make_shift(*rests) @ make_scaling(*fitted) @ make_shift(-left, -top)
+
+    def _fit(self, scales: list[Fraction]) -> tuple[list[Fraction], list[Fraction]]:
+        """Return the scales across and down as drawn, and the share of unused room before each."""
+        ratio = self.element.get("preserveAspectRatio", "xMidYMid")
+        fit, _, how = ratio.strip().partition(" ")
+        if fit == "none":
+            return scales, [Fraction(0), Fraction(0)]
+        if (fit[:1], fit[4:5]) != ("x", "Y") or not {fit[1:4], fit[5:]} <= _SHARES.keys():
+            raise FormatError(f"preserveAspectRatio is {quote(fit)}")
+        scale = max(scales) if how == "slice" else min(scales)
+        return [scale, scale], [_SHARES[fit[1:4]], _SHARES[fit[5:]]]
+
+    def _measure_unit(self) -> Fraction:
+        """The length of one unit of the root's view box, in px, by its width and its height."""
+        _, _, width, height = self._box()
+        across = down = self.size("width") / width
+        text = self.element.get("height", "%").strip()
+        if not text.endswith("%"):
+            down = self.size("height") / height
+        fitted, _ = self._fit([across, down])
+        if fitted[0] != fitted[1]:
+            raise FormatError("has one unit across and another down")
+        return fitted[0]
 
     def _extent(self, name: str) -> Fraction:
         """A size of a view: that of the `use` that draws it, or its own, or all that there is."""

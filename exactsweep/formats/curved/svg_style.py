@@ -17,8 +17,16 @@ _PASSED = re.compile(
     r"/\*.*?(?:\*/|\Z)|<!--|-->|@[^{};]*+(?:;|\{(?:[^{}]*+\{[^{}]*+\})*+[^{}]*+\}|\{?)", re.DOTALL
 )
 _SIMPLE = re.compile(r"[.#]?[^\s.#:>+~\[\]*()]+|\*")
-# The properties that are read.
-_DRAWING = {"display", "visibility", "fill-rule", "transform"}
+_COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
+# The properties that are read, and others that turn or move a shape.
+_DRAWING = {"display", "visibility", "fill-rule", "transform", "transform-origin", "transform-box"}
+_DRAWING |= {"rotate", "scale", "translate"}
+
+_Declared = tuple[bool, int, int, str]
+"""A declaration: its importance, the rank of its selector, its number, its value."""
+
+_RANKS = {"*": 0, ".": 2, "#": 3}
+_NAME_RANK, _STYLE_RANK = 1, 4
 
 
 class Style:
@@ -33,38 +41,52 @@ class Style:
 
     def __init__(self, root: Element) -> None:
         self.ignored: list[str] = []
-        self.rules: dict[str, dict[str, str]] = {}
+        self._rules: dict[str, dict[str, _Declared]] = {}
+        number = 0
         for sheet in root.iter():
             if name_kind(sheet) == "style":
                 for rule in _PASSED.sub("", "".join(sheet.itertext())).split("}"):
                     selectors, _, body = rule.partition("{")
-                    declared = dict(_declarations(body))
+                    declared = [*_declarations(body)]
                     for selector in map(str.strip, selectors.split(",")):
                         if _SIMPLE.fullmatch(selector):
-                            self.rules.setdefault(selector, {}).update(declared)
-                        elif not _DRAWING.isdisjoint(declared):
+                            rules = self._rules.setdefault(selector, {})
+                            rank = _RANKS.get(selector[0], _NAME_RANK)
+                            for name, value, important in declared:
+                                number += 1
+                                found = important, rank, number, value
+                                rules[name] = max(found, rules.get(name, found))
+                        elif any(name in _DRAWING for name, _, _ in declared):
                             self.ignored.append(selector)
 
     def find(self, element: Element, name: str) -> str | None:
-        """Find a property of an element; None if it is not given."""
+        """Find a property of an element, or its attribute; None if it is not given."""
+        found = self.find_styled(element, name)
+        return element.get(name) if found is None else found
+
+    def find_styled(self, element: Element, name: str) -> str | None:
+        """Find a property that styles give an element, by the cascade of CSS; None if none does."""
         attributes = element.attrib
-        if not self.rules and "style" not in attributes:
-            return attributes.get(name)
-        for own, value in _declarations(attributes.get("style", "")):
+        if not self._rules and "style" not in attributes:
+            return None
+        found: list[_Declared] = []
+        if self._rules:
+            classes = (f".{one}" for one in attributes.get("class", "").split())
+            for selector in ("*", name_kind(element), *classes, f"#{attributes.get('id')}"):
+                if name in (rules := self._rules.get(selector, {})):
+                    found.append(rules[name])
+        for k, (own, value, important) in enumerate(_declarations(attributes.get("style", ""))):
             if own == name:
-                return value
-        classes = reversed(attributes.get("class", "").split())
-        selectors = f"#{attributes.get('id')}", *(f".{one}" for one in classes), name_kind(element)
-        for selector in (*selectors, "*") if self.rules else ():
-            if name in self.rules.get(selector, ()):
-                return self.rules[selector][name]
-        return attributes.get(name)
+                found.append((important, _STYLE_RANK, k, value))
+        return max(found)[-1] if found else None
 
 
-def _declarations(text: str) -> Iterator[tuple[str, str]]:
-    for declaration in text.split(";"):
+def _declarations(text: str) -> Iterator[tuple[str, str, bool]]:
+    """Yield the name of each declared property, its value, and whether it is important."""
+    for declaration in _COMMENT.sub("", text).split(";"):
         name, _, value = declaration.partition(":")
-        yield name.strip(), value.strip().removesuffix("!important").rstrip()
+        value, important, _ = value.lower().partition("!important")
+        yield name.strip().lower(), value.strip(), bool(important)
 
 
 def name_kind(element: Element) -> str:

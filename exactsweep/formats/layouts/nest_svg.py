@@ -27,7 +27,7 @@ from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, write
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import quote
+from exactsweep.numbers.error import name_refusals, quote
 
 if TYPE_CHECKING:
     from exactsweep.formats.reading import Reading
@@ -95,7 +95,8 @@ class _NestDrawing:
     def motion(self, element: Element) -> Data:
         """Read the move and the turn of a part."""
         placed = self.placed[element]
-        match = _MOTION.fullmatch(placed.style("transform") or "")
+        with name_refusals(placed.place, FormatError):
+            match = _MOTION.fullmatch(placed.transform)
         if match is None or not element.attrib.keys().isdisjoint("xy"):
             raise FormatError(f"{placed.place}: not a move and a turn")
         x, y, turn = (format_fraction(read_decimal(number or "0")) for number in match.groups())
