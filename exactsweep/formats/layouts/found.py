@@ -42,6 +42,8 @@ class NestingInstance(NamedTuple):
         rest: what goes into each layout as it is: "spacing", "margin".
         notes: what was passed over.
         height: that of a strip with a free width.
+        width: the greatest one of that strip, if there is one.
+        stock: by id, how many containers there are; none where any number may be used.
     """
 
     kind: str
@@ -51,6 +53,8 @@ class NestingInstance(NamedTuple):
     rest: Data
     notes: tuple[str, ...]
     height: Fraction | None = None
+    width: Fraction | None = None
+    stock: Mapping[str, int] = MappingProxyType({})
 
 
 class FilledSheet(NamedTuple):
@@ -105,6 +109,15 @@ def make_layouts(
         name = f"sheet {k}{copies}" if len(sheets) > 1 else ""
         found.append(FoundLayout(name, {**data, **instance.rest, **sheet.rest}, said))
     return found
+
+
+def compare_stock(used: Counter[str], instance: NestingInstance) -> list[str]:
+    """Say which containers are used more often than there are any."""
+    return [
+        f"container {name}: {number} used, {instance.stock[name]} in stock"
+        for name, number in used.items()
+        if number > instance.stock.get(name, number)
+    ]
 
 
 def require_instance(known: NestingInstance | None, kind: str, lacking: str) -> NestingInstance:

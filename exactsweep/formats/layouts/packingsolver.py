@@ -8,6 +8,7 @@ Source: `irregular/instance_builder.cpp` and `irregular/solution.cpp`; `shape.hp
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 
 from exactsweep.formats.curved.affine import IDENTITY
@@ -18,6 +19,7 @@ from exactsweep.formats.layouts.found import (
     FilledSheet,
     FoundLayout,
     NestingInstance,
+    compare_stock,
     find_named,
     make_layouts,
 )
@@ -32,7 +34,8 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
     """Read the item types and bin types of an instance; raises FormatError."""
     notes: list[str] = []
     optional = document.get("objective", "").name.lower() == "knapsack"
-    parts, least, containers = {}, {}, {}
+    parameters = document.get("parameters", {})
+    parts, least, containers, stock = {}, {}, {}, {}
     for k, item in enumerate((document / "item_types").each()):
         shapes = [*(item / "shapes").each()] if item.has("shapes") else [item]
         if len(shapes) != 1:
@@ -45,16 +48,27 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
         parts[str(k)] = part
     for k, bin in enumerate((document / "bin_types").each()):
         container = _shape(bin, reading)
-        margin = bin.get("item_bin_minimum_spacing", "0")
+        # Before 2026, all bins had one spacing.
+        common = parameters.get("item_bin_minimum_spacing", "0").value
+        margin = bin.get("item_bin_minimum_spacing", common)
+        copies = bin.get("copies", "1").whole
+        if copies >= 0:
+            stock[str(k)] = copies
+        if bin.has("fixed_items"):
+            notes.append(f"{bin.path}: whether its fixed items are placed is not looked at")
         for defect in bin.get("defects", []).each():
-            container.setdefault("holes", []).append(_shape(defect, reading)["exterior"])
+            shape = _shape(defect, reading)
+            container.setdefault("holes", []).append(shape["exterior"])
+            if "holes" in shape:
+                raise FormatError(f"{defect.path}: a defect with holes is not read")
             apart = defect.get("item_defect_minimum_spacing", "0")
             if apart.fraction != margin.fraction:
                 notes.append(f"{defect.path}: its own spacing, {apart.value}, is not looked at")
         containers[str(k)] = container | {"margin": margin.number}
-    spacing = document.get("parameters", {}).get("item_item_minimum_spacing", "0").number
-    rest = {"spacing": spacing}
-    return NestingInstance("packingsolver", parts, least, containers, rest, tuple(notes))
+    rest = {"spacing": parameters.get("item_item_minimum_spacing", "0").number}
+    return NestingInstance(
+        "packingsolver", parts, least, containers, rest, tuple(notes), stock=stock
+    )
 
 
 def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[FoundLayout]:
@@ -62,6 +76,7 @@ def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[
     if instance is None or instance.kind != "packingsolver":
         return _read_drawn(document)
     found = []
+    used: Counter[str] = Counter()
     for bin in (document / "bins").each():
         container = dict(find_named(instance.containers, bin / "id", "bin type"))
         rest = {"margin": container.pop("margin")}
@@ -72,8 +87,10 @@ def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[
             placement = {"part": (item / "id").name, "turn": turn, "move": [x, y]}
             mirrored = item.get("mirror", False).is_true
             placements.append(placement | ({"mirrored": True} if mirrored else {}))
-        found.append(FilledSheet(container, placements, bin.get("copies", "1").whole, rest))
-    return make_layouts(found, instance)
+        copies = bin.get("copies", "1").whole
+        used[(bin / "id").name] += copies
+        found.append(FilledSheet(container, placements, copies, rest))
+    return make_layouts(found, instance, compare_stock(used, instance))
 
 
 def _read_drawn(document: JsonNode) -> list[FoundLayout]:
@@ -96,11 +113,16 @@ def _read_drawn(document: JsonNode) -> list[FoundLayout]:
 
 def _allowed(item: JsonNode, notes: list[str]) -> Data:
     """Read which turns are allowed, where they are single angles, and whether mirrored."""
-    ranges, mirrored = [], item.get("allow_mirroring", False).is_true
+    ranges, mirrored = [], []
     for one in item.get("allowed_rotations", []).each():
         ranges.append(((one / "start").fraction, (one / "end").fraction))
-        mirrored |= one.get("mirror", False).is_true
-    found: Data = {} if mirrored else {"mirrored": False}
+        mirrored.append(one.get("mirror", False).is_true)
+    found: Data = {}
+    if not item.get("allow_mirroring", False).is_true:
+        if any(mirrored):
+            notes.append(f"{item.path}: which turns are for mirrored copies is not looked at")
+        else:
+            found["mirrored"] = False
     if all(low == high for low, high in ranges):
         found["turns"] = [format_fraction(low) for low, _ in ranges] or ["0"]
     elif all(high - low < 360 for low, high in ranges):

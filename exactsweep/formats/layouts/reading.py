@@ -137,6 +137,8 @@ def _parse(
     if container is None and first == "{":
         found = _read_json(JsonNode(parse_json(text)), known, reading)
         if found:
+            # No such file states its unit.
+            reading.scale(None)
             return found
     if container is None and first == "<" and reading.unit is None:
         from exactsweep.formats.curved.xml import parse_xml
@@ -158,6 +160,8 @@ def _read_json(
 ) -> list[FoundLayout]:
     """Read a document; the result is empty if no nesting program writes such documents."""
     if all(map(document.has, ("container", "parts", "placements"))):
+        if known is not None:
+            raise FormatError("Layout JSON has its own parts and rules, and no instance")
         return [FoundLayout("", _with_counts(document))]
     instance = known or _read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_solution":
