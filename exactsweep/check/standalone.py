@@ -539,23 +539,24 @@ class Layout:
         rules = "demand turns mirrored"
         self.parts = [fields(part, "id exterior", f"holes {rules}") for part in items(parts)]
         self.ids = [part[0] for part in self.parts]
-        unique = {*map(type, self.ids)} <= {str} and len({*self.ids}) == len(self.ids)
-        need(unique, "parts: ids are strings, each of one part")
+        need({*map(type, self.ids)} <= {str}, "parts: ids are strings, each of one part")
+        self.numbers = {name: k for k, name in enumerate(self.ids)}
+        need(len(self.numbers) == len(self.ids), "parts: ids are strings, each of one part")
         self.rings = [shape(part, f"id {rules}") for part in parts]
         both = zip(items(cut, len(parts)), self.rings, strict=True)  # pragma: no mutate: as long
         pieces = [[] if e is None else solid(rings, e, work) for e, rings in both]
-        self.facts: list[tuple[int, Any, bool]] = []
+        self.facts: list[list[tuple[Any, bool]]] = [[] for _ in self.ids]
         self.placed: list[Placed] = []
         for item, rational in zip(items(placements), items(turns, len(placements)), strict=True):
             name, asked, move, mirrored = fields(item, "part turn move", "mirrored")
-            need(type(name) is str and name in self.ids, "placements: of no part")
+            need(type(name) is str and name in self.numbers, "placements: of no part")
             need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
-            k, turn, to = self.ids.index(name), read_turn(asked), read_turn(items(rational))
-            work.take(len(self.ids) + 4 * (count(self.rings[k]) + count(pieces[k])))
+            k, turn, to = self.numbers[name], read_turn(asked), read_turn(items(rational))
+            work.take(1 + 4 * (count(self.rings[k]) + count(pieces[k])))
             far = max(sum(map(abs, place(p)), NONE) for points in self.rings[k] for p in points)
             error = NONE if type(turn) is tuple else far * turn_error(to, turn)
             need(error > 0 or turn == to, "turns: not the turn of the placement")
-            self.facts.append((k, turn, bool(mirrored)))
+            self.facts[k].append((turn, bool(mirrored)))
             by = point(move)
             self.put([move_ring(e, to, bool(mirrored), by) for e in pieces[k]], error)
         # All that is outside comes last, for its number is -1.
@@ -572,7 +573,7 @@ class Layout:
 
     def prove(self) -> str:
         """Prove the claim, and describe it."""
-        found = f"layout of {len(self.facts)} placements of {len(self.ids)} parts"
+        found = f"layout of {len(self.placed) - 1} placements of {len(self.ids)} parts"
         rules = chain.from_iterable(self.check_rules(k).items() for k in range(len(self.ids)))
         broken = [kind for kind, holds in rules if holds]
         if not self.valid:
@@ -590,16 +591,16 @@ class Layout:
         """Return which rules the placements of part k break."""
         demand, turns, mirrored = self.parts[k][3:]
         need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
-        found = [fact for fact in self.facts if fact[0] == k]
+        found = self.facts[k]
         listed = [] if turns is None else items(turns)
-        self.work.take(len(self.facts) + len(listed) * (1 + len(found)))
+        self.work.take(1 + len(listed) * (1 + len(found)))
         allowed = [*map(read_turn, listed)]
         asked = len(found) if demand is None else integer(demand, 0)
         return {
             "missing": len(found) < asked,
             "surplus": len(found) > asked,
-            "turn": turns is not None and any(turn not in allowed for _, turn, _ in found),
-            "mirror": mirrored is False and any(flag for _, _, flag in found),
+            "turn": turns is not None and any(turn not in allowed for turn, _ in found),
+            "mirror": mirrored is False and any(flag for _, flag in found),
         }
 
     def prove_apart(self) -> None:
@@ -644,9 +645,9 @@ class Layout:
             self.prove_near(kind, *fields(fault, "kind placements pieces points")[1:])
             return
         name, both = fields(fault, "kind part", "edges")[1:]
-        need(type(name) is str and name in self.ids, "faults: of no part")
-        k = self.ids.index(name)
-        self.work.take(k + count(self.rings[k]))
+        need(type(name) is str and name in self.numbers, "faults: of no part")
+        k = self.numbers[name]
+        self.work.take(count(self.rings[k]))
         if kind != "shape":
             need(self.check_rules(k).get(str(kind), False), "faults: a rule that is not broken")
             return
@@ -662,7 +663,7 @@ class Layout:
 
     def prove_near(self, kind: str, of: Any, numbers: Any, points: Any) -> None:
         """Prove that a point is inside two shapes, or that points of them are too close."""
-        a, *others = [integer(n, 0, len(self.facts)) for n in items(of)]
+        a, *others = [integer(n, 0, len(self.placed) - 1) for n in items(of)]
         need(len(others) < 2 and a not in others, "faults: not of one placement or of two")
         need(kind == "too close" or (kind == "overlap") == bool(others), f"faults: {kind} of what")
         one, other = self.placed[a], self.placed[(others or [-1])[0]]

@@ -183,6 +183,18 @@ def test_steps_are_as_recorded() -> None:
     assert [*list_steps()] == FILE.read_text(encoding="utf-8").splitlines()
 
 
+def test_steps_grow_as_parts_do() -> None:
+    """A layout of many parts that differ is no dearer for each of them than one of few."""
+
+    def count(n: int) -> int:
+        parts = {str(k): {"exterior": TILE, "demand": 1, "turns": [0]} for k in range(n)}
+        row = [put(str(k), (10 * k, 0)) for k in range(n)]
+        layout = lay(box(-5, -5, 10 * n, 5), parts, *row)
+        return count_steps(judge_layout(layout).certificate())[0]
+
+    assert count(80) < 2.2 * count(40)
+
+
 @pytest.mark.parametrize("name", ["two fans", "two zigzags"])
 def test_work_ends_where_the_steps_do(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     certificate = claim(*HOSTILE[name])
