@@ -20,6 +20,7 @@ from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.limits import keep_limits, list_limits
+from exactsweep.words import spell_out
 
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
@@ -175,7 +176,7 @@ def _judge_one(
     layout = _make_layout(found, gaps)
     with working(f"judging {len(layout.placements)} placements") as tell:
         judgement = judge_layout(layout)
-        notes = [*found.notes, *diagnose(judgement)]
+        notes = [*map(spell_out, found.notes), *diagnose(judgement)]
         ranked = report.rank_faults(judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"))
         tell("writing")
         if wanted.html:
@@ -234,7 +235,7 @@ def judge_file(
         for found in read():
             name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
             row = _sum_up(name, judge_layout(_make_layout(found, gaps)))
-            rows.append(row._replace(notes=found.notes))
+            rows.append(row._replace(notes=[*map(spell_out, found.notes)]))
     except ValueError as error:
         rows.append(LayoutRow(show_path(path), str(error), None))
     return rows

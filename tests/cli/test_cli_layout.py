@@ -108,3 +108,16 @@ def test_exit_codes_say_whether_layouts_are_valid(tmp_path: Path) -> None:
         file = tmp_path / "case.json"
         file.write_text(json.dumps(case.data), encoding="utf-8")
         assert run("layout", str(file)).exit_code == (not case.expected["valid"])
+
+
+def test_names_of_parts_are_written_on_one_line_without_control_characters(tmp_path: Path) -> None:
+    data = find_layout_case("layouts-all-at-once").data
+    text = json.dumps(data)
+    for part in data["parts"]:
+        text = text.replace(json.dumps(part["id"]), json.dumps(f"\ud800\x1b[31m\n{part['id']}"))
+    file, page = tmp_path / "names.json", tmp_path / "page.html"
+    file.write_text(text, encoding="utf-8")
+    done = run("layout", str(file), "--html", str(page))
+    assert (done.exit_code, done.stderr) == (1, "")
+    assert "part \\ud800\\x1b[31m\\n" in done.stdout
+    assert "\\ud800\\x1b[31m\\n" in page.read_text(encoding="utf-8")

@@ -14,7 +14,7 @@ from exactsweep.numbers.digits import abridge, format_fraction
 from exactsweep.numbers.number import Point
 from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
 from exactsweep.text.results import write_object
-from exactsweep.words import count
+from exactsweep.words import count, spell_out
 
 _MOST_LISTED = 30
 
@@ -111,7 +111,8 @@ def tell_fault(one: WorstFirst) -> tuple[str, str, str, str]:
         bad = "fits nowhere as it is turned"
     elif fault.number:
         bad = count(fault.number, "placement")
-    return _name_places(fault), bad, " ".join(map(_write_about, fault.points)), repair
+    places, bad = spell_out(_name_places(fault)), spell_out(bad)
+    return places, bad, " ".join(map(_write_about, fault.points)), repair
 
 
 def _name_places(fault: Fault) -> str:
