@@ -19,6 +19,7 @@ from exactsweep.cli.working import show_bar, working
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
 from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.limits import keep_limits, list_limits
 from exactsweep.words import spell_out
 
@@ -170,10 +171,10 @@ def _judge_one(
     found: FoundLayout, gaps: Mapping[str, str], title: str, wanted: _Wanted, *, y_down: bool
 ) -> bool:
     """Judge a layout, write what is wanted, and tell whether it is valid."""
-    from exactsweep.layout import judge_layout, report
+    from exactsweep.layout import LayoutError, judge_layout, report
     from exactsweep.layout.diagnose import diagnose
 
-    layout = _make_layout(found, gaps)
+    layout = _make_layout(found, gaps, title)
     with working(f"judging {len(layout.placements)} placements") as tell:
         judgement = judge_layout(layout)
         notes = [*map(spell_out, found.notes), *diagnose(judgement)]
@@ -185,7 +186,10 @@ def _judge_one(
         if wanted.svg:
             write(report.draw_layout(judgement, ranked, title, y_down=y_down), wanted.svg)
         if wanted.certificate:
-            write_readable(json.dumps(judgement.certificate()) + "\n", wanted.certificate)
+            try:
+                write_readable(json.dumps(judgement.certificate()) + "\n", wanted.certificate)
+            except LayoutError as error:
+                click.echo(f"{title}: {error}", err=True)
         if wanted.as_json:
             text = report.write_layout_json(judgement, notes)
         else:
@@ -197,10 +201,11 @@ def _judge_one(
     return judgement.valid
 
 
-def _make_layout(found: FoundLayout, gaps: Mapping[str, str]) -> Any:
+def _make_layout(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Any:
     from exactsweep.layout import Layout
 
-    return Layout.from_json({**found.data, **gaps})
+    with name_refusals(title):
+        return Layout.from_json({**found.data, **gaps})
 
 
 def _judge_all(
@@ -234,7 +239,7 @@ def judge_file(
     try:
         for found in read():
             name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
-            row = _sum_up(name, judge_layout(_make_layout(found, gaps)))
+            row = _sum_up(name, judge_layout(_make_layout(found, gaps, name)))
             rows.append(row._replace(notes=[*map(spell_out, found.notes)]))
     except ValueError as error:
         rows.append(LayoutRow(show_path(path), str(error), None))

@@ -121,3 +121,23 @@ def test_names_of_parts_are_written_on_one_line_without_control_characters(tmp_p
     assert (done.exit_code, done.stderr) == (1, "")
     assert "part \\ud800\\x1b[31m\\n" in done.stdout
     assert "\\ud800\\x1b[31m\\n" in page.read_text(encoding="utf-8")
+
+
+def test_a_layout_without_proof_is_reported_all_the_same(tmp_path: Path) -> None:
+    data = find_layout_case("layouts-all-at-once").data
+    two = [{"id": "a", "exterior": [["0", "0"], ["1", "0"]]}]
+    file, proof = tmp_path / "two.json", tmp_path / "proof.json"
+    file.write_text(json.dumps({**data, "parts": two, "placements": []}), encoding="utf-8")
+    done = run("layout", str(file), "--certificate", str(proof))
+    assert done.exit_code == 1
+    assert done.stdout.startswith("verdict     not valid: 1 shape\n")
+    assert done.stderr.startswith(f"{file}: nothing that is wrong with the layout has a proof")
+    assert not proof.exists()
+
+
+def test_refusals_name_the_file(tmp_path: Path) -> None:
+    file = tmp_path / "nest.json"
+    data = find_layout_case("layouts-all-at-once").data
+    file.write_text(json.dumps({**data, "spacing": "-1"}), encoding="utf-8")
+    done = run("layout", str(file))
+    assert done.stderr == f"Error: {file}: spacing is -1, less than 0\n"
