@@ -124,3 +124,13 @@ def test_an_option_that_is_no_string_is_named(name: str) -> None:
     wrong: Any = {name: 5}
     with pytest.raises(FormatError, match=rf"^{name} is 5, not a string$"):
         parse_layouts("<svg/>", **wrong)
+
+
+def test_outlines_that_become_holes_are_noted() -> None:
+    """A part on another one is drawn like a hole."""
+    sides = (9, 0), (4, 1), (1, 2)
+    boxes = "".join(f'<rect width="{w}" height="{w}" x="{x}" y="{x}"/>' for w, x in sides)
+    (plain,), (nested,) = (read(f"<svg>{boxes}</svg>", nested=choice) for choice in (False, True))
+    assert (len(plain.data["parts"]), plain.notes) == (2, ())
+    note = "1 outline inside others counted as holes, not as parts (--nested)"
+    assert (len(nested.data["parts"]), nested.notes) == (1, (note,))

@@ -25,6 +25,7 @@ from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.words import count
 
 
 class LayoutOptions(Options, total=False):
@@ -236,7 +237,11 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
     if not rest:
         raise FormatError("one outline alone is drawn: nothing is placed")
     if reading.nested:
+        drawn_rings = len(rest)
         rest = nest_candidates(rest, reading.nested)
+        if len(rest) < drawn_rings:
+            inside = count(drawn_rings - len(rest), "outline")
+            notes.append(f"{inside} inside others counted as holes, not as parts (--nested)")
     names = make_unique([one.name or one.layer or str(k) for k, one in enumerate(rest)])
     parts = [{"id": name, **write_rings(one)} for name, one in zip(names, rest, strict=True)]
     placements = [STANDING | {"part": name} for name in names]
