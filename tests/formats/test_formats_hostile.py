@@ -37,6 +37,9 @@ SHAPES: dict[str, Callable[[int], str]] = {
     "letters": lambda n: f'<path transform="{"a" * n}"/>',
     "blanks": lambda n: f'<path transform="{" " * n}x"/>',
     "elements": lambda n: "<path>" * n,
+    "selectors": lambda n: (
+        f"<style>.a{',.b' * n}{{{''.join(f'p{k}:1;' for k in range(n))}}}</style>"
+    ),
 }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from linear import require_linear
 
 from exactsweep.formats import FormatError
 from exactsweep.formats.layouts import FoundLayout, parse_layouts
@@ -124,3 +125,13 @@ def test_parts_inherit_the_fill_rule() -> None:
 def test_of_two_items_with_one_id_the_first_counts_as_in_viewers() -> None:
     other = '<defs><g id="item_0"><path d="M0 0H1V1z"/></g></defs>'
     assert read_sparrow(other + USE).data == read_sparrow(USE).data
+
+
+@pytest.mark.parametrize("read", [read_sparrow, read_nest])
+def test_style_sheets_are_read_once_for_all_parts(read: Any) -> None:
+    def read_many(n: int) -> None:
+        style = "".join(f".c{k} {{display: inline}}" for k in range(n))
+        part = USE if read is read_sparrow else GROUP
+        assert len(read(f"<style>{style}</style>{part * n}").data["placements"]) == n
+
+    require_linear(read_many, size=100)

@@ -61,12 +61,18 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
     return read_svg(parse_xml(text), reading)
 
 
-def read_svg(root: Element, reading: Reading) -> list[Candidate]:
-    """Find the outlines of an SVG document that `parse_xml` parsed, as `parse_svg` does."""
+def read_svg(root: Element, reading: Reading, style: Style | None = None) -> list[Candidate]:
+    """Find the outlines of an SVG document that `parse_xml` parsed, as `parse_svg` does.
+
+    Args:
+        root: the document, or a part of it.
+        reading: as for `parse_svg`.
+        style: that of the whole document, if the root is a part of it.
+    """
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = _Document(root, reading)
-    style = Style(root)
+    style = style or Style(root)
     if style.ignored:
         number, first = count(len(style.ignored), "selector"), quote(style.ignored[0])
         only = "only names, classes and ids are read"

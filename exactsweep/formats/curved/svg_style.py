@@ -18,9 +18,10 @@ _PASSED = re.compile(
 )
 _SIMPLE = re.compile(r"[.#]?[^\s.#:>+~\[\]*()]+|\*")
 _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
-# The properties that are read, and others that turn or move a shape.
+# The properties that show, turn or move a shape; and those that are read, which also give its size.
 _DRAWING = {"display", "visibility", "fill-rule", "transform", "transform-origin", "transform-box"}
 _DRAWING |= {"rotate", "scale", "translate"}
+_READ = {*_DRAWING, "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"}
 
 _Declared = tuple[bool, int, int, str]
 """A declaration: its importance, the rank of its selector, its number, its value."""
@@ -42,22 +43,30 @@ class Style:
     def __init__(self, root: Element) -> None:
         self.ignored: list[str] = []
         self._rules: dict[str, dict[str, _Declared]] = {}
-        number = 0
+        self._number = 0
         for sheet in root.iter():
             if name_kind(sheet) == "style":
                 for rule in _PASSED.sub("", "".join(sheet.itertext())).split("}"):
                     selectors, _, body = rule.partition("{")
-                    declared = [*_declarations(body)]
-                    for selector in map(str.strip, selectors.split(",")):
-                        if _SIMPLE.fullmatch(selector):
-                            rules = self._rules.setdefault(selector, {})
-                            rank = _RANKS.get(selector[0], _NAME_RANK)
-                            for name, value, important in declared:
-                                number += 1
-                                found = important, rank, number, value
-                                rules[name] = max(found, rules.get(name, found))
-                        elif any(name in _DRAWING for name, _, _ in declared):
-                            self.ignored.append(selector)
+                    self._add(selectors, body)
+
+    def _add(self, selectors: str, body: str) -> None:
+        """Add the declarations of a rule that are read."""
+        declared: dict[str, tuple[bool, int, str]] = {}
+        for name, value, important in _declarations(body):
+            if name in _READ:
+                self._number += 1
+                own = important, self._number, value
+                declared[name] = max(own, declared.get(name, own))
+        for selector in map(str.strip, selectors.split(",")) if declared else ():
+            if _SIMPLE.fullmatch(selector):
+                rules = self._rules.setdefault(selector, {})
+                rank = _RANKS.get(selector[0], _NAME_RANK)
+                for name, (important, number, value) in declared.items():
+                    found = important, rank, number, value
+                    rules[name] = max(found, rules.get(name, found))
+            elif not _DRAWING.isdisjoint(declared):
+                self.ignored.append(selector)
 
     def find(self, element: Element, name: str) -> str | None:
         """Find a property of an element, or its attribute; None if it is not given."""

@@ -67,8 +67,8 @@ class _NestDrawing:
 
     def __init__(self, root: Element, reading: Reading) -> None:
         self.reading = reading
-        self.styles = [e for e in root.iter() if name_kind(e) == "style"]
-        self.placed = {root: PlacedElement(root, None, reading, style=Style(root))}
+        self.style = Style(root)
+        self.placed = {root: PlacedElement(root, None, reading, style=self.style)}
         self.parts: dict[str, Data] = {}
         for element in root.iter():
             shown = []
@@ -84,8 +84,8 @@ class _NestDrawing:
         """Read what elements draw together within another one, without the motion of that."""
         rule = self.placed[within].inherited("fill-rule", "nonzero")
         place = Element("svg", {"#line": "1", "style": f"fill-rule: {rule}"})
-        place.extend([*self.styles, *elements])
-        outlines = read_svg(place, self.reading)
+        place.extend(elements)
+        outlines = read_svg(place, self.reading, self.style)
         found = nest_candidates(outlines) if len(outlines) > 1 else outlines
         if len(found) != 1:
             lines = ", ".join(line(element) for element in elements)
