@@ -44,6 +44,8 @@ def read_text(path: str) -> str:
     require_size(len(data))
     if data.startswith(b"AutoCAD Binary DXF"):
         raise FormatError("a binary DXF file; save it as ASCII DXF")
+    if data.startswith(b"\x1f\x8b"):
+        raise FormatError("compressed by gzip; unpack it")
     try:
         return decode_text(data)
     except FormatError:
