@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
+import nests
 import pytest
 
 from exactsweep.formats import FormatError
@@ -76,6 +77,8 @@ def test_a_solution_does_not_change_the_bins_of_its_instance() -> None:
 )
 def test_sheets_are_no_larger_than_the_strip(height: float, width: float, reason: str) -> None:
     strips = {"height": height, "max_width": width}
+    empty = {"id": 0, "shape": {"type": "simple_polygon", "data": []}}
+    assert read_jagua(0, strips=strips, containers=[empty])[0].data["container"]["exterior"] == []
     sheets = [{"id": 0, "shape": WIDE}]
     if not reason:
         (found,) = read_jagua(0, strips=strips, containers=sheets)
@@ -83,6 +86,16 @@ def test_sheets_are_no_larger_than_the_strip(height: float, width: float, reason
         return
     with pytest.raises(FormatError, match=rf"containers\[0\] is {reason} than the strip"):
         read_jagua(0, strips=strips, containers=sheets)
+
+
+def test_a_drawn_container_is_no_higher_than_the_strip() -> None:
+    text, instance = nests.FILES["sparrow.svg"]
+    assert instance is not None
+    height = json.loads(instance)["strip_height"]
+    lower = json.dumps({**json.loads(instance), "strip_height": height - 0.001})
+    assert len(parse_layouts(text, instance=instance)) == 1
+    with pytest.raises(FormatError, match="the container is higher than the strip"):
+        parse_layouts(text, instance=lower)
 
 
 def read_packed(

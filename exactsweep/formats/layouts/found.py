@@ -127,6 +127,16 @@ def require_instance(known: NestingInstance | None, kind: str, lacking: str) -> 
     return known
 
 
+def require_within_strip(container: Data, instance: NestingInstance, place: str) -> None:
+    """Raise FormatError if a container is wider or higher than the strip of an instance."""
+    for axis, (length, larger) in enumerate(
+        ((instance.width, "wider"), (instance.height, "higher"))
+    ):
+        side = [Fraction(vertex[axis]) for vertex in container["exterior"]]
+        if length is not None and side and max(side) - min(side) > length:
+            raise FormatError(f"{place} is {larger} than the strip of the instance")
+
+
 def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
     """Return the item of a name; raises FormatError if it is missing."""
     if name.name not in things:

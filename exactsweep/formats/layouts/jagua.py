@@ -27,6 +27,7 @@ from exactsweep.formats.layouts.found import (
     find_named,
     make_layouts,
     require_instance,
+    require_within_strip,
 )
 from exactsweep.formats.node import Data, JsonNode, write_box, write_shape
 from exactsweep.numbers.error import quote
@@ -70,7 +71,8 @@ def read_solution(document: JsonNode, known: NestingInstance | None) -> list[Fou
     for one in solution.get("containers", []).each():
         # A solution cuts its sheets from a strip; those of an instance are as that says.
         if instance.height is not None:
-            containers[(one / "id").name] = _cut(one, instance)
+            sheet = containers[(one / "id").name] = _container(one, [])
+            require_within_strip(sheet, instance, one.path)
     if solution.has("layouts"):
         layouts = [*(solution / "layouts").each()]
         boxes = [find_named(containers, one / "container_id", "container") for one in layouts]
@@ -124,21 +126,6 @@ def _round(degrees: str) -> float:
 def _read_single(number: str) -> float:
     """Read a number in single precision; a fraction, which no program writes, as NaN."""
     return nan if "/" in number else c_float(float(number)).value
-
-
-def _cut(value: JsonNode, instance: NestingInstance) -> Data:
-    """Read a sheet of a strip; raises FormatError if it is larger than the strip."""
-    found = _container(value, [])
-    for side, most, name in zip(
-        zip(*found["exterior"], strict=True),
-        (instance.width, instance.height),
-        ("wider", "higher"),
-        strict=True,
-    ):
-        numbers = [*map(Fraction, side)]
-        if most is not None and max(numbers) - min(numbers) > most:
-            raise FormatError(f"{value.path} is {name} than the strip of the instance")
-    return found
 
 
 def _container(value: JsonNode, notes: list[str]) -> Data:

@@ -15,6 +15,7 @@ from exactsweep.formats.layouts.found import (
     FoundLayout,
     NestingInstance,
     make_layouts,
+    require_within_strip,
     write_rings,
 )
 from exactsweep.formats.nesting import nest_candidates
@@ -149,7 +150,10 @@ def _parse(
         if nest is not None:
             drawn, sheets = nest
             notes = [*reading.list_hidden(), *reading.notes]
-            notes += _compare_parts(drawn, known) if known else []
+            if known is not None:
+                notes += _compare_parts(drawn, known)
+                for sheet in sheets:
+                    require_within_strip(sheet.container, known, "the container")
             return make_layouts(sheets, known or drawn, notes)
     if known is not None:
         raise FormatError("not a solution to an instance")
