@@ -381,11 +381,13 @@ def are_near(one: Grid, other: Grid, reach: int = 0) -> bool:
 
 def list_near(boxes: list[Grid], reach: int, work: Work) -> Iterator[tuple[int, int]]:
     """List pairs of boxes no more than a reach apart, the lower number first."""
-    order = sorted(range(len(boxes)), key=lambda k: boxes[k])
+    ends = [*zip(*boxes, strict=True)] or [(0,)] * 4
+    low = 2 * (max(ends[3]) - min(ends[2]) > max(ends[1]) - min(ends[0]))  # along the longer side
+    order = sorted(range(len(boxes)), key=lambda k: boxes[k][low:])
     for n, a in enumerate(order):
         for b in order[n + 1 :]:
             work.take(1)
-            if boxes[b][0] > boxes[a][1] + reach:
+            if boxes[b][low] > boxes[a][low + 1] + reach:
                 break
             if are_near(boxes[a], boxes[b], reach):
                 yield min(a, b), max(a, b)
