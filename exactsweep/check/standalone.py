@@ -1335,7 +1335,7 @@ def main(arguments: list[str]) -> int:
     """Print what a certificate proves, of the shapes G and D if given; return the exit code."""
     try:
         need(len(arguments) in (1, 3), "give a certificate, and perhaps both shapes, G and D")
-        text, *given = (Path(name).read_text(encoding="utf-8") for name in arguments)
+        text, *given = (Path(name).read_text(encoding="utf-8-sig") for name in arguments)
         certificate = load(text)
         proved = prove(certificate)
         keys = ("part", "container") if "part" in certificate else ("generatrix", "directrix")

@@ -47,6 +47,10 @@ def test_the_file_proves_certificates_by_itself(
     code, said = run(at["proof"], at["g"], at["d"])
     assert (code, said[:37]) == (0, "proved: CM sweep of 4 around 7 vertic")
     assert run(at["proof"])[0] == 0
+    marked = tmp_path / "marked"
+    marked.write_text(files["proof"], encoding="utf-8-sig")
+    assert standalone.main([str(marked)]) == 0
+    assert capsys.readouterr().out.startswith("proved: ")
     assert standalone.main([at["proof"], at["g"], at["d"]]) == 0
     assert capsys.readouterr().out == said
     assert standalone.main([at["fit"], at["g"], at["slot"]]) == 0
