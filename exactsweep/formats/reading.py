@@ -127,7 +127,7 @@ class Reading:
                 "a curve, which is read only with a tolerance for its lines (--flatten)"
             )
         if count > MAX_LINES:
-            shown = f"{count:,}" if count < 10**12 else "more than 10**12"
+            shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
                 f"a curve would become {shown} lines at this tolerance, more than {MAX_LINES:,}"
             )

@@ -318,3 +318,25 @@ def test_products_of_maps_bound_how_far_they_are_off(
     true_first = Affine(*(x + p * sign for x, sign in zip(two, down, strict=True)))
     found, true = last @ first, true_last @ true_first
     assert all(abs(a - b) <= found.off for a, b in zip(found[:6], true[:6], strict=True))
+
+
+@given(
+    st.lists(st.tuples(*[st.integers(-9, 9)] * 2, st.integers(1, 9)), min_size=2, max_size=5),
+    st.tuples(*[st.integers(-99, 99)] * 2),
+)
+def test_the_bend_of_a_curve_is_the_same_anywhere(
+    given: list[tuple[int, int, int]], by: tuple[int, int]
+) -> None:
+    weights = [Fraction(w) for _, _, w in given]
+    here, there = (
+        [Point(Fraction(x + dx), Fraction(y + dy)) for x, y, _ in given] for dx, dy in ((0, 0), by)
+    )
+    assert _bend(here, weights) == _bend(there, weights)
+
+
+def test_a_number_of_lines_is_shown_as_far_as_a_million_millions() -> None:
+    reading = Reading(tolerance=Fraction(1))
+    with pytest.raises(FormatError, match="become 1,000,000,000,000 lines"):
+        reading.allow_curve(10**12)
+    with pytest.raises(FormatError, match=r"become more than 10\*\*12 lines"):
+        reading.allow_curve(10**12 + 1)
