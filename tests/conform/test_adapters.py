@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from click.testing import CliRunner
 from command import PATIENCE, eventually, processes
 from strategies import points
 
@@ -18,6 +19,7 @@ from exactsweep import Point
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
 from exactsweep.conform.adapters.__main__ import _write
 from exactsweep.conform.adapters.adapter import build_frame, prepare_ring
+from exactsweep.conform.adapters.measure import main as measure
 from exactsweep.conform.adapters.names import NPM
 from exactsweep.conform.adapters.npm import SCRIPT
 from exactsweep.conform.adapters.orbit import sort_out
@@ -359,6 +361,19 @@ def test_who_is_exact_on_what_is_one_page(tmp_path: Path) -> None:
     *_, head, _, row = verdicts.strip().splitlines()
     assert head.endswith("| cases | exact | unsound | smallest not right |")
     assert row == "| a program | outer path | 2 | 1 | 1 | squares |"
+
+
+def test_a_page_says_what_was_asked(tmp_path: Path) -> None:
+    page, folder = tmp_path / "page", tmp_path / "journals"
+    asked = [str(folder), "--no-judging", "--most", "6", "--each", "3"]
+    shown = CliRunner().invoke(measure, asked)
+    assert shown.exit_code == 0
+    assert folder.is_dir()
+    assert "of at most 6 vertices, and 3 of each family of the generator, seed 1" in shown.output
+    # Again, with the folder there.
+    written = CliRunner().invoke(measure, [*asked, "--page", str(page)])
+    assert (written.exit_code, written.output) == (0, "")
+    assert f"{page.read_text(encoding='utf-8')}\n" == shown.output
 
 
 def test_a_ring_is_prepared_exactly() -> None:

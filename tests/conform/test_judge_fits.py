@@ -4,9 +4,12 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+from strategies import points
 
 from exactsweep.conform.judge.compare import compare
+from exactsweep.conform.judge.fits import _places, _unite_to_one
 from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.judge.witness import NAME, at_position
 from exactsweep.corpus import Case
 
 BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
@@ -29,3 +32,24 @@ def test_fits_that_are_rounded_are_no_worse_than_none(to: Any) -> None:
     )
     assert answered.parts[1].kind == "rounded"
     assert answered.verdict == left_out.verdict == Verdict.WITHIN
+
+
+def test_a_point_unites_with_the_end_of_a_segment_but_segments_do_not_at_an_end() -> None:
+    low, middle, high, aside = points((0, 0), (2, 1), (4, 2), (4, 3))
+    for one, other, united in [
+        ((low, middle), (middle, high), False),
+        ((low, middle), (middle, middle), True),
+        ((low, high), (middle, high), True),
+        ((low, low), (middle, middle), False),
+        ((low, middle), (aside, aside), False),
+    ]:
+        for a, b in ((one, other), (one[::-1], other), (one, other[::-1])):
+            assert _unite_to_one(a, b) == _unite_to_one(b, a) == united
+
+
+def test_a_short_overlap_on_a_long_segment_has_a_place() -> None:
+    # The loop is around [-2, 4] x [-1, 3]. One segment goes through it, one cuts off a corner.
+    for ends in ((-3, 0), (20, 0)), ((-16, 12), (34, -13)):
+        p, q = points(*ends)
+        classes = {at_position(FIT, place).classified for place in _places(FIT, (p, q), NAME)}
+        assert classes == {"FREE", "OVERLAP"}
