@@ -207,3 +207,9 @@ def test_figures_of_others_are_laid_out_by_others() -> None:
     assert [tuple(a.get_position(original=True).bounds) for a in (left, right)] == places
     parts: Any = Figure().subfigures(1, 2)
     assert plot_sweep(EXAMPLE, parts[0].subplots()).get_legend() is not None
+
+
+@pytest.mark.parametrize(("size", "enlarged"), [(24, 0), (25, 1), (10**9 - 1, 1), (10**9, 0)])
+def test_small_polygons_are_enlarged_as_far_as_floats_show_them(size: int, enlarged: int) -> None:
+    big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (size, 1))
+    assert len(find_details(big.vertices, big, [small], [])) == enlarged
