@@ -161,3 +161,10 @@ def test_what_is_refused_in_a_block_does_not_hide_what_comes_after() -> None:
         space.add_blockref("part", (0, 0))
 
     assert parse_polygon(written(draw)) == SQUARE
+
+
+def test_a_section_in_a_section_is_refused() -> None:
+    start = "0\nSECTION\n2\n"
+    text = f"{start}HEADER\n{start}ENTITIES\n0\nENDSEC\n0\nEOF\n"
+    with pytest.raises(FormatError, match="missing ENDSEC tag"):
+        parse_polygons(text)
