@@ -5,7 +5,7 @@ from unittest.mock import patch
 
 import pytest
 from covered import find_free, rings
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes
 from strategies import Ring, simple_rings
@@ -47,6 +47,8 @@ def check(stationary: Rings, orbiting: Rings) -> None:
     assert find_free(whole, overlap) == find_free(left, overlap)
 
 
+# The second edge crosses the line of the segment one unit ahead of the vertex.
+@example([(2, 1), (3, 0), (5, 4)], [(2, 4), (4, 3), (3, 5), (3, 4)], Fraction(1))
 @given(simple_rings(), simple_rings(), SCALES)
 @examples(60)
 def test_overlapped_parts_do_not_matter(d: Ring, g: Ring, scale: Fraction) -> None:
