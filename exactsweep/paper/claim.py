@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from time import process_time
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.paper.growth import LIMITS, Growth, double
@@ -79,27 +79,24 @@ class Evidence:
     Attributes:
         tried: the cases that were tried, and their number.
         failure: a counterexample to the statement as corrected; empty if there is none.
-        against: a counterexample to the statement as printed; None if there is none.
-        others: further counterexamples, to other parts of it.
+        cases: counterexamples to the statement as printed, or to parts of it.
         tables: measured numbers.
         growth: counted operations or vertices over doubling sizes.
         sampled: how many random pairs each law was tried on, at least.
         searched: how many cases of finite sets were tried.
     """
 
-    tried: str
+    tried: str = ""
     failure: str = ""
-    against: Counterexample | None = None
-    others: tuple[Counterexample, ...] = ()
+    cases: tuple[Counterexample, ...] = ()
     tables: tuple[Table, ...] = ()
     growth: tuple[Growth, ...] = ()
     sampled: int = 0
     searched: int = 0
 
-    @property
-    def cases(self) -> tuple[Counterexample, ...]:
-        """All counterexamples."""
-        return (self.against, *self.others) if self.against else self.others
+
+Observation = str | Counterexample | Table | Growth | Evidence
+"""A part of what a check finds; a text says what fails, and the empty one that nothing does."""
 
 
 @dataclass(frozen=True)
@@ -136,7 +133,7 @@ class Claim:
     verdict: ClaimVerdict
     evidence: tuple[str, ...]
     code: tuple[str, ...]
-    check: Callable[[Effort], Evidence] = field(repr=False)
+    check: Callable[[Effort], Iterable[Observation]] = field(repr=False)
     correction: str = ""
     proof: str = ""
     weight: int = 0
@@ -159,10 +156,10 @@ class Finding(NamedTuple):
         evidence, objected = self.evidence, self.claim.verdict.objects
         if evidence.failure:
             return evidence.failure
-        if objected and evidence.against is None:
+        if objected and not evidence.cases:
             return "no counterexample to the statement as printed was found"
-        if not objected and evidence.against is not None:
-            return f"the statement as printed fails: {evidence.against.text}"
+        if not objected and evidence.cases:
+            return f"the statement as printed fails: {evidence.cases[0].text}"
         named = {kind for kind in self.claim.evidence if kind not in ("case", "cited")}
         if amiss := sorted(named ^ self._kinds):
             return f"evidence that is named and not given, or given and not named: {amiss}"
@@ -192,42 +189,33 @@ def find_first_failure(failures: Iterable[str]) -> str:
     return next(filter(None, failures), "")
 
 
-def join_evidence(*found: Evidence) -> Evidence:
-    """Make one Evidence of several; a counterexample of the first that has one comes first.
+def gather(parts: Iterable[Observation]) -> Evidence:
+    """Make one Evidence of all parts of what a check finds; a growth fails beyond its bound.
 
-    >>> join_evidence(Evidence("Some."), Evidence("More.", "it fails", searched=3))
-    Evidence(tried='Some. More.', failure='it fails', against=None, others=(), tables=(), \
-growth=(), sampled=0, searched=3)
+    >>> gather(["", Evidence("Some."), "it fails", Evidence("More.", searched=3)])
+    Evidence(tried='Some. More.', failure='it fails', cases=(), tables=(), growth=(), sampled=0, \
+searched=3)
     """
-    against = next((one.against for one in found if one.against), None)
+    found = [part if isinstance(part, Evidence) else _READ[type(part)](part) for part in parts]
+    cases, tables, growth = (
+        tuple(one for part in found for one in getattr(part, name))
+        for name in ("cases", "tables", "growth")
+    )
     return Evidence(
-        " ".join(filter(None, (one.tried for one in found))),
-        find_first_failure(one.failure for one in found),
-        against,
-        tuple(case for one in found for case in one.cases if case is not against),
-        tuple(table for one in found for table in one.tables),
-        tuple(series for one in found for series in one.growth),
-        max(one.sampled for one in found),
-        sum(one.searched for one in found),
+        " ".join(filter(None, (part.tried for part in found))),
+        find_first_failure(part.failure for part in found),
+        *(cases, tables, growth),
+        max((part.sampled for part in found), default=0),
+        sum(part.searched for part in found),
     )
 
 
-def weigh(tried: str, *growth: Growth, failure: str = "", attained: bool = False) -> Evidence:
-    """Make evidence of counts, which fails if a count outgrows its bound.
-
-    Args:
-        tried: the description of the cases.
-        growth: the counts.
-        failure: another failure; it comes first.
-        attained: whether a count that falls behind its bound is a failure, too.
-    """
-    failures = [failure, *(series.failure for series in growth)]
-    failures += [
-        f"{series.what} on {series.family} fall behind {series.bound}"
-        for series in growth
-        if attained and not series.is_attained
-    ]
-    return Evidence(tried, find_first_failure(failures), growth=growth)
+_READ: dict[type, Callable[[Any], Evidence]] = {
+    str: lambda text: Evidence(failure=text),
+    Counterexample: lambda case: Evidence(cases=(case,)),
+    Table: lambda table: Evidence(tables=(table,)),
+    Growth: lambda series: Evidence(failure=series.failure, growth=(series,)),
+}
 
 
 def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
@@ -249,7 +237,7 @@ def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
     for claim in claims:
         start = process_time()
         try:
-            evidence = claim.check(effort)
+            evidence = gather(claim.check(effort))
         except Exception as error:
             evidence = Evidence("broken off", f"{type(error).__name__}: {error}")
         yield Finding(claim, evidence, process_time() - start)

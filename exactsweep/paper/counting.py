@@ -207,6 +207,7 @@ def grow(
     sizes: Iterable[tuple[int, int]],
     count: Callable[[SweepPair], Any],
     limit: float = 1.08,
+    side: str = "upper",
 ) -> Growth:
     """Count or measure something of the pairs of a family beside a bound.
 
@@ -217,6 +218,7 @@ def grow(
         sizes: pairs (m, n), each about twice the one before.
         count: returns what was counted of a pair; with the bound, if that has a name alone.
         limit: see `Growth`.
+        side: likewise.
 
     Example:
         >>> from exactsweep.paper.growth import MN
@@ -232,4 +234,5 @@ def grow(
         return Size(m, n, *found) if isinstance(bound, str) else Size(m, n, found, bound[1](m, n))
 
     name = bound if isinstance(bound, str) else bound[0]
-    return Growth(what, family.__name__, name, tuple(measure(m, n) for m, n in sizes), limit)
+    points = tuple(measure(m, n) for m, n in sizes)
+    return Growth(what, family.__name__, name, points, limit, side)

@@ -99,15 +99,14 @@ def _reference(generatrix: tuple[Vertex, ...], directrix: tuple[Vertex, ...]) ->
     return reference_loops(list(generatrix), list(directrix))
 
 
-def tell_loops(s: Sweep, *names: str) -> str:
-    """Say which loop of a sweep is not that of the definition, of some or of all; empty if none."""
+def tell_loops(s: Sweep, *names: str) -> Iterator[str]:
+    """Say which loops of a sweep are not those of the definition, of some or of all."""
     expected, (x, y) = _reference(s.generatrix.vertices, s.directrix.vertices), s.reference
     for name in names or expected._fields:
         found = getattr(s, name).translated((-x, -y) if name == "trajectory" else (0, 0))
         if found.vertices != getattr(expected, name):
             loop = name if name == "trajectory" else f"{name} loop"
-            return f"the {loop} is not that of the definition"
-    return ""
+            yield f"the {loop} is not that of the definition"
 
 
 def tell_difference(
@@ -124,11 +123,10 @@ def tell_difference(
     return f"{name} is {write_chain(found)}, and {write_chain(expected)} {by}"
 
 
-def tell_boundaries(pair: SweepPair, inner: Iterable[Vertex], outer: Iterable[Vertex]) -> str:
-    """Say that a boundary of a lower sweep is not that of the definition; empty if both are."""
-    return tell_difference(
-        "the inner boundary", inner, look_up_bottom(pair, "inner")
-    ) or tell_difference("the outer boundary", outer, look_up_bottom(pair, "outer"))
+def tell_boundaries(pair: SweepPair, **loops: Iterable[Vertex]) -> Iterator[str]:
+    """Say which boundaries of a lower sweep are not those of the definition."""
+    for name, found in loops.items():
+        yield tell_difference(f"the {name} boundary", found, look_up_bottom(pair, name))
 
 
 def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vertex]]]:
@@ -152,15 +150,15 @@ def lower_undercuts(s: Sweep) -> list[Undercut]:
     return [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
 
 
-def no_fit_is_the_definition(pair: SweepPair) -> str:
+def no_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
     """The no-fit polygon has the exterior, the holes and the exact fits of the definition."""
     found, expected = no_fit_polygon(*pair[::-1]), reference_no_fit(*pair[::-1])
     holes = tuple(hole.vertices for hole in found.holes)
     if found.exterior.vertices != expected.exterior:
-        return "the exterior is not that of the definition"
+        yield "the exterior is not that of the definition"
     if holes != expected.holes:
-        return f"{len(holes)} holes, not the {len(expected.holes)} of the definition"
-    return tell_fits(found.exact_fits, expected.exact_fits)
+        yield f"{len(holes)} holes, not the {len(expected.holes)} of the definition"
+    yield tell_fits(found.exact_fits, expected.exact_fits)
 
 
 def frame_around(shape: Polygon, part: AnyPolygon) -> Region:

@@ -14,13 +14,23 @@ from operator import attrgetter
 from statistics import linear_regression
 
 Bound = tuple[str, Callable[[int, int], float]]
-
-M_PLUS_N: Bound = ("m + n", lambda m, n: float(m + n))
-SUM_LOG: Bound = ("(m + n) log m", lambda m, n: (m + n) * log2(m))
-MN: Bound = ("mn", lambda m, n: float(m * n))
-MN_LOG: Bound = ("mn log n", lambda m, n: m * n * log2(n))
-MN2: Bound = ("mn²", lambda m, n: float(m * n * n))
-MN2_LOG: Bound = ("mn² log n", lambda m, n: m * n * n * log2(n))
+BOUNDS: dict[str, Bound] = {
+    name: (name, bound)
+    for name, bound in (
+        ("m + n", lambda m, n: float(m + n)),
+        ("(m + n) log m", lambda m, n: (m + n) * log2(m)),
+        ("mn", lambda m, n: float(m * n)),
+        ("2mn", lambda m, n: 2.0 * m * n),
+        ("mn log m", lambda m, n: m * n * log2(m)),
+        ("mn log n", lambda m, n: m * n * log2(n)),
+        ("mn²", lambda m, n: float(m * n * n)),
+        ("mn² log n", lambda m, n: m * n * n * log2(n)),
+        ("m²n log mn", lambda m, n: m * m * n * log2(m * n)),
+        ("(m - 6)²(n - 6)²", lambda m, n: float((m - 6) ** 2 * (n - 6) ** 2)),
+    )
+}
+"""Bounds with their names."""
+M_PLUS_N, MN, MN_LOG = (BOUNDS[name] for name in ("m + n", "mn", "mn log n"))
 
 LIMITS = {"seconds": 0.6, "bytes": 0.5}
 """The most that the exponent of a measured quantity may exceed that of the bound.
@@ -63,6 +73,7 @@ class Growth:
         limit: the greatest factor by which the ratio may rise at the last doubling; or, if it is
             below 1, the most that the exponent over all sizes may exceed that of the bound.
             `LIMITS` has the limits for measured growths without their own.
+        side: what the bound is: "upper", "lower" or "both".
     """
 
     what: str
@@ -70,6 +81,7 @@ class Growth:
     bound: str
     points: tuple[Size, ...]
     limit: float = 1.08
+    side: str = "upper"
 
     @property
     def varied(self) -> str:
@@ -146,8 +158,10 @@ class Growth:
 
     @property
     def failure(self) -> str:
-        """Say that the ratio still rises; empty if it is flat."""
-        if self.is_flat:
+        """Say that the ratio still rises, or falls where it must not; empty if neither is so."""
+        if self.side != "upper" and not self.is_attained:
+            return f"{self.what} on {self.family} fall behind {self.bound}"
+        if self.side == "lower" or self.is_flat:
             return ""
         return (
             f"{self.what} on {self.family}, {self.varied} doubled: divided by {self.bound} they "

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.paper.claim import Effort, Evidence
+from exactsweep.paper.claim import Effort, Evidence, find_first_failure
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.procedures.chain import split
 
@@ -17,14 +17,14 @@ KINDS_OF_PAIRS = {
     "far": " with coordinates of 30 digits",
     "resting": " with an edge of G on teeth",
 }
-Law = Callable[[SweepPair], str]
-"""A function that describes how a pair breaks the law; empty if it does not."""
+Law = Callable[[SweepPair], Iterable[str]]
+"""A function that describes how a pair breaks the law; empty texts and none say that it holds."""
 
 
 def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
     """Say with which pair a law breaks, made smaller, and how; empty if it holds for all.
 
-    >>> law = lambda pair: "" if len(pair.directrix) < 4 else "four corners"
+    >>> law = lambda pair: ["" if len(pair.directrix) < 4 else "four corners"]
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
     >>> break_law(law, [SweepPair(triangle, [*triangle[:2], (1, 1), (0, 2)])])
     'four corners; G = [(0, 0), (1, 0), (0, 1)], D = [(0, 0), (1, 0), (1, 1), (0, 2)]'
@@ -40,7 +40,7 @@ def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
 def find_wrong(law: Law, pair: SweepPair) -> str:
     """Ask a law about a pair; an exception is wrong too."""
     try:
-        return law(pair)
+        return find_first_failure(law(pair))
     except Exception as error:
         return f"{type(error).__name__}: {error}"
 

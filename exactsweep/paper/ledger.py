@@ -7,7 +7,7 @@ ledger.toml has the statements of the paper. The functions that check them are i
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
 from difflib import get_close_matches
 from functools import cache, partial
@@ -16,7 +16,7 @@ from pkgutil import resolve_name
 from typing import Any
 
 from exactsweep.numbers.error import ExactSweepError, quote
-from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, join_evidence
+from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, Observation
 from exactsweep.paper.laws import try_laws
 from exactsweep.paper.tiny import expect_none, search_grid
 
@@ -27,24 +27,26 @@ class UnknownClaimError(ExactSweepError):
     """A name that no row of the ledger has."""
 
 
-def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
+def examine(row: Mapping[str, Any], effort: Effort) -> Iterator[Observation]:
     """Try the laws of a row on random pairs, run its check, and measure its claimed costs."""
     laws = row.get("laws", {}).items()
-    found = [try_laws(((resolve_name(f"{CHECKS}.{law}"), pairs) for law, pairs in laws), effort)]
+    yield try_laws(((resolve_name(f"{CHECKS}.{law}"), pairs) for law, pairs in laws), effort)
     for law, side, most, generatrix, directrix, *none in row.get("search", ()):
         fails = resolve_name(f"{CHECKS}.{law}")
         searched = search_grid(side, most, generatrix, directrix, fails)
-        found.append(expect_none(searched) if none else searched)
+        yield expect_none(searched) if none else searched
     if "check" in row:
-        found.append(resolve_name(f"{CHECKS}.{row['check']}")(effort))
+        yield from resolve_name(f"{CHECKS}.{row['check']}")(effort)
+    if "counts" in row:
+        yield Evidence(row["counts"])
+        yield from resolve_name("exactsweep.paper.counts.count_all")(row["name"], effort)
     if "figure" in row:
-        check = resolve_name(f"{FIGURES}.figure.check_figure")
-        found.append(check(row["figure"], _join(row["against"])))
+        yield Evidence(_join(row["against"]))
+        yield from resolve_name(f"{FIGURES}.figure.check_figure")(row["figure"])
     if "letter" in row:
-        found.append(resolve_name("exactsweep.paper.costs.compare_outputs")(row["name"]))
+        yield from resolve_name("exactsweep.paper.costs.compare_outputs")(row["name"])
     if "costs" in row:
-        found.append(resolve_name("exactsweep.paper.costs.measure_costs")(row["name"], effort))
-    return join_evidence(*found)
+        yield from resolve_name("exactsweep.paper.costs.measure_costs")(row["name"], effort)
 
 
 _FIELDS = {field.name for field in fields(Claim)}

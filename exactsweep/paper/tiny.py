@@ -14,7 +14,8 @@ from itertools import combinations, pairwise, product
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.claim import Counterexample, Evidence
+from exactsweep.paper.claim import Counterexample, Evidence, find_first_failure
+from exactsweep.paper.laws import Law
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import split
 
@@ -79,7 +80,7 @@ def search_grid(
     most: int,
     generatrix: str,
     directrix: str,
-    fails: Callable[[SweepPair], str],
+    fails: Law,
 ) -> Evidence:
     """Look for the first pair on a grid with which a statement fails.
 
@@ -88,37 +89,37 @@ def search_grid(
         most: vertices of both polygons together.
         generatrix: a key of SHAPES: which polygons are tried for G.
         directrix: the same for D.
-        fails: what goes wrong with a pair; empty if nothing does.
+        fails: yields what goes wrong with a pair.
 
     Returns:
         Evidence with what was tried and a counterexample, if there is one.
 
     Example:
         >>> def four_corners(pair):
-        ...     return "a square" if len(pair.generatrix) == 4 else ""
-        >>> search_grid(2, 7, "convex", "convex", four_corners).against.generatrix
+        ...     if len(pair.generatrix) == 4:
+        ...         yield "a square"
+        >>> search_grid(2, 7, "convex", "convex", four_corners).cases[0].generatrix
         [(0, 0), (1, 0), (2, 1), (1, 1)]
     """
     where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"
     return search(list_tiny_pairs(side, most, generatrix, directrix), fails, where)
 
 
-def search(pairs: Iterable[SweepPair], fails: Callable[[SweepPair], str], where: str) -> Evidence:
+def search(pairs: Iterable[SweepPair], fails: Law, where: str) -> Evidence:
     """Look for the first of some pairs with which a statement fails; `where` says which they are.
 
     Returns Evidence as `search_grid` does.
     """
     number = 0
     for number, pair in enumerate(pairs, 1):
-        if text := fails(pair):
+        if text := find_first_failure(fails(pair)):
             how = f"the first of all pairs {where}, smallest first"
             tried = f"The first {number:,} pairs {where}."
-            against = Counterexample(text, how, *pair)
-            return Evidence(tried, against=against, searched=number)
+            return Evidence(tried, "", (Counterexample(text, how, *pair),), searched=number)
     return Evidence(f"All {number:,} pairs {where}.", searched=number)
 
 
 def expect_none(convex: Evidence) -> Evidence:
     """Make a search among convex polygons fail if it found a counterexample."""
-    failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
-    return replace(convex, failure=failure, against=None)
+    failures = (f"two convex polygons: {case.text}" for case in convex.cases)
+    return replace(convex, failure=find_first_failure(failures), cases=())

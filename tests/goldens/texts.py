@@ -61,12 +61,12 @@ from exactsweep.layout import Layout, judge_layout
 from exactsweep.layout.report import draw_layout, rank_faults
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import checks, figures, report
-from exactsweep.paper.claim import Effort, Finding, reproduce, weigh
+from exactsweep.paper.claim import Effort, Evidence, Finding, gather, reproduce
 from exactsweep.paper.costs import COSTS
 from exactsweep.paper.data import as_json
 from exactsweep.paper.figures.drawing import draw_figure
 from exactsweep.paper.figures.figure import load
-from exactsweep.paper.growth import Growth, Size
+from exactsweep.paper.growth import BOUNDS, Growth, Size
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.paper.pairs import LARGE, draw_pairs
 from exactsweep.procedures.cc import trajectory_cc
@@ -319,7 +319,7 @@ def list_report() -> Iterator[str]:
     points = tuple(Size(8 << k, 16, 100 << 2 * k, 8 << k) for k in range(3))
     counts = [Growth(f"{unit} of P", "ints", "m", points) for unit in ("operations", "bytes")]
     claim = replace(find("Corollary 3.4"), name="Corollary 0")
-    rows.append(Finding(claim, weigh("Counts.", *counts), 0.5))
+    rows.append(Finding(claim, gather([Evidence("Counts."), *counts]), 0.5))
     nowhere = {"exactsweep": "0", "seed": 1, "quick": True, "packages": {"sympy": "1"}}
     nowhere |= dict.fromkeys(("commit", "python", "system", "processor", "date"), "any")
     with patch.object(report, "describe_environment", lambda effort: nowhere):
@@ -335,7 +335,8 @@ def list_report() -> Iterator[str]:
 
 
 def list_examples() -> Iterator[str]:
-    """The examples by which the ledger argues, and the choices of the generator, each once."""
+    """The bounds and examples of the ledger, and the choices of the generator, each once."""
+    yield from (f"bound {name} {bound(24, 40):.6g}" for name, bound in BOUNDS.values())
     seen = set()
     for room in (generator, checks, figures):
         for module in sorted(m.name for m in walk_packages(room.__path__, f"{room.__name__}.")):

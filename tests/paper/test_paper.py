@@ -23,6 +23,7 @@ from exactsweep.paper.claim import (
     Effort,
     Evidence,
     Finding,
+    Observation,
     reproduce,
 )
 from exactsweep.paper.data import write_data
@@ -100,7 +101,7 @@ def test_the_readme_names_all_errata_by_weight() -> None:
 
 
 def row_of(status: ClaimVerdict, evidence: Evidence) -> Finding:
-    claim = Claim("A claim", "1", "It holds.", status, (), (), lambda effort: evidence)
+    claim = Claim("A claim", "1", "It holds.", status, (), (), lambda effort: [evidence])
     return next(reproduce([claim], Effort()))
 
 
@@ -110,7 +111,7 @@ def test_a_failure_disagrees_with_every_status() -> None:
 
 
 def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() -> None:
-    against = Evidence("much", against=Counterexample("a case", "by chance"))
+    against = Evidence("much", cases=(Counterexample("a case", "by chance"),))
     for status in ClaimVerdict:
         announced = status.objects
         assert bool(row_of(status, Evidence("much")).disagreement) == announced
@@ -120,7 +121,7 @@ def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() 
 def test_a_row_names_the_evidence_that_it_gives_and_no_other() -> None:
     def disagreement(named: tuple[str, ...], given: Evidence) -> str:
         claim = Claim(
-            "A", "1", "It holds.", ClaimVerdict.REPRODUCED, named, (), lambda effort: given
+            "A", "1", "It holds.", ClaimVerdict.REPRODUCED, named, (), lambda effort: [given]
         )
         return next(reproduce([claim], Effort())).disagreement
 
@@ -135,7 +136,7 @@ def test_a_row_names_the_evidence_that_it_gives_and_no_other() -> None:
 
 
 def test_a_check_that_breaks_off_fails() -> None:
-    def check(effort: Effort) -> Evidence:
+    def check(effort: Effort) -> list[Observation]:
         raise ZeroDivisionError("by zero")
 
     claim = Claim("A claim", "1", "It holds.", ClaimVerdict.REPRODUCED, (), (), check)
@@ -185,10 +186,10 @@ def test_all_polygons_of_a_tiny_grid_are_there() -> None:
 
 
 def test_the_smallest_pair_comes_first() -> None:
-    found = search_grid(2, 7, "convex", "any", lambda p: "" if len(p[0]) < 4 else "four")
-    assert found.against is not None
-    assert found.against[2:] == ([(0, 0), (1, 0), (2, 1), (1, 1)], [(0, 0), (1, 0), (2, 1)])
-    nothing = search_grid(2, 6, "any", "any", lambda p: "")
+    found = search_grid(2, 7, "convex", "any", lambda p: ["" if len(p[0]) < 4 else "four"])
+    (against,) = found.cases
+    assert against[2:] == ([(0, 0), (1, 0), (2, 1), (1, 1)], [(0, 0), (1, 0), (2, 1)])
+    nothing = search_grid(2, 6, "any", "any", lambda p: [])
     assert nothing == Evidence(
         "All 256 pairs with up to 6 vertices on the 3 by 3 grid.", searched=256
     )
@@ -196,22 +197,22 @@ def test_the_smallest_pair_comes_first() -> None:
 
 def test_a_broken_law_is_shown_with_a_small_pair() -> None:
     pair = SweepPair(TRIANGLE, [(0, 0), (9, 0), (9, 7), (5, 9), (0, 8)])
-    least = shrink(lambda p: "" if len(p.directrix) < 4 else "four corners", pair)
+    least = shrink(lambda p: ["" if len(p.directrix) < 4 else "four corners"], pair)
     assert len(least.directrix) == 4
     assert max(x for x, _ in least.directrix) < 9
 
 
 def test_a_law_that_raises_is_broken() -> None:
-    def law(pair: SweepPair) -> str:
+    def law(pair: SweepPair) -> list[str]:
         raise IndexError("beyond")
 
     assert break_law(law, [SweepPair(TRIANGLE, TRIANGLE)]).startswith("IndexError: beyond; G = ")
 
 
 def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
-    def law(pair: SweepPair) -> str:
+    def law(pair: SweepPair) -> list[str]:
         """It always fails."""
-        return "of course"
+        return ["of course"]
 
     found = try_laws([(law, "20 CC, 20 CM weak")], Effort(quick=True))
     assert found.failure.startswith("of course; G = ")
@@ -271,7 +272,7 @@ def test_a_row_is_sampled_where_it_has_laws(row: dict[str, Any]) -> None:
         ("figure" in row)
         == ("chosen" in row)
         == ("against" in row)
-        != bool({"check", "laws", "search", "costs"} & set(row))
+        != bool({"check", "laws", "search", "costs", "counts"} & set(row))
     )
     assert ("weight" in row) == ClaimVerdict(row["verdict"]).objects
     assert ("measured" in row["evidence"]) == ("costs" in row)

@@ -121,17 +121,17 @@ def test_ceilings_have_order_mn2_undercuts(m: int, n: int, undercuts: int) -> No
 @examples(60)
 @given(st.integers(0, 10**6), st.sampled_from(["CC", "CM", "MM"]))
 def test_the_procedures_to_the_letter_give_what_the_kernel_gives(seed: int, kind: str) -> None:
-    assert kernel_is_literal(draw_pair(Prng(str(seed)), kind)) == ""
+    assert not any(kernel_is_literal(draw_pair(Prng(str(seed)), kind)))
 
 
 def test_an_undercut_may_end_where_an_edge_is_touched_in_passing() -> None:
     directrix = [(3, 12), (10, 52), (9, 49), (8, 48), (5, 43), (3, 48)]
-    assert labels_name_the_extremes(SweepPair([(0, 0), (6, 0), (7, 1)], directrix)) == ""
+    assert not any(labels_name_the_extremes(SweepPair([(0, 0), (6, 0), (7, 1)], directrix)))
 
 
 def test_a_slide_along_an_undercut_may_be_stopped_by_another_contact() -> None:
     directrix = [(-1, 5), (2, 0), (10, 2), (11, 6), (7, 3), (5, 5), (0, 4)]
-    assert bottom_chains_have_two_forms(SweepPair([(5, 0), (17, 2), (9, 4)], directrix)) == ""
+    assert not any(bottom_chains_have_two_forms(SweepPair([(5, 0), (17, 2), (9, 4)], directrix)))
 
 
 def test_chains_are_evaluated_and_cut() -> None:

@@ -25,7 +25,6 @@ from exactsweep.paper.claim import (
     Finding,
     Table,
     reproduce,
-    weigh,
 )
 from exactsweep.paper.data import make_slug, write_data
 from exactsweep.paper.growth import Growth, Size
@@ -107,10 +106,10 @@ def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None
 def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
     nasty = "<script>alert(1)</script> | & m_b"
     evidence = Evidence(
-        nasty, nasty, Counterexample(nasty, nasty), tables=(Table(nasty, (nasty,), [[nasty]]),)
+        nasty, nasty, (Counterexample(nasty, nasty),), tables=(Table(nasty, (nasty,), [[nasty]]),)
     )
     claim = Claim(
-        nasty, "1", nasty, ClaimVerdict.REFUTED, (), (nasty,), lambda effort: evidence, nasty
+        nasty, "1", nasty, ClaimVerdict.REFUTED, (), (nasty,), lambda effort: [evidence], nasty
     )
     (found,) = reproduce([claim], Effort())
     html, markdown, _ = write(tmp_path, [found], Effort())
@@ -122,9 +121,7 @@ def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
 def test_what_is_measured_is_not_plotted(tmp_path: Path) -> None:
     sizes = tuple(Size(n, n, n, n) for n in (8, 16, 32))
     timed = Growth("seconds of f", "ints", "n", sizes)
-    claim = Claim(
-        *("Timed", "1", "", ClaimVerdict.REFUTED, (), ()), lambda effort: weigh("", timed), ""
-    )
+    claim = Claim(*("Timed", "1", "", ClaimVerdict.REFUTED, (), ()), lambda effort: [timed], "")
     _, markdown, _ = write(tmp_path, list(reproduce([claim], Effort())), Effort())
     assert "![counts of" not in markdown.read_text(encoding="utf-8")
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
 
 from exactsweep import Point, Sweep, sweep
-from exactsweep.corpus.generator.growing import cm_hard, cm_undercut
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.numbers.number import Vertex
@@ -21,8 +20,8 @@ from exactsweep.paper.checks.touching import (
     list_moments,
     touches_are_right,
 )
-from exactsweep.paper.claim import Effort, Evidence, weigh
-from exactsweep.paper.counting import CountedList, PairFamily, grow, make_counted, watch_operations
+from exactsweep.paper.claim import Effort, Evidence, Observation
+from exactsweep.paper.counting import CountedList, make_counted, watch_operations
 from exactsweep.paper.functions import (
     clip,
     evaluate,
@@ -34,7 +33,6 @@ from exactsweep.paper.functions import (
     reaches,
     tell_difference,
 )
-from exactsweep.paper.growth import Growth
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.cc import merge_by_slope
@@ -51,19 +49,16 @@ def list_lower_steps(s: Sweep) -> list[Step]:
     return [step for step in explain(s) if step.half == "lower"]
 
 
-def one_edge_at_a_time(pair: SweepPair) -> str:
+def one_edge_at_a_time(pair: SweepPair) -> Iterator[str]:
     """Contacts that last at the same time are EV or EE, of one and the same edge of G."""
     s = sweep(*pair)
-    if failure := contacts_are_right(s):
-        return failure
+    yield from contacts_are_right(s)
     for step in list_lower_steps(s):
-        if failure := touches_are_right(s, step):
-            return failure
+        yield from touches_are_right(s, step)
         for t in list_moments(s, step.start, step.end):
             now = [touch.contact for touch in step.touches if lasts(t, touch.start, touch.end)]
             if not are_of_one_edge(now):
-                return f"from ({step.start.x}, {step.start.y}) on at the same time: {_name(now)}"
-    return ""
+                yield f"from ({step.start.x}, {step.start.y}) on at the same time: {_name(now)}"
 
 
 def are_of_one_edge(contacts: Sequence[Contact]) -> bool:
@@ -76,29 +71,29 @@ def _name(contacts: Sequence[Contact]) -> str:
     return ", ".join(f"{event} of {i} and {j}" for event, i, j in contacts)
 
 
-def find_passing_events(effort: Effort) -> Evidence:
+def find_passing_events(effort: Effort) -> Iterator[Observation]:
     """Look for events that meet in passing, and for parallel edges of a convex G."""
 
-    def stuck(pair: SweepPair) -> str:
+    def stuck(pair: SweepPair) -> Iterator[str]:
         s = sweep(*pair)
         for step in list_lower_steps(s):
             contacts = [c for c in s.contacts_at(step.end) if c.event in ("EV", "VE", "EE")]
             if step.ending == "stop" and not are_of_one_edge(contacts):
-                return f"at ({step.end.x}, {step.end.y}), in passing: {_name(contacts)}"
-        return ""
+                yield f"at ({step.end.x}, {step.end.y}), in passing: {_name(contacts)}"
 
     found = search_grid(2, 7, "convex", "any", stuck)
-    parallel = search_grid(2, 7, "convex", "convex", _parallel_edges).against
-    if found.against is None or parallel is None:
-        return replace(found, failure="no events in passing, or no parallel edges of a convex G")
-    text = f"{found.against.text}; besides, {parallel.text}"
-    return replace(found, against=found.against._replace(text=text))
+    yield replace(found, cases=())
+    both = found.cases, search_grid(2, 7, "convex", "convex", _parallel_edges).cases
+    for case, parallel in zip(*both, strict=False):
+        yield case._replace(text=f"{case.text}; besides, {parallel.text}")
+    if not all(both):
+        yield "no events in passing, or no parallel edges of a convex G"
 
 
-def _parallel_edges(pair: SweepPair) -> str:
+def _parallel_edges(pair: SweepPair) -> Iterator[str]:
     ring = pair.generatrix
-    slopes = {slope(edge) for edge in list_edges(ring)}
-    return f"the convex polygon {ring} has parallel edges" if len(slopes) < len(ring) else ""
+    if len({slope(edge) for edge in list_edges(ring)}) < len(ring):
+        yield f"the convex polygon {ring} has parallel edges"
 
 
 def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
@@ -110,11 +105,10 @@ def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fract
     return find_common_points(top, chain)
 
 
-def contact_moves_right(pair: SweepPair) -> str:
+def contact_moves_right(pair: SweepPair) -> Iterator[str]:
     """Both ends of the contact move to the right; points come in at the right, and leave left."""
     s, (_, _, directrix) = sweep(*pair), pair.chains
-    if failure := contacts_are_right(s):
-        return failure
+    yield from contacts_are_right(s)
     positions: set[Point] = set()
     for step in list_lower_steps(s):
         # Between all changes of contact, too.
@@ -123,25 +117,23 @@ def contact_moves_right(pair: SweepPair) -> str:
     found = [(t, places_of_contact(s, t, directrix)) for t in sorted(positions)]
     for (_, before), (t, now) in pairwise(found):
         if now[0] < before[0] or now[-1] < before[-1]:
-            return (
+            yield (
                 f"at ({t.x}, {t.y}) the contact is from x = {now[0]} to {now[-1]}, "
                 f"after {before[0]} to {before[-1]}"
             )
         late = [x for x in now if before[0] <= x <= before[-1] and x not in before]
         if vertices.intersection(late):
-            return f"at ({t.x}, {t.y}) D_b is touched at x = {late[0]}, which was passed untouched"
-    return ""
+            yield f"at ({t.x}, {t.y}) D_b is touched at x = {late[0]}, which was passed untouched"
 
 
-def find_contact_moving_left(effort: Effort) -> Evidence:
+def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
     """Show that it takes a convex G."""
     found = search_grid(2, 8, "bent", "any", contact_moves_right)
-    if found.against is None:
-        return replace(found, failure="no G that is not convex breaks it")
-    _, _, g, d = found.against
-    return replace(
-        found, tried=f"{found.tried} For the non-convex G = {g} and D = {d} it fails.", against=None
-    )
+    yield replace(found, cases=())
+    yield "" if found.cases else "no G that is not convex breaks it"
+    for case in found.cases:
+        g, d = case.generatrix, case.directrix
+        yield Evidence(f"For the non-convex G = {g} and D = {d} it fails.")
 
 
 def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
@@ -168,24 +160,22 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
     return "", True
 
 
-def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> str:
+def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> Iterator[str]:
     """The envelope of the first parts meets the next sub-chain in a point or one segment."""
     first, *chains = list_sub_chains(pair)[outer]
     partial = Envelope.of(first)
     for chain in chains:
         if strict:
             failure, met = meetings(list(partial), chain)
-            failure = failure or ("" if met else "the partial trajectory and the next do not meet")
+            yield failure or ("" if met else "the partial trajectory and the next do not meet")
         else:
-            failure = crosses_once(list(partial), chain)
-        if failure:
-            return failure
+            yield from crosses_once(list(partial), chain)
         partial = lower_envelope_cm(partial, Envelope.of(chain))
     expected = look_up_bottom(pair, "outer" if outer else "trajectory")
-    return tell_difference("the last envelope", partial, expected)
+    yield tell_difference("the last envelope", partial, expected)
 
 
-def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
+def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> Iterator[str]:
     """With jumps: the difference of the first and the second never falls from + to -."""
     xs = sorted({Fraction(x) for x, _ in (*first, *second)})
     above = False
@@ -194,54 +184,47 @@ def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
             if reaches(first, x) and reaches(second, x):
                 gap = evaluate(first, x) - evaluate(second, x)
                 if above and gap < 0:
-                    return f"the partial trajectory is above the next one, and over {x} below it"
+                    yield f"the partial trajectory is above the next one, and over {x} below it"
                 above = above or gap > 0
-    return ""
 
 
-def sub_trajectories_meet_once(pair: SweepPair) -> str:
+def sub_trajectories_meet_once(pair: SweepPair) -> Iterator[str]:
     """The trajectory so far and the next one meet in one point or one segment."""
     return partial_meets_once(pair, outer=False, strict=True)
 
 
-def sub_trajectories_cross_once(pair: SweepPair) -> str:
+def sub_trajectories_cross_once(pair: SweepPair) -> Iterator[str]:
     """The trajectory so far is below the next one up to some x, and above it from there on."""
     return partial_meets_once(pair, outer=False, strict=False)
 
 
-def sub_outer_chains_meet_once(pair: SweepPair) -> str:
+def sub_outer_chains_meet_once(pair: SweepPair) -> Iterator[str]:
     """The boundary so far and the next one meet in one point or one segment."""
     return partial_meets_once(pair, outer=True, strict=True)
 
 
-def sub_outer_chains_cross_once(pair: SweepPair) -> str:
+def sub_outer_chains_cross_once(pair: SweepPair) -> Iterator[str]:
     """The boundary so far is below the next one up to some x, and above it from there on."""
     return partial_meets_once(pair, outer=True, strict=False)
 
 
-def note_chains_apart(effort: Effort) -> Evidence:
+def note_chains_apart(effort: Effort) -> Iterator[Observation]:
     """Show a vertical edge at which two sub-trajectories do not meet, nor two sub-outer chains."""
     for chains in list_sub_chains(AT_A_WALL):
         if all(meetings(*neighbours)[1] for neighbours in pairwise(chains)):
-            return Evidence("", "all chains meet, in spite of a vertical edge")
-    return Evidence(
+            yield "all chains meet, in spite of a vertical edge"
+    yield Evidence(
         f"For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "
         "edge, two chains do not meet."
     )
 
 
-def lower_envelope_cm_is_right(pair: SweepPair) -> str:
+def lower_envelope_cm_is_right(pair: SweepPair) -> Iterator[str]:
     """LowerEnvelope_CM returns the lower envelope of all sub-trajectories so far."""
     chains, _ = list_sub_chains(pair)
     partial = reduce(lower_envelope_cm, map(Envelope.of, chains))
-    return lowest("sub-trajectory", chains, list(partial)) or tell_difference(
-        "the lower envelope", partial, look_up_bottom(pair, "trajectory")
-    )
-
-
-def count_operations(effort: Effort) -> Evidence:
-    """Count the operations of LowerEnvelope_CM."""
-    return weigh("", *(_envelope_growth(family, effort) for family in (cm_hard, cm_undercut)))
+    yield lowest("sub-trajectory", chains, list(partial))
+    yield tell_difference("the lower envelope", partial, look_up_bottom(pair, "trajectory"))
 
 
 def _watch_slots(partial: Envelope) -> Envelope:
@@ -249,24 +232,19 @@ def _watch_slots(partial: Envelope) -> Envelope:
     return Envelope(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
 
 
-def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
-    """Operations of LowerEnvelope_CM, slots of the partial trajectory that it reads among them."""
-
-    def count(pair: SweepPair) -> tuple[int, float]:
-        top, _, directrix = pair.chains
-        edges = make_counted(inverse(top))
-        with watch_operations() as tally:
-            pieces = [
-                Envelope.of(merge_by_slope(edges, part))
-                for part in find_convex_parts(make_counted(directrix))
-            ]
-            handed_in = sum(len(piece.pieces) for piece in pieces)
-            partial, before = _watch_slots(pieces[0]), tally.total
-            for piece in pieces[1:]:
-                grown = lower_envelope_cm(partial, piece)
-                # Trimmed in place; where it is not, the new lists were copied.
-                partial = grown if grown.breaks is partial.breaks else _watch_slots(grown)
-        trimmed = handed_in - len(partial.pieces)
-        return tally.total - before, handed_in + trimmed
-
-    return grow("operations of LowerEnvelope_CM", family, "in + trimmed", effort.sizes(), count)
+def envelope(pair: SweepPair) -> tuple[int, float]:
+    """Count the operations of LowerEnvelope_CM, slots of the partial trajectory read among them."""
+    top, _, directrix = pair.chains
+    edges = make_counted(inverse(top))
+    with watch_operations() as tally:
+        pieces = [
+            Envelope.of(merge_by_slope(edges, part))
+            for part in find_convex_parts(make_counted(directrix))
+        ]
+        handed_in = sum(len(piece.pieces) for piece in pieces)
+        partial, before = _watch_slots(pieces[0]), tally.total
+        for piece in pieces[1:]:
+            grown = lower_envelope_cm(partial, piece)
+            # Trimmed in place; where it is not, the new lists were copied.
+            partial = grown if grown.breaks is partial.breaks else _watch_slots(grown)
+    return tally.total - before, 2 * handed_in - len(partial.pieces)

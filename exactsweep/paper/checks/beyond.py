@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from importlib.resources import files
-from itertools import chain, product
+from itertools import chain, combinations, product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import (
@@ -21,7 +21,7 @@ from exactsweep.geometry.segment import Segment, choose_cover, lay_point, make_s
 from exactsweep.numbers.number import Edge
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
-from exactsweep.paper.claim import Effort, Evidence, find_first_failure
+from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.functions import (
     frame_around,
     list_edges,
@@ -47,32 +47,31 @@ CONTAINERS = tomllib.loads(
 )["container"]
 
 
-def loops_are_simple(pair: SweepPair) -> str:
+def loops_are_simple(pair: SweepPair) -> Iterator[str]:
     """Each loop of the no-fit polygon is a simple polygon, and no two share an inner point."""
     found = no_fit_polygon(*pair[::-1])
     for loop in (found.exterior, *found.holes):
         if Polygon(loop.vertices).vertices != loop.vertices:
-            return "a loop is not a canonical simple polygon"
-    for k, hole in enumerate(found.holes):
-        for other in found.holes[:k]:
-            if classify(hole, other, (0, 0)).verdict == "OVERLAP":
-                return "two holes overlap"
-    return no_fit_is_the_definition(pair)
+            yield "a loop is not a canonical simple polygon"
+    for hole, other in combinations(found.holes, 2):
+        if classify(hole, other, (0, 0)).verdict == "OVERLAP":
+            yield "two holes overlap"
+    yield from no_fit_is_the_definition(pair)
 
 
-def boundary_is_contact(pair: SweepPair) -> str:
+def boundary_is_contact(pair: SweepPair) -> Iterator[str]:
     """Loops and exact fits lie on contact segments, of which there are 2 m n at most."""
     found = no_fit_polygon(*pair[::-1])
     known, _ = find_contacts((tuple(pair.directrix),), (tuple(inverse(pair.generatrix)),))
     if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
-        return f"{len(known)} contact segments"
+        yield f"{len(known)} contact segments"
     segments = [make_segment((to_vertex(a), to_vertex(b))) for a, b in known]
     loops = (found.exterior, *found.holes)
     edges = [edge for loop in loops for edge in list_edges(loop.vertices)]
     for edge in (*edges, *found.exact_fits):
         if not covers(segments, edge):
-            return f"off all contact segments: {show_fits([edge])}"
-    return no_fit_is_the_definition(pair)
+            yield f"off all contact segments: {show_fits([edge])}"
+    yield from no_fit_is_the_definition(pair)
 
 
 def covers(known: Iterable[Segment], edge: Edge) -> bool:
@@ -84,7 +83,7 @@ def covers(known: Iterable[Segment], edge: Edge) -> bool:
     return choose_cover(whole, [(s, 0) for s in known if s[:2] == whole[:2]]) is not None
 
 
-def fits_have_no_room(pair: SweepPair) -> str:
+def fits_have_no_room(pair: SweepPair) -> Iterator[str]:
     """Along an exact fit G touches D, and a step aside it overlaps D; at a point, any step."""
     for p, q in no_fit_polygon(*pair[::-1]).exact_fits:
         t = Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))
@@ -92,53 +91,54 @@ def fits_have_no_room(pair: SweepPair) -> str:
         near = [(t.x + STEP * x, t.y + STEP * y) for x, y in steps]
         at, *beside = (classify(*pair[::-1], place).verdict for place in (t, *near))
         if (at, {*beside}) != ("CONTACT", {"OVERLAP"}):
-            return f"at ({t.x}, {t.y}), along an exact fit, {at}, and beside it {set(beside)}"
-    return no_fit_is_the_definition(pair)
+            yield f"at ({t.x}, {t.y}), along an exact fit, {at}, and beside it {set(beside)}"
+    yield from no_fit_is_the_definition(pair)
 
 
 _AROUND = [(Fraction(x), Fraction(y)) for x, y in product((-2, -1, 0, 1, 2), repeat=2) if x or y]
 
 
-def monotone_fits_are_segments(pair: SweepPair) -> str:
+def monotone_fits_are_segments(pair: SweepPair) -> Iterator[str]:
     """No exact fit is a single position."""
-    alone = [p for p, q in sweep(*pair).exact_fits if p == q]
-    return f"({alone[0].x}, {alone[0].y}) is a fit by itself" if alone else ""
+    for p, q in sweep(*pair).exact_fits:
+        if p == q:
+            yield f"({p.x}, {p.y}) is a fit by itself"
 
 
-def find_held_position(effort: Effort) -> Evidence:
+def find_held_position(effort: Effort) -> Iterator[Observation]:
     """Show one position that is free, and held from all sides."""
-    failure = fits_have_no_room(HELD)
     fits = no_fit_polygon(*HELD[::-1]).exact_fits
-    if not failure and [p == q for p, q in fits] != [True]:
-        failure = f"a square in the cave that it fills: exact fits {show_fits(fits)}"
-    return Evidence(f"A square in a cave that it fills: {show_fits(fits)}.", failure)
+    yield Evidence(f"A square in a cave that it fills: {show_fits(fits)}.")
+    yield from fits_have_no_room(HELD)
+    if [p == q for p, q in fits] != [True]:
+        yield f"a square in the cave that it fills: exact fits {show_fits(fits)}"
 
 
-def inner_fit_is_the_definition(pair: SweepPair) -> str:
+def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
     """The inner fit has the regions, their holes and the exact fits of the definition."""
-    return compare_inner_fits(_enlarge(pair.directrix), pair.generatrix)
+    yield from compare_inner_fits(_enlarge(pair.directrix), pair.generatrix)
 
 
-def compare_inner_fits(container: Region | Ring, part: Ring) -> str:
-    """Say that an inner fit is not that of the definition; empty if it is."""
+def compare_inner_fits(container: Region | Ring, part: Ring) -> Iterator[str]:
+    """Say that an inner fit is not that of the definition."""
     found, expected = inner_fit_polygon(container, part), reference_inner_fit(container, part)
     regions = tuple(
         (region.exterior.vertices, tuple(hole.vertices for hole in region.holes))
         for region in found.regions
     )
     if regions != expected.regions:
-        return f"{len(regions)} regions that are not the {len(expected.regions)} of the definition"
-    return tell_fits(found.exact_fits, expected.exact_fits)
+        yield f"{len(regions)} regions that are not the {len(expected.regions)} of the definition"
+    yield tell_fits(found.exact_fits, expected.exact_fits)
 
 
-def inner_fit_is_in_a_frame(pair: SweepPair) -> str:
+def inner_fit_is_in_a_frame(pair: SweepPair) -> Iterator[str]:
     """The inner fit is the inside of the no-fit polygon of a frame around the container."""
     container, part = Polygon(_enlarge(pair.directrix)), Polygon(pair.generatrix)
     frame = frame_around(container, part)
     around = no_fit_polygon(frame, part)
     found = inner_fit_polygon(container, part)
     if around.holes != tuple(region.exterior for region in found.regions):
-        return "the holes of the frame's no-fit polygon are not the regions of the inner fit"
+        yield "the holes of the frame's no-fit polygon are not the regions of the inner fit"
 
     def is_inside(t: Point) -> bool:
         """Decide whether the part stands inside the frame, and not around one of its corners."""
@@ -147,45 +147,43 @@ def inner_fit_is_in_a_frame(pair: SweepPair) -> str:
         return left < a and low < b and c < right and d < high
 
     if tuple(fit for fit in around.exact_fits if is_inside(fit[0])) != found.exact_fits:
-        return "the exact fits inside the frame are not those of the container"
-    return ""
+        yield "the exact fits inside the frame are not those of the container"
 
 
 def _enlarge(ring: Ring) -> Ring:
     return [(2 * x, 2 * y) for x, y in ring]
 
 
-def find_touching_loops(effort: Effort) -> Evidence:
+def find_touching_loops(effort: Effort) -> Iterator[Observation]:
     """Show regions that touch in a point, loops of a region that do, defects and an exact fit."""
-    failures = []
+    yield Evidence("And 5 cases by hand.")
     for case in CONTAINERS:
         container, part = Region(case["exterior"], case["defects"]), case["part"]
         found = inner_fit_polygon(container, part)
         loops = [loop for region in found.regions for loop in (region.exterior, *region.holes)]
-        failures.append(compare_inner_fits(container, part))
+        yield from compare_inner_fits(container, part)
         if [len(region.holes) for region in found.regions] != case["holes"]:
-            failures.append(f"{len(loops)} loops")
+            yield f"{len(loops)} loops"
         if any(point_in_polygon(p, loop) != 0 for p in case["common"] for loop in loops):
-            failures.append(f"a loop is off {case['common']}")
+            yield f"a loop is off {case['common']}"
         if len(found.exact_fits) != (not loops):
-            failures.append(f"exact fits {show_fits(found.exact_fits)}")
-    return Evidence("And 5 cases by hand.", find_first_failure(failures))
+            yield f"exact fits {show_fits(found.exact_fits)}"
 
 
-def find_room(effort: Effort) -> Evidence:
+def find_room(effort: Effort) -> Iterator[Observation]:
     """Show a cave in which G has room."""
-    holes = len(no_fit_polygon(*ROOM[::-1]).holes)
-    failures = [loops_are_simple(ROOM), "" if holes == 1 else f"{holes} holes"]
-    return Evidence("And a cave with room.", find_first_failure(failures))
+    yield Evidence("And a cave with room.")
+    yield from loops_are_simple(ROOM)
+    if len(holes := no_fit_polygon(*ROOM[::-1]).holes) != 1:
+        yield f"{len(holes)} holes"
 
 
-def find_unswept(effort: Effort) -> Evidence:
+def find_unswept(effort: Effort) -> Iterator[Observation]:
     """Show the cave of Theorem 2.2, whose middle is passed by, and two of them back to back."""
     corners = CAVE.directrix
     twice = [*corners[:1], *((x, -y) for x, y in corners[:1:-1]), *corners[1:]]
-    failures = []
+    yield Evidence("And the cave of Theorem 2.2, with one more loop, and two of these, with two.")
     for number, pair in enumerate((CAVE, CAVE._replace(directrix=twice)), 1):
-        loops = len(sweep(*pair).unswept)
-        failures += [swept_area_is_the_definition(pair), f"{loops} loops" * (loops != number)]
-    tried = "And the cave of Theorem 2.2, with one more loop, and two of these, with two."
-    return Evidence(tried, find_first_failure(failures))
+        yield from swept_area_is_the_definition(pair)
+        if len(loops := sweep(*pair).unswept) != number:
+            yield f"{len(loops)} loops"

@@ -5,19 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.check.piecewise import LinearPiece, PiecewiseLinear, mirror, take_least_sum
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper.claim import (
-    Counterexample,
-    Effort,
-    Evidence,
-    find_first_failure,
-)
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
 from exactsweep.paper.functions import (
     frame_around,
     no_fit_is_the_definition,
@@ -42,46 +37,40 @@ def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
         yield Point(x, y), Point(x + dx, y + dy), Point(x - dx, y - dy)
 
 
-def touches_without_overlap(pair: SweepPair) -> str:
+def touches_without_overlap(pair: SweepPair) -> Iterator[str]:
     """Along the trajectory G touches D; a step inwards it overlaps, a step outwards it is free."""
     s = sweep(*pair)
     for vertex in s.trajectory.vertices:
         if classify(s.directrix, s.generatrix, vertex).verdict != "CONTACT":
-            return f"at ({vertex.x}, {vertex.y}), a vertex of the trajectory, no contact"
+            yield f"at ({vertex.x}, {vertex.y}), a vertex of the trajectory, no contact"
     for positions in edge_positions(s):
         found = [classify(s.directrix, s.generatrix, t).verdict for t in positions]
         if found != ["CONTACT", "OVERLAP", "FREE"]:
             t = positions[0]
-            return f"at ({t.x}, {t.y}), inside and outside of it: {', '.join(found)}"
-    return ""
+            yield f"at ({t.x}, {t.y}), inside and outside of it: {', '.join(found)}"
 
 
-def find_exact_fit(effort: Effort) -> Evidence:
+def find_exact_fit(effort: Effort) -> Iterator[Observation]:
     """Look for a position of contact off the trajectory."""
 
-    def fits(pair: SweepPair) -> str:
-        fit = next(iter(sweep(*pair).exact_fits), None)
-        if fit is None:
-            return ""
-        (ax, ay), (bx, by) = fit
-        middle = (ax + bx) / 2, (ay + by) / 2
-        verdict = classify(pair.directrix, pair.generatrix, middle).verdict
-        text = f"({middle[0]}, {middle[1]}) is a position of contact, off the trajectory"
-        return text if verdict == "CONTACT" else ""
+    def fits(pair: SweepPair) -> Iterator[str]:
+        for (ax, ay), (bx, by) in sweep(*pair).exact_fits[:1]:
+            middle = (ax + bx) / 2, (ay + by) / 2
+            if classify(pair.directrix, pair.generatrix, middle).verdict == "CONTACT":
+                yield f"({middle[0]}, {middle[1]}) is a position of contact, off the trajectory"
 
     slot = SweepPair(
         [(0, 0), (1, 0), (1, 1), (0, 1)],
         [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)],
     )
-    least = shrink(fits, slot) if fits(slot) else None
-    against = least and Counterexample(
-        fits(least), "a square and its slot, vertices left out as long as it fits exactly", *least
-    )
+    if any(fits(slot)):
+        least = shrink(fits, slot)
+        how = "a square and its slot, vertices left out as long as it fits exactly"
+        yield Counterexample(find_first_failure(fits(least)), how, *least)
     combs = [draw_slots(effort.random(f"slots {k}")) for k in range(effort.cases(20))]
-    missing = fits_are_whole(slot) or break_law(no_fit_is_the_definition, [slot, *combs])
-    return Evidence(
-        f"A slot, and {len(combs)} plates with slots above and below.", missing, against
-    )
+    yield from fits_are_whole(slot)
+    yield break_law(no_fit_is_the_definition, [slot, *combs])
+    yield Evidence(f"A slot, and {len(combs)} plates with slots above and below.")
 
 
 def draw_slots(random: Prng) -> SweepPair:
@@ -98,19 +87,18 @@ def draw_slots(random: Prng) -> SweepPair:
     return SweepPair(box, [*bottom, (end, 0), (end, 40), *top[::-1]])
 
 
-def fits_are_whole(pair: SweepPair) -> str:
+def fits_are_whole(pair: SweepPair) -> Iterator[str]:
     """Along an exact fit G touches D; beyond its far end it overlaps D."""
     s = sweep(*pair)
     for start, end in s.exact_fits:
         if point_in_polygon(start, s.trajectory) != 0:
-            return f"the exact fit from ({start.x}, {start.y}) hangs on nothing"
+            yield f"the exact fit from ({start.x}, {start.y}) hangs on nothing"
         by = end.x - start.x, end.y - start.y
         for share, expected in ((SHARE, "CONTACT"), (1, "CONTACT"), (1 + STEP, "OVERLAP")):
             t = Point(start.x + share * by[0], start.y + share * by[1])
             found = classify(s.directrix, s.generatrix, t).verdict
             if found != expected and not (found == "CONTACT" and start == end):
-                return f"at ({t.x}, {t.y}), along an exact fit, {found}"
-    return ""
+                yield f"at ({t.x}, {t.y}), along an exact fit, {found}"
 
 
 def swept_by_contact(s: Sweep, p: Point) -> bool:
@@ -124,78 +112,69 @@ def swept_by_contact(s: Sweep, p: Point) -> bool:
     return all(classify(shape, inverse, p).verdict != "FREE" for shape in shapes)
 
 
-def area_is_covered(pair: SweepPair) -> str:
+def area_is_covered(pair: SweepPair) -> Iterator[str]:
     """Of 36 points those between the loops are those that G covers from the trajectory."""
     s = sweep(*pair)
-    if failure := tell_loops(s, "inner", "outer"):
-        return failure
+    yield from tell_loops(s, "inner", "outer")
     if s.area != s.outer.area - s.inner.area:
-        return "the area is not that between the loops"
+        yield "the area is not that between the loops"
     (left, low), (right, high) = s.outer.bounding_box
-    for i in range(-1, 5):
-        for j in range(-1, 5):
-            p = Point(
-                left + (right - left) * (7 * i + 2) / 29, low + (high - low) * (7 * j + 2) / 29
-            )
-            between = point_in_polygon(p, s.outer) >= 0 >= point_in_polygon(p, s.inner)
-            if between != swept_by_contact(s, p):
-                return f"({p.x}, {p.y}) is {'' if between else 'not '}between the loops"
-    return ""
+    for i, j in product(range(-1, 5), repeat=2):
+        p = Point(left + (right - left) * (7 * i + 2) / 29, low + (high - low) * (7 * j + 2) / 29)
+        between = point_in_polygon(p, s.outer) >= 0 >= point_in_polygon(p, s.inner)
+        if between != swept_by_contact(s, p):
+            yield f"({p.x}, {p.y}) is {'' if between else 'not '}between the loops"
 
 
-def path_is_the_definition(pair: SweepPair) -> str:
+def path_is_the_definition(pair: SweepPair) -> Iterator[str]:
     """The trajectory is that of the definition."""
-    return tell_loops(sweep(*pair), "trajectory")
+    yield from tell_loops(sweep(*pair), "trajectory")
 
 
-def paths_are_translates(pair: SweepPair) -> str:
+def paths_are_translates(pair: SweepPair) -> Iterator[str]:
     """Two points of G have paths that are equal except for a translation."""
     (ax, ay), (bx, by) = pair.generatrix[:2]
     first, second = (sweep(*pair, reference=g).trajectory for g in ((ax, ay), (bx, by)))
-    moved = first.translated((bx - ax, by - ay))
-    return "" if moved == second else f"the paths of ({ax}, {ay}) and ({bx}, {by}) differ in shape"
+    if first.translated((bx - ax, by - ay)) != second:
+        yield f"the paths of ({ax}, {ay}) and ({bx}, {by}) differ in shape"
 
 
-def find_overlap_along_directrix(effort: Effort) -> Evidence:
+def find_overlap_along_directrix(effort: Effort) -> Iterator[Observation]:
     """Look for a G that overlaps D with a point of it on D's boundary."""
 
-    def overlaps(pair: SweepPair) -> str:
+    def overlaps(pair: SweepPair) -> Iterator[str]:
         reference_point = pair.generatrix[0]
         for x, y in pair.directrix:
             t = x - reference_point[0], y - reference_point[1]
             if classify(pair.directrix, pair.generatrix, t).verdict == "OVERLAP":
-                return f"with its vertex {reference_point} on ({x}, {y}), G overlaps D"
-        return ""
+                yield f"with its vertex {reference_point} on ({x}, {y}), G overlaps D"
 
     found = search_grid(2, 6, "convex", "convex", overlaps)
-    if found.against is None:
-        return replace(found, failure="none of them overlap")
-    text, _, g, d = found.against
-    tried = f"{found.tried} For G = {g} and D = {d}: {text}."
-    failure = touches_without_overlap(SweepPair([*g], [*d]))
-    return replace(found, tried=tried, failure=failure, against=None)
+    yield replace(found, cases=())
+    yield "" if found.cases else "none of them overlap"
+    for text, _, g, d in found.cases:
+        yield Evidence(f"For G = {g} and D = {d}: {text}.")
+        yield from touches_without_overlap(SweepPair([*g], [*d]))
 
 
-def path_is_not_the_directrix(pair: SweepPair) -> str:
+def path_is_not_the_directrix(pair: SweepPair) -> Iterator[str]:
     """The trajectory is another polygon than D, wherever it lies."""
     s = sweep(*pair)
     (left, low), (x, y) = s.directrix.vertices[0], s.trajectory.vertices[0]
-    moved = s.directrix.translated((x - left, y - low))
-    return "the trajectory is D moved" if moved == s.trajectory else ""
+    if s.directrix.translated((x - left, y - low)) == s.trajectory:
+        yield "the trajectory is D moved"
 
 
-def sum_is_the_swept_area(pair: SweepPair) -> str:
+def sum_is_the_swept_area(pair: SweepPair) -> Iterator[str]:
     """The Minkowski sum of G and T, evaluated as functions of x, has the loops of the sweep."""
     s, (top, bottom, directrix) = sweep(*pair), pair.chains
     path, low, high = map(_read_function, (take_bottom(s.trajectory.vertices), bottom, top[::-1]))
     ends = directrix[0][0], directrix[-1][0]
     outer = take_least_sum(path, low)
     inner = mirror(take_least_sum(mirror(path), mirror(high), ends))
-    return find_first_failure(
-        tell_difference(f"the {name} loop", take_bottom(loop.vertices), chain, "as a sum")
-        for name, loop, pieces in (("outer", s.outer, outer), ("inner", s.inner, inner))
-        for chain in [[*(piece[:2] for piece in pieces), pieces[-1][2:]]]
-    )
+    for name, loop, pieces in (("outer", s.outer, outer), ("inner", s.inner, inner)):
+        chain = [*(piece[:2] for piece in pieces), pieces[-1][2:]]
+        yield tell_difference(f"the {name} loop", take_bottom(loop.vertices), chain, "as a sum")
 
 
 def _read_function(chain: Sequence[Vertex]) -> PiecewiseLinear:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from itertools import chain, pairwise
 
@@ -12,7 +13,7 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.paper.checks.touching import contacts_are_right
-from exactsweep.paper.claim import Effort, Evidence
+from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
     keep_corners,
@@ -29,7 +30,7 @@ from exactsweep.procedures.chain import find_convex_parts, inverse, require_conv
 
 def returns(
     words: str = "",
-    fails: Callable[[str, Sequence[Vertex]], str] = lambda procedure, chain: "",
+    fails: Callable[[str, Sequence[Vertex]], Iterable[str]] = lambda procedure, chain: (),
     **procedures: str,
 ) -> Law:
     """Make the law that procedures return boundaries of the definition.
@@ -40,13 +41,11 @@ def returns(
         procedures: a key of RUNS for each loop, whose bottom chain is the boundary.
     """
 
-    def law(pair: SweepPair) -> str:
+    def law(pair: SweepPair) -> Iterator[str]:
         for loop, procedure in procedures.items():
             found = list(RUNS[procedure](pair.chains))
-            failure = tell_difference(procedure, found, look_up_bottom(pair, loop))
-            if failure := failure or fails(procedure, found):
-                return failure
-        return ""
+            yield tell_difference(procedure, found, look_up_bottom(pair, loop))
+            yield from fails(procedure, found)
 
     loop, procedure = next(iter(procedures.items()))
     boundary = loop if loop == "trajectory" else f"{loop} boundary"
@@ -78,62 +77,57 @@ def merge_all(pair: SweepPair, sign: int = 1) -> list[Vertex]:
     return lay_by_slope(start_of(top, directrix), edges, sign)
 
 
-def reversed_edges_make_the_inverse(pair: SweepPair) -> str:
+def reversed_edges_make_the_inverse(pair: SweepPair) -> Iterator[str]:
     """Reversed twice, a chain is itself; reversed and laid end to end, it is its inverse."""
     top = pair.chains.top
     edges = list(pairwise(top))
     turned = reverse(edges)
     if [(q, p) for p, q in turned] != edges or reverse(turned) != edges:
-        return "the edges are not the same in the same order, each the other way round"
+        yield "the edges are not the same in the same order, each the other way round"
     if list(map(slope, turned)) != list(map(slope, edges)):
-        return "the slopes change"
-    laid = walk((minus(q, p) for p, q in turned), inverse(top)[0])
-    return "" if laid == inverse(top) else "laid end to end they are not the inverse of G_t"
+        yield "the slopes change"
+    if walk((minus(q, p) for p, q in turned), inverse(top)[0]) != inverse(top):
+        yield "laid end to end they are not the inverse of G_t"
 
 
-def left_turns_merge(pair: SweepPair) -> str:
+def left_turns_merge(pair: SweepPair) -> Iterator[str]:
     """A chain that turns left everywhere is one convex part, and merges by slope."""
     directrix = pair.chains.directrix
     if keep_corners(require_convex(directrix)) != keep_corners(directrix):
-        return "a chain that turns left at every vertex is another one as a convex chain"
-    return trajectory_by_slope(pair)
+        yield "a chain that turns left at every vertex is another one as a convex chain"
+    yield from trajectory_by_slope(pair)
 
 
-def right_turns_are_edges(pair: SweepPair) -> str:
+def right_turns_are_edges(pair: SweepPair) -> Iterator[str]:
     """A chain that turns right everywhere has as many convex parts as edges."""
     chain = [(x, -y) for x, y in pair.chains.directrix]
-    parts = find_convex_parts(chain)
-    return "" if len(parts) == len(chain) - 1 else f"it has {len(parts)} convex parts"
+    if len(parts := find_convex_parts(chain)) != len(chain) - 1:
+        yield f"it has {len(parts)} convex parts"
 
 
-def closed_chains_merge(pair: SweepPair) -> str:
+def closed_chains_merge(pair: SweepPair) -> Iterator[str]:
     """Lemma 3.1 holds for every D_b that a straight edge makes convex."""
-    try:
-        closed = Polygon(pair.chains.directrix)
-    except PolygonError:
-        return ""
-    if not closed.is_convex or not trajectory_by_slope(pair):
-        return ""
-    return "D_b, closed by an edge, is convex; the merge by slope is not the trajectory"
+    with suppress(PolygonError):
+        if Polygon(pair.chains.directrix).is_convex and any(trajectory_by_slope(pair)):
+            yield "D_b, closed by an edge, is convex; the merge by slope is not the trajectory"
 
 
-def clockwise_slopes_merge(pair: SweepPair) -> str:
+def clockwise_slopes_merge(pair: SweepPair) -> Iterator[str]:
     """The edges, sorted by slopes that grow clockwise, are the trajectory."""
-    if merge_all(pair, sign=-1) == look_up_bottom(pair, "trajectory"):
-        return ""
-    return "sorted by slopes that grow clockwise, the edges do not make the trajectory"
+    if merge_all(pair, sign=-1) != look_up_bottom(pair, "trajectory"):
+        yield "sorted by slopes that grow clockwise, the edges do not make the trajectory"
 
 
-def trajectory_by_slope(pair: SweepPair) -> str:
+def trajectory_by_slope(pair: SweepPair) -> Iterator[str]:
     """The merge by slope is the trajectory of the definition."""
-    return tell_difference(
-        "the merge by slope", merge_all(pair), look_up_bottom(pair, "trajectory")
-    )
+    expected = look_up_bottom(pair, "trajectory")
+    yield tell_difference("the merge by slope", merge_all(pair), expected)
 
 
-def has_edge_in_two(procedure: str, chain: Sequence[Vertex]) -> str:
-    """Say that parallel edges are not added up; empty if they are."""
-    return "" if len(chain) == len(keep_corners(chain)) else f"{procedure} leaves an edge in two"
+def has_edge_in_two(procedure: str, chain: Sequence[Vertex]) -> Iterator[str]:
+    """Say that parallel edges are not added up."""
+    if len(chain) != len(keep_corners(chain)):
+        yield f"{procedure} leaves an edge in two"
 
 
 trajectory_cc_is_right = returns(
@@ -148,49 +142,47 @@ outer_cc_is_right = returns(
 )
 
 
-def inner_cc_is_right(pair: SweepPair) -> str:
+def inner_cc_is_right(pair: SweepPair) -> Iterator[str]:
     """SweepI_CC returns D_b, which is the inner boundary of the definition."""
     top, _, directrix = pair.chains
     expected = look_up_bottom(pair, "inner")
-    found = tell_difference("SweepI_CC", sweep_inner_cc(top, directrix), expected)
-    return found or tell_difference("D_b", directrix, expected)
+    yield tell_difference("SweepI_CC", sweep_inner_cc(top, directrix), expected)
+    yield tell_difference("D_b", directrix, expected)
 
 
-def outer_by_slope(pair: SweepPair) -> str:
+def outer_by_slope(pair: SweepPair) -> Iterator[str]:
     """The edges of all three chains, sorted by slope, are the outer boundary."""
     top, bottom, directrix = pair.chains
     x, y = start_of(top, directrix)
     edges = [*reverse(list(pairwise(top))), *pairwise(bottom), *pairwise(directrix)]
     found = lay_by_slope((x + bottom[0][0], y + bottom[0][1]), edges)
-    return tell_difference("the merge by slope", found, look_up_bottom(pair, "outer"))
+    yield tell_difference("the merge by slope", found, look_up_bottom(pair, "outer"))
 
 
-def loops_are_small(pair: SweepPair) -> str:
+def loops_are_small(pair: SweepPair) -> Iterator[str]:
     """All loops are convex and no larger than stated."""
     s, (n, m) = sweep(*pair), map(len, pair)
     for loop, most in (s.trajectory, m + n), (s.inner, m), (s.outer, m + 2 * n):
         if not loop.is_convex or len(loop) > most:
-            return f"not convex, or of more than {most} edges: {write_chain(loop)}"
-    return tell_loops(s)
+            yield f"not convex, or of more than {most} edges: {write_chain(loop)}"
+    yield from tell_loops(s)
 
 
-def count_attained(effort: Effort) -> Evidence:
+def count_attained(effort: Effort) -> Iterator[Observation]:
     """Count the pairs that attain the bound for the outer loop."""
     drawn = (
         draw_pairs(effort, "CC", effort.cases(count), *how)
         for count, *how in ((200,), (100, "weak"), (10, "large"))
     )
     attained = sum(len(sweep(g, d).outer) == len(d) + 2 * len(g) for g, d in chain(*drawn))
-    return Evidence(
-        f"The bound for the outer loop is attained by {attained} of them.",
-        "" if attained else "the bounds are never attained",
-    )
+    yield Evidence(f"The bound for the outer loop is attained by {attained} of them.")
+    yield "" if attained else "the bounds are never attained"
 
 
-def every_edge_is_touched(pair: SweepPair) -> str:
+def every_edge_is_touched(pair: SweepPair) -> Iterator[str]:
     """Every edge of D is in a VE or EE contact."""
     s = sweep(*pair)
     slid = {c.directrix for at in s.contacts for c in at if c.event in ("VE", "EE")}
-    missing = set(range(len(s.directrix))) - slid
-    failure = f"edges {sorted(missing)} of D are not slid along" if missing else ""
-    return contacts_are_right(s) or failure
+    yield from contacts_are_right(s)
+    if missing := set(range(len(s.directrix))) - slid:
+        yield f"edges {sorted(missing)} of D are not slid along"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 
 from exactsweep import Point, sweep
@@ -14,7 +14,7 @@ from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.section3 import returns
 from exactsweep.paper.checks.touching import contacts_are_right
-from exactsweep.paper.claim import Effort, Evidence, find_first_failure
+from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.functions import (
     evaluate,
     list_sub_chains,
@@ -38,18 +38,18 @@ def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Ver
     return ""
 
 
-def sub_trajectories_suffice(pair: SweepPair) -> str:
+def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
     """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
     paths, outers = list_sub_chains(pair)
-    return lowest("sub-trajectory", paths, look_up_bottom(pair, "trajectory")) or lowest(
-        "sub-outer chain", outers, look_up_bottom(pair, "outer")
-    )
+    yield lowest("sub-trajectory", paths, look_up_bottom(pair, "trajectory"))
+    yield lowest("sub-outer chain", outers, look_up_bottom(pair, "outer"))
 
 
-def is_monotone(name: str, chain: Iterable[Vertex]) -> str:
-    """Say that a chain turns back along x, or has a vertical edge; empty if it does not."""
-    backs = [p[0] for p, q in pairwise(chain) if p[0] >= q[0]]
-    return f"{name} is not strictly X-monotone at x = {backs[0]}" if backs else ""
+def is_monotone(name: str, chain: Iterable[Vertex]) -> Iterator[str]:
+    """Say where a chain turns back along x, or has a vertical edge."""
+    for p, q in pairwise(chain):
+        if p[0] >= q[0]:
+            yield f"{name} is not strictly X-monotone at x = {p[0]}"
 
 
 trajectory_cm_is_right = returns(trajectory="Trajectory_CM")
@@ -62,46 +62,46 @@ MONOTONE = "Without vertical edges in G and D there are none in the chains, whic
 loops_are_monotone = returns(MONOTONE, is_monotone, trajectory="Trajectory_CM", outer="SweepO_CM")
 
 
-def few_undercuts(pair: SweepPair) -> str:
+def few_undercuts(pair: SweepPair) -> Iterator[str]:
     """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    if failure := tell_loops(s, "inner"):
-        return failure
+    yield from tell_loops(s, "inner")
     lower = lower_undercuts(s)
     if len(lower) >= len(find_convex_parts(directrix)):
-        return f"{len(lower)} undercuts of {len(find_convex_parts(directrix))} convex parts"
-    longest = max((len(u.bottom) - 1 for u in lower), default=0)
-    return f"an undercut with {longest} edges" if longest > len(top) - 1 else ""
+        yield f"{len(lower)} undercuts of {len(find_convex_parts(directrix))} convex parts"
+    for undercut in lower:
+        if len(undercut.bottom) > len(top):
+            yield f"an undercut with {len(undercut.bottom) - 1} edges"
 
 
-def bottom_chains_have_two_forms(pair: SweepPair) -> str:
+def bottom_chains_have_two_forms(pair: SweepPair) -> Iterator[str]:
     """Closed in a point: a piece of G's boundary; along a segment: one edge, parallel to it."""
-    s = sweep(*pair)
-    failures = (_form(undercut, pair) for undercut in s.undercuts)
-    return find_first_failure(failures) or undercuts_fill_the_inner_loop(pair)
+    for undercut in sweep(*pair).undercuts:
+        yield from _form(undercut, pair)
+    yield from undercuts_fill_the_inner_loop(pair)
 
 
-def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
+def undercuts_fill_the_inner_loop(pair: SweepPair) -> Iterator[str]:
     """The undercuts are apart, and make up the difference between the inner loop and D."""
     s = sweep(*pair)
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
-        return "the undercuts do not make up the difference between the inner loop and D"
-    return tell_loops(s, "inner")
+        yield "the undercuts do not make up the difference between the inner loop and D"
+    yield from tell_loops(s, "inner")
 
 
-def count_forms(effort: Effort) -> Evidence:
+def count_forms(effort: Effort) -> Iterator[Observation]:
     """Count the undercuts of each form."""
     random = draw_pairs(effort, "CM", effort.cases(150))
     resting = draw_pairs(effort, "CM", effort.cases(40), "resting")
     swept = (sweep(*pair) for pair in chain(random, resting))
     forms = Counter(undercut.intersection for s in swept for undercut in s.undercuts)
-    return Evidence(
-        f"Undercuts: {forms['point']} closed in a point, {forms['segment']} along a segment.",
-        "" if len(forms) == 2 else "one of the two forms is never seen",
+    yield Evidence(
+        f"Undercuts: {forms['point']} closed in a point, {forms['segment']} along a segment."
     )
+    yield "" if len(forms) == 2 else "one of the two forms is never seen"
 
 
-def _form(undercut: Undercut, pair: SweepPair) -> str:
+def _form(undercut: Undercut, pair: SweepPair) -> Iterator[str]:
     bottom, positions = undercut.bottom, undercut.positions
 
     def rests(t: Point) -> bool:
@@ -113,23 +113,25 @@ def _form(undercut: Undercut, pair: SweepPair) -> str:
     if undercut.intersection == "segment":
         (a, b), (c, d) = (bottom[0], bottom[-1]), (positions[0], positions[-1])
         if len(bottom) != 2 or (b.x - a.x) * (d.y - c.y) != (b.y - a.y) * (d.x - c.x):
-            return f"not one edge: {undercut}"
+            yield f"not one edge: {undercut}"
         ends = [(c, d), (d, c)]
         beyond = [Point(p.x + STEP * (p.x - q.x), p.y + STEP * (p.y - q.y)) for p, q in ends]
-        closed = [rests(t) for t in (c, d, *beyond)]
-        return "" if c != d and closed == [True, True, False, False] else f"not there: {undercut}"
-    (t,) = positions
-    placed = [Point(x + t.x, y + t.y) for x, y in pair.generatrix]
-    if any(point_in_polygon(p, placed) for p in bottom):
-        return f"the bottom chain is off the boundary of G: {undercut}"
-    return "" if set(bottom[1:-1]) <= set(placed) else f"a corner that G has not: {undercut}"
+        if c == d or [rests(t) for t in (c, d, *beyond)] != [True, True, False, False]:
+            yield f"not there: {undercut}"
+    else:
+        (t,) = positions
+        placed = [Point(x + t.x, y + t.y) for x, y in pair.generatrix]
+        if any(point_in_polygon(p, placed) for p in bottom):
+            yield f"the bottom chain is off the boundary of G: {undercut}"
+        if not set(bottom[1:-1]) <= set(placed):
+            yield f"a corner that G has not: {undercut}"
 
 
-def labels_name_the_extremes(pair: SweepPair) -> str:
+def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
     """The contacts at the positions that close an undercut name both of its extremes."""
     s = sweep(*pair)
-    if failure := contacts_are_right(s) or tell_loops(s, "inner"):
-        return failure
+    yield from contacts_are_right(s)
+    yield from tell_loops(s, "inner")
     features = Features(s)
     for undercut in s.undercuts:
         spots = {
@@ -138,7 +140,5 @@ def labels_name_the_extremes(pair: SweepPair) -> str:
             for c in s.contacts_at(t)
             for spot in features.spot(c, t)
         }
-        missed = set(undercut.extremes) - spots
-        if missed:
-            return f"no label names ({min(missed).x}, {min(missed).y}), an end of an undercut"
-    return ""
+        if missed := set(undercut.extremes) - spots:
+            yield f"no label names ({min(missed).x}, {min(missed).y}), an end of an undercut"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 from exactsweep import Polygon, Sweep, sweep
@@ -14,13 +15,7 @@ from exactsweep.numbers.number import Edge, Rational, Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section3 import returns, slope
 from exactsweep.paper.checks.section4 import MONOTONE, is_monotone, lowest
-from exactsweep.paper.claim import (
-    Counterexample,
-    Effort,
-    Evidence,
-    find_first_failure,
-    join_evidence,
-)
+from exactsweep.paper.claim import Counterexample, Effort, Observation, find_first_failure
 from exactsweep.paper.functions import (
     clip_to,
     keep_corners,
@@ -50,64 +45,61 @@ trajectory_mm_is_right = returns(trajectory="Trajectory_MM")
 mm_trajectory_is_monotone = returns("", is_monotone, trajectory="Trajectory_MM")
 
 
-def sub_trajectories_suffice(pair: SweepPair) -> str:
+def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
     """The trajectory is the lower envelope of those of the convex parts of G_t."""
     chains = [list(chain) for chain in list_sub_trajectories(pair)]
-    return lowest("sub-trajectory", chains, look_up_bottom(pair, "trajectory"))
+    yield lowest("sub-trajectory", chains, look_up_bottom(pair, "trajectory"))
 
 
-def inverse_is_a_reflection(pair: SweepPair) -> str:
+def inverse_is_a_reflection(pair: SweepPair) -> Iterator[str]:
     """The inverse maps vertices, chains and the polygon as a reflection in a point does."""
     g = Polygon(pair.generatrix)
     if g.reflected().reflected() != g:
-        return "the inverse of the inverse is not G"
+        yield "the inverse of the inverse is not G"
     mirrored = g.reflected((1, 2))
     if mirrored != g.reflected().translated((2, 4)):
-        return "the inverse about another point is more than translated"
+        yield "the inverse about another point is more than translated"
     if any(point_in_polygon((2 - x, 4 - y), mirrored) != 0 for x, y in pair.generatrix):
-        return "an image of a vertex is not on the boundary of the image"
+        yield "an image of a vertex is not on the boundary of the image"
     bottom, top = split(pair.generatrix)
     turned = [(int(x), int(y)) for x, y in g.reflected().vertices]
     if split(turned) != (inverse(top), inverse(bottom)):
-        return "the inverse of the top chain is not the bottom chain of the inverse"
-    return ""
+        yield "the inverse of the top chain is not the bottom chain of the inverse"
 
 
-def complement_has_the_outside_left(pair: SweepPair) -> str:
+def complement_has_the_outside_left(pair: SweepPair) -> Iterator[str]:
     """The complement is the same chain with the outside on its left."""
     directrix = pair.chains.directrix
     if complement(complement(directrix)) != directrix:
-        return "the complement of the complement is another chain"
+        yield "the complement of the complement is another chain"
     polygon, eps = Polygon(pair.directrix), Fraction(1, 10**9)
     for sign, chain in ((1, directrix), (-1, complement(directrix))):
         for (px, py), (qx, qy) in pairwise(chain):
             x, y = (px + qx) * Fraction(1, 2), (py + qy) * Fraction(1, 2)
             left = x - eps * (qy - py), y + eps * (qx - px)
             if point_in_polygon(left, polygon) != sign:
-                return f"left of ({px}, {py}) to ({qx}, {qy}) is the wrong side of D"
-    return ""
+                yield f"left of ({px}, {py}) to ({qx}, {qy}) is the wrong side of D"
 
 
-def loops_are_retraced(pair: SweepPair) -> str:
+def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
     """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
     inner, outer = literal.sweep_mm(*pair.chains)
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != look_up(pair).outer:
-        return "the trajectory of I(G) around T is not the outer loop"
-    return tell_boundaries(pair, clip_to(inner, pair.chains.directrix), outer)
+        yield "the trajectory of I(G) around T is not the outer loop"
+    yield from tell_boundaries(pair, inner=clip_to(inner, pair.chains.directrix), outer=outer)
 
 
-def inner_to_the_letter(pair: SweepPair) -> str:
+def inner_to_the_letter(pair: SweepPair) -> Iterator[str]:
     """Show that the output of Trajectory_MM along the inside is not the inner boundary."""
     inner = keep_corners(literal.sweep_mm(*pair.chains)[0])
     expected = look_up_bottom(pair, "inner")
-    if inner == expected:
-        return ""
-    return (
-        f"Trajectory_MM along the inside of T goes from x = {inner[0][0]} to {inner[-1][0]} in "
-        f"{len(inner) - 1} edges; the inner boundary from {expected[0][0]} to {expected[-1][0]} "
-        f"in {len(expected) - 1}"
-    )
+    if inner != expected:
+        yield (
+            f"Trajectory_MM along the inside of T goes from x = {inner[0][0]} to {inner[-1][0]} in "
+            f"{len(inner) - 1} edges; the inner boundary from {expected[0][0]} to "
+            f"{expected[-1][0]} in {len(expected) - 1}"
+        )
 
 
 sweep_mm_is_right = returns(
@@ -120,32 +112,29 @@ loops_are_monotone = returns(
 )
 
 
-def trajectory_is_monotone(pair: SweepPair) -> str:
+def trajectory_is_monotone(pair: SweepPair) -> Iterator[str]:
     """The trajectory is a simple polygon made of two X-monotone chains."""
     s = sweep(*pair)
     bottom, top = split(Polygon(s.trajectory.vertices).vertices)
-    return (
-        tell_loops(s, "trajectory")
-        or mm_trajectory_is_monotone(pair)
-        or is_monotone("the bottom chain of T", bottom)
-        or is_monotone("the top chain of T", top[::-1])
-    )
+    yield from tell_loops(s, "trajectory")
+    yield from mm_trajectory_is_monotone(pair)
+    yield from is_monotone("the bottom chain of T", bottom)
+    yield from is_monotone("the top chain of T", top[::-1])
 
 
-def local_width(pair: SweepPair) -> str:
+def local_width(pair: SweepPair) -> Iterator[str]:
     """Across an edge of a convex D, the outer loop is as far from it as G is wide."""
     s = sweep(*pair)
-    return _tell_width(s, s.inner)
+    yield from _tell_width(s, s.inner)
 
 
-def _tell_width(s: Sweep, inside: AnyPolygon) -> str:
+def _tell_width(s: Sweep, inside: AnyPolygon) -> Iterator[str]:
     """Say across which edge the outer loop reaches farther by another width than that of G."""
     for p, q in list_edges(inside.vertices):
         normal = q.y - p.y, p.x - q.x
         reach, own = (max(_measure(normal, loop)) for loop in (s.outer, inside))
         if reach - own != _measure_width(normal, s.generatrix):
-            return f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the area is not as wide as G"
-    return ""
+            yield f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the area is not as wide as G"
 
 
 def _measure(normal: Vertex, points: Iterable[Vertex]) -> list[Rational]:
@@ -159,35 +148,29 @@ def _measure_width(normal: Vertex, polygon: AnyPolygon) -> Rational:
     return max(heights) - min(heights)
 
 
-def find_missing_edge(effort: Effort) -> Evidence:
+def find_missing_edge(effort: Effort) -> Iterator[Observation]:
     """Look for edges of trajectories that draw no edge of one of the loops, and for near ones."""
 
-    def lacks(name: str) -> Callable[[SweepPair], str]:
-        def fails(pair: SweepPair) -> str:
-            s = sweep(*pair)
-            slopes, own = ({*map(slope, list_edges(x))} for x in (s.trajectory, getattr(s, name)))
-            missing = sorted(slopes - own)
-            if not missing:
-                return ""
-            return f"the trajectory has edges of slope {missing[0]}, and the {name} loop has none"
+    def lacks(pair: SweepPair, name: str) -> Iterator[str]:
+        s = sweep(*pair)
+        slopes, own = ({*map(slope, list_edges(x))} for x in (s.trajectory, getattr(s, name)))
+        for missing in sorted(slopes - own):
+            yield f"the trajectory has edges of slope {missing}, and the {name} loop has none"
 
-        return fails
-
-    found = search_grid(2, 6, "convex", "convex", lacks("inner"))
-    outer = search_grid(3, 8, "bent", "bent", lacks("outer"))
+    yield search_grid(2, 6, "convex", "convex", partial(lacks, name="inner"))
+    yield (outer := search_grid(3, 8, "bent", "bent", partial(lacks, name="outer")))
+    yield "" if outer.cases else "no edge of an outer loop is missing"
     near = shrink(edges_are_near, NARROW)
+    text = find_first_failure(edges_are_near(near))
     how = "by hand, made smaller as long as both edges are there and too near"
-    failure = "" if outer.against else "no edge of an outer loop is missing"
-    failure = failure or ("" if edges_are_near(near) else "no edges are nearer than G is wide")
-    others = (Counterexample(edges_are_near(near), how, *near),)
-    return join_evidence(found, outer, Evidence("", failure, others=others))
+    yield Counterexample(text, how, *near) if text else "no edges are nearer than G is wide"
 
 
-def edges_are_near(pair: SweepPair) -> str:
+def edges_are_near(pair: SweepPair) -> Iterator[str]:
     """Two edges that G draws along one edge of T, nearer to one another than G is wide across."""
     s = sweep(*pair)
     if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in list_edges(polygon)):
-        return ""
+        return
     loops = [[make_segment(edge) for edge in list_edges(loop)] for loop in (s.inner, s.outer)]
     for p, q in list_edges(s.trajectory):
         normal = q.y - p.y, p.x - q.x
@@ -197,12 +180,11 @@ def edges_are_near(pair: SweepPair) -> str:
         )
         width = _measure_width(normal, s.generatrix)
         if inner and outer and max(outer) - min(inner) < width:
-            return (
+            yield (
                 f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges are there, and apart by "
                 f"{max(outer) - min(inner)} where G is wide by {width}, in units of the edge's "
                 "length"
             )
-    return ""
 
 
 def _draws(v: Vertex, edge: Edge, loop: Sequence[Segment]) -> bool:
@@ -212,40 +194,38 @@ def _draws(v: Vertex, edge: Edge, loop: Sequence[Segment]) -> bool:
     return any(drawn[:2] == other[:2] and drawn.shares_piece(other) for other in loop)
 
 
-def outside_of_the_inner_loop(pair: SweepPair) -> str:
+def outside_of_the_inner_loop(pair: SweepPair) -> Iterator[str]:
     """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
     s = sweep(*pair)
     if sweep(s.generatrix, s.inner).trajectory != s.trajectory:
-        return "the trajectory around the inner loop is another one"
-    return tell_loops(s, "inner")
+        yield "the trajectory around the inner loop is another one"
+    yield from tell_loops(s, "inner")
 
 
-def inside_of_the_outer_loop(pair: SweepPair) -> str:
+def inside_of_the_outer_loop(pair: SweepPair) -> Iterator[str]:
     """The lowest path of G inside the outer loop, where it is not the trajectory."""
     path, outer = look_up_bottom(pair, "trajectory"), look_up_bottom(pair, "outer")
     found = clip_to(literal.slide_inside(pair.chains.bottom, outer, trajectory_mm), path)
-    if found == path:
-        return ""
-    chains = write_chain(found), write_chain(path)
-    return f"inside the outer loop G's path is {chains[0]}, the trajectory {chains[1]}"
+    if found != path:
+        chains = write_chain(found), write_chain(path)
+        yield f"inside the outer loop G's path is {chains[0]}, the trajectory {chains[1]}"
 
 
-def kernel_is_literal(pair: SweepPair) -> str:
+def kernel_is_literal(pair: SweepPair) -> Iterator[str]:
     """The kernel's trajectory and outer boundary are those of the procedures to the letter."""
     top, bottom, directrix = pair.chains
     inner, outer = literal.sweep_mm(top, bottom, directrix)
     path, found = trajectory_mm(top, directrix), sweep_mm(top, bottom, directrix)
-    return find_first_failure(
-        tell_difference(f"the {name}", chain, literally, "to the letter")
-        for name, chain, literally in (
-            ("trajectory", path, literal.trajectory_mm(top, directrix)),
-            ("outer boundary", found[1], outer),
-            ("inner boundary", found[0], clip_to(inner, directrix)),
-        )
-    )
+    for name, chain, literally in (
+        ("trajectory", path, literal.trajectory_mm(top, directrix)),
+        ("outer boundary", found[1], outer),
+        ("inner boundary", found[0], clip_to(inner, directrix)),
+    ):
+        yield tell_difference(f"the {name}", chain, literally, "to the letter")
 
 
-def outer_loop_reaches_by_the_width(pair: SweepPair) -> str:
+def outer_loop_reaches_by_the_width(pair: SweepPair) -> Iterator[str]:
     """Across each edge of D, the outer loop reaches farther than D by as much as G is wide."""
     s = sweep(*pair)
-    return tell_loops(s, "outer") or _tell_width(s, s.directrix)
+    yield from tell_loops(s, "outer")
+    yield from _tell_width(s, s.directrix)

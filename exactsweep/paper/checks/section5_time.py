@@ -2,32 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 from itertools import pairwise, product
 from math import log2
 
-from exactsweep.corpus.generator.growing import cm_hard, figure10, mm, needles, rim
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import lowest
-from exactsweep.paper.checks.section5_sizes import (
-    OUTGROWING,
-    beyond_mn2,
-    outgrows_its_parts,
-)
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure, weigh
-from exactsweep.paper.costs import INNER, STEPS
+from exactsweep.paper.checks.section5_sizes import OUTGROWING, find_beyond_mn2, outgrows_its_parts
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.counting import (
-    PairFamily,
-    count_by,
     count_chains,
     count_operations,
     grow,
     make_counted,
-    watch_operations,
+    operations,
 )
+from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import (
     clip_to,
     keep_corners,
@@ -35,7 +28,7 @@ from exactsweep.paper.functions import (
     look_up_bottom,
     tell_difference,
 )
-from exactsweep.paper.growth import M_PLUS_N, MN, MN2, SUM_LOG, Bound, Growth, double
+from exactsweep.paper.growth import M_PLUS_N, Growth, double
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
@@ -43,32 +36,27 @@ from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 from exactsweep.procedures.mm import inner_mm, trajectory_mm
 
+Inner = Callable[[Chains, Envelope], list[Vertex]]
 
-def count_one_merge(effort: Effort) -> Evidence:
+
+def count_one_merge(effort: Effort) -> Iterator[Observation]:
     """Count the operations of one merge, and merge all tiny chains."""
 
-    def merge(*chains: list[Vertex]) -> Envelope:
-        return lower_envelope_mm([Envelope.of(make_counted(chain)) for chain in chains])
+    def merge(*chains: Sequence[Vertex]) -> Envelope:
+        return lower_envelope_mm(list(map(Envelope.of, chains)))
 
     def zigzags(m: int, n: int) -> tuple[Ring, Ring]:
         return [(2 * k, k % 2 * 10) for k in range(m)], [(2 * k, 6 - k % 2) for k in range(n)]
 
     def count(chains: SweepPair) -> int:
-        return count_operations(merge, *chains)
+        return count_operations(merge, *map(make_counted, chains))
 
-    # Nothing but the ends keeps the counts from being in proportion.
-    growth = grow("operations of one merge", zigzags, M_PLUS_N, double(64, 4), count, limit=1.005)
     pairs = list(product(_tiny_chains(), repeat=2))
-    failure = growth.failure or find_first_failure(
-        lowest("chain", [a, b], list(lower_envelope_mm([Envelope.of(a), Envelope.of(b)])))
-        for a, b in pairs
-    )
-    return Evidence(
-        f"All {len(pairs)} pairs of chains of one or two edges on the 3 by 3 grid; counts.",
-        failure,
-        growth=(growth,),
-        searched=len(pairs),
-    )
+    tried = f"All {len(pairs)} pairs of chains of one or two edges on the 3 by 3 grid; counts."
+    yield Evidence(tried, searched=len(pairs))
+    # Nothing but the ends keeps the counts from being in proportion.
+    yield grow("operations of one merge", zigzags, M_PLUS_N, double(64, 4), count, limit=1.005)
+    yield from (lowest("chain", chains, list(merge(*chains))) for chains in pairs)
 
 
 def _tiny_chains() -> list[list[Vertex]]:
@@ -80,99 +68,80 @@ def _tiny_chains() -> list[list[Vertex]]:
     return straight + bends
 
 
-def count_levels(effort: Effort) -> Evidence:
-    """Count the operations of merging envelopes."""
-    return weigh("", *(_envelope_growth(family, effort) for family in (figure10, mm)))
+def merge_by_halves(pair: SweepPair) -> tuple[int, float]:
+    """Count the operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
+    chains = _draw_chains(pair)
+    return count_operations(lower_envelope_mm, chains), _measure(chains)
 
 
-def count_halves(effort: Effort) -> Evidence:
-    """Count the operations of merging by halves, by the kernel and to the letter."""
-    return weigh(
-        "Counts.",
-        _envelope_growth(mm, effort),
-        _envelope_growth(figure10, effort),
-        _envelope_growth(figure10, effort, to_the_letter=True),
-    )
+def merge_to_the_letter(pair: SweepPair) -> tuple[int, float]:
+    """Count the same to the letter."""
+    chains = _draw_chains(pair)
+    paths = list(map(list, chains))
+    return count_operations(literal.lower_envelope_mm, paths), _measure(chains)
 
 
-def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool = False) -> Growth:
-    """Operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
-
-    def count(pair: SweepPair) -> tuple[int, float]:
-        top, _, directrix = pair.chains
-        with watch_operations() as tally:
-            chains = [
-                trajectory_cm(make_counted(inverse(part)), make_counted(directrix))
-                for part in find_convex_parts(inverse(top))
-            ]
-            size = sum(len(chain.pieces) for chain in chains)
-            paths = [list(chain) for chain in chains]
-            before = tally.total
-            merge_all = literal.lower_envelope_mm if to_the_letter else lower_envelope_mm
-            merged: Iterable[Vertex] = merge_all(paths if to_the_letter else chains)  # type: ignore[arg-type]
-        return tally.total - before + sum(1 for _ in merged), size * max(1.0, log2(len(chains)))
-
-    what = f"operations of LowerEnvelope_MM{' to the letter' if to_the_letter else ''}"
-    return grow(what, family, "N log k", effort.sizes(), count)
+def _draw_chains(pair: SweepPair) -> list[Envelope]:
+    """The sub-trajectories, in counted ints."""
+    top, _, directrix = pair.chains
+    return [
+        trajectory_cm(make_counted(inverse(part)), make_counted(directrix))
+        for part in find_convex_parts(inverse(top))
+    ]
 
 
-def lower_envelope_mm_is_right(pair: SweepPair) -> str:
+def _measure(chains: Sequence[Envelope]) -> float:
+    return sum(len(chain.pieces) for chain in chains) * max(1.0, log2(len(chains)))
+
+
+def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
     """LowerEnvelope_MM returns the lowest chain over every x."""
     chains = list_sub_trajectories(pair)
     found = lower_envelope_mm(chains)
-    return lowest(
-        "sub-trajectory", [list(chain) for chain in chains], list(found)
-    ) or tell_difference("the lower envelope", found, look_up_bottom(pair, "trajectory"))
+    yield lowest("sub-trajectory", [list(chain) for chain in chains], list(found))
+    yield tell_difference("the lower envelope", found, look_up_bottom(pair, "trajectory"))
 
 
-def find_large_trajectory(effort: Effort) -> Evidence:
+def find_large_trajectory(effort: Effort) -> Iterator[Observation]:
     """Count what Trajectory_MM costs; the size that the bound rests on fails."""
-    found = outgrows_its_parts(OUTGROWING)
     how = "the first of the non-convex quadrilaterals on the 4 by 4 grid"
-    return Evidence("", against=Counterexample(found, how, *OUTGROWING) if found else None)
+    yield from (Counterexample(text, how, *OUTGROWING) for text in outgrows_its_parts(OUTGROWING))
 
 
-def find_large_loop(effort: Effort) -> Evidence:
+def find_large_loop(effort: Effort) -> Iterator[Observation]:
     """Count what Sweep_MM costs; the size that the bound rests on fails."""
-    failure, against, _ = beyond_mn2()
-    return Evidence("", failure, against)
+    yield from (part for part in find_beyond_mn2(effort) if not isinstance(part, Table))
 
 
-def count_step_2(effort: Effort) -> Evidence:
-    """Count the operations of all calls of Trajectory_CM."""
+def step_2(pair: SweepPair) -> int:
+    """Count the operations of all calls of Trajectory_CM to the letter."""
 
-    def step_2(chains: Chains) -> list[Vertex]:
-        parts = literal.split_at_reflex([(-x, -y) for x, y in chains.top])
-        tops = ([(-x, -y) for x, y in part] for part in parts)
-        return [p for top in tops for p in literal.trajectory_cm(top, chains.directrix)]
+    def run(chains: Chains) -> list[Vertex]:
+        parts = literal.split_at_reflex(inverse(chains.top))
+        return [p for top in parts for p in literal.trajectory_cm(inverse(top), chains.directrix)]
 
-    sizes = effort.sizes(32)
-    count = count_by("operations", step_2)
-    counts = (grow("operations of step 2", family, MN, sizes, count) for family in (figure10, mm))
-    return weigh("Counts of the step to the letter.", *counts)
+    return operations(run, pair.chains)
 
 
-def count_glance(effort: Effort) -> Evidence:
+def merge_parts_by_turns(pair: SweepPair) -> int:
+    """Count the operations of merging one sub-trajectory after the other."""
+    return operations(lambda chains: reduce(literal.merge, _sub_trajectories(chains)), pair.chains)
+
+
+def merge_parts_by_halves(pair: SweepPair) -> int:
+    """Count the operations of merging sub-trajectories by halves."""
+    return operations(
+        lambda chains: literal.lower_envelope_mm(_sub_trajectories(chains)), pair.chains
+    )
+
+
+def count_glance(effort: Effort) -> Iterator[Observation]:
     """Count the operations of merging one sub-trajectory after the other, and by halves."""
-
-    def merge_by_turns(chains: Chains) -> list[Vertex]:
-        return reduce(literal.merge, _sub_trajectories(chains))
-
-    def merge_by_halves(chains: Chains) -> list[Vertex]:
-        return literal.lower_envelope_mm(_sub_trajectories(chains))
-
-    by_turns, by_halves = (count_by("operations", run) for run in (merge_by_turns, merge_by_halves))
-    sizes = [(size, 16) for size, _ in effort.sizes(16, 3, 5)]
-    bounds = (
-        ("m²n log mn", lambda m, n: m * m * n * log2(m * n)),
-        ("mn log m", lambda m, n: m * n * log2(m)),
-    )
-    growth = (
-        grow("operations of merging by turns", cm_hard, bounds[0], sizes, by_turns),
-        grow("operations of merging by halves", cm_hard, bounds[1], sizes, by_halves, STEPS),
-    )
-    fast = "" if growth[0].exponent() >= 1.7 else "merging by turns takes less than order m²"
-    return weigh("Counts to the letter.", *growth, failure=fast)
+    growth = list(count_all("Envelopes at first glance", effort))
+    yield Evidence("Counts to the letter.")
+    yield from growth
+    if growth[0].exponent() < 1.7:
+        yield "merging by turns takes less than order m²"
 
 
 def _sub_trajectories(chains: Chains) -> list[list[Vertex]]:
@@ -191,30 +160,23 @@ def inner_by_gaps(chains: Chains, trajectory: Envelope) -> list[Vertex]:
     return inner_mm(chains.top, trajectory, chains.directrix)
 
 
-def _inner_grows(
-    what: str,
-    inner: Callable[[Chains, Envelope], list[Vertex]],
-    bound: Bound,
-    sizes: Iterable[tuple[int, int]],
-) -> Growth:
-    """Operations beyond the trajectory, on a family that is touched almost everywhere."""
-
-    def count(pair: SweepPair) -> int:
-        chains = count_chains(pair)
-        return count_operations(inner, chains, trajectory_mm(*chains[::2]))
-
-    return grow(f"operations of the inner boundary, {what}", rim, bound, sizes, count)
+def sweep_again(pair: SweepPair, inner: Inner = inner_again) -> int:
+    """Count the operations beyond the trajectory, if all of T's inside is swept."""
+    chains = count_chains(pair)
+    return count_operations(inner, chains, trajectory_mm(*chains[::2]))
 
 
-def gaps_give_the_same(pair: SweepPair) -> str:
+def sweep_gaps(pair: SweepPair) -> int:
+    """Count the operations beyond the trajectory, if only the gaps are swept."""
+    return sweep_again(pair, inner_by_gaps)
+
+
+def gaps_give_the_same(pair: SweepPair) -> Iterator[str]:
     """Sweeping the gaps alone gives the inner boundary of Sweep_MM."""
     chains = pair.chains
     trajectory = trajectory_mm(*chains[::2])
-    return tell_difference(
-        "the inner boundary",
-        inner_by_gaps(chains, trajectory),
-        inner_again(chains, trajectory),
-    )
+    found, expected = inner_by_gaps(chains, trajectory), inner_again(chains, trajectory)
+    yield tell_difference("the inner boundary", found, expected)
 
 
 def _outgrows(slow: Growth, fast: Growth) -> bool:
@@ -223,31 +185,19 @@ def _outgrows(slow: Growth, fast: Growth) -> bool:
     return all(after > 1.4 * before for before, after in pairwise(factors))
 
 
-def count_gaps(effort: Effort) -> Evidence:
+def count_gaps(effort: Effort) -> Iterator[Observation]:
     """Count the operations of both ways to the inner boundary, and the size of the output."""
-    sizes = [(16, n) for _, n in effort.sizes(8)]
-    written = grow("vertices of inner boundary", needles, MN2, sizes, count_by("vertices", INNER))
-    gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, effort.sizes())
-    few = effort.sizes(16, 1, 3)
-    again = _inner_grows("Trajectory_MM again", inner_again, MN, few)
-    last, beside = written.points[-1], gaps.points[len(few) - 1]
-    return Evidence(
+    gaps, again, written = growth = list(count_all("A faster inner loop", effort))
+    last, beside = written.points[-1], gaps.points[len(again.points) - 1]
+    yield Evidence(
         "Operations counted where most of D_b is touched: "
         f"{beside.count:,} in place of {again.points[-1].count:,} at m = n = {beside.m}. "
-        "A family of needles, vertices counted.",
-        find_first_failure(
-            [
-                gaps.failure,
-                "" if written.is_attained else "the inner boundary falls behind mn²",
-                ""
-                if _outgrows(again, gaps)
-                else "calling Trajectory_MM again is as good, or nearly",
-            ]
-        ),
-        Counterexample(
-            f"{last.count:,} vertices to be written for m = {last.m} and n = {last.n}, mn being "
-            f"{last.m * last.n:,}",
-            "a family made for the purpose: see Lemma 5.5",
-        ),
-        growth=(gaps, again, written),
+        "A family of needles, vertices counted."
+    )
+    yield from growth
+    yield "" if _outgrows(again, gaps) else "calling Trajectory_MM again is as good, or nearly"
+    yield Counterexample(
+        f"{last.count:,} vertices to be written for m = {last.m} and n = {last.n}, mn being "
+        f"{last.m * last.n:,}",
+        "a family made for the purpose: see Lemma 5.5",
     )

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from exactsweep.corpus.generator.growing import cm_undercut, wide
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, weigh
-from exactsweep.paper.counting import count_chains, count_operations, grow, watch_operations
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
+from exactsweep.paper.counting import count_chains, count_operations, watch_operations
+from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import (
     keep_corners,
     look_up,
@@ -17,7 +17,6 @@ from exactsweep.paper.functions import (
     take_bottom,
     write_chain,
 )
-from exactsweep.paper.growth import MN
 from exactsweep.paper.literal import split_at_reflex
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
@@ -25,7 +24,7 @@ from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 
 
-def partial_meets_whole(pair: SweepPair) -> str:
+def partial_meets_whole(pair: SweepPair) -> Iterator[str]:
     """The partial trajectory meets all of T(G_t, D_b) in a point or a segment."""
     top, _, directrix = pair.chains
     parts = split_at_reflex(directrix)
@@ -33,68 +32,56 @@ def partial_meets_whole(pair: SweepPair) -> str:
         top, [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
     )
     whole = look_up_bottom(pair, "trajectory")
-    failure, _ = meetings(partial, whole)
-    return failure and f"T_(i-1) and T(G_t, D_b): {failure}"
+    if failure := meetings(partial, whole)[0]:
+        yield f"T_(i-1) and T(G_t, D_b): {failure}"
 
 
-def output_is_closed(pair: SweepPair) -> str:
+def output_is_closed(pair: SweepPair) -> Iterator[str]:
     """Trajectory_CC returns T(G, D)."""
     found = keep_corners(literal.trajectory_cc(pair.chains.top, pair.chains.directrix))
     whole = look_up(pair).trajectory
-    if len(found) - 1 == len(whole):
-        return ""
-    return f"a chain of {len(found) - 1} edges comes out, and T(G, D) has {len(whole)}"
+    if len(found) - 1 != len(whole):
+        yield f"a chain of {len(found) - 1} edges comes out, and T(G, D) has {len(whole)}"
 
 
-def inner_is_ready_before(pair: SweepPair) -> str:
+def inner_is_ready_before(pair: SweepPair) -> Iterator[str]:
     """Before step 3 of SweepI_CM the list L is the inner boundary."""
-    if look_up_bottom(pair, "inner") == take_bottom(pair.directrix):
-        return ""
-    return "after step 2 the list L is still D_b, and not the inner boundary"
+    if look_up_bottom(pair, "inner") != take_bottom(pair.directrix):
+        yield "after step 2 the list L is still D_b, and not the inner boundary"
 
 
-def count_step_3(effort: Effort) -> Evidence:
-    """Count the operations of SweepI_CM beyond the trajectory, over close teeth."""
-
-    def count(pair: SweepPair) -> int:
-        top, _, directrix = count_chains(pair)
-        trajectory = trajectory_cm(top, directrix)
-        return count_operations(sweep_inner_cm, top, directrix, trajectory)
-
-    return weigh("", grow("operations of step 3", cm_undercut, MN, effort.sizes(), count))
+def step_3(pair: SweepPair) -> int:
+    """Count the operations of SweepI_CM beyond the trajectory."""
+    top, _, directrix = count_chains(pair)
+    return count_operations(sweep_inner_cm, top, directrix, trajectory_cm(top, directrix))
 
 
-def boundary_is_trajectory(pair: SweepPair) -> str:
+def boundary_is_trajectory(pair: SweepPair) -> Iterator[str]:
     """The partial outer boundary is a trajectory."""
-    loops = look_up(pair)
-    if take_bottom(loops.outer) == take_bottom(loops.trajectory):
-        return ""
-    return "S_1, an outer boundary, is not where a point of G goes"
+    if look_up_bottom(pair, "outer") != look_up_bottom(pair, "trajectory"):
+        yield "S_1, an outer boundary, is not where a point of G goes"
 
 
-def find_loops_apart(effort: Effort) -> Evidence:
+def find_loops_apart(effort: Effort) -> Iterator[Observation]:
     """Look for two pairs with one G_t and one D_b, and two outer loops."""
     first: dict[tuple[tuple[Vertex, ...], ...], SweepPair] = {}
 
-    def fails(pair: SweepPair) -> str:
+    def fails(pair: SweepPair) -> Iterator[str]:
         top, _, directrix = pair.chains
         known = first.setdefault((tuple(top), tuple(directrix)), pair)
-        if look_up(known).outer == look_up(pair).outer:
-            return ""
-        return f"G = {known.generatrix} and D = {known.directrix} have them, too, and other loops"
+        if look_up(known).outer != look_up(pair).outer:
+            yield f"G = {known[0]} and D = {known[1]} have them, too, and other loops"
 
-    return search_grid(2, 7, "any", "any", fails)
+    yield search_grid(2, 7, "any", "any", fails)
 
 
-def generatrix_sweeps_again(pair: SweepPair) -> str:
+def generatrix_sweeps_again(pair: SweepPair) -> Iterator[str]:
     """T(G_b, T(G_t, D_b)) is the outer boundary, wherever it lies."""
     top, bottom, directrix = pair.chains
     path = literal.trajectory_mm(top, directrix)
     found = keep_corners(literal.trajectory_mm(bottom[::-1], path))
-    expected = look_up_bottom(pair, "outer")
-    if _shape(found) == _shape(expected):
-        return ""
-    return f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, and not the outer boundary, moved"
+    if _shape(found) != _shape(look_up_bottom(pair, "outer")):
+        yield f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, and not the outer boundary, moved"
 
 
 def _shape(chain: Sequence[Vertex]) -> list[Vertex]:
@@ -102,39 +89,40 @@ def _shape(chain: Sequence[Vertex]) -> list[Vertex]:
     return [(p - x, q - y) for p, q in chain]
 
 
-def parts_have_numbers(pair: SweepPair) -> str:
+def parts_have_numbers(pair: SweepPair) -> Iterator[str]:
     """There is a G_i for each D_i."""
     top, _, directrix = pair.chains
     parts, others = len(split_at_reflex(directrix)), len(split_at_reflex(inverse(top)))
-    return f"D_b has {parts} convex parts, G_t {others}: no G_2" if parts > others else ""
+    if parts > others:
+        yield f"D_b has {parts} convex parts, G_t {others}: no G_2"
 
 
-def output_has_mn_vertices(pair: SweepPair) -> str:
+def output_has_mn_vertices(pair: SweepPair) -> Iterator[str]:
     """Trajectory and outer loop together have mn vertices."""
     (n, m), loops = map(len, pair), look_up(pair)
-    size = len(loops.trajectory) + len(loops.outer)
-    return f"{size} vertices are written for m = {m} and n = {n}" if size != m * n else ""
+    if (size := len(loops.trajectory) + len(loops.outer)) != m * n:
+        yield f"{size} vertices are written for m = {m} and n = {n}"
 
 
-def count_calls(effort: Effort) -> Evidence:
+def calls(pair: SweepPair) -> tuple[int, float]:
     """Count the operations of all calls of Trajectory_CC beside the edges of the trajectory."""
+    chains = count_chains(pair)
+    edges = len(keep_corners(trajectory_cm(*chains[::2]))) - 1
+    with watch_operations() as tally:
+        for part in split_at_reflex(chains.directrix):
+            literal.trajectory_cc(chains.top, part)
+    return tally.total, edges
 
-    def count(pair: SweepPair) -> tuple[int, float]:
-        chains = count_chains(pair)
-        edges = len(keep_corners(trajectory_cm(*chains[::2]))) - 1
-        with watch_operations() as tally:
-            for part in split_at_reflex(chains.directrix):
-                literal.trajectory_cc(chains.top, part)
-        return tally.total, edges
 
-    sizes = [(size, 16) for size, _ in effort.sizes()]
-    growth = grow("operations of all calls", wide, "edges of T", sizes, count)
+def count_calls(effort: Effort) -> Iterator[Observation]:
+    """Count the operations of all calls of Trajectory_CC, which outgrow the trajectory."""
+    (growth,) = count_all("Corollary 4.3 cited for a time", effort)
     last = growth.points[-1]
-    against = Counterexample(
+    yield Evidence("Counts to the letter.", growth=(growth,))
+    yield Counterexample(
         f"for m = {last.m} and n = {last.n} the calls take {last.count:,} operations, and the "
         f"trajectory has {last.bound:.0f} edges: its size does not bound the time",
         "a G wider than D, at the largest size that was counted",
     )
-    is_beyond = growth.exponent() > growth.claimed() + 0.2
-    failure = "" if is_beyond else "the edges keep up with the operations"
-    return Evidence("Counts to the letter.", failure, against, growth=(growth,))
+    if growth.exponent() <= growth.claimed() + 0.2:
+        yield "the edges keep up with the operations"

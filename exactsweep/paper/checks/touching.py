@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from math import lcm
 
@@ -13,13 +14,15 @@ from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.functions import list_edges, tell_loops
 
+_Bounded = tuple[str, int, list[tuple[int, int]]]
+"""A vertex or an edge, "V" or "E", with its number and its ends."""
 
-def contacts_are_right(s: Sweep) -> str:
-    """Say which contact is listed wrongly, or missing; empty if none is."""
-    g, d, corners = s.generatrix, s.directrix, s.trajectory.vertices
-    if failure := tell_loops(s, "trajectory"):
-        return failure
-    for k, (start, end) in enumerate(list_edges(corners)):
+
+def contacts_are_right(s: Sweep) -> Iterator[str]:
+    """Say which contacts are listed wrongly, or missing."""
+    g, d = s.generatrix, s.directrix
+    yield from tell_loops(s, "trajectory")
+    for k, (start, end) in enumerate(list_edges(s.trajectory.vertices)):
         now = {c for t in list_moments(s, start, end) for c in list_lasting(g, d, t)}
         for t, listed, expected in (
             (start, s.vertex_contacts[k], list_touching(g, d, start)),
@@ -27,19 +30,17 @@ def contacts_are_right(s: Sweep) -> str:
         ):
             if sorted(listed) != expected:
                 where = "at" if t is start else f"from ({start.x}, {start.y}) to"
-                return f"{where} ({t.x}, {t.y}) contacts are {sorted(listed)}, not {expected}"
-    return ""
+                yield f"{where} ({t.x}, {t.y}) contacts are {sorted(listed)}, not {expected}"
 
 
-def touches_are_right(s: Sweep, step: Step) -> str:
+def touches_are_right(s: Sweep, step: Step) -> Iterator[str]:
     """Say where the contacts of a step do not last from where they begin to where they end."""
     for t in list_moments(s, step.start, step.end):
         now = sorted(touch.contact for touch in step.touches if lasts(t, touch.start, touch.end))
         if now != (expected := list_lasting(s.generatrix, s.directrix, t)):
-            return f"at ({t.x}, {t.y}) these contacts last: {now}, and not {expected}"
+            yield f"at ({t.x}, {t.y}) these contacts last: {now}, and not {expected}"
         if not now or any(event == "VV" for event, _, _ in now):
-            return f"at ({t.x}, {t.y}), on an edge of the trajectory, these contacts last: {now}"
-    return ""
+            yield f"at ({t.x}, {t.y}), on an edge of the trajectory, these contacts last: {now}"
 
 
 def lasts(t: Point, start: Point, end: Point) -> bool:
@@ -77,25 +78,20 @@ def list_touching(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int
     moved = {i: (x + t.x, y + t.y) for i, (x, y) in g_corners.items()}
     # Ints compare much faster than Fractions.
     scale = lcm(*(c.denominator for p in (*moved.values(), *d_corners.values()) for c in p))
-    scaled = [
-        {k: (int(x * scale), int(y * scale)) for k, (x, y) in corners.items()}
-        for corners in (moved, d_corners)
-    ]
-    ours, theirs = (
-        {k: sorted((corners[a], corners[b])) for k, (a, b) in ends.items()}
-        for corners, ends in zip(scaled, (g_edges, d_edges), strict=True)
-    )
-    gs, ds = (corners.items() for corners in scaled)
-    found = [("VV", i, j) for (i, p), (j, v) in product(gs, ds) if p == v]
-    found += [("EV", i, j) for (i, e), (j, v) in product(ours.items(), ds) if _is_inside(v, *e)]
-    found += [("VE", i, j) for (i, p), (j, f) in product(gs, theirs.items()) if _is_inside(p, *f)]
-    for (i, e), (j, f) in product(ours.items(), theirs.items()):
-        low, high = max(e[0], f[0]), min(e[1], f[1])
-        if low < high and all(is_on_segment(p, *edge) for p in (low, high) for edge in (e, f)):
-            found.append(("EE", i, j))
-    return sorted(found)
+
+    def lay(corners: Mapping[int, Vertex], edges: Mapping[int, tuple[int, int]]) -> list[_Bounded]:
+        """The features with their ends, the lesser one first."""
+        points = {k: (int(x * scale), int(y * scale)) for k, (x, y) in corners.items()}
+        ends = {k: sorted((points[a], points[b])) for k, (a, b) in edges.items()}
+        return [("V", k, [p, p]) for k, p in points.items()] + [("E", *e) for e in ends.items()]
+
+    features = product(lay(moved, g_edges), lay(d_corners, d_edges))
+    return sorted((one + other, i, j) for (one, i, e), (other, j, f) in features if _touch(e, f))
 
 
-def _is_inside(point: Vertex, low: Vertex, high: Vertex) -> bool:
-    """Decide whether a point is inside a segment, as `is_between` does, but quickly."""
-    return low < point < high and is_on_segment(point, low, high)
+def _touch(e: Sequence[Vertex], f: Sequence[Vertex]) -> bool:
+    """Decide whether two features share a piece, or a point that is no end of an edge."""
+    low, high = max(e[0], f[0]), min(e[1], f[1])
+    inside = low == high and all(p == q or low not in (p, q) for p, q in (e, f))
+    is_met = low < high or inside
+    return is_met and all(is_on_segment(p, *ends) for p in (low, high) for ends in (e, f))

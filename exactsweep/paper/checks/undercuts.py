@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-from itertools import chain, combinations, pairwise
+from collections.abc import Iterator, Sequence
+from dataclasses import astuple
+from itertools import combinations, pairwise
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.check import verify
@@ -19,71 +19,57 @@ from exactsweep.geometry.segment import make_segment
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, Table, find_first_failure
-from exactsweep.paper.costs import INNER
-from exactsweep.paper.counting import PairFamily, count_by, grow
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
+from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import list_edges, lower_undercuts
-from exactsweep.paper.growth import MN2, Growth
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.mm import sweep_mm
 from exactsweep.procedures.pockets import find_pockets
 
 
-def find_long_undercut(effort: Effort) -> Evidence:
+def find_long_undercut(effort: Effort) -> Iterator[Observation]:
     """Look for an undercut with more edges than G_t, and count the edges over needles."""
-    found = search_grid(3, 8, "bent", "bent", long_undercut)
-    growth = tuple(
-        grow("vertices of inner boundary", needles, MN2, sizes, count_by("vertices", INNER))
-        for sizes in (
-            [(size, 16) for size, _ in effort.sizes(16, 3, 5)],
-            [(16, size) for _, size in effort.sizes(8, 3, 5)],
-            effort.sizes(8, 2, 3),
-        )
-    )
-    failure = proved_case(needles, 10, 8) or find_first_failure(map(_fall_behind, growth))
-    failure = failure or find_first_failure(map(_undercut_falls_behind, (10, 20, 30)))
-    tried = f"{found.tried} A family of needles, one of them proved by its certificate."
-    return replace(found, tried=tried, failure=failure, growth=growth)
+    yield Evidence("A family of needles, one of them proved by its certificate.")
+    yield from prove(SweepPair(*needles(10, 8)))
+    for growth in count_all("Lemma 5.5", effort):
+        yield growth
+        for m, n, count, _ in map(astuple, growth.points):
+            if count - 1 < edges_over_needles(m, n):
+                yield f"{count - 1} edges for ({m}, {n}) are fewer than proved"
+    for n in (10, 20, 30):
+        # The only undercut between two needles has as many edges as the proof says.
+        longest, least = find_longest(SweepPair(*needles(7, n))), edges_over_needles(7, n)
+        if longest < least:
+            yield f"an undercut of {longest} edges for n = {n}, not {least}"
 
 
-def _fall_behind(growth: Growth) -> str:
-    for point in growth.points:
-        if point.count - 1 < edges_over_needles(point.m, point.n):
-            return f"{point.count - 1} edges for ({point.m}, {point.n}) are fewer than proved"
-    return "" if growth.is_attained else "the inner boundary over the needles falls behind mn²"
+def find_longest(pair: SweepPair) -> int:
+    """The edges of the longest bottom chain of an undercut."""
+    return max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
 
 
-def _undercut_falls_behind(n: int) -> str:
-    """The only undercut between two needles has as many edges as the proof says."""
-    longest = max(len(u.bottom) - 1 for u in sweep(*needles(7, n)).undercuts)
-    least = edges_over_needles(7, n)
-    return "" if longest >= least else f"an undercut of {longest} edges for n = {n}, not {least}"
-
-
-def long_undercut(pair: SweepPair) -> str:
+def long_undercut(pair: SweepPair) -> Iterator[str]:
     """An undercut whose bottom chain has more edges than G_t."""
-    most = len(pair.chains.top) - 1
-    longest = max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
-    return f"an undercut of {longest} edges, G_t having {most}" if longest > most else ""
+    longest, most = find_longest(pair), len(pair.chains.top) - 1
+    if longest > most:
+        yield f"an undercut of {longest} edges, G_t having {most}"
 
 
-def proved_case(family: PairFamily, m: int, n: int) -> str:
-    """Compare one pair of a family with the definition, and prove its certificate."""
-    pair = SweepPair(*family(m, n))
+def prove(pair: SweepPair) -> Iterator[str]:
+    """Compare one pair with the definition, and prove its certificate."""
+    yield from undercuts_fill_the_inner_loop(pair)
     verdict = verify(sweep(*pair).certificate())
-    return undercuts_fill_the_inner_loop(pair) or ("" if verdict.proved else verdict.reason)
+    yield "" if verdict.proved else verdict.reason
 
 
-def undercuts_are_closed(pair: SweepPair) -> str:
+def undercuts_are_closed(pair: SweepPair) -> Iterator[str]:
     """In its positions, and on the way between two of them, G draws all of a bottom chain."""
     s = sweep(*pair)
     for undercut in s.undercuts:
         drawn = list(map(make_segment, _list_drawn(s, undercut.positions)))
         for start, end in pairwise(undercut.bottom):
             if not covers(drawn, (start, end)):
-                return f"an undercut from ({start.x}, {start.y}) to ({end.x}, {end.y}) is left open"
-    return ""
+                yield f"an undercut from ({start.x}, {start.y}) to ({end.x}, {end.y}) is left open"
 
 
 def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point]]:
@@ -100,48 +86,37 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
     return drawn
 
 
-def count_undercuts(effort: Effort) -> Evidence:
+def pockets(pair: SweepPair) -> int:
+    """Count the undercuts of the lower sweep."""
+    return len(find_pockets(sweep_mm(*pair.chains)[0], pair.chains.directrix))
+
+
+def count_undercuts(effort: Effort) -> Iterator[Observation]:
     """Count the undercuts under ceilings; those of small pairs are proved by certificates."""
-
-    def count(pair: SweepPair) -> int:
-        return len(find_pockets(sweep_mm(*pair.chains)[0], pair.chains.directrix))
-
-    growth = tuple(
-        grow("undercuts of the lower sweep", ceilings, MN2, sizes, count)
-        for sizes in (
-            [(3 * size + 4, 16) for size, _ in effort.sizes(8, 2, 3)],
-            [(7, 2 * size + 2) for size, _ in effort.sizes(16, 2, 3)],
-        )
-    )
-    amiss = (
-        f"{p.count} undercuts for ({p.m}, {p.n}) are not as many as proved"
-        for g in growth
-        for p in g.points
-        if p.count != undercuts_under_ceilings(p.m, p.n)
-    )
+    small = [(7, 8)] if effort.quick else [(7, 8), (10, 12), (13, 16)]
+    tried = ", ".join(map(str, small))
+    yield Evidence(f"A family of ceilings. Certificates prove the pairs of {tried}.")
+    for m, n in small:
+        yield from prove(SweepPair(*ceilings(m, n)))
+    rows = []
+    for growth in count_all("Number of undercuts, MM", effort):
+        yield growth
+        for m, n, count, _ in map(astuple, growth.points):
+            expected = undercuts_under_ceilings(m, n)
+            rows.append([*(f"{x:,}" for x in (m, n, m * n, count, expected))])
+            rows[-1].append(f"{count / (m * n * n):.4f}")
+            if count != expected:
+                yield f"{count} undercuts for ({m}, {n}) are not as many as proved"
     pair = SweepPair(*ceilings(7, 8))
-    against = Counterexample(
+    yield Counterexample(
         f"{len(lower_undercuts(sweep(*pair)))} disjoint undercuts of the lower sweep where D_b has "
         f"{len(pair.chains.directrix)} vertices",
         "the least of the family of ceilings",
         *pair,
     )
-    table = Table(
+    yield Table(
         "Undercuts of the lower sweep under ceilings: counted, and (N - 1)(P(P - 1) + 1), where "
         "m = 3N + 1 and n = 2P + 2",
         ("m", "n", "mn", "counted", "by the proof", "counted / mn²"),
-        [
-            [
-                *(f"{x:,}" for x in (p.m, p.n, p.m * p.n, int(p.count))),
-                f"{undercuts_under_ceilings(p.m, p.n):,}",
-                f"{p.ratio:.4f}",
-            ]
-            for g in growth
-            for p in g.points
-        ],
+        rows,
     )
-    small = [(7, 8)] if effort.quick else [(7, 8), (10, 12), (13, 16)]
-    proved = (proved_case(ceilings, m, n) for m, n in small)
-    failure = find_first_failure(chain(proved, amiss))
-    tried = f"A family of ceilings. Certificates prove the pairs of {', '.join(map(str, small))}."
-    return Evidence(tried, failure, against, tables=(table,), growth=growth)

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, cast
 from exactsweep.check import classify
 from exactsweep.draw import place_generatrix
 from exactsweep.numbers.number import Loop, Point, Vertex
-from exactsweep.paper.claim import Evidence, Table, find_first_failure
+from exactsweep.paper.claim import Observation, Table
 from exactsweep.paper.functions import tell_loops
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.monotone import LowerSweep
@@ -52,7 +52,7 @@ class PaperFigure(NamedTuple):
     def find_failures(self) -> Iterator[str]:
         """Describe the laws that fail, loops that are wrong, and positions without contact."""
         for s, positions in self.sweeps:
-            yield from filter(None, [tell_loops(s)])
+            yield from tell_loops(s)
             yield from _compare_positions(s, positions)
         for name, found, expected in self.laws:
             if found != expected:
@@ -83,12 +83,12 @@ def load(name: str) -> PaperFigure:
     return cast(PaperFigure, import_module(f"exactsweep.paper.figures.{name}").compute())
 
 
-def check_figure(name: str, against: str) -> Evidence:
-    """Compare a figure's statement with another way to derive it, which a sentence describes."""
+def check_figure(name: str) -> Iterator[Observation]:
+    """Compare a figure's statement with another way to derive it."""
     figure = load(name)
     rows = [[what, str(value)] for what, value in figure.facts]
-    table = Table("What the figure states", ("what", "value"), rows)
-    return Evidence(against, find_first_failure(figure.find_failures()), tables=(table,))
+    yield Table("What the figure states", ("what", "value"), rows)
+    yield from figure.find_failures()
 
 
 def _compare_positions(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
