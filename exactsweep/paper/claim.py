@@ -36,18 +36,6 @@ class ClaimVerdict(Enum):
         return self not in (ClaimVerdict.REPRODUCED, ClaimVerdict.SHARPENED, ClaimVerdict.ADDED)
 
 
-KINDS = {
-    "proved": "the proof is written out",
-    "cited": "the proof is in the literature",
-    "exhaustive": "all cases of a finite set were tried, or all up to the first that fails",
-    "sampled": "random pairs were tried; the row has their number",
-    "counted": "operations, vertices or undercuts were counted over doubling sizes",
-    "measured": "seconds and bytes were measured over doubling sizes",
-    "case": "given cases were computed",
-}
-"""The meaning of each kind of evidence."""
-
-
 class Counterexample(NamedTuple):
     """A case in which a statement fails.
 

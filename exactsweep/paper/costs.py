@@ -87,7 +87,7 @@ class Cost:
         what, count = f"{unit} of {self.procedure}", count_by(unit, self.run)
         return grow(what, self.family, self.bound, sizes, count, limit)
 
-    def compare(self) -> str:
+    def compare(self) -> Iterator[str]:
         """Say where the output at the three least sizes is not that of Sweep_MM to the letter.
 
         Sweep_MM takes pairs of any class: a convex chain is one part. A count is worth nothing
@@ -97,17 +97,15 @@ class Cost:
             chains = SweepPair(*self.family(m, n)).chains
             found = keep_corners(self.run(chains))
             if found != keep_corners(self.letter(chains)):
-                return f"{self.procedure} is wrong on {self.family.__name__}, ({m}, {n})"
-        return ""
+                yield f"{self.procedure} is wrong on {self.family.__name__}, ({m}, {n})"
 
     def time(self) -> Growth:
         """Measure seconds; again, if they are beyond the bound, since a processor may be busy."""
         sizes = self.sizes(self.timed, DOUBLINGS)
         series = self.grow("seconds", sizes)
         for _ in range(AGAIN):
-            if series.is_flat:
-                break
-            series = series.least(self.grow("seconds", sizes))
+            if not series.is_flat:
+                series = series.least(self.grow("seconds", sizes))
         return series
 
     def measure(self, effort: Effort) -> Iterator[Growth]:
@@ -139,13 +137,10 @@ def _list_costs() -> Iterator[Cost]:
     """Read costs.toml."""
     text = files("exactsweep.paper").joinpath("costs.toml").read_text(encoding="utf-8")
     for group in tomllib.loads(text)["cost"]:
-        row, procedures, bound, every = (
-            group.pop(name) for name in ("row", "procedures", "bound", "series")
-        )
-        for procedure, series in product(procedures, every):
-            further = group | series
-            family: PairFamily = getattr(growing, further.pop("family"))
-            yield Cost(row, procedure, *_BOTH[procedure], BOUNDS[bound], family, **further)
+        for name, series in product(group.pop("procedures"), group.pop("series")):
+            read = group | series
+            read |= {"bound": BOUNDS[read["bound"]], "family": getattr(growing, read["family"])}
+            yield Cost(**read, procedure=name, run=_BOTH[name][0], letter=_BOTH[name][1])
 
 
 COSTS = tuple(_list_costs())
@@ -162,10 +157,9 @@ def tabulate(growth: Iterable[Growth]) -> Table:
     """
     lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
     for series in growth:
-        if series.unit not in UNITS:
-            continue
-        procedure = series.what.partition(" of ")[2]
-        lines.setdefault((procedure, series.family, series.varied), {})[series.unit] = series
+        if series.unit in UNITS:
+            key = series.what.partition(" of ")[2], series.family, series.varied
+            lines.setdefault(key, {})[series.unit] = series
     rows = []
     for (procedure, family, varied), found in lines.items():
         one = next(iter(found.values()))
@@ -177,12 +171,13 @@ def tabulate(growth: Iterable[Growth]) -> Table:
     return Table("Exponents of the claimed bound, and of what was found", header, rows)
 
 
-def compare_outputs(procedure: str) -> Iterator[Observation]:
+def compare_outputs(procedure: str, effort: Effort) -> Iterator[Observation]:
     """Compare what a procedure returns, on each family, with what it returns to the letter."""
     costs = [c for c in COSTS if c.procedure.partition(",")[0] == procedure]
     m, n = map(max, zip(*(size for c in costs for size in c.sizes(c.first, 2)), strict=True))
     yield Evidence(f"Outputs with up to m = {m} and n = {n}, on families, as to the letter.")
-    yield from (cost.compare() for cost in costs)
+    for cost in costs:
+        yield from cost.compare()
 
 
 def measure_costs(row: str, effort: Effort) -> Iterator[Observation]:
@@ -191,5 +186,5 @@ def measure_costs(row: str, effort: Effort) -> Iterator[Observation]:
     yield Evidence(f"Operations, bytes and seconds over doubling sizes, outputs compared.{without}")
     for cost in COSTS:
         if cost.row == row:
-            yield cost.compare()
+            yield from cost.compare()
             yield from cost.measure(effort)

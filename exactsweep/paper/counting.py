@@ -187,11 +187,8 @@ def peak(run: Callable[[Chains], Any], chains: Chains) -> float:
 
 
 COUNTERS: dict[str, Callable[[Callable[[Chains], Any], Chains], float]] = {
-    "operations": operations,
-    "vertices": vertices,
-    "seconds": seconds,
-    "bytes": peak,
-}
+    function.__name__: function for function in (operations, vertices, seconds)
+} | {"bytes": peak}
 """Each quantity that grows, with the function that counts or measures it."""
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from importlib.resources import files
 from pkgutil import resolve_name
 
@@ -18,28 +18,15 @@ def count_all(row: str, effort: Effort) -> Iterator[Growth]:
     """Count all that counts.toml lists for a row of the ledger."""
     text = files("exactsweep.paper").joinpath("counts.toml").read_text(encoding="utf-8")
     for group in tomllib.loads(text)["count"]:
-        if group.pop("row") == row:
-            for series in group.pop("series"):
-                yield _count(effort, **group | series)
-
-
-def _count(
-    effort: Effort,
-    what: str,
-    count: str,
-    family: str,
-    bound: str,
-    sizes: Sequence[int] = (),
-    m: Sequence[int] = (1, 0),
-    n: Sequence[int] = (1, 0),
-    limit: float = 1.08,
-    side: str = "upper",
-) -> Growth:
-    """Count one series; the parameters are described at the head of counts.toml."""
-    if count in RUNS:
-        counter = count_by("vertices", RUNS[count])
-    else:
-        counter = resolve_name(f"{__package__}.checks.{count}")
-    pairs = [(m[0] * k + m[1], n[0] * k + n[1]) for k, _ in effort.sizes(*sizes)]
-    made, beside = getattr(growing, family), BOUNDS.get(bound, bound)
-    return grow(what, made, beside, pairs, counter, limit, side)
+        for series in group.pop("series") if group.pop("row") == row else ():
+            read = group | series
+            (a, b), (c, d) = read.pop("m", (1, 0)), read.pop("n", (1, 0))
+            sizes = [(a * k + b, c * k + d) for k, _ in effort.sizes(*read.pop("sizes", ()))]
+            name, bound = read.pop("count"), read.pop("bound")
+            read["count"] = (
+                count_by("vertices", RUNS[name])
+                if name in RUNS
+                else resolve_name(f"{__package__}.checks.{name}")
+            )
+            read["family"] = getattr(growing, read["family"])
+            yield grow(bound=BOUNDS.get(bound, bound), sizes=sizes, **read)

@@ -133,10 +133,8 @@ def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vert
     """The sub-trajectories and the sub-outer chains of a convex G, one for each part of D_b."""
     top, bottom, directrix = pair.chains
     parts = find_convex_parts(directrix)
-    return (
-        [trajectory_cc(top, part) for part in parts],
-        [sweep_outer_cc(top, bottom, part) for part in parts],
-    )
+    paths = [trajectory_cc(top, part) for part in parts]
+    return paths, [sweep_outer_cc(top, bottom, part) for part in parts]
 
 
 def list_sub_trajectories(pair: SweepPair) -> list[Envelope]:

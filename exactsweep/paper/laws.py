@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
@@ -53,15 +54,12 @@ def shrink(law: Law, pair: SweepPair) -> SweepPair:
 
 
 def _smaller(pair: SweepPair) -> Iterator[SweepPair]:
-    for which, ring in enumerate(pair):
-        monotone = is_x_monotone(ring)
+    for name, ring in pair._asdict().items():
         for changed in _smaller_rings(ring):
-            try:
+            with suppress(ValueError):
                 corners = list_corners(changed)
-            except ValueError:
-                continue
-            if corners != ring and is_x_monotone(corners) >= monotone:
-                yield SweepPair(corners, pair[1]) if which == 0 else SweepPair(pair[0], corners)
+                if corners != ring and is_x_monotone(corners) >= is_x_monotone(ring):
+                    yield pair._replace(**{name: corners})
 
 
 def is_x_monotone(ring: Ring) -> bool:
@@ -70,11 +68,9 @@ def is_x_monotone(ring: Ring) -> bool:
     >>> is_x_monotone([(0, 0), (2, 1), (3, 3)]), is_x_monotone([(0, 0), (4, 1), (1, 2), (3, 3)])
     (True, False)
     """
-    try:
-        split(ring)
-    except ValueError:
-        return False
-    return True
+    with suppress(ValueError):
+        return bool(split(ring))
+    return False
 
 
 def _smaller_rings(ring: Ring) -> Iterator[Ring]:

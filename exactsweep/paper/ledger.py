@@ -20,6 +20,11 @@ from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, Observ
 from exactsweep.paper.laws import try_laws
 from exactsweep.paper.tiny import expect_none, search_grid
 
+MEASURES = {
+    "counts": "counts.count_all",
+    "letter": "costs.compare_outputs",
+    "costs": "costs.measure_costs",
+}
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
 
@@ -37,16 +42,13 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Iterator[Observation]:
         yield expect_none(searched) if none else searched
     if "check" in row:
         yield from resolve_name(f"{CHECKS}.{row['check']}")(effort)
-    if "counts" in row:
-        yield Evidence(row["counts"])
-        yield from resolve_name("exactsweep.paper.counts.count_all")(row["name"], effort)
     if "figure" in row:
         yield Evidence(_join(row["against"]))
         yield from resolve_name(f"{FIGURES}.figure.check_figure")(row["figure"])
-    if "letter" in row:
-        yield from resolve_name("exactsweep.paper.costs.compare_outputs")(row["name"])
-    if "costs" in row:
-        yield from resolve_name("exactsweep.paper.costs.measure_costs")(row["name"], effort)
+    yield Evidence(row.get("counts", ""))
+    for kind, measure in MEASURES.items():
+        if kind in row:
+            yield from resolve_name(f"exactsweep.paper.{measure}")(row["name"], effort)
 
 
 _FIELDS = {field.name for field in fields(Claim)}
@@ -79,6 +81,9 @@ def read_rows() -> list[dict[str, Any]]:
 
 ABSTRACT = _join(_load()["abstract"])
 """A summary of the errata."""
+
+KINDS, WEIGHTS = _load()["kinds"], _load()["weights"]
+"""The meaning of each kind of evidence; errata by weight, from 1 on."""
 
 OPEN = tuple((question["name"], _join(question["words"])) for question in _load()["open"])
 """Open questions: name and text of each."""

@@ -28,7 +28,7 @@ def trajectory_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Chain:
     [(-1, -1), (0, -2), (1, -2), (2, -1)]
     """
     (x, y), (dx, dy) = directrix[0], top[0]
-    return walk(_merge_by_slope(_steps(_turn(top)), _steps(directrix)), (x - dx, y - dy))
+    return _lay((x - dx, y - dy), _turn(top), directrix)
 
 
 def sweep_outer_cc(
@@ -36,9 +36,7 @@ def sweep_outer_cc(
 ) -> Chain:
     """Merge the edges of reversed G_t, of G_b and of D_b, from v_l of D + (v_l - v_r of G) on."""
     (x, y), (left_x, left_y), (right_x, right_y) = directrix[0], bottom[0], top[0]
-    steps = _merge_by_slope(_steps(_turn(top)), _steps(bottom))
-    start = x + left_x - right_x, y + left_y - right_y
-    return walk(_merge_by_slope(steps, _steps(directrix)), start)
+    return _lay((x + left_x - right_x, y + left_y - right_y), _turn(top), bottom, directrix)
 
 
 def trajectory_cm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Chain:
@@ -194,8 +192,13 @@ def _turn(chain: Iterable[Vertex]) -> Chain:
     return [(-x, -y) for x, y in chain]
 
 
-def _steps(chain: Sequence[Vertex]) -> Chain:
-    return [(qx - px, qy - py) for (px, py), (qx, qy) in pairwise(chain)]
+def _lay(start: Vertex, *chains: Sequence[Vertex]) -> Chain:
+    """The edges of some chains, merged by slope and laid end to end."""
+    steps: Chain = []
+    for chain in chains:
+        edges = [(qx - px, qy - py) for (px, py), (qx, qy) in pairwise(chain)]
+        steps = _merge_by_slope(steps, edges)
+    return walk(steps, start)
 
 
 def _merge_by_slope(first: Sequence[Vertex], second: Sequence[Vertex]) -> Chain:

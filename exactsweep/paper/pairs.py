@@ -9,7 +9,8 @@ coordinates of 30 digits; in resting ones a long edge of G lies on several teeth
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from typing import NamedTuple
 
 from exactsweep.corpus.generator.growing import cc, cm, cm_hard, cm_undercut, figure10, mm
@@ -19,7 +20,7 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.claim import Effort
-from exactsweep.procedures.chain import inverse, split
+from exactsweep.procedures.chain import split
 
 
 class Chains(NamedTuple):
@@ -42,14 +43,10 @@ class SweepPair(NamedTuple):
         bottom, top = split(self.generatrix)
         return Chains(top, bottom, split(self.directrix)[0])
 
-    @property
-    def mirrored(self) -> SweepPair:
-        """The pair turned by half a turn, so that the upper sweep is the lower one."""
-        g, d = (
-            [(int(x), int(y)) for x, y in inverse(ring)]
-            for ring in (self.generatrix, self.directrix)
-        )
-        return SweepPair(g, d)
+
+def read_pair(rings: Iterable[Iterable[Sequence[int]]]) -> SweepPair:
+    """The pair of two lists of vertices, read from a file."""
+    return SweepPair(*([(x, y) for x, y in ring] for ring in rings))
 
 
 def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
@@ -81,10 +78,8 @@ def _draw_any(random: Prng) -> Ring:
     while True:
         points = range(random.between(4, 9))
         drawn = [(random.between(0, side), random.between(0, side)) for _ in points]
-        try:
+        with suppress(PolygonError):
             return list_corners(untangle(drawn))
-        except PolygonError:
-            continue
 
 
 def list_corners(ring: Ring) -> Ring:

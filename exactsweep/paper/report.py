@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from jinja2 import Environment, PackageLoader
 from markupsafe import Markup, escape
@@ -20,29 +20,19 @@ from exactsweep.canvas.svg import Shape, write_svg
 from exactsweep.draw import save
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper import plots
-from exactsweep.paper.claim import KINDS, ClaimVerdict, Counterexample, Effort, Finding
+from exactsweep.paper.claim import ClaimVerdict, Counterexample, Effort, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, make_slug, write_data
 from exactsweep.paper.figures.drawing import draw_figure
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth, write_power
-from exactsweep.paper.ledger import ABSTRACT, OPEN
+from exactsweep.paper.ledger import ABSTRACT, KINDS, OPEN, WEIGHTS
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.text.template import make_environment
-
-if TYPE_CHECKING:
-    pass
 
 MINUS = "\N{MINUS SIGN}"
 GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
 """The columns of `growth_row`."""
-WEIGHTS = {
-    1: "False claims",
-    2: "False steps and remarks",
-    3: "Missing conditions",
-    4: "Slips of the pen",
-}
-"""Errata by weight."""
 
 
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
@@ -76,30 +66,15 @@ def render(
     figures: dict[str, bytes],
 ) -> str:
     """Fill one of the templates, "report.html" or "report.md"."""
-    sections: dict[str, list[Finding]] = {}
-    for row in rows:
-        sections.setdefault(row.claim.section, []).append(row)
-    verdicts = Counter(row.claim.verdict for row in rows)
-    bounds = tabulate(series for row in rows for series in row.evidence.growth)
-    text = (
-        _environment(html=name.endswith("html"))
-        .get_template(f"{name}.j2")
-        .render(
-            rows=rows,
-            sections=sections,
-            counts=[(verdict.value, verdicts[verdict]) for verdict in ClaimVerdict],
-            failing=[row for row in rows if row.disagreement],
-            effort=effort,
-            environment=describe_environment(effort),
-            seconds=sum(row.seconds for row in rows),
-            plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
-            figures={name: b64encode(svg).decode() for name, svg in figures.items()},
-            bibtex=read_bibtex(),
-            contents=_list_contents(sections, bounds=bool(bounds.rows)),
-            abstract=ABSTRACT,
-            open=OPEN,
-            bounds=bounds,
-        )
+    shown = [{key: b64encode(svg).decode() for key, svg in d.items()} for d in (drawn, figures)]
+    template = _environment(html=name.endswith("html")).get_template(f"{name}.j2")
+    text = template.render(
+        rows=rows,
+        plots=shown[0],
+        figures=shown[1],
+        effort=effort,
+        environment=describe_environment(effort),
+        bounds=tabulate(series for row in rows for series in row.evidence.growth),
     )
     return f"{text.rstrip()}\n"
 
@@ -111,14 +86,6 @@ def title_section(section: str) -> str:
     ('Section 5.1', 'Appendix')
     """
     return f"Section {section}" if section[0].isdigit() else section
-
-
-def _list_contents(sections: Iterable[str], *, bounds: bool) -> list[tuple[str, str]]:
-    """The anchors and the names of the parts of the HTML report."""
-    with_bounds = [("bounds", "Bounds")] if bounds else []
-    own = [(make_slug(title), title) for title in map(title_section, sections)]
-    before = [("errata", "What is wrong"), *with_bounds, ("evidence", "Evidence")]
-    return [*before, *own, ("open", "What is open"), ("cite", "How to cite")]
 
 
 def count_verdicts(rows: Sequence[Finding]) -> str:
@@ -155,7 +122,9 @@ def _environment(*, html: bool) -> Environment:
         *(set_formula, split_proof, title_section),
     )
     environment.filters |= {function.__name__: function for function in filters}
-    environment.globals.update(GROWTH=GROWTH, LIMITS=LIMITS, WEIGHTS=WEIGHTS, KINDS=KINDS)
+    environment.globals.update(GROWTH=GROWTH, LIMITS=LIMITS, VERDICTS=ClaimVerdict)
+    environment.globals.update(ABSTRACT=ABSTRACT, OPEN=OPEN, WEIGHTS=WEIGHTS, KINDS=KINDS)
+    environment.globals.update(read_bibtex=read_bibtex)
     return environment
 
 
@@ -301,17 +270,9 @@ def pair_svg(pair: SweepPair) -> str:
         Shape([path.vertices], style.TRAJECTORY),
     )
     picture = write_svg(shapes, "D in grey, G in blue, and the path T of G's origin in black")
-    names = "".join(
-        f'<path d="M{x} 332h24" stroke="{shape.look.color}" stroke-width="4"/>'
-        f'<text x="{x + 32}" y="339" font-family="sans-serif" font-size="22">{name}</text>'
-        for x, name, shape in zip(
-            (12, 102, 192), ("D", "G", "T, the path of G"), shapes, strict=True
-        )
-    )
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="420" height="345" viewBox="0 0 420 345">'
-        f'<rect width="100%" height="100%" fill="#ffffff"/>{picture}{names}</svg>'
-    )
+    colors = [shape.look.color for shape in shapes]
+    template = _environment(html=True).get_template("pair.svg.j2")
+    return template.render(picture=Markup(picture), colors=colors)
 
 
 def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:

@@ -7,6 +7,7 @@ fails is a smallest counterexample on that grid.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache
 from itertools import combinations, pairwise, product
@@ -37,13 +38,11 @@ def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...]
             top = [first, *(p for p, low in zip(others, sides, strict=True) if not low), last]
             if any(p[0] == q[0] for chain in (bottom, top) for p, q in pairwise(chain)):
                 continue
-            try:
+            with suppress(PolygonError):
                 corners = Polygon([*bottom, *top[-2:0:-1]]).vertices
-            except PolygonError:
-                continue
-            ring = tuple((int(x), int(y)) for x, y in corners)
-            if len(corners) == vertices and set(bottom) <= set(split(ring)[0]):
-                found.add(ring)
+                ring = tuple((int(x), int(y)) for x, y in corners)
+                if len(ring) == vertices and set(bottom) <= set(split(ring)[0]):
+                    found.add(ring)
     return tuple(sorted(found, key=_size))
 
 

@@ -16,7 +16,6 @@ from exactsweep import Polygon
 from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.paper.claim import (
-    KINDS,
     Claim,
     ClaimVerdict,
     Counterexample,
@@ -29,7 +28,7 @@ from exactsweep.paper.claim import (
 from exactsweep.paper.data import write_data
 from exactsweep.paper.growth import Growth, Size, double
 from exactsweep.paper.laws import break_law, shrink, try_laws
-from exactsweep.paper.ledger import CHECKS, CLAIMS, find, read_rows
+from exactsweep.paper.ledger import CHECKS, CLAIMS, KINDS, find, read_rows
 from exactsweep.paper.pairs import SweepPair, draw_pair, draw_pairs
 from exactsweep.paper.tiny import list_polygons, search_grid
 from exactsweep.procedures.chain import split

@@ -44,8 +44,6 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.pairs import SweepPair, draw_pair
 from exactsweep.procedures.mm import sweep_mm
 
-SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
-U_SHAPE = [(0, 0), (5, 0), (5, 4), (4, 4), (4, 1), (1, 1), (1, 4), (0, 4)]
 # Davenport-Schinzel sequences of order 3 of s symbols have at most so many members.
 LONGEST = {1: 1, 2: 4, 3: 8, 4: 12, 5: 17, 6: 22}
 
@@ -144,8 +142,3 @@ def test_chains_are_evaluated_and_cut() -> None:
     assert [reaches([(0, 0), (2, 2)], Fraction(x)) for x in range(3)] == [False, True, False]
     with pytest.raises(ValueError, match="does not reach 5"):
         evaluate(chain, Fraction(5))
-
-
-def test_a_mirrored_pair_has_the_upper_sweep_as_its_lower_one() -> None:
-    pair = SweepPair(SQUARE, U_SHAPE)
-    assert sweep(*pair.mirrored).trajectory == sweep(*pair).trajectory.reflected()

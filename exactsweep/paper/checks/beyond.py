@@ -29,22 +29,14 @@ from exactsweep.paper.functions import (
     show_fits,
     tell_fits,
 )
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.pairs import SweepPair, read_pair
 from exactsweep.procedures.chain import inverse
 
-# A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
-HELD = SweepPair(
-    [(0, 0), (2, 0), (2, 2), (0, 2)],
-    [(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)],
-)
-# The same with a cave in which it has room.
-ROOM = SweepPair(
-    [(0, 0), (2, 0), (2, 2), (0, 2)],
-    [(0, 0), (5, 0), (5, 5), (2, 5), (2, 4), (4, 4), (4, 1), (1, 1), (1, 5), (0, 5)],
-)
-CONTAINERS = tomllib.loads(
+_DATA = tomllib.loads(
     files("exactsweep.paper.checks").joinpath("containers.toml").read_text(encoding="utf-8")
-)["container"]
+)
+CONTAINERS = _DATA["container"]
+HELD, ROOM = (read_pair(_DATA[name]) for name in ("held", "room"))
 
 
 def loops_are_simple(pair: SweepPair) -> Iterator[str]:

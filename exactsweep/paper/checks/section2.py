@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from itertools import chain, pairwise, product
 
 from exactsweep import Polygon, sweep
@@ -188,12 +189,10 @@ def _apexes_and_teeth() -> Iterator[SweepPair]:
     """A triangle under all bottom chains of five vertices with heights from 0 to 2."""
     generatrix = [(0, 0), (8, 0), (4, 2)]
     for heights in product(range(3), repeat=5):
-        try:
+        with suppress(PolygonError):
             corners = list_corners([*enumerate(heights), (2, 9)])
-        except PolygonError:
-            continue
-        if len(corners) == 6:
-            yield SweepPair(generatrix, corners)
+            if len(corners) == 6:
+                yield SweepPair(generatrix, corners)
 
 
 def starts_and_stops_at_the_ends(pair: SweepPair) -> Iterator[str]:

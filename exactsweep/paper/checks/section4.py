@@ -95,9 +95,8 @@ def count_forms(effort: Effort) -> Iterator[Observation]:
     resting = draw_pairs(effort, "CM", effort.cases(40), "resting")
     swept = (sweep(*pair) for pair in chain(random, resting))
     forms = Counter(undercut.intersection for s in swept for undercut in s.undercuts)
-    yield Evidence(
-        f"Undercuts: {forms['point']} closed in a point, {forms['segment']} along a segment."
-    )
+    point, segment = forms["point"], forms["segment"]
+    yield Evidence(f"Undercuts: {point} closed in a point, {segment} along a segment.")
     yield "" if len(forms) == 2 else "one of the two forms is never seen"
 
 

@@ -155,11 +155,8 @@ def count_bumps(effort: Effort) -> Iterator[Observation]:
     rows, differing = [], []
     for size in sizes[: 5 if effort.quick else None]:
         pair = SweepPair(*bumps(*size))
-        edges, printed, expected = (
-            len(find_outer(pair)) - 1,
-            printed_count(*size),
-            edges_of_bumps(*size),
-        )
+        edges, printed = len(find_outer(pair)) - 1, printed_count(*size)
+        expected = edges_of_bumps(*size)
         rows.append([str(size), str(printed), str(expected), str(edges)])
         if edges != expected:
             yield f"{edges} edges for {size}, not {expected}"

@@ -125,14 +125,12 @@ def step_2(pair: SweepPair) -> int:
 
 def merge_parts_by_turns(pair: SweepPair) -> int:
     """Count the operations of merging one sub-trajectory after the other."""
-    return operations(lambda chains: reduce(literal.merge, _sub_trajectories(chains)), pair.chains)
+    return operations(lambda c: reduce(literal.merge, _sub_trajectories(c)), pair.chains)
 
 
 def merge_parts_by_halves(pair: SweepPair) -> int:
     """Count the operations of merging sub-trajectories by halves."""
-    return operations(
-        lambda chains: literal.lower_envelope_mm(_sub_trajectories(chains)), pair.chains
-    )
+    return operations(lambda c: literal.lower_envelope_mm(_sub_trajectories(c)), pair.chains)
 
 
 def count_glance(effort: Effort) -> Iterator[Observation]:

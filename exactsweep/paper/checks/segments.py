@@ -16,7 +16,7 @@ from importlib.resources import files
 from itertools import pairwise
 
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.pairs import SweepPair, read_pair
 
 Stroke = Sequence[int]
 
@@ -30,9 +30,7 @@ BEST: list[list[Stroke]] = _DATA["best"]
 FINE = 64
 
 # (m_b, n_t, n_b) = (2, 2, 2): 10, (2, 4, 4): 36, (2, 4, 6): 49
-RECORDS = tuple(
-    SweepPair(*([(x, y) for x, y in ring] for ring in pair)) for pair in _DATA["records"]
-)
+RECORDS = tuple(map(read_pair, _DATA["records"]))
 
 
 def count_pieces(segments: Sequence[Stroke]) -> int:

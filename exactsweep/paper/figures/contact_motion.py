@@ -8,7 +8,7 @@ from exactsweep.draw import cut_trajectory
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
 from exactsweep.numbers.number import Point
-from exactsweep.paper.figures.figure import PaperFigure, find_middle, place, take_half
+from exactsweep.paper.figures.figure import PaperFigure, find_middle, place, take_half, write_list
 from exactsweep.paper.figures.undercuts import find_undercut, sweep_examples
 from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep
@@ -50,12 +50,10 @@ def compute() -> PaperFigure:
     passed = [p for p in split(ring)[1] if p[0] < found.left.x]
     border = [(found.left.x, high), found.left, *passed, (passed[-1][0], low)]
     middle = (one.x + other.x) / 2 - first
+    ends = write_list(f"({p.x}, {p.y})" for p in (found.left, found.right))
     return PaperFigure(
         facts=[
-            (
-                "p_l and p_r at the position drawn",
-                ", ".join(f"({p.x}, {p.y})" for p in (found.left, found.right)),
-            ),
+            ("p_l and p_r at the position drawn", ends),
             ("positions compared", len(path)),
             ("p_l goes from, to", f"{lefts[0]}, {lefts[-1]}"),
             ("p_r goes from, to", f"{rights[0]}, {rights[-1]}"),
@@ -69,10 +67,8 @@ def compute() -> PaperFigure:
         | {"half": [(edge, low), (edge, high), *border], "left": found.left, "right": found.right}
         | {"axes": [[(0, 0), (travelled + 1, 0)], [(0, 0), (0, wide + 1)]]}
         | {"chart": [(0, 0), (travelled + 1, wide + 1)], "high": (0, wide)}
-        | {
-            f"b_{name}": [(m.at.x - first, x) for m, x in zip(path, xs, strict=True)]
-            for name, xs in (("lefts", lefts), ("rights", rights))
-        }
+        | {"b_lefts": [(moment.at.x - first, moment.left.x) for moment in path]}
+        | {"b_rights": [(moment.at.x - first, moment.right.x) for moment in path]}
         | {"ticks": [(0, x) for x in ticks], "along": (travelled / 2, 0)}
         | {"stop_left": (middle, found.left.x), "stop_right": (middle, found.right.x)},
         words={"ticks": [str(x) for x in ticks]},

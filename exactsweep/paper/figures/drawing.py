@@ -47,11 +47,9 @@ def find_look(name: str) -> Look:
         return found
     changes = dict(_load()["looks"][name])
     like = find_look(changes.pop("like")) if "like" in changes else Look(style.BLACK)
-    if "color" in changes:
-        changes["color"] = getattr(style, changes["color"], changes["color"])
-    if "fill" in changes:
-        name, _, opacity = changes["fill"].partition(" ")
-        changes["fill"] = getattr(style, name, name) + opacity
+    for part in changes.keys() & {"color", "fill"}:
+        name, _, opacity = changes[part].partition(" ")
+        changes[part] = getattr(style, name, name) + opacity
     if isinstance(changes.get("dash"), list):
         changes["dash"] = (0, tuple(changes["dash"]))
     return replace(like, **changes)

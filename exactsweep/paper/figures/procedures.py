@@ -15,10 +15,10 @@ from typing import Any
 from exactsweep.corpus.generator import growing
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
+from exactsweep.paper.costs import RUNS
 from exactsweep.paper.figures.figure import PaperFigure, join_panels
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures import cc, cm, mm
 
 _DATA = json.loads(
     files("exactsweep.paper.figures").joinpath("procedures.json").read_text(encoding="utf-8")
@@ -79,16 +79,11 @@ def watch_literal() -> set[tuple[str, str]]:
 def watch_kernel() -> set[tuple[str, str]]:
     """The calls that the kernel makes, for a pair of each class."""
     words = {function.__code__: name for name, (function, _) in KERNEL.items()}
-    convex = SweepPair(*growing.cc(8, 8)).chains
-    toothed = SweepPair(*growing.cm_undercut(16, 8)).chains
-    return watch_calls(
-        words,
-        partial(mm.sweep_mm, *SweepPair(GENERATRIX, DIRECTRIX).chains),
-        partial(cm.sweep_inner_cm, toothed.top, toothed.directrix),
-        partial(cm.sweep_outer_cm, *toothed),
-        partial(cc.sweep_inner_cc, convex.top, convex.directrix),
-        partial(cc.sweep_outer_cc, *convex),
-    )
+    example = SweepPair(GENERATRIX, DIRECTRIX)
+    convex, toothed = SweepPair(*growing.cc(8, 8)), SweepPair(*growing.cm_undercut(16, 8))
+    runs = {"Sweep_MM, outer loop": example, "SweepI_CM": toothed, "SweepO_CM": toothed}
+    runs |= {"SweepI_CC": convex, "SweepO_CC": convex}
+    return watch_calls(words, *(partial(RUNS[name], pair.chains) for name, pair in runs.items()))
 
 
 def _show(

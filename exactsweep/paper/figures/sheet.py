@@ -84,14 +84,8 @@ def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, li
             wide, high = box.measure(unit)
             room = box.margins[0], box.margins[1] + box.title_height
             size = wide - box.margins[0] - box.margins[2], high - room[1] - box.margins[3]
-            axes = figure.add_axes(
-                (
-                    (left + room[0]) / across,
-                    (low + room[1]) / total,
-                    size[0] / across,
-                    size[1] / total,
-                )
-            )
+            place = (left + room[0]) / across, (low + room[1]) / total
+            axes = figure.add_axes((*place, size[0] / across, size[1] / total))
             pictures.append(Picture(axes, Scale.of([box.low, box.high])))
             axes.set_axis_off()
             xs, ys = zip(*pictures[-1].scale.places([box.low, box.high]), strict=True)

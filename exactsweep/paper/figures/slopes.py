@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from exactsweep.corpus.generator.shapes import walk
 from exactsweep.numbers.digits import format_fraction
@@ -22,17 +22,16 @@ from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import inverse
 from exactsweep.sweep import Sweep, sweep
 
-Owner = Literal["D_b", "G_t", "G_b"]
 GENERATRIX = [(0, 0), (2, -1), (5, -2), (6, 1), (3, 3), (2, 3)]
 DIRECTRIX = [(0, 5), (2, 1), (4, -1), (8, -2), (10, -1), (7, 6)]
 STEPS = 4
-OWNERS: tuple[Owner, Owner] = ("D_b", "G_t")
+OWNERS = ("D_b", "G_t")
 
 
 class Move(NamedTuple):
     """An edge along which G slides: whose it is, and which vector it adds to the path."""
 
-    owner: Owner
+    owner: str
     by: Vertex
 
     @property
@@ -46,21 +45,17 @@ def sweep_example() -> Sweep:
     return sweep(GENERATRIX, DIRECTRIX, reference=(6, 1))
 
 
-def list_edges() -> dict[Owner, list[Move]]:
+def list_edges() -> dict[str, list[Move]]:
     """The edges of D_b, of reversed G_t and of G_b, each from left to right."""
     half = take_half(sweep_example())
-    chains: dict[Owner, list[Vertex]] = {
-        "D_b": half.directrix,
-        "G_t": inverse(half.top),
-        "G_b": half.bottom,
-    }
+    chains = {"D_b": half.directrix, "G_t": inverse(half.top), "G_b": half.bottom}
     return {
         owner: [Move(owner, (q[0] - p[0], q[1] - p[1])) for p, q in pairwise(chain)]
         for owner, chain in chains.items()
     }
 
 
-def sort_by_slope(*owners: Owner) -> list[Move]:
+def sort_by_slope(*owners: str) -> list[Move]:
     """The edges of some chains, sorted."""
     found = list_edges()
     return sorted((move for owner in owners for move in found[owner]), key=lambda m: m.slope)

@@ -21,11 +21,11 @@ def compute() -> PaperFigure:
     every = cut_trajectory(s)
     alone = [stretch for stretch in every if stretch.event == "VE"]
     several = [stretch for stretch in every if len(stretch.contacts) > 1]
-    laws: list[tuple[str, object, object]] = []
     middles = [find_middle(stretch.start, stretch.end) for stretch in every]
-    for stretch, t in zip(every, middles, strict=True):
-        missing = set(stretch.contacts) - set(s.contacts_at(t))
-        laws.append((f"contacts missing at ({t.x}, {t.y})", missing, set()))
+    laws: list[tuple[str, object, object]] = [
+        (f"contacts missing at ({t.x}, {t.y})", set(o.contacts) - set(s.contacts_at(t)), set())
+        for o, t in zip(every, middles, strict=True)
+    ]
     for stretch in several:
         laws.append(("edges of G", len({c.generatrix for c in stretch.contacts}), 1))
         kinds = {c.event for c in stretch.contacts}
