@@ -84,6 +84,10 @@ def test_the_evidence_bears_out_the_status(claim: Claim, tmp_path: Path) -> None
     assert row.disagreement == ""
     assert row.evidence.tried
     assert show_row(row) == GOLDEN[claim.name]
+    last = [series.points[-1] for series in row.evidence.growth]
+    for case in row.evidence.cases if last else ():
+        sizes = [f"m = {p.m} and n = {p.n}" for p in last] + [f"m = n = {p.m}" for p in last]
+        assert case.generatrix or any(size in case.text for size in sizes)
     write_data(tmp_path, [row], Effort(seed=2, quick=True))
     files = sorted((tmp_path / "counterexamples").iterdir())
     assert len(files) == sum(bool(case.generatrix) for case in row.evidence.cases)
@@ -219,9 +223,11 @@ def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
     assert found.tried == "It always fails. Pairs: 2 CC, 2 CM with vertical edges."
 
 
-def series(power: float, what: str = "vertices", limit: float = 1.08) -> Growth:
+def series(
+    power: float, what: str = "vertices", limit: float = 1.08, side: str = "upper"
+) -> Growth:
     points = tuple(Size(m, n, round(1000 * n**power), n) for m, n in double(8, 3))
-    return Growth(what, "ints", "n", points, limit)
+    return Growth(what, "ints", "n", points, limit, side)
 
 
 def test_growth_tells_flat_rising_and_falling() -> None:
@@ -231,6 +237,16 @@ def test_growth_tells_flat_rising_and_falling() -> None:
         "vertices on ints, m and n doubled: divided by n they rose"
     )
     assert not series(0.2).is_attained
+
+
+def test_an_upper_bound_fails_above_and_a_lower_one_below() -> None:
+    failing = {
+        side: [bool(series(power, side=side).failure) for power in (0.2, 1, 1.2)]
+        for side in ("upper", "lower", "both")
+    }
+    assert failing["upper"] == [False, False, True]
+    assert failing["lower"] == [True, False, False]
+    assert failing["both"] == [True, False, True]
 
 
 def test_the_three_largest_sizes_tell_whether_a_bound_is_attained() -> None:

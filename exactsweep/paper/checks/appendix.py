@@ -121,9 +121,9 @@ def contact_moves_right(pair: SweepPair) -> Iterator[str]:
                 f"at ({t.x}, {t.y}) the contact is from x = {now[0]} to {now[-1]}, "
                 f"after {before[0]} to {before[-1]}"
             )
-        late = [x for x in now if before[0] <= x <= before[-1] and x not in before]
-        if vertices.intersection(late):
-            yield f"at ({t.x}, {t.y}) D_b is touched at x = {late[0]}, which was passed untouched"
+        passed = {x for x in now if before[0] <= x <= before[-1]}.difference(before)
+        for x in passed & vertices:
+            yield f"at ({t.x}, {t.y}) D_b is touched at x = {x}, which was passed untouched"
 
 
 def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:

@@ -1,0 +1,178 @@
+"""Bounds of checks: each holds at the bound, and complains of one more, or one less."""
+
+from collections.abc import Callable, Iterable
+from math import log2
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import pytest
+
+from exactsweep import Polygon
+from exactsweep.check.contact_segments import find_contacts
+from exactsweep.corpus.generator.growing import edges_over_needles, undercuts_under_ceilings
+from exactsweep.numbers.number import Vertex
+from exactsweep.paper.checks import (
+    appendix,
+    beyond,
+    beyond_sizes,
+    section3,
+    section4,
+    section4_sizes,
+    section5_time,
+    slips,
+    undercuts,
+)
+from exactsweep.paper.claim import Effort, Observation, find_first_failure
+from exactsweep.paper.functions import list_sub_trajectories, look_up_bottom
+from exactsweep.paper.growth import Growth, Size
+from exactsweep.paper.pairs import SweepPair, draw_pairs
+
+TRIANGLE = [(0, 0), (1, 0), (0, 1)]
+# G_t and G_b have two edges each, D_b has two teeth of two edges, which are its convex parts.
+TEETH = SweepPair(
+    [(0, 0), (2, -1), (4, 0), (2, 3)], [(0, 2), (1, 0), (2, 2), (3, 0), (4, 2), (2, 9)]
+)
+
+
+def bow(edges: int) -> list[Vertex]:
+    """A convex chain of so many edges."""
+    return [(x, x * x) for x in range(edges + 1)]
+
+
+def least_holes(m: int, n: int) -> int:
+    return int(((m // 6 - 1) * (n // 6 - 1) - 1) ** 2)
+
+
+@pytest.mark.parametrize(
+    ("module", "check", "bound", "wrong"),
+    [
+        (beyond_sizes, "count_contact_segments", lambda m, n: 2 * m * n, [1]),
+        (beyond_sizes, "count_holes", least_holes, [-1]),
+        (undercuts, "find_long_undercut", lambda m, n: edges_over_needles(m, n) + 1, [-1]),
+        (undercuts, "count_undercuts", undercuts_under_ceilings, [-1, 1]),
+    ],
+)
+def test_planted_counts_beyond_a_bound_are_failures(
+    module: ModuleType,
+    check: str,
+    bound: Callable[[int, int], int],
+    wrong: list[int],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def found(more: int) -> str:
+        sizes = ((19, 20), (37, 38), (73, 74))
+        points = tuple(Size(m, n, bound(m, n) + more, 2 * m * n) for m, n in sizes)
+        planted = [Growth("counts", "planted", "2mn", points)]
+        monkeypatch.setattr(module, "count_all", lambda row, effort: planted)
+        parts: Iterable[Observation] = getattr(module, check)(Effort(quick=True))
+        return find_first_failure(part for part in parts if isinstance(part, str))
+
+    assert [bool(found(more)) for more in (-1, 0, 1)] == [more in wrong for more in (-1, 0, 1)]
+
+
+@pytest.mark.parametrize(
+    ("procedure", "most"), [("Trajectory_CM", 8), ("SweepO_CM", 12), ("SweepI_CM", 6)]
+)
+def test_chains_of_a_cm_sweep_may_have_as_many_edges_as_stated(
+    procedure: str, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def found(size: int) -> list[str]:
+        runs = {name: lambda chains: bow(1) for name in ("Trajectory_CM", "SweepO_CM", "SweepI_CM")}
+        runs[procedure] = lambda chains: bow(size)
+        loops = {"trajectory": "Trajectory_CM", "outer": "SweepO_CM", "inner": "SweepI_CM"}
+        monkeypatch.setattr(section4_sizes, "RUNS", runs)
+        monkeypatch.setattr(
+            section4_sizes, "look_up_bottom", lambda pair, loop: runs[loops[loop]](None)
+        )
+        return list(section4_sizes.sizes_are_bounded(TEETH))
+
+    assert found(most) == []
+    assert found(most + 1) == [
+        f"{procedure}: {most + 1} edges, {most + 1} by the definition, bound {most}"
+    ]
+
+
+@pytest.mark.parametrize(("which", "most"), [(0, 8), (1, 12)])
+def test_parts_may_have_as_many_edges_as_stated(
+    which: int, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def found(edges: int) -> list[str]:
+        parts = [[bow(1), bow(1)], [bow(1), bow(1)]]
+        parts[which] = [bow(edges - 3), bow(3)]
+        monkeypatch.setattr(section4_sizes, "list_sub_chains", lambda pair: parts)
+        return [text for text in section4_sizes.parts_are_bounded(TEETH) if text]
+
+    assert found(most) == []
+    assert len(found(most + 1)) == 1
+
+
+def test_undercuts_may_be_as_many_and_as_long_as_stated(monkeypatch: pytest.MonkeyPatch) -> None:
+    def found(*edges: int) -> list[str]:
+        planted = [SimpleNamespace(bottom=bow(size)) for size in edges]
+        monkeypatch.setattr(section4, "lower_undercuts", lambda s: planted)
+        return list(section4.few_undercuts(TEETH))
+
+    assert found(2) == []
+    assert found(3) == ["an undercut with 3 edges"]
+    assert found(2, 2) == ["2 undercuts of 2 convex parts"]
+
+
+@pytest.mark.parametrize(("loop", "most"), [("trajectory", 7), ("inner", 4), ("outer", 10)])
+def test_loops_of_convex_polygons_may_be_as_large_as_stated(
+    loop: str, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+
+    def found(size: int) -> list[str]:
+        loops = dict.fromkeys(("trajectory", "inner", "outer"), Polygon(TRIANGLE))
+        loops[loop] = Polygon(bow(size - 1))
+        monkeypatch.setattr(section3, "sweep", lambda *pair: SimpleNamespace(**loops))
+        monkeypatch.setattr(section3, "tell_loops", lambda s: [])
+        return list(section3.loops_are_small(SweepPair(TRIANGLE, square)))
+
+    assert found(most) == []
+    assert f"more than {most} edges" in found(most + 1)[0]
+
+
+def test_there_may_be_2mn_contact_segments(monkeypatch: pytest.MonkeyPatch) -> None:
+    def found(number: int) -> list[str]:
+        def plant(*shapes: Any) -> tuple[list[Any], Any]:
+            known, rest = find_contacts(*shapes)
+            return [*known * 9][:number], rest
+
+        monkeypatch.setattr(beyond, "find_contacts", plant)
+        return [text for text in beyond.boundary_is_contact(SweepPair(TRIANGLE, TRIANGLE)) if text]
+
+    assert found(18) == []
+    assert found(19) == ["19 contact segments"]
+
+
+def test_chains_may_part_once_only() -> None:
+    level: list[Vertex] = [(0, 0), (8, 0)]
+    down: list[Vertex] = [(0, 0), (4, 0), (8, -4)]
+    across: list[Vertex] = [(0, 2), (8, -2)]
+    assert list(appendix.crosses_once(level, across)) == []
+    assert "above the next one" in next(appendix.crosses_once(across, level))
+    assert list(appendix.crosses_once(down, level)) == []
+    assert list(appendix.crosses_once(level, down)) == []
+    assert appendix.meetings(across, level) == ("", True)
+    assert appendix.meetings(down, level) == ("", True)
+    assert appendix.meetings([(0, 1), (8, 1)], level) == ("", False)
+    assert appendix.meetings([(0, 0), (4, 2), (8, 0)], level)[0] == (
+        "the chains meet over 0 and 8, and part in between"
+    )
+    assert appendix.meetings(down, down)[0] == "the chains share a bend between 0 and 8"
+
+
+def test_counts_are_compared_with_what_they_say() -> None:
+    for pair in draw_pairs(Effort(), "CM", 5):
+        assert slips.calls(pair)[1] == len(look_up_bottom(pair, "trajectory")) - 1
+    for pair in draw_pairs(Effort(), "MM", 5):
+        chains = list_sub_trajectories(pair)
+        size = sum(len(chain.pieces) for chain in chains)
+        for count in (section5_time.merge_by_halves, section5_time.merge_to_the_letter):
+            assert count(pair)[1] == size * max(1, log2(len(chains)))
+    # Both parts of the trajectory have four edges, of which the last of the first is cut off.
+    handed_in, kept = 8, len(look_up_bottom(TEETH, "trajectory")) - 1
+    assert appendix.envelope(TEETH)[1] == handed_in + handed_in - kept
+    assert kept < handed_in
