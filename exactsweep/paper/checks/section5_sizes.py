@@ -95,12 +95,8 @@ def find_beyond_mn2(effort: Effort) -> Iterator[Observation]:
     rows = []
     # The definition, which takes all pairs of edges, is slow with more segments.
     for segments in BEST[:4]:
-        pair, count, most = (
-            build_windows_of_windows(segments),
-            len(segments),
-            count_pieces(segments),
-        )
-        full = count * (count - 1) + 1
+        pair, count = build_windows_of_windows(segments), len(segments)
+        full, most = count * (count - 1) + 1, count_pieces(segments)
         # The ends of G may add some.
         least = full * most + pieces_at_the_sides(segments)
         found = pieces_in(find_outer(pair), segments)
