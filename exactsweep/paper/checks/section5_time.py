@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import reduce
 from itertools import pairwise, product
 from math import log2
@@ -19,6 +19,7 @@ from exactsweep.paper.counting import (
     grow,
     make_counted,
     operations,
+    watch_operations,
 )
 from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import (
@@ -68,30 +69,23 @@ def _tiny_chains() -> list[list[Vertex]]:
     return straight + bends
 
 
-def merge_by_halves(pair: SweepPair) -> tuple[int, float]:
+def merge_by_halves(pair: SweepPair, *, to_the_letter: bool = False) -> tuple[int, float]:
     """Count the operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
-    chains = _draw_chains(pair)
-    return count_operations(lower_envelope_mm, chains), _measure(chains)
+    top, _, directrix = pair.chains
+    chains = [
+        trajectory_cm(make_counted(inverse(part)), make_counted(directrix))
+        for part in find_convex_parts(inverse(top))
+    ]
+    size, paths = sum(len(chain.pieces) for chain in chains), list(map(list, chains))
+    merged: Iterable[Vertex]
+    with watch_operations() as tally:
+        merged = literal.lower_envelope_mm(paths) if to_the_letter else lower_envelope_mm(chains)
+    return tally.total + sum(1 for _ in merged), size * max(1.0, log2(len(chains)))
 
 
 def merge_to_the_letter(pair: SweepPair) -> tuple[int, float]:
     """Count the same to the letter."""
-    chains = _draw_chains(pair)
-    paths = list(map(list, chains))
-    return count_operations(literal.lower_envelope_mm, paths), _measure(chains)
-
-
-def _draw_chains(pair: SweepPair) -> list[Envelope]:
-    """The sub-trajectories, in counted ints."""
-    top, _, directrix = pair.chains
-    return [
-        trajectory_cm(make_counted(inverse(part)), make_counted(directrix))
-        for part in find_convex_parts(inverse(top))
-    ]
-
-
-def _measure(chains: Sequence[Envelope]) -> float:
-    return sum(len(chain.pieces) for chain in chains) * max(1.0, log2(len(chains)))
+    return merge_by_halves(pair, to_the_letter=True)
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
