@@ -47,6 +47,11 @@ def test_bad_input_is_refused_in_one_line(tmp_path: Path, content: bytes, messag
         ("exactsweep sweep >&-", 1, "Error: standard output: closed\n"),
         ("exactsweep explain >/dev/full", 1, "Error: standard output: No space left on device\n"),
         ("exactsweep explain >&-", 1, "Error: standard output: closed\n"),
+        (
+            "exactsweep reproduce --cite --out /dev/null/x",
+            1,
+            "Error: /dev/null/x: Not a directory\n",
+        ),
         ("exactsweep verify - <&-", 1, "Error: standard input: closed\n"),
         (
             "exactsweep sweep --certificate | exactsweep verify - >/dev/full",

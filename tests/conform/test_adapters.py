@@ -16,7 +16,7 @@ from command import PATIENCE, eventually, processes
 from strategies import points
 
 from exactsweep import Point
-from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
+from exactsweep.conform.adapters import NAMES, Adapter, MissingError, klayout_sum, load, npm
 from exactsweep.conform.adapters.__main__ import _write
 from exactsweep.conform.adapters.adapter import build_frame, prepare_ring
 from exactsweep.conform.adapters.measure import main as measure
@@ -374,6 +374,12 @@ def test_a_page_says_what_was_asked(tmp_path: Path) -> None:
     written = CliRunner().invoke(measure, [*asked, "--page", str(page)])
     assert (written.exit_code, written.output) == (0, "")
     assert f"{page.read_text(encoding='utf-8')}\n" == shown.output
+
+
+def test_programs_are_asked_as_far_as_their_numbers_reach() -> None:
+    # Differences of 32-bit ints stay such ints; doubles hold each int up to 2**53.
+    assert 2 * (klayout_sum.MOST + 1) == 2**31
+    assert float(npm.MOST) < float(npm.MOST + 1) == float(npm.MOST + 2)
 
 
 def test_a_ring_is_prepared_exactly() -> None:

@@ -53,6 +53,22 @@ def written(draw: object) -> str:
     return text.getvalue()
 
 
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_a_number_that_is_none_is_named_in_a_run_of_any_length(count: int) -> None:
+    lines = [line(0, 0, 2, k) for k in range(count - 1)]
+    with pytest.raises(FormatError, match="'x'"):
+        parse_polygons(dxf(*lines, line(2, 0, "x", 2)))
+
+
+@pytest.mark.parametrize("code", [30, 31, 32, 33])
+def test_each_corner_of_a_solid_is_at_one_level(code: int) -> None:
+    corners = [(10, 0), (20, 0), (11, 2), (21, 0), (12, 0), (22, 2), (13, 2), (23, 2)]
+    flat, bent = (dxf([(0, "SOLID"), *corners, (code, z)]) for z in (0, 1))
+    assert parse_polygon(flat) == SQUARE
+    with pytest.raises(FormatError):
+        parse_polygon(bent)
+
+
 @given(st.data(), strategies.simple_rings(), strategies.simple_rings())
 def test_lines_in_any_order_and_direction_are_the_polygons_that_they_bound(
     data: st.DataObject, one: strategies.Ring, other: strategies.Ring

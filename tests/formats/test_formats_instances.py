@@ -119,6 +119,13 @@ def test_the_margin_of_all_bins_is_kept() -> None:
     assert kinds(read_packed(parameters=margin, bin={"item_bin_minimum_spacing": 2})) == []
 
 
+@pytest.mark.parametrize(("copies", "notes"), [(-1, []), (0, ["container 0: 1 used, 0 in stock"])])
+def test_no_copies_of_a_bin_are_none_and_negative_ones_any_number(
+    copies: int, notes: list[str]
+) -> None:
+    assert [*read_packed(bin={"copies": copies}).notes] == notes
+
+
 def test_turns_for_mirrored_copies_are_noted() -> None:
     turns = [{"start": 0, "end": 0}, {"start": 180, "end": 180}]
     assert kinds(read_packed(mirror=True, item={"allowed_rotations": turns})) == ["mirror"]
