@@ -595,7 +595,7 @@ class Layout:
         need(type(mirrored) in (type(None), bool), "mirrored: neither true nor false")
         found = self.facts[k]
         listed = [] if turns is None else items(turns)
-        self.work.take(1 + len(listed) * (1 + len(found)))
+        self.work.take((1 + len(listed)) * (1 + len(found)))
         allowed = [*map(read_turn, listed)]
         asked = len(found) if demand is None else integer(demand, 0)
         return {
