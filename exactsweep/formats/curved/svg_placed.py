@@ -53,9 +53,14 @@ class PlacedElement:
         self._inherited: dict[str, str] = {}
         self._style: Style | None = style or (parent._style if parent else None)
 
+    @cached_property
+    def styled(self) -> dict[str, str]:
+        """The properties that styles give it."""
+        return self._style.read(self.element) if self._style else {}
+
     def style(self, name: str) -> str | None:
-        """Find a property of its own; None if it is not given."""
-        return self._style.find(self.element, name) if self._style else None
+        """Find a property of its own, or its attribute; None if it is not given."""
+        return self.styled.get(name, self.element.get(name))
 
     def inherited(self, name: str, initial: str) -> str:
         """Find a property that is inherited; each element is asked once."""
@@ -80,12 +85,11 @@ class PlacedElement:
     def transform(self) -> str:
         """The attribute of that name; raises FormatError where a style moves the element, too."""
         found: str = self.element.get("transform", "")
-        if self._style:
-            if any(self._style.find_styled(self.element, name) for name in _STYLED):
-                raise FormatError("a transformation in a style cannot be read")
-            center = self.style("transform-origin"), self.style("transform-box")
-            if found and not (_ORIGIN.fullmatch(center[0] or "0 0") and center[1] in _BOXES):
-                raise FormatError("a transformation with a center of its own cannot be read")
+        if any(map(self.styled.get, _STYLED)):
+            raise FormatError("a transformation in a style cannot be read")
+        center, box = self.style("transform-origin"), self.style("transform-box")
+        if found and not (_ORIGIN.fullmatch(center or "0 0") and box in _BOXES):
+            raise FormatError("a transformation with a center of its own cannot be read")
         return found
 
     @cached_property
@@ -121,7 +125,7 @@ class PlacedElement:
         text = self.element.get(name, default)
         if text is None:
             raise FormatError(f"{name} is missing")
-        if self.parent and self._style and self._style.find_styled(self.element, name):
+        if self.parent and self.styled.get(name):
             raise FormatError(f"{name} is in a style, where it cannot be read")
         number, unit = _split(text.strip())
         with name_refusals(name, FormatError):

@@ -52,42 +52,38 @@ class Style:
 
     def _add(self, selectors: str, body: str) -> None:
         """Add the declarations of a rule that are read."""
-        declared: dict[str, tuple[bool, int, str]] = {}
+        declared: dict[str, _Declared] = {}
         for name, value, important in _declarations(body):
             if name in _READ:
                 self._number += 1
-                own = important, self._number, value
-                declared[name] = max(own, declared.get(name, own))
+                _declare(declared, name, (important, 0, self._number, value))
         for selector in map(str.strip, selectors.split(",")) if declared else ():
             if _SIMPLE.fullmatch(selector):
                 rules = self._rules.setdefault(selector, {})
                 rank = _RANKS.get(selector[0], _NAME_RANK)
-                for name, (important, number, value) in declared.items():
-                    found = important, rank, number, value
-                    rules[name] = max(found, rules.get(name, found))
+                for name, (important, _, number, value) in declared.items():
+                    _declare(rules, name, (important, rank, number, value))
             elif not _DRAWING.isdisjoint(declared):
                 self.ignored.append(selector)
 
-    def find(self, element: Element, name: str) -> str | None:
-        """Find a property of an element, or its attribute; None if it is not given."""
-        found = self.find_styled(element, name)
-        return element.get(name) if found is None else found
-
-    def find_styled(self, element: Element, name: str) -> str | None:
-        """Find a property that styles give an element, by the cascade of CSS; None if none does."""
+    def read(self, element: Element) -> dict[str, str]:
+        """Read the properties that styles give an element, by the cascade of CSS."""
         attributes = element.attrib
-        if not self._rules and "style" not in attributes:
-            return None
-        found: list[_Declared] = []
+        found: dict[str, _Declared] = {}
         if self._rules:
             classes = (f".{one}" for one in attributes.get("class", "").split())
             for selector in ("*", name_kind(element), *classes, f"#{attributes.get('id')}"):
-                if name in (rules := self._rules.get(selector, {})):
-                    found.append(rules[name])
-        for k, (own, value, important) in enumerate(_declarations(attributes.get("style", ""))):
-            if own == name:
-                found.append((important, _STYLE_RANK, k, value))
-        return max(found)[-1] if found else None
+                for name, declared in self._rules.get(selector, {}).items():
+                    _declare(found, name, declared)
+        if "style" in attributes:
+            for k, (name, value, important) in enumerate(_declarations(attributes["style"])):
+                _declare(found, name, (important, _STYLE_RANK, k, value))
+        return {name: value for name, (*_, value) in found.items()}
+
+
+def _declare(found: dict[str, _Declared], name: str, declared: _Declared) -> None:
+    """Add a declaration, unless it loses against the one that is there."""
+    found[name] = max(declared, found.get(name, declared))
 
 
 def _declarations(text: str) -> Iterator[tuple[str, str, bool]]:
