@@ -9,15 +9,11 @@ a test has to notice each.
 
 from __future__ import annotations
 
-import ast
 import json
-import os
-import signal
 import subprocess
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
 from fractions import Fraction
 from itertools import islice
 from pathlib import Path
@@ -41,6 +37,7 @@ from layout_adversary import draw_layouts, is_true_layout, refill
 from producer import certificate_of
 from shape_families import random_shapes
 from tampering import get, put
+from weakened import weaken
 
 Certificate = dict[str, Any]
 Place = tuple[Any, ...]
@@ -62,17 +59,6 @@ print(failed)
 
 # Evidence that may be listed in more than one way.
 EVIDENCE = ("inner_drawn", "outer_drawn", "proof")
-TESTS = tuple(
-    f"tests/check/test_{name}.py"
-    for name in (
-        "monotone",
-        "standalone",
-        "standalone_file",
-        "standalone_layouts",
-        "verify",
-        "certificate_reading",
-    )
-)
 ANSWERS = ("exterior", "holes", "exact_fits", "inner", "outer", "unswept", "area", "trajectory")
 
 
@@ -305,54 +291,6 @@ def list_corpus() -> Iterator[Certificate]:
             yield inner_fit_polygon(d, g).certificate()
 
 
-def list_weakened(source: str) -> Iterator[tuple[int, str]]:
-    """List the sources in which one condition of the checker always holds, with the line."""
-    lines = source.splitlines()
-    for node in ast.walk(ast.parse(source)):
-        is_need = isinstance(node, ast.Call) and ast.unparse(node.func) == "need"
-        if is_need or (isinstance(node, ast.Raise) and "Refused(" in ast.unparse(node)):
-            assert isinstance(node, (ast.Call, ast.Raise))
-            first, last = node.lineno - 1, (node.end_lineno or node.lineno) - 1
-            indent = lines[first][: node.col_offset]
-            yield node.lineno, "\n".join([*lines[:first], f"{indent}pass", *lines[last + 1 :], ""])
-
-
-def weaken(tests: tuple[str, ...], every: int) -> tuple[int, list[str]]:
-    """Count the conditions of the checker that are dropped, and list those that no test misses."""
-    root = Path(standalone.__file__).parents[2]
-    source = Path(standalone.__file__).read_text(encoding="utf-8")
-    weakened, unnoticed = list(list_weakened(source))[::every], []
-    with TemporaryDirectory() as folder:
-        for name in ("exactsweep", "tests", "pyproject.toml", "README.md"):
-            subprocess.run(["cp", "-r", str(root / name), folder], check=True)
-        for line, weaker in weakened:
-            target = Path(folder) / "exactsweep" / "check" / "standalone.py"
-            target.write_text(weaker, encoding="utf-8")
-            if _pass(tests, folder):
-                unnoticed.append(f"{line}: {source.splitlines()[line - 1].strip()}")
-    return len(weakened), unnoticed
-
-
-def _pass(tests: tuple[str, ...], folder: str) -> bool:
-    """Decide whether tests pass in a folder, in ten minutes: a weaker checker may not end."""
-    run = subprocess.Popen(
-        [sys.executable, "-m", "pytest", "-n0", "-qx", "-p", "no:cacheprovider", *tests],
-        cwd=folder,
-        env={**os.environ, "PYTHONPATH": folder},
-        stdout=subprocess.DEVNULL,
-        start_new_session=True,
-    )
-    try:
-        return run.wait(600) == 0
-    except subprocess.TimeoutExpired:
-        return False
-    finally:
-        # A checker that a test started may not end either.
-        with suppress(ProcessLookupError):
-            os.killpg(run.pid, signal.SIGKILL)
-        run.wait()
-
-
 @click.command()
 @click.option(
     "--pairs", default=20, show_default=True, help="How many pairs; with --prove, of each class."
@@ -376,7 +314,7 @@ def main(
 ) -> None:
     """Falsify certificates, and count what the checker refuses."""
     if weakened:
-        number, unnoticed = weaken(TESTS, every)
+        number, unnoticed = weaken(every)
         click.echo("\n".join([*unnoticed, f"{number} lines weakened, {len(unnoticed)} unnoticed"]))
         sys.exit(bool(unnoticed))
     rng = Random(seed)

@@ -187,16 +187,13 @@ def test_steps_are_as_recorded() -> None:
 def test_steps_grow_as_parts_do(is_tall: bool) -> None:
     """A layout of many parts that differ is no dearer for each of them than one of few."""
 
+    def turn(x: int, y: int) -> tuple[int, int]:
+        return (y, x) if is_tall else (x, y)
+
     def count(n: int) -> int:
         parts = {str(k): {"exterior": TILE, "demand": 1, "turns": [0]} for k in range(n)}
-        if is_tall:
-            layout = lay(
-                box(-5, -5, 5, 10 * n), parts, *(put(id, (0, 10 * int(id))) for id in parts)
-            )
-        else:
-            layout = lay(
-                box(-5, -5, 10 * n, 5), parts, *(put(id, (10 * int(id), 0)) for id in parts)
-            )
+        placed = [put(id, turn(10 * k, 0)) for k, id in enumerate(parts)]
+        layout = lay(box(-5, -5, *turn(10 * n, 5)), parts, *placed)
         return count_steps(judge_layout(layout).certificate())[0]
 
     assert count(160) < 2.1 * count(80)
