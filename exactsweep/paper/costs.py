@@ -7,10 +7,8 @@ together, m alone and n alone: of m = n, a term m² where mn is claimed does not
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from importlib.resources import files
 from itertools import product
 from typing import Any
 
@@ -28,6 +26,7 @@ from exactsweep.paper.growth import (
     write_power,
 )
 from exactsweep.paper.pairs import Chains, SweepPair
+from exactsweep.paper.toml import read_toml
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
@@ -135,8 +134,7 @@ RUNS = {name: run for name, (run, _) in _BOTH.items()}
 
 def _list_costs() -> Iterator[Cost]:
     """Read costs.toml."""
-    text = files("exactsweep.paper").joinpath("costs.toml").read_text(encoding="utf-8")
-    for group in tomllib.loads(text)["cost"]:
+    for group in read_toml("costs.toml")["cost"]:
         for name, series in product(group.pop("procedures"), group.pop("series")):
             read = group | series
             read |= {"bound": BOUNDS[read["bound"]], "family": getattr(growing, read["family"])}

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
-from importlib.resources import files
 from pkgutil import resolve_name
 
 from exactsweep.corpus.generator import growing
@@ -12,12 +10,12 @@ from exactsweep.paper.claim import Effort
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.counting import count_by, grow
 from exactsweep.paper.growth import BOUNDS, Growth
+from exactsweep.paper.toml import read_toml
 
 
 def count_all(row: str, effort: Effort) -> Iterator[Growth]:
     """Count all that counts.toml lists for a row of the ledger."""
-    text = files("exactsweep.paper").joinpath("counts.toml").read_text(encoding="utf-8")
-    for group in tomllib.loads(text)["count"]:
+    for group in read_toml("counts.toml")["count"]:
         for series in group.pop("series") if group.pop("row") == row else ():
             read = group | series
             (a, b), (c, d) = read.pop("m", (1, 0)), read.pop("n", (1, 0))

@@ -6,12 +6,10 @@ ledger.toml has the statements of the paper. The functions that check them are i
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
 from difflib import get_close_matches
 from functools import cache, partial
-from importlib.resources import files
 from pkgutil import resolve_name
 from typing import Any
 
@@ -19,6 +17,7 @@ from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, Observation
 from exactsweep.paper.laws import try_laws
 from exactsweep.paper.tiny import expect_none, search_grid
+from exactsweep.paper.toml import read_toml
 
 MEASURES = {
     "counts": "counts.count_all",
@@ -69,8 +68,7 @@ def _read(row: Mapping[str, Any]) -> Claim:
 @cache
 def _load() -> dict[str, Any]:
     """All of ledger.toml."""
-    text = files("exactsweep.paper").joinpath("ledger.toml").read_text(encoding="utf-8")
-    return tomllib.loads(text)
+    return read_toml("ledger.toml")
 
 
 def read_rows() -> list[dict[str, Any]]:

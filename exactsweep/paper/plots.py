@@ -6,25 +6,21 @@ marker, and the next seven in dashes, too.
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Sequence
-from importlib.resources import files
 from importlib.util import find_spec
 from io import BytesIO
 from itertools import cycle
-from typing import Any
 
 from exactsweep.canvas.style import PALETTE
 from exactsweep.paper.growth import Growth
+from exactsweep.paper.toml import read_toml
 
 STYLES = tuple(
     (colour, marker, dash)
     for dash in ("-", "--")
     for colour, marker in zip(PALETTE, "os^Dv<>", strict=True)
 )
-SETTINGS: dict[str, Any] = tomllib.loads(
-    files("exactsweep.paper").joinpath("plots.toml").read_text(encoding="utf-8")
-)
+SETTINGS = read_toml("plots.toml")
 
 
 def available() -> bool:

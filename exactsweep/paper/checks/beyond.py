@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from importlib.resources import files
 from itertools import chain, combinations, product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
@@ -30,11 +28,10 @@ from exactsweep.paper.functions import (
     tell_fits,
 )
 from exactsweep.paper.pairs import SweepPair, read_pair
+from exactsweep.paper.toml import read_toml
 from exactsweep.procedures.chain import inverse
 
-_DATA = tomllib.loads(
-    files("exactsweep.paper.checks").joinpath("containers.toml").read_text(encoding="utf-8")
-)
+_DATA = read_toml("checks/containers.toml")
 CONTAINERS = _DATA["container"]
 HELD, ROOM = (read_pair(_DATA[name]) for name in ("held", "room"))
 

@@ -9,12 +9,10 @@ style.
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from importlib.resources import files
 from itertools import chain, pairwise, repeat
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +22,7 @@ from exactsweep.draw import Picture
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.figures.figure import PaperFigure, find_middle
 from exactsweep.paper.figures.sheet import FONT, Extent, lay_out
+from exactsweep.paper.toml import read_toml
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -36,8 +35,7 @@ _ARROW = {"mutation_scale": 7, "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0}
 @cache
 def _load() -> dict[str, Any]:
     """All of drawings.toml."""
-    text = files("exactsweep.paper.figures").joinpath("drawings.toml").read_text(encoding="utf-8")
-    return tomllib.loads(text)
+    return read_toml("figures/drawings.toml")
 
 
 def find_look(name: str) -> Look:
