@@ -12,14 +12,12 @@ from typing import Any
 
 from matplotlib.figure import Figure
 from matplotlib.style import context
-from matplotlib.ticker import NullFormatter, NullLocator
+from matplotlib.ticker import NullLocator
 
 from benchmarks.growth import Grown
 from benchmarks.peers.run import Comparison
-from exactsweep.canvas.style import PALETTE
-from exactsweep.paper.plots import SETTINGS
+from exactsweep.paper.plots import SETTINGS, STYLES
 
-STYLES = tuple(zip(PALETTE, "os^DvP<", strict=True))
 # Panels are smaller here than the plots of the ledger.
 SMALLER: dict[str, Any] = {
     **SETTINGS,
@@ -40,7 +38,7 @@ def programs(found: Comparison, path: Path) -> None:
     with context(SMALLER):
         figure, panels = _panels(len(families))
         for panel, family in zip(panels, families, strict=False):
-            for name, (colour, marker) in zip(found.versions, cycle(STYLES), strict=False):
+            for name, (colour, marker, dash) in zip(found.versions, cycle(STYLES), strict=False):
                 chosen = [(r.m, t) for r, t in measured if (r.program, r.family) == (name, family)]
                 panel.errorbar(
                     [m for m, _ in chosen],
@@ -51,6 +49,7 @@ def programs(found: Comparison, path: Path) -> None:
                     ],
                     color=colour,
                     marker=marker,
+                    linestyle=dash,
                     elinewidth=0.6,
                     label=name,
                 )
@@ -71,10 +70,11 @@ def shapes(measured: Sequence[Grown], path: Path) -> None:
         figure, panels = _panels(2, columns=2)
         figure.set_figheight(4)
         for k, (panel, title) in enumerate(zip(panels, ("seconds", "MB"), strict=True)):
-            for grown, (colour, marker) in zip(measured, cycle(STYLES), strict=False):
+            for grown, (colour, marker, dash) in zip(measured, cycle(STYLES), strict=False):
                 label = f"{grown.case.what}: {', '.join(f'{slope:.1f}' for slope in grown.slopes)}"
                 values = (grown.seconds, grown.memory)[k]
-                panel.plot(grown.sizes, values, color=colour, marker=marker, label=label)
+                style = {"color": colour, "marker": marker, "linestyle": dash}
+                panel.plot(grown.sizes, values, label=label, **style)
             panel.set_title(title)
             _axes(panel, sorted({size for grown in measured for size in grown.sizes}))
         figure.legend(
@@ -94,7 +94,6 @@ def _axes(panel: Any, sizes: Sequence[int]) -> None:
     shown = sizes[:: 1 + (len(sizes) - 1) // 6]
     panel.set_xticks(shown, [str(size) for size in shown])
     panel.xaxis.set_minor_locator(NullLocator())
-    panel.yaxis.set_minor_formatter(NullFormatter())
 
 
 def _panels(count: int, columns: int = COLUMNS) -> tuple[Any, list[Any]]:
