@@ -43,7 +43,6 @@ from exactsweep.procedures.neighbours import (
     RankedEdge,
     leave_out_overlapped,
     look_around,
-    look_beside,
 )
 
 _UNITS = 2**32
@@ -306,21 +305,22 @@ def _list_features(
     corners: list[_Convex] = []
     for ring in rings:
         of_ring: list[RankedEdge] = []
+        near = [
+            look_around(ring.vertices, i) if many else ((), None) for i in range(len(ring.edges))
+        ]
         for i, ((p, q), u) in enumerate(zip(ring.edges, ring.directions, strict=True)):
             (px, py), (qx, qy) = p, q
             k, (dx, dy) = ranks[u], u
             ahead = p < q
             low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
             rank = k if ahead else k + half
-            beside = look_beside(ring.vertices, i) if many else ()
-            of_ring.append((rank, k, ahead, dx * py - dy * px, low, high, beside))
+            of_ring.append((rank, k, ahead, dx * py - dy * px, low, high, near[i][0]))
         for i, point in enumerate(ring.vertices):
             first, last = of_ring[i][0], of_ring[(i + 1) % len(of_ring)][0]
             if last < first:
                 last += 2 * half
             if last - first < half:
-                around = look_around(ring.vertices, i) if many else None
-                corners.append((point, first, last, around))
+                corners.append((point, first, last, near[i][1]))
         edges += of_ring
     return edges, corners
 

@@ -42,31 +42,26 @@ Around = tuple[int, tuple[tuple[int, int, int, int], tuple[int, int, int, int]]]
 """A unit, and the next vertices after and before a vertex, from it, times the unit."""
 
 
-def look_beside(ring: Sequence[Vertex], i: int) -> Beside:
-    """Find the edges before and after the edge that ends at vertex i, beyond reflex vertices."""
-    unit, ((ux, uy), (px, py), _, (qx, qy)) = _scale(ring, (i - 1, i, i - 2, i - 1, i + 1))
-    before, after = (-px, -py), (qx - ux, qy - uy)
-    return (
-        (*before, unit) if before[0] * uy < before[1] * ux else (),
-        (*after, unit) if ux * after[1] < uy * after[0] else (),
-    )
+def look_around(ring: Sequence[Vertex], i: int) -> tuple[Beside, Around | None]:
+    """Look at the edges and the vertices near vertex i.
 
-
-def look_around(ring: Sequence[Vertex], i: int) -> Around | None:
-    """Find the vertices around vertex i; None if (1) leaves out nothing there."""
-    unit, (f, g, b, a) = _scale(ring, (i, i + 1, i + 2, i - 1, i - 2))
-    # The cone of the vertex is left of f and right of b.
-    if all(f[0] * y >= f[1] * x and b[0] * y <= b[1] * x for x, y in (g, a)):
-        return None
-    return unit, ((*f, *g), (*b, *a))
-
-
-def _scale(ring: Sequence[Vertex], numbers: Sequence[int]) -> tuple[int, list[tuple[int, int]]]:
-    """Return the vectors from the first vertex to the others, times a common unit."""
-    points = [ring[k % len(ring)] for k in numbers]
+    Returns:
+        The edges before and after the one that ends there, beyond reflex vertices; the vertices
+        around it, or None if (1) leaves out nothing there.
+    """
+    points = [ring[k % len(ring)] for k in (i, i + 1, i + 2, i - 1, i - 2)]
     unit = lcm(*(c.denominator for point in points for c in point))
     (x, y), *others = ((int(px * unit), int(py * unit)) for px, py in points)
-    return unit, [(px - x, py - y) for px, py in others]
+    f, g, b, a = [(px - x, py - y) for px, py in others]
+    before = b[0] - a[0], b[1] - a[1]
+    beside = (
+        (*before, unit) if before[0] * b[1] > before[1] * b[0] else (),
+        (*f, unit) if b[0] * f[1] > b[1] * f[0] else (),
+    )
+    # The cone of the vertex is left of f and right of b.
+    if all(f[0] * y >= f[1] * x and b[0] * y <= b[1] * x for x, y in (g, a)):
+        return beside, None
+    return beside, (unit, ((*f, *g), (*b, *a)))
 
 
 def leave_out_overlapped(
