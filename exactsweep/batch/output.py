@@ -75,8 +75,7 @@ class Output:
                 self.file = opened.enter_context(open(self.part, "r+b"))
                 self._resume()
             except OSError as error:
-                name = show_path(str(error.filename or path))
-                raise BatchError(f"{name}: {error.strerror or error}") from None
+                raise BatchError(f"{show_path(path)}: {error.strerror or error}") from None
             self.opened = opened.pop_all()
 
     def _agree(self, restart: bool) -> None:

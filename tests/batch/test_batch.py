@@ -133,7 +133,7 @@ def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
     for output, message in {
         str(tmp_path): "Is a directory",
         "": "'': Is a directory",
-        f"{tmp_path}/none/out.jsonl": "No such file or directory",
+        f"{tmp_path}/none/out.jsonl": "none/out.jsonl: No such file or directory",
         f"{tmp_path}/pipe": "a pipe or a device, which cannot be resumed",
         f"{tmp_path}/{'x' * 300}": "x: File name too long",
     }.items():

@@ -98,9 +98,14 @@ def test_the_reference_is_made_without_a_warning(tmp_path: Path) -> None:
                 assert f">{title}</h1>" in page, name
     front = (tmp_path / "exactsweep.html").read_text(encoding="utf-8")
     for path in tmp_path.rglob("*.html"):
+        for link in re.findall(r'href="([^"#:$]+)(?:#[^"]*)?"', path.read_text(encoding="utf-8")):
+            assert (path.parent / link).is_file(), (path.name, link)
         if path.name not in ("index.html", "exactsweep.html"):
             assert f'href="{path.relative_to(tmp_path).as_posix()}"' in front, path
     assert 'id="platforms"' in front
+    # The README of a package links to that of another.
+    corpus = (tmp_path / "exactsweep" / "corpus.html").read_text(encoding="utf-8")
+    assert '<a href="layout.html">layouts</a>' in corpus
     lessons = tmp_path / "exactsweep" / "lessons"
     for lesson in read_lessons():
         text = (lessons / f"{lesson}.html").read_text(encoding="utf-8")

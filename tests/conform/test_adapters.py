@@ -1,6 +1,7 @@
 """Other programs: asked rightly, judged, and spoken to as processes."""
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -91,6 +92,11 @@ def test_sums_have_no_exact_fits(name: str) -> None:
     assert verdicts(name, iter([find_case("fits-square")])) == {
         Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
     }
+
+
+def test_klayout_makes_polygons_as_its_users_do() -> None:
+    # A sum with the collinear vertices of this case, made raw, is wrong.
+    assert verdicts("klayout", iter([find_case("sampled-respelled-1")])) == {Verdict.EQUIVALENT}
 
 
 @pytest.mark.parametrize(("name", "bits"), [("pyclipper", 62), ("clipper2", 61)])
@@ -374,6 +380,20 @@ def test_a_page_says_what_was_asked(tmp_path: Path) -> None:
     written = CliRunner().invoke(measure, [*asked, "--page", str(page)])
     assert (written.exit_code, written.output) == (0, "")
     assert f"{page.read_text(encoding='utf-8')}\n" == shown.output
+
+
+def test_a_program_is_judged_once(tmp_path: Path) -> None:
+    installed("shapely").close()
+    asked = [str(tmp_path), "--only", "shapely", "--most", "6", "--each", "0"]
+    done = CliRunner().invoke(measure, asked)
+    assert done.exit_code == 0, done.output
+    questions = ("no_fit", "inner_fit")
+    assert done.stderr.splitlines() == [f"shapely, {question}: done" for question in questions]
+    assert re.search(r"\| no-fit polygon \| (\d\d) \| \1 \|  \|  \|", done.stdout)
+    journals = [tmp_path / f"shapely.{question}" for question in questions]
+    judged = [journal.read_bytes() for journal in journals]
+    assert CliRunner().invoke(measure, asked).stdout == done.stdout
+    assert [journal.read_bytes() for journal in journals] == judged
 
 
 def test_programs_are_asked_as_far_as_their_numbers_reach() -> None:

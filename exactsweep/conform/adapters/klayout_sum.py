@@ -33,9 +33,9 @@ def adapter(name: str) -> Adapter:
 
     def polygon(shape: AskedShape) -> Any:
         exterior, *holes = ([db.Point(x, y) for x, y in ring] for ring in shape)
-        found = db.Polygon(exterior, True)
+        found = db.Polygon(exterior)
         for hole in holes:
-            found.insert_hole(hole, True)
+            found.insert_hole(hole)
         return found
 
     def add(directrix: AskedShape, inverse: AskedShape) -> AnsweredRings:
