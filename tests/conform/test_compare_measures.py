@@ -207,6 +207,17 @@ def test_an_edge_is_cut_where_two_others_are_equally_near() -> None:
     assert _find_cut(LoopEdge((4, 0), (4, 3)), *ends) == Fraction(4, 9)
 
 
+@pytest.mark.parametrize("sign", [-1, 1])
+def test_an_edge_is_cut_before_and_after_a_point_that_is_near(sign: int) -> None:
+    # At (x, 1) the squared distances from (0, 0) and from y = 5 are x^2 + 1 and 16.
+    point, ceiling = LoopEdge((0, 0), (0, -5)), LoopEdge((-9, 5), (9, 5))
+    middle, end = _PieceEnd(Fraction(1, 2), point), _PieceEnd(Fraction(int(sign > 0)), ceiling)
+    cut = _find_cut(LoopEdge((-8, 1), (8, 1)), *sorted((middle, end), key=lambda one: one.share))
+    x = 16 * cut - 8
+    assert x * sign > 0
+    assert abs(x * x - 15) < Fraction(1, 2**50)
+
+
 def test_a_cut_of_many_digits_is_rounded() -> None:
     long = Fraction(10**4000 + 7, 3 * 10**4000)
     half, height = long.as_integer_ratio()

@@ -70,6 +70,7 @@ def test_cases_come_again_by_their_id(family: str) -> None:
     for number, case in enumerate(generate(family, 5, 3)):
         assert case.id == f"gen-{family}-5-{number}"
         assert find_case(case.id) == case
+    assert list(generate(family, 5, 0)) == []
     assert list(generate(family, 5, 2)) == list(islice(generate(family, 5), 2))
 
 

@@ -99,7 +99,7 @@ def test_a_drawn_container_is_no_higher_than_the_strip() -> None:
 
 
 def read_packed(
-    mirror: bool = False, *, bin: Any = None, item: Any = None, parameters: Any = None
+    mirror: bool | None = False, *, bin: Any = None, item: Any = None, parameters: Any = None
 ) -> FoundLayout:
     """Read the only bin of a solution of packingsolver."""
     shape = {"type": "polygon", "vertices": [{"x": x, "y": y} for x, y in TRIANGLE["data"]]}
@@ -109,6 +109,8 @@ def read_packed(
         "item_types": [{**shape, **(item or {})}],
     }
     placed = {"id": 0, "x": 5, "y": 5, "angle": 0, "mirror": mirror}
+    if mirror is None:
+        del placed["mirror"]
     (found,) = read({"bins": [{"id": 0, "copies": 1, "items": [placed]}]}, instance)
     return found
 
@@ -124,6 +126,10 @@ def test_no_copies_of_a_bin_are_none_and_negative_ones_any_number(
     copies: int, notes: list[str]
 ) -> None:
     assert [*read_packed(bin={"copies": copies}).notes] == notes
+
+
+def test_items_are_not_mirrored_if_nothing_says_so() -> None:
+    assert kinds(read_packed(None)) == []
 
 
 def test_turns_for_mirrored_copies_are_noted() -> None:

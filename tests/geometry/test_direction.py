@@ -260,3 +260,19 @@ def test_angles_are_compared_counter_clockwise_at_any_length(
     k, m = COMPASS.index(u), COMPASS.index(v)
     found = compare_angles((u[0] * one, u[1] * one), (v[0] * other, v[1] * other))
     assert found == (k > m) - (k < m)
+
+
+VECTORS = [(x, y) for x in range(4) for y in range(-3, 4) if gcd(x, y) == 1 and (x, y) > (0, 0)]
+
+
+@pytest.mark.parametrize("steep", [2, 3, 4, 99])
+@pytest.mark.parametrize("way", VECTORS)
+def test_the_simplest_of_few_directions_is_chosen(way: Vector, steep: int) -> None:
+    x, y = way
+    up = [(k * x - steep * (k % 2) * y, k * y + steep * (k % 2) * x) for k in range(5)]
+    down = [(p + y, q - x) for p, q in reversed(up)]
+    # A zigzag; the steeper, the nearer to the way are all directions to which it is monotone.
+    zigzag = Polygon([(-x, -y), *up, (5 * x, 5 * y), *down])
+    chosen = choose_direction(zigzag, zigzag)
+    assert chosen == find_monotone_directions(zigzag).simplest()
+    assert chosen == way or steep < 99

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tiers import examples
 
-from exactsweep import sweep
+from exactsweep import Point, sweep
 from exactsweep.corpus.generator.growing import (
     bumps,
     ceilings,
@@ -19,6 +19,8 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.corpus.generator.prng import Prng
+from exactsweep.geometry.segment import make_segment
+from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section1 import draw_slots
 from exactsweep.paper.checks.section4 import (
     bottom_chains_have_two_forms,
@@ -32,6 +34,7 @@ from exactsweep.paper.checks.segments import (
     count_pieces,
     pieces_in,
 )
+from exactsweep.paper.figures.local_width import _measure
 from exactsweep.paper.functions import (
     clip,
     evaluate,
@@ -142,3 +145,21 @@ def test_chains_are_evaluated_and_cut() -> None:
     assert [reaches([(0, 0), (2, 2)], Fraction(x)) for x in range(3)] == [False, True, False]
     with pytest.raises(ValueError, match="does not reach 5"):
         evaluate(chain, Fraction(5))
+
+
+def test_widths_are_measured_across_edges_of_rational_length() -> None:
+    widths = [
+        *_measure(sweep([(0, 0), (3, 0), (3, 3), (0, 3)], [(0, 0), (4, -3), (5, -2), (5, 3)]))
+    ]
+    assert widths
+    assert all(x * x + y * y == 1 for _, _, (x, y), *_ in widths)
+
+
+@pytest.mark.parametrize(
+    ("spot", "is_covered"), [((2, 1), True), ((0, 0), True), ((6, 3), False), ((2, 2), False)]
+)
+def test_a_position_is_covered_by_the_segments_through_it(
+    spot: tuple[int, int], is_covered: bool
+) -> None:
+    start, end, at = (Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (4, 2), spot))
+    assert covers([make_segment((start, end))], (at, at)) == is_covered

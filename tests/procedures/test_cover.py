@@ -60,6 +60,23 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     assert -60 <= left.high[0] <= -56
 
 
+def test_columns_are_asked_about_in_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    square = [[(0, 0), (2**12, 0), (2**12, 2**12), (0, 2**12)]]
+    cover = Cover(square, [inverse(ring) for ring in square], 2**10)
+    asked: list[int] = []
+    covers = Cover._covers
+
+    def ask(cover: Cover, *block: int) -> bool:
+        asked.append(block[0])
+        return covers(cover, *block)
+
+    monkeypatch.setattr(Cover, "_covers", ask)
+    assert not [*cover.uncovered(Stretch((1, 0, 0), -4000, 4000, True, True))]
+    # Of 2,000 columns, three blocks of each width at most, on the way up and down.
+    assert len(asked) <= 3 * 11
+    assert max(asked) >= 9
+
+
 @given(polyominoes(9, 4), MATRICES, st.integers(1, 8), st.integers(-60, 60))
 @examples(15)
 def test_points_are_all_of_the_interior(

@@ -142,7 +142,8 @@ def _find_cut(edge: LoopEdge, start: _PieceEnd, end: _PieceEnd) -> Fraction:
     roots: list[Fraction] = []
     if square and (discriminant := mixed * mixed - 4 * square * constant) >= 0:
         root, one = isqrt(discriminant << 2 * _BITS), 1 << _BITS
-        roots = [Fraction(sign * root - mixed * one, 2 * square * one) for sign in (-1, 1)]
+        # The one at which the difference of the squared distances grows.
+        roots = [Fraction(root - mixed * one, 2 * square * one)]
     elif mixed and not square:
         roots = [Fraction(-constant, mixed)]
     # Where both run along the edge, as if they were one, they are equally near everywhere.
