@@ -484,7 +484,7 @@ class Placed(NamedTuple):
 
 def move_ring(points: Ring, turn: Span, mirrored: bool, move: Node) -> Ring:
     """Mirror, turn and move a ring; mirrored it would go around the other way."""
-    r = lcm(turn[0].denominator, turn[1].denominator)
+    r = turn[0].denominator  # of both, since the squares add up to 1
     c, s = int(turn[0] * r), int(turn[1] * r)
     found = [(-x, y, w) for x, y, w in points[::-1]] if mirrored else points
     return [add((c * x - s * y, s * x + c * y, r * w), move) for x, y, w in found]

@@ -51,9 +51,8 @@ def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[Con
         assert start is not None
         assert end is not None
         passed = range(start, start + (end - start) % 4)
-        border = [
-            c for c in (corners[(k + 1) % 4] for k in passed) if c not in (chain[0], chain[-1])
-        ]
+        # A corner ends its side, so the first may be where the chain starts.
+        border = [c for c in (corners[(k + 1) % 4] for k in passed) if c != chain[0]]
         ring = [chain[0], *border, *chain[:0:-1]]
         if len(chain) > 2 or border:
             pieces += cut_to_convex([ring])

@@ -86,7 +86,8 @@ def find_squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
                 next_row = int(qy // side)
             else:
                 next_row = int((py * dx + (right - px) * dy) // (dx * side))
-            near[k - left] |= _set_bits(row - low, next_row - low)
+            bottom, top = (row, next_row) if row <= next_row else (next_row, row)
+            near[k - left] |= _set_bits(bottom - low, top - low)
             if px <= k * side < qx:
                 odd[k - left] ^= -1 << (row + 1 - low)
             if dx:
@@ -116,9 +117,7 @@ def find_points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
 
 
 def _set_bits(first: int, last: int) -> int:
-    """Set the bits between two places, in either order."""
-    if first > last:
-        first, last = last, first
+    """Set the bits from one place to another, none if that is the one before."""
     return (1 << (last - first + 1)) - 1 << first
 
 

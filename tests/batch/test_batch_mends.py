@@ -106,6 +106,7 @@ def test_a_write_that_fails_leaves_the_old_file(
         message = refusal(run(command, HOUSE, NOTCH, *options, "-o", str(output)))
     assert message == f"{output}: No space left on device"
     assert output.read_text() == "old"
+    assert [path.name for path in tmp_path.iterdir()] == ["old.svg"]
     assert run(command, HOUSE, NOTCH, *options, "-o", str(output)).exit_code == 0
     assert output.read_text().startswith("<")
     assert output.stat().st_mode & 0o777 == 0o640

@@ -63,6 +63,23 @@ def test_killed_at_random_and_resumed(
     assert {path.name for path in tmp_path.iterdir()} == {"out.jsonl", "parts.json"}
 
 
+@pytest.mark.parametrize("done", [0, 1])
+def test_what_fails_leaves_its_records_if_it_has_any(
+    tmp_path: Path, whole: list[bytes], done: int
+) -> None:
+    output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
+
+    def fail() -> None:
+        with Output(str(output), JOB) as records:
+            records.write(whole[:done])
+            raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        fail()
+    assert part.exists() == (done > 0)
+    assert len([*tmp_path.iterdir()]) == 2 * done
+
+
 def test_cut_anywhere_it_goes_on(tmp_path: Path, whole: list[bytes]) -> None:
     everything = b"".join(whole)
     output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"

@@ -72,6 +72,23 @@ def test_certificates_of_every_kind_are_proved(name: str) -> None:
     assert verify(certificate).proved
 
 
+def test_certificates_of_large_shapes_are_proved() -> None:
+    large = [[(x * 999, y * 999) for x, y in s] for s in (CAVE, HOUSE)]
+    one, other = (add_proof(no_fit_polygon(*pair).certificate()) for pair in ((CAVE, HOUSE), large))
+    assert prove(other)
+    assert one["proof"]["sums"] == other["proof"]["sums"]
+
+
+def test_a_certificate_has_no_proof_unless_it_is_asked_for() -> None:
+    for answer in (
+        sweep(HOOK, CAVE),
+        no_fit_polygon(CAVE, SQUARE),
+        inner_fit_polygon(ROOM, SQUARE),
+    ):
+        assert "proof" not in answer.certificate()
+        assert answer.certificate(proof=True) == add_proof(answer.certificate())
+
+
 @pytest.mark.parametrize("ask", [sweep, no_fit_polygon, inner_fit_polygon])
 def test_certificates_of_minute_shapes_are_proved(ask: Callable[..., Any]) -> None:
     minute = [[(x / Fraction(999), y / Fraction(999)) for x, y in s] for s in (CAVE, HOUSE)]

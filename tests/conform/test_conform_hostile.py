@@ -61,6 +61,18 @@ def peak() -> int:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
+def test_a_program_ends_if_its_start_is_interrupted(
+    monkeypatch: pytest.MonkeyPatch, mark: str
+) -> None:
+    def interrupt(*_: object) -> bytes:
+        assert processes(mark)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("exactsweep.conform.run.process.Channel.receive", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        ProcessPeer(Terms([*HOSTILE, "no-hello", mark]))
+
+
 @pytest.mark.parametrize("kind", SURVIVED)
 def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> None:
     verdict, reason = SURVIVED[kind]

@@ -5,6 +5,7 @@ import re
 import sys
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -17,6 +18,7 @@ from exactsweep.conform.report.junit import write_junit
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import Run
+from exactsweep.conform.run.tally import Tally
 
 
 @pytest.fixture
@@ -38,6 +40,16 @@ def test_no_run_that_fails_is_green_in_junit(spoil: str) -> None:
     assert not run.passed
     (suite,) = ElementTree.fromstring(write_junit(run))
     assert len(suite.findall("testcase/failure")) == int(suite.get("failures", "")) == 1
+
+
+def test_the_farthest_loop_is_told_by_what_is_proved() -> None:
+    part: dict[str, Any] = {"name": "outer", "verdict": "wrong", "diagnosis": [], "granted": None}
+    tally = Tally()
+    for id, distance, area in (("a", ["1", "9"], "5"), ("b", ["2", "3"], "4")):
+        measured = {**part, "distance_squared": distance, "area": area}
+        tally.add(Outcome(id, "CC", (), Verdict.WRONG, parts=(measured,)))
+    (worst,) = tally.worst.values()
+    assert worst == ((Fraction(2), "b"), (Fraction(5), "a"))
 
 
 @pytest.mark.long

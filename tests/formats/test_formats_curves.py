@@ -5,6 +5,7 @@ corners of the lines.
 """
 
 import re
+from contextlib import nullcontext
 from fractions import Fraction
 from itertools import pairwise
 from math import atan2, comb, cos, pi, sin, tau
@@ -340,3 +341,15 @@ def test_a_number_of_lines_is_shown_as_far_as_a_million_millions() -> None:
         reading.allow_curve(10**12)
     with pytest.raises(FormatError, match=r"become more than 10\*\*12 lines"):
         reading.allow_curve(10**12 + 1)
+
+
+def test_a_map_that_is_off_moves_no_curve_too_far() -> None:
+    center, start = Point(Fraction(0), Fraction(0)), Point(Fraction(3), Fraction(4))
+    # The corners (7, 1), (-1, 7), ... around the circle: off by less than 2 (7 + 1 + 1) parts, of
+    # which 16 are the tolerance.
+    for more, message in ((0, None), (1, "too large to be turned")):
+        off = Fraction(1, 2 * 9 * 16) + Fraction(more, 10**9)
+        image = IDENTITY._replace(off=off)
+        assert image.error([start]) == 2 * 8 * off
+        with pytest.raises(FormatError, match=message) if message else nullcontext():
+            flatten_arc(center, start, start, True, image, Reading(1))

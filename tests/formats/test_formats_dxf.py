@@ -184,3 +184,10 @@ def test_a_section_in_a_section_is_refused() -> None:
     text = f"{start}HEADER\n{start}ENTITIES\n0\nENDSEC\n0\nEOF\n"
     with pytest.raises(FormatError, match="missing ENDSEC tag"):
         parse_polygons(text)
+
+
+@pytest.mark.parametrize("turn", [1, 119, 121, 179])
+def test_an_arc_too_short_to_be_seen_is_no_circle(turn: int) -> None:
+    arc: Tags = [(0, "ARC"), (10, 0), (20, 0), (40, "0.01"), (50, 7), (51, 7 + turn)]
+    with pytest.raises(FormatError, match="ARC: 1 line vanished"):
+        parse_polygons(dxf(arc), tolerance=1)

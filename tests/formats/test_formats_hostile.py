@@ -141,6 +141,17 @@ def test_long_files_that_are_no_text_are_refused_in_linear_time(tmp_path: Path) 
     require_linear(read)
 
 
+def nest_geojson(depth: int) -> str:
+    corner = '{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}'
+    return '{"type": "GeometryCollection", "geometries": [' * depth + corner + "]}" * depth
+
+
+def test_collections_are_read_to_a_depth_of_100() -> None:
+    assert parse_polygon(nest_geojson(100)) == Polygon([(0, 0), (1, 0), (0, 1)])
+    with pytest.raises(FormatError, match="nested too deeply"):
+        parse_polygon(nest_geojson(101))
+
+
 def test_uses_in_deep_groups_are_refused() -> None:
     groups = (
         f'<g id="g{k}">{"<g>" * 90}<use href="#g{k + 1}"/>{"</g>" * 90}</g>' for k in range(30)

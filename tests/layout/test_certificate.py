@@ -192,5 +192,7 @@ def test_what_is_changed_is_refused() -> None:
     ],
 )
 def test_the_outside_is_cut_into_rectangles_and_pockets(exterior: Any, pieces: int) -> None:
-    assert len(cut_outside(exterior, (-1, -1, 9, 9))) == pieces
+    found = cut_outside(exterior, (-1, -1, 9, 9))
+    assert len(found) == pieces
+    assert all(len({*piece}) == len(piece) for piece in found)
     prove(lay(exterior, {"t": box(0, 0, "1/8", "1/8")}, put("t", ("15/16", "3/4"))))

@@ -1,3 +1,4 @@
+from contextvars import copy_context
 from decimal import Decimal, localcontext
 from fractions import Fraction
 from math import gcd
@@ -14,8 +15,10 @@ from refusals import list_refusals, require_refused
 from exactsweep.numbers.digits import abridge, format_fraction
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.limits import (
+    Limits,
     answer_digits,
     get_max_bytes,
+    keep_limits,
     limits,
     list_limits,
 )
@@ -123,6 +126,14 @@ def test_what_is_written_out_may_be_as_long_as_an_answer() -> None:
         for text in ("1e3", "12e3", "1.5e9", "1e-9"):
             with pytest.raises(NumberError, match=f"more than {len(text)} digits"):
                 to_fraction(text)
+
+
+def test_limits_are_kept_in_another_process() -> None:
+    held: Limits = {"max_digits": 7, "max_mib": 3}
+    context = copy_context()
+    context.run(keep_limits, held)
+    assert context.run(list_limits) == held
+    assert list_limits() == {"max_digits": None, "max_mib": None}
 
 
 def test_limits_bound_what_is_written_not_what_is_exact_already() -> None:

@@ -1,6 +1,7 @@
 """Squares known to be overlapped: they are, and leaving out what lies in them changes nothing."""
 
 from fractions import Fraction
+from itertools import product
 
 import pytest
 from covered import find_free, list_corners, rings
@@ -83,7 +84,18 @@ def test_points_are_all_of_the_interior(
     cells: Cells, matrix: tuple[int, int, int, int], side: int, moved: int
 ) -> None:
     """Points on the boundary are left out, on vertical edges, too."""
-    shape = [[(x + moved, y - moved) for x, y in ring] for ring in rings(cells, matrix)]
+    check_points([[(x + moved, y - moved) for x, y in ring] for ring in rings(cells, matrix)], side)
+
+
+@pytest.mark.parametrize("side", [2, 3, 5, 8])
+def test_points_beyond_upright_edges_are_of_the_interior(side: int) -> None:
+    """Also of those that end at or between two points of the grid, above and below."""
+    for start, end, way in product(range(-4, 5), range(1, 9), (1, -1)):
+        notch = [(0, start), (8, start), (8, start + end), (24, start + end), (24, 40), (0, 40)]
+        check_points([[(x, way * y) for x, y in notch[::way]]], side)
+
+
+def check_points(shape: Rings, side: int) -> None:
     exterior, *holes = map(Polygon, shape)
     left, low, columns = find_points_in(shape, side)
     xs = [x for x, _ in shape[0]]

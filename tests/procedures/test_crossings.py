@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from exactsweep.geometry import near
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import Point, Rational
 from exactsweep.procedures.contact_lines import Cut, Stretch, _rank
 from exactsweep.procedures.crossings import cross, cut_at_crossings
 from exactsweep.procedures.free_positions import (
@@ -21,7 +21,7 @@ BOTH = [(False, False), (False, True), (True, False), (True, True)]
 WAYS = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (1, -2), (1, -1), (3, -1)]
 
 
-def through(x: int, y: int, way: tuple[int, int], before: int, after: int) -> Stretch:
+def through(x: Rational, y: Rational, way: tuple[int, int], before: int, after: int) -> Stretch:
     """From so many steps before a point to so many after it."""
     dx, dy = way
     at, step = (x, dx) if dx else (y, dy)
@@ -29,7 +29,7 @@ def through(x: int, y: int, way: tuple[int, int], before: int, after: int) -> St
     return Stretch(line, at - before * step, at + after * step, True, False)
 
 
-def meet(one: Stretch, other: Stretch, x: int, y: int) -> tuple[bool, bool, bool]:
+def meet(one: Stretch, other: Stretch, x: Rational, y: Rational) -> tuple[bool, bool, bool]:
     """Decide whether the other proves overlap just before and after, and on both sides."""
     place = Fraction(x if other.dx else y)
     sides: tuple[bool, bool] | None = other.left, other.right
@@ -43,9 +43,12 @@ def meet(one: Stretch, other: Stretch, x: int, y: int) -> tuple[bool, bool, bool
     return (left, right, twice) if comes_from_left else (right, left, twice)
 
 
-@pytest.mark.parametrize(("x", "y"), [(0, 0), (3, -5)])
-def test_two_stretches_note_what_is_beside_the_other(x: int, y: int) -> None:
-    rng = Random(x)
+@pytest.mark.parametrize(
+    ("x", "y"),
+    [(0, 0), (3, -5), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 4), Fraction(1, 2))],
+)
+def test_two_stretches_note_what_is_beside_the_other(x: Rational, y: Rational) -> None:
+    rng = Random(f"{x}")
     spans = [(0, 2), (1, 1), (2, 0)]
     for way, other_way, span, other_span in product(WAYS, WAYS, spans, spans):
         one, other = through(x, y, way, *span), through(x, y, other_way, *other_span)

@@ -52,7 +52,7 @@ def jigsaw_pair(random: Prng) -> Regions:
     part = {random.choice(sorted(cells))}
     for _ in range(random.between(0, len(cells) // 2)):
         beside = sorted(set(around(part)) & cells)
-        if beside and len(cells) > len(part) + 1:
+        if len(cells) > len(part) + 1:
             part.add(random.choice(beside))
     return trace_outline(part), trace_outline(connect(cells - part))
 
