@@ -21,6 +21,7 @@ def test_help_has_an_example_that_can_be_given(name: str, command: click.Command
     shown = run(*name.split(), "--help").stdout
     examples = re.findall(r"^ +exactsweep (.*)$", shown.partition("  Example")[2], re.M)
     assert examples
+    assert ("  Examples:\n" in shown) == (len(examples) > 1)
     for example in examples:
         assert f"{example} ".startswith(f"{name} ")
         command.make_context(name, shlex.split(example.removeprefix(name)))

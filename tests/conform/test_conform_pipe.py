@@ -1,5 +1,6 @@
 """`exactsweep judge`, at the end of a pipe."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -7,6 +8,8 @@ import pytest
 from command import run, shell
 from judged import CONVEX, SLOT, TWO, write_cases
 
+from exactsweep.conform import Verdict
+from exactsweep.conform.run.outcome import Outcome
 from exactsweep.corpus import Case
 
 
@@ -25,6 +28,20 @@ def test_generated_cases_are_judged_in_a_pipe() -> None:
         "convex.py: passed, 5 of 5 cases judged, 0 worse than equivalent except for exact fits"
         in done.stdout
     )
+
+
+def test_what_is_judged_before_an_interrupt_is_reported(
+    two: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupt(*_: object) -> Iterator[Outcome]:
+        yield Outcome("mine-square", "CC", (), Verdict.EXACT)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("exactsweep.conform.run.stream.Stream.outcomes", interrupt)
+    code, lines = judge(two, "")
+    assert code == 1
+    assert lines[0] == "interrupted"
+    assert lines[-1].startswith("pipe: failed, 1 of 1 case judged")
 
 
 HELLO = '{"hello": "pipe", "loops": ["trajectory"], "numbers": "integer", "reference": "origin"}\n'

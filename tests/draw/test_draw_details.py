@@ -211,5 +211,5 @@ def test_figures_of_others_are_laid_out_by_others() -> None:
 
 @pytest.mark.parametrize(("size", "enlarged"), [(24, 0), (25, 1), (10**9 - 1, 1), (10**9, 0)])
 def test_small_polygons_are_enlarged_as_far_as_floats_show_them(size: int, enlarged: int) -> None:
-    big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (size, 1))
+    big, small = (Polygon([(0, 0), (n, 0), (0, n)]).translated((5, 5)) for n in (size, 1))
     assert len(find_details(big.vertices, big, [small], [])) == enlarged

@@ -1,6 +1,7 @@
 """Layouts judged: answers worked out by hand."""
 
 from fractions import Fraction
+from math import isqrt
 from typing import Any
 
 import pytest
@@ -54,6 +55,18 @@ def test_an_overlap_is_proved_and_measured() -> None:
 def test_a_part_as_wide_as_the_container_is_moved_onto_an_exact_fit() -> None:
     (fault,) = judge_layout(lay(SHEET, {"t": box(0, 0, 10, 1)}, put("t", ("0.1", 4)))).faults
     assert fault.move == point("-1/10", 0)
+
+
+@pytest.mark.parametrize("digits", [3, 9, 20, 30, 50, 60])
+def test_turned_corners_that_nearly_touch_are_told_apart(digits: int) -> None:
+    # Unit squares on their corners are sqrt(2) wide.
+    unit = 10**digits
+    for gap, kind in ((0, "overlap"), (1, "too close")):
+        for k, found in ((0, [(kind, (0, 1))]), (1, [])):
+            apart = gap + Fraction(isqrt(2 * unit * unit) + k, unit)
+            turned = put("t", (3, 3), 45), put("t", (3 + apart, 3), 45)
+            layout = lay(SHEET, {"t": box(0, 0, 1, 1)}, *turned, spacing=gap)
+            assert kinds(judge_layout(layout)) == found
 
 
 @pytest.mark.parametrize("place", [(1, 4), (17, 4), (4, 1), (4, 13)])

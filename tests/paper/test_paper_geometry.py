@@ -20,6 +20,8 @@ from exactsweep.corpus.generator.growing import (
 )
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.geometry.segment import make_segment
+from exactsweep.numbers.number import Vertex
+from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section1 import draw_slots
 from exactsweep.paper.checks.section4 import (
@@ -163,3 +165,21 @@ def test_a_position_is_covered_by_the_segments_through_it(
 ) -> None:
     start, end, at = (Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (4, 2), spot))
     assert covers([make_segment((start, end))], (at, at)) == is_covered
+
+
+@pytest.mark.parametrize(
+    ("other", "fault", "met"),
+    [
+        ([(0, 1), (4, 2)], "", False),
+        ([(0, 1), (4, -1)], "", True),
+        ([(0, 1), (1, 0), (3, 0), (4, 1)], "", True),
+        ([(0, 1), (2, -1), (4, 1)], "the chains meet over 1 and 3, and part in between", True),
+    ],
+)
+def test_chains_meet_in_one_point_or_segment(other: list[Vertex], fault: str, met: bool) -> None:
+    assert meetings([(0, 0), (4, 0)], other) == (fault, met)
+
+
+def test_chains_that_share_a_bend_meet_in_more_than_a_segment() -> None:
+    bent: list[Vertex] = [(0, 0), (2, 2), (4, 0)]
+    assert meetings(bent, bent) == ("the chains share a bend between 0 and 4", True)
