@@ -12,18 +12,17 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Iterable, Sequence
+from itertools import chain, pairwise
 
+from exactsweep.geometry.grid import IntVertex, Wall, WallGrid, box_wall
 from exactsweep.geometry.vectors import cross, minus, turn, way_key
 
-IntVertex = tuple[int, int]
 IntRing = Sequence[IntVertex]
 ConvexRing = list[IntVertex]
 """A convex ring, counter-clockwise, without straight angles."""
 
 _Corner = tuple[IntVertex, IntVertex]
-_BoxedWall = tuple[int, int, int, int, IntVertex, IntVertex]
 
 
 def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
@@ -35,32 +34,27 @@ def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
     Returns:
         Pieces with the vertices of the rings.
 
-    Cost: O(c n) for n vertices, c of which are concave, times the number of tried diagonals each.
+    Cost: for each concave vertex that of the vertices and the edges around it, O(n) at worst, times
+    the number of tried diagonals.
 
     >>> len(cut_to_convex([[(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]]))
     2
     """
-    edges = _split_where_touching(rings)
+    grid = WallGrid(list(chain.from_iterable(rings)))
+    edges = [edge for ring in rings for edge in pairwise((*ring, ring[0]))]
+    if len(rings) > 1:
+        split = (sorted({a, b, *grid.find_on(a, b)}, reverse=a > b) for a, b in edges)
+        edges = list(chain.from_iterable(map(pairwise, split)))
+    for wall in edges:
+        grid.build(*wall)
     cones = _find_cones(edges)
-    walls = [_box(a, b) for a, b in edges]
     for p in list(cones):
         while (wide := next((cone for cone in cones[p] if _is_wide(cone)), None)) is not None:
-            q = next(_list_diagonals(p, wide, cones, walls))
-            walls.append(_box(p, q))
+            q = _find_diagonal(p, wide, cones, grid)
+            grid.build(p, q)
             _halve(cones[p], minus(q, p))
             _halve(cones[q], minus(p, q))
     return _walk_faces(cones)
-
-
-def _split_where_touching(rings: Sequence[IntRing]) -> list[tuple[IntVertex, IntVertex]]:
-    edges: list[tuple[IntVertex, IntVertex]] = []
-    for k, ring in enumerate(rings):
-        others = [v for j, other in enumerate(rings) if j != k for v in other]
-        for a, b in pairwise((*ring, ring[0])):
-            low, high = min(a, b), max(a, b)
-            inner = [v for v in others if low < v < high and not turn(a, b, v)]
-            edges += pairwise(sorted({a, b, *inner}, reverse=a > b))
-    return edges
 
 
 def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex, list[_Corner]]:
@@ -79,29 +73,44 @@ def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex,
     return cones
 
 
-def _list_diagonals(
-    p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], walls: Sequence[_BoxedWall]
-) -> Iterator[IntVertex]:
-    """List the ends of diagonals into a wide cone: those that leave few wide cones first."""
+def _find_diagonal(
+    p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], grid: WallGrid
+) -> IntVertex:
+    """Find a diagonal into a wide cone, not far off, that leaves few wide cones; return its end."""
+    reach = 1
+    while True:
+        for q in _list_ends(p, wide, cones, grid.find_around(p, reach)):
+            if not _is_blocked(p, q, grid.find_walls(p, q)):
+                return q
+        # By (2) there is one.
+        assert reach < grid.columns
+        reach *= 2
+
+
+def _list_ends(
+    p: IntVertex,
+    wide: _Corner,
+    cones: dict[IntVertex, list[_Corner]],
+    vertices: Iterable[IntVertex],
+) -> list[IntVertex]:
+    """List the vertices to which a diagonal could run, the best first."""
     ranked = []
-    for q, there in cones.items():
+    for q in vertices:
         way = minus(q, p)
         if way == (0, 0) or not _surrounds(wide, way):
             continue
         back = (-way[0], -way[1])
-        opposite = next((cone for cone in there if _surrounds(cone, back)), None)
+        opposite = next((cone for cone in cones[q] if _surrounds(cone, back)), None)
         if opposite is not None:
             remaining = sum(map(_is_wide, (*_halves(wide, way), *_halves(opposite, back))))
             saved = _is_wide(opposite)
             ranked.append((remaining - saved, way[0] * way[0] + way[1] * way[1], q))
-    for _, _, q in sorted(ranked):
-        if not _is_blocked(p, q, walls):
-            yield q
+    return [q for _, _, q in sorted(ranked)]
 
 
-def _is_blocked(p: IntVertex, q: IntVertex, walls: Sequence[_BoxedWall]) -> bool:
+def _is_blocked(p: IntVertex, q: IntVertex, walls: Iterable[Wall]) -> bool:
     """Decide whether a wall that does not end in p or q meets the segment between them."""
-    first, last, bottom, top, _, _ = _box(p, q)
+    first, last, bottom, top, _, _ = box_wall(p, q)
     for left, right, low, high, a, b in walls:
         if left > last or right < first or low > top or high < bottom:
             continue
@@ -149,8 +158,3 @@ def _halves(cone: _Corner, way: IntVertex) -> list[_Corner]:
 def _halve(cones: list[_Corner], way: IntVertex) -> None:
     k = next(k for k, cone in enumerate(cones) if _surrounds(cone, way))
     cones[k : k + 1] = _halves(cones[k], way)
-
-
-def _box(a: IntVertex, b: IntVertex) -> _BoxedWall:
-    (left, right), (low, high) = (sorted(pair) for pair in zip(a, b, strict=True))
-    return left, right, low, high, a, b

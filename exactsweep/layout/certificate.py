@@ -12,7 +12,8 @@ from itertools import accumulate, chain, combinations, pairwise
 from typing import Any
 
 from exactsweep.evidence.certificate import HEADER
-from exactsweep.geometry.convex import ConvexRing, IntVertex
+from exactsweep.geometry.convex import ConvexRing
+from exactsweep.geometry.grid import IntVertex
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.geometry.vectors import minus, turn

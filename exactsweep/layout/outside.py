@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
+from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
+from exactsweep.geometry.grid import IntVertex
 from exactsweep.layout.pieces import bound_piece
 
 

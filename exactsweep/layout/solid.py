@@ -20,7 +20,8 @@ from functools import cached_property
 from math import lcm
 from typing import NamedTuple
 
-from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
+from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
+from exactsweep.geometry.grid import IntVertex
 from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
