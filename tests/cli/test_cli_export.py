@@ -5,10 +5,12 @@ from pathlib import Path
 import pytest
 from command import refusal, run
 
-from exactsweep import no_fit_polygon
+from exactsweep import Region, no_fit_polygon
+from exactsweep.cli.export import _is_safe
 from exactsweep.cli.parts import say_left_out
 from exactsweep.formats import FORMATS, parse_regions, read_region
-from exactsweep.formats.rounding import contains
+from exactsweep.formats.candidate import NamedRegion
+from exactsweep.formats.rounding import Side, contains
 
 PART = '[["0", "0"], ["1/3", "0"], ["1/3", "2/7"]]'
 COMMANDS = ("sweep", "nfp", "ifp")
@@ -78,3 +80,13 @@ def test_a_limit_is_said_of_outputs_that_commands_read(monkeypatch: pytest.Monke
         sizes.append(int(said.removeprefix(start)))
     assert len(set(sizes)) == 4
     assert run("sweep").stderr == ""
+
+
+@pytest.mark.parametrize(
+    ("side", "safe"), [("closest", "narrower wider"), ("outward", "wider"), ("inward", "narrower")]
+)
+def test_what_contains_the_exact_polygon_is_safe_outside(side: Side, safe: str) -> None:
+    exact = [NamedRegion(Region([(0, 0), (4, 0), (4, 4), (0, 4)]))]
+    for name, reach in (("narrower", 3), ("wider", 5)):
+        rounded = [NamedRegion(Region([(0, 0), (reach, 0), (reach, 4), (0, 4)]))]
+        assert _is_safe(exact, rounded, lambda _: side) == (name in safe)

@@ -54,7 +54,7 @@ def test_notes_of_several_files_are_told(nest: Path) -> None:
     said = "without the instance, items are judged as the solution draws them, rounded"
     done = run("layout", *files, "--workers", "1")
     assert done.stdout.endswith(f"note: {files[0]}: {said}\n2 of 2 valid\n")
-    found = json.loads(run("layout", *files, "--workers", "1", "--json").stdout)
+    found = json.loads(run("layout", *files, "--json").stdout)
     assert [row["notes"] for row in found] == [[said], []]
 
 

@@ -7,6 +7,7 @@ from command import EXACTSWEEP, run, shell
 from shipped_cases import shipped_cases
 
 from exactsweep.corpus import FAMILIES, case_from_json, cases, find_case
+from exactsweep.corpus.names import require_known
 from exactsweep.corpus.shipped import read_schema
 
 CORPUS = f"{EXACTSWEEP} corpus"
@@ -44,3 +45,10 @@ def test_generation_streams() -> None:
     """The first of a great many cases is there at once."""
     result = shell(f"{CORPUS} generate --count 1000000000 | head -n 2")
     assert len(result.stdout.splitlines()) == 2
+
+
+@pytest.mark.parametrize(("count", "more"), [(8, ""), (9, ", ...")])
+def test_eight_known_names_are_told(count: int, more: str) -> None:
+    names = [str(k) for k in range(1, 1 + count)]
+    with pytest.raises(ValueError, match=f"; there are 1, 2, 3, 4, 5, 6, 7, 8{more}$"):
+        require_known("unlike them", names, "digit")

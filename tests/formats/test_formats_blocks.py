@@ -13,7 +13,7 @@ from test_formats_dxf import Tags, dxf, polyline
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.formats import FormatError, parse_polygon
+from exactsweep.formats import FormatError, parse_polygon, parse_polygons
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.spline import Spline
@@ -163,3 +163,15 @@ def cox_de_boor(knots: list[Fraction], k: int, degree: int, t: Fraction) -> Frac
         share = (knots[k + degree + 1] - t) / (knots[k + degree + 1] - knots[k + 1])
         found += share * cox_de_boor(knots, k + 1, degree - 1, t)
     return found
+
+
+def test_as_many_entities_are_drawn_by_a_block_as_are_allowed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("exactsweep.formats.curved.dxf_block.MAX_COPIES", 6)
+    steps = (44, 9), (45, 9)
+    text = with_blocks({"a": TRIANGLE}, insert("a", (70, 3), (71, 2), *steps))
+    assert len(parse_polygons(text)) == 6
+    for block in (TRIANGLE, []):
+        with pytest.raises(FormatError, match="draws more than 6 entities"):
+            parse_polygons(with_blocks({"a": block}, insert("a", (70, 7), *steps)))

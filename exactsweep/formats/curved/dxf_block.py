@@ -113,7 +113,9 @@ class Blocks:
 
     def _own_maps(self, insert: Entity, block: list[Entity]) -> list[Affine]:
         columns, rows = (max(1, int(insert.number(code, "1"))) for code in (70, 71))
-        if columns * rows * sum(entity.count for entity in block) > MAX_COPIES:
+        # Copies of an empty block would be maps without end.
+        drawn = sum(entity.count for entity in block[1:]) or 1
+        if columns * rows * drawn > MAX_COPIES:
             raise FormatError(f"draws more than {MAX_COPIES:,} entities")
         turn = make_rotation(insert.number(50, "0"), self.reading)
         position, base = insert.point(10), block[0].point(10)
