@@ -42,10 +42,10 @@ class Cost:
     """A procedure of the paper on a family, one size or both being doubled.
 
     Attributes:
-        row: the row of the ledger whose bound it is.
         procedure: its name.
         run: calls it.
         letter: the same to the letter.
+        row: the row of the ledger whose bound it is.
         bound: that of the paper.
         family: the pairs.
         varied: "m", "n" or "mn".
@@ -56,10 +56,10 @@ class Cost:
         slack: the same of bytes.
     """
 
-    row: str
     procedure: str
     run: Procedure
     letter: Procedure
+    row: str
     bound: Bound
     family: PairFamily
     varied: str
@@ -138,7 +138,7 @@ def _list_costs() -> Iterator[Cost]:
         for name, series in product(group.pop("procedures"), group.pop("series")):
             read = group | series
             read |= {"bound": BOUNDS[read["bound"]], "family": getattr(growing, read["family"])}
-            yield Cost(**read, procedure=name, run=_BOTH[name][0], letter=_BOTH[name][1])
+            yield Cost(name, *_BOTH[name], **read)
 
 
 COSTS = tuple(_list_costs())

@@ -22,7 +22,7 @@ from exactsweep.paper.checks import (
     slips,
     undercuts,
 )
-from exactsweep.paper.claim import Effort, Observation, find_first_failure
+from exactsweep.paper.claim import Counterexample, Effort, Observation, find_first_failure
 from exactsweep.paper.functions import list_sub_trajectories, look_up_bottom
 from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.pairs import SweepPair, draw_pairs
@@ -162,6 +162,27 @@ def test_chains_may_part_once_only() -> None:
         "the chains meet over 0 and 8, and part in between"
     )
     assert appendix.meetings(down, down)[0] == "the chains share a bend between 0 and 8"
+
+
+def test_a_partial_trajectory_is_that_of_all_parts_but_the_last() -> None:
+    # The trajectory follows the tip at (1, 0) from -2 to 1, the next one to 3, the last one to 6.
+    teeth = [(0, 2), (1, 0), (2, 2), (3, 0), (4, 2), (5, 0), (6, 2), (3, 9)]
+    pair = SweepPair([(0, 0), (1, -1), (2, 0), (1, 1)], teeth)
+    assert list(slips.partial_meets_whole(pair)) == [
+        "T_(i-1) and T(G_t, D_b): the chains share a bend between -2 and 3"
+    ]
+
+
+def test_a_written_chain_is_compared_with_mn(monkeypatch: pytest.MonkeyPatch) -> None:
+    def plant(row: str, effort: Effort) -> list[Growth]:
+        sizes = [(4, 6), (8, 12), (16, 24)]
+        points = tuple(Size(m, n, 10 * m, m * n) for m, n in sizes)
+        return [Growth("counts", "planted", "mn", points)] * 3
+
+    monkeypatch.setattr(section5_time, "count_all", plant)
+    *_, found = section5_time.count_gaps(Effort(quick=True))
+    assert isinstance(found, Counterexample)
+    assert found.text == "160 vertices to be written for m = 16 and n = 24, mn being 384"
 
 
 def test_counts_are_compared_with_what_they_say() -> None:

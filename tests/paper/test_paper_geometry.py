@@ -21,6 +21,7 @@ from exactsweep.corpus.generator.growing import (
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.geometry.segment import make_segment
 from exactsweep.numbers.number import Vertex
+from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section1 import draw_slots
@@ -147,6 +148,15 @@ def test_chains_are_evaluated_and_cut() -> None:
     assert [reaches([(0, 0), (2, 2)], Fraction(x)) for x in range(3)] == [False, True, False]
     with pytest.raises(ValueError, match="does not reach 5"):
         evaluate(chain, Fraction(5))
+
+
+@pytest.mark.parametrize("swapped", [False, True])
+def test_chains_of_different_lengths_are_merged_to_their_ends(swapped: bool) -> None:
+    long: list[Vertex] = [(0, 0), (4, 0)]
+    short: list[Vertex] = [(1, -1), (2, -1)]
+    merged = literal.merge(*((short, long) if swapped else (long, short)))
+    assert [x for x, _ in merged] == [0, 1, 1, 2, 2, 4]
+    assert [y for _, y in merged] == [0, 0, -1, -1, 0, 0]
 
 
 def test_widths_are_measured_across_edges_of_rational_length() -> None:

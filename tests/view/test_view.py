@@ -5,6 +5,7 @@ import re
 from base64 import b64encode
 from fractions import Fraction
 from hashlib import sha256
+from itertools import pairwise
 from math import ulp
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from exactsweep import Point, Polygon, sweep
 from exactsweep.draw import Scale
 from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.evidence.contact import Contact
+from exactsweep.geometry.vectors import is_between, minus
 from exactsweep.view import make_page
 from exactsweep.view.data import gather_page_data
 from exactsweep.view.meetings import Meetings
@@ -222,3 +224,25 @@ def test_vertices_meet_though_there_is_no_common_lattice() -> None:
     }
     assert found.translations
     assert set(found.translations) <= differences
+
+
+@pytest.mark.parametrize(
+    ("generatrix", "directrix", "met"),
+    [
+        # A spike of G passes a corner of D; a corner of G passes a spike of D.
+        ([(0, 1), (4, 5), (2, 4), (2, 5)], [(0, 5), (1, 2), (6, 2)], (-1, -3)),
+        ([(0, 5), (2, 1), (6, 3)], [(0, 4), (6, 1), (5, 4), (5, 3), (4, 6)], (3, 3)),
+    ],
+)
+def test_vertices_met_in_passing_are_all_found(
+    generatrix: list[tuple[int, int]], directrix: list[tuple[int, int]], met: tuple[int, int]
+) -> None:
+    s = sweep(generatrix, directrix)
+    loop = s.trajectory.vertices
+    differences = {minus(q, p) for q in s.directrix.vertices for p in s.generatrix.vertices}
+    # No position of the trajectory overlaps, so each difference on it is a meeting.
+    on_edges = {
+        t for t in differences if any(is_between(t, *edge) for edge in pairwise([*loop, loop[0]]))
+    }
+    assert met in on_edges
+    assert Meetings(s).on_edges(loop) == sorted(on_edges)
