@@ -171,8 +171,12 @@ class Growth:
 
 
 def write_power(exponent: float) -> str:
-    """An exponent with two decimals, without a sign where it rounds to 0."""
-    return f"{round(exponent, 2) + 0.0:.2f}"
+    """An exponent with two decimals, without a sign where it rounds to 0.
+
+    >>> write_power(-0.004), write_power(1.996)
+    ('0.00', '2.00')
+    """
+    return f"{exponent:z.2f}"
 
 
 def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:

@@ -82,7 +82,7 @@ def test_other_units_are_named(scale: str) -> None:
         assert any(note.startswith(f"with moves {times} {scale}, 0 of ") for note in notes), notes
 
 
-@pytest.mark.parametrize("digits", [8, 17])
+@pytest.mark.parametrize("digits", [7, 8, 17])
 def test_radians_are_named(digits: int) -> None:
     # Some programs write 270 degrees as -90.
     angles = [int(turn) - (360 if turn == "270" else 0) for turn, _ in PLACED]

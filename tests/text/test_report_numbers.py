@@ -3,11 +3,12 @@
 from decimal import ROUND_CEILING, Context, Decimal
 from fractions import Fraction
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from linear import require_linear
 
-from exactsweep.text.report import approximate, take_root
+from exactsweep.text.report import approximate, lay_out, make_table, take_root
 
 SIX = Context(prec=6, Emax=10**9, Emin=-(10**9))
 
@@ -54,3 +55,10 @@ def test_a_root_has_60_bits_however_large_the_number_is(
     square = value * Fraction(10) ** (sense * power)
     root = take_root(square)
     assert square <= root**2 <= square * (1 + Fraction(1, 2**56))
+
+
+@pytest.mark.parametrize("width", [None, 80])
+def test_names_in_brackets_are_shown_as_they_are(width: int | None) -> None:
+    table = make_table(["part"])
+    table.add_row("[bold]left[/bold]")
+    assert "[bold]left[/bold]" in lay_out([table], width)
