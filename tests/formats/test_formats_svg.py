@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.formats import FormatError, format_polygons, parse_polygon
+from exactsweep.formats import FormatError, format_polygons, parse_polygon, parse_polygons
 
 fewer = examples(40)
 SPACE = 'xmlns="http://www.w3.org/2000/svg"'
@@ -109,3 +109,13 @@ def test_the_unit_is_that_of_the_tighter_side(ratio: str, side: int) -> None:
     with pytest.raises(FormatError, match="one unit across and another down"):
         parse_polygon(square.replace(ratio, "none"), unit="mm")
     assert parse_polygon(square.replace(ratio, "none")).area == 100
+
+
+def test_a_shape_has_the_name_of_the_outermost_use_that_draws_it() -> None:
+    text = (
+        '<svg><defs><polygon id="tile" points="0,0 1,0 0,1"/><g id="pair"><use href="#tile"/>'
+        '<use id="inner" href="#tile" x="2"/></g></defs><use id="left" href="#tile" x="9"/>'
+        '<use href="#pair" y="5"/><use id="outer" href="#pair" y="9"/></svg>'
+    )
+    names = ["left", "tile", "inner", "outer", "outer"]
+    assert [polygon.name for polygon in parse_polygons(text)] == names
