@@ -13,7 +13,7 @@ import json
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
-from math import cos, pi, sin
+from math import cos, isqrt, pi, sin
 from random import Random
 from time import process_time
 from typing import NamedTuple
@@ -27,6 +27,7 @@ from exactsweep import Polygon, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import comb
 from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.layout import Layout, judge_layout
 from exactsweep.paper.growth import fit_exponent
 
 LIMIT = 600.0
@@ -82,6 +83,32 @@ def ask_loops(generatrix: Polygon, directrix: Polygon) -> Question:
         assert swept.outer.vertices
 
     return ask
+
+
+def plate(n: int) -> list[Ring]:
+    """A square plate with n square holes, moved a little at random, the plate first."""
+    random, columns = Random(f"plate {n}"), isqrt(n - 1) + 1
+    rings: list[Ring] = [[(0, 0), (10 * columns, 0), (10 * columns,) * 2, (0, 10 * columns)]]
+    for k in range(n):
+        x, y = (10 * at + random.randint(2, 5) for at in divmod(k, columns))
+        rings.append([(x, y), (x, y + 3), (x + 3, y + 3), (x + 3, y)])
+    return rings
+
+
+def ask_plate(n: int) -> Question:
+    exterior, *holes = plate(n)
+    wide = exterior[2][0]
+    layout = Layout.from_json(
+        {
+            "container": {"exterior": [(0, 0), (2 * wide, 0), (2 * wide, wide), (0, wide)]},
+            "parts": [{"id": "plate", "exterior": exterior, "holes": holes}],
+            "placements": [
+                {"part": "plate", "turn": "0", "move": ["0", "0"]},
+                {"part": "plate", "turn": "90", "move": [str(2 * wide), "0"]},
+            ],
+        }
+    )
+    return lambda: judge_layout(layout).certificate()
 
 
 def ask_star(n: int) -> Question:
@@ -153,6 +180,7 @@ CASES = {
         (250, 500, 1000),
     ),
     "hooks": Case("a square in a comb of n with hooks", ask_hooks, (604, 1204, 2404, 4804)),
+    "plate": Case("certificate of two plates of n holes", ask_plate, (250, 500, 1000, 2000)),
     "proof": Case("verify of a star of n around itself", ask_proof, (24, 50, 100)),
     "denominators": Case("loops of radial n, n by 30 digits", ask_denominators, (10, 20, 40)),
     "digits": Case("loops of combs of n, n with 300 digits", ask_digits, (8, 16, 32)),
