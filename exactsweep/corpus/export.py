@@ -181,7 +181,7 @@ def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
         1
     """
     drawn = list(cases)
-    columns = max(1, isqrt(max(0, len(drawn) - 1)) + 1)
+    columns = isqrt(max(0, len(drawn) - 1)) + 1
     width, height = columns * _WIDTH, -(-len(drawn) // columns) * _HEIGHT
     yield (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '

@@ -1,4 +1,5 @@
 import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,7 @@ from partlist import part_list
 from exactsweep.batch import Part, Rounding, run, take_all_pairs
 from exactsweep.batch.output import Output
 from exactsweep.batch.table import write_parquet
-from exactsweep.formats import NamedPolygon
+from exactsweep.formats import FormatError, NamedPolygon
 
 PARTS: list[NamedPolygon | Part] = [*part_list(8), Part("bad", "no polygon")]
 
@@ -61,3 +62,15 @@ def test_directions_of_any_length_and_ids_are_text(tmp_path: Path) -> None:
     first, second = pyarrow.parquet.read_table(tmp_path / "table").to_pylist()
     assert first["direction"] == f"[{digits}, -1]"
     assert (first["id"], second["id"], second["error"]) == ("7", "a", "no")
+
+
+def test_pyarrow_is_needed_for_parquet_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow.parquet", None)
+    job = take_all_pairs(PARTS[:2], PARTS[:1], "areas")
+    for name in ("out.jsonl", "out.csv"):
+        run(job, str(tmp_path / name))
+        assert (tmp_path / name).read_bytes().count(b"\n") >= 2
+    with pytest.raises(FormatError, match="Parquet"):
+        run(job, str(tmp_path / "out.parquet"))

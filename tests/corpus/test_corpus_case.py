@@ -15,7 +15,8 @@ from jsonschema import Draft202012Validator
 from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
-from exactsweep.corpus import Case, CaseError, case_from_json, case_to_json
+from exactsweep.corpus import Case, CaseError, case_from_json, case_to_json, find_case
+from exactsweep.corpus.export import cases_to_svg
 from exactsweep.corpus.shipped import read_schema
 
 A_CASE = Draft202012Validator(json.loads(read_schema()))
@@ -101,3 +102,12 @@ def test_long_numbers_are_refused() -> None:
 def test_what_is_no_case_is_refused(data: Any) -> None:
     with pytest.raises(CaseError, match=r"^\$"):
         case_from_json(data)
+
+
+@pytest.mark.parametrize(
+    ("count", "columns", "rows"),
+    [(0, 1, 0), (1, 1, 1), (4, 2, 2), (5, 3, 2), (10, 4, 3)],
+)
+def test_pictures_are_laid_out_in_about_a_square(count: int, columns: int, rows: int) -> None:
+    head, *_ = cases_to_svg([find_case("fits-square")] * count)
+    assert f'viewBox="0 0 {columns * 440} {rows * 370}"' in head
