@@ -1,4 +1,5 @@
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 import strategies
@@ -8,6 +9,7 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.formats import FormatError, format_polygons, parse_polygon, parse_polygons
+from exactsweep.formats.polygons import read_choice
 
 fewer = examples(40)
 SPACE = 'xmlns="http://www.w3.org/2000/svg"'
@@ -119,3 +121,14 @@ def test_a_shape_has_the_name_of_the_outermost_use_that_draws_it() -> None:
     )
     names = ["left", "tile", "inner", "outer", "outer"]
     assert [polygon.name for polygon in parse_polygons(text)] == names
+
+
+@pytest.mark.parametrize(("choice", "left_out"), [("", 1), ("#tile", 0)])
+def test_ornaments_are_told_unless_the_shape_is_named(
+    tmp_path: Path, choice: str, left_out: int
+) -> None:
+    path = tmp_path / "a.svg"
+    path.write_text('<svg><polygon id="tile" points="0,0 1,0 0,1"/><line x2="1"/></svg>')
+    found = read_choice(f"{path}{choice}")
+    assert [one.name for one in found] == ["tile"]
+    assert len(found.left_out) == left_out
