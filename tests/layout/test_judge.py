@@ -1,5 +1,6 @@
 """Layouts judged: answers worked out by hand."""
 
+from dataclasses import replace
 from fractions import Fraction
 from math import isqrt
 from typing import Any
@@ -50,6 +51,13 @@ def test_an_overlap_is_proved_and_measured() -> None:
     assert first is not None
     assert first.translated((1, 1)).contains(inside, strictly=True)
     assert first.rotated(180).translated((5, 3)).contains(inside, strictly=True)
+
+
+def test_faults_that_say_the_same_are_equal_however_they_were_found() -> None:
+    tile = {"t": box(0, 0, 2, 2)}
+    (fault,) = judge_layout(lay(SHEET, tile, put("t", (2, 2)), put("t", (3, 3)))).faults
+    assert replace(fault, _bits=7, wall=1, _board=None) == fault
+    assert replace(fault, placements=(1, 0)) != fault
 
 
 def test_a_part_as_wide_as_the_container_is_moved_onto_an_exact_fit() -> None:
