@@ -13,7 +13,7 @@ import pytest
 from command import PATIENCE
 
 import exactsweep
-from exactsweep.cli.reference import MODULES
+from exactsweep.cli.reference import MODULES, front
 from exactsweep.lessons import list_titles as read_lessons
 
 
@@ -78,6 +78,12 @@ def test_every_module_with_exports_is_in_the_reference() -> None:
     for name in MODULES:
         module = importlib.import_module(name)
         assert all(hasattr(module, public) for public in public_names(module)), name
+
+
+def test_the_first_page_says_what_each_module_is() -> None:
+    shown = front().splitlines()
+    for name in MODULES[1:]:
+        assert f"- `{name}`: {summary(importlib.import_module(name))}" in shown
 
 
 @pytest.mark.long

@@ -25,7 +25,7 @@ from exactsweep.conform.judge import compare as comparing
 from exactsweep.conform.judge import distance, region
 from exactsweep.conform.judge.compare import compare, find_fault
 from exactsweep.conform.judge.region import find_differences
-from exactsweep.conform.judge.rounding import _unit_in_last_place
+from exactsweep.conform.judge.rounding import _BEYOND, _to_double, _unit_in_last_place
 from exactsweep.conform.judge.verdict import PartComparison
 from exactsweep.corpus import Case
 from exactsweep.numbers.number import ORIGIN
@@ -191,3 +191,9 @@ def test_ids_and_arguments_with_newlines_stay_on_their_line(tmp_path: Path) -> N
 def test_doubles_are_as_far_apart_as_they_are(value: str) -> None:
     number = Fraction(value)
     assert _unit_in_last_place(number) == Fraction(math.ulp(float(number)))
+
+
+def test_what_no_double_is_near_stays_as_it_is() -> None:
+    assert _to_double(_BEYOND) == _BEYOND
+    assert _to_double(-_BEYOND) == -_BEYOND
+    assert _to_double(_BEYOND - 1) == Fraction(sys.float_info.max)
