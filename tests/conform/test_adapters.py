@@ -382,6 +382,7 @@ def test_a_page_says_what_was_asked(tmp_path: Path) -> None:
     assert f"{page.read_text(encoding='utf-8')}\n" == shown.output
 
 
+@pytest.mark.long
 def test_a_program_is_judged_once(tmp_path: Path) -> None:
     installed("shapely").close()
     asked = [str(tmp_path), "--only", "shapely", "--most", "6", "--each", "0"]

@@ -18,7 +18,7 @@ from exactsweep.geometry.vectors import turn
 POINTS = st.tuples(st.integers(-30, 30), st.integers(-9, 9))
 
 
-@examples(60)
+@examples(30)
 @given(st.lists(POINTS, min_size=40, max_size=150, unique=True), st.randoms(use_true_random=False))
 def test_all_that_meets_a_segment_is_found(points: list[tuple[int, int]], random: Random) -> None:
     grid = WallGrid(points)
@@ -53,7 +53,7 @@ def make_plate(holes: int, seed: int = 0) -> list[IntRing]:
 
 
 @pytest.mark.parametrize("shear", [0, 3, -40])
-@pytest.mark.parametrize("holes", [9, 25, 81])
+@pytest.mark.parametrize("holes", [9, 81])
 def test_a_plate_with_many_holes_is_cut_into_convex_pieces(holes: int, shear: int) -> None:
     rings = [[(x + shear * y, y) for x, y in ring] for ring in make_plate(holes, holes)]
     pieces = cut_to_convex(rings)

@@ -90,7 +90,7 @@ def test_points_are_all_of_the_interior(
 @pytest.mark.parametrize("side", [2, 3, 5, 8])
 def test_points_beyond_upright_edges_are_of_the_interior(side: int) -> None:
     """Also of those that end at or between two points of the grid, above and below."""
-    for start, end, way in product(range(-4, 5), range(1, 9), (1, -1)):
+    for start, end, way in product(range(-3, 3), range(1, 9, 2), (1, -1)):
         notch = [(0, start), (8, start), (8, start + end), (24, start + end), (24, 40), (0, 40)]
         check_points([[(x, way * y) for x, y in notch[::way]]], side)
 
