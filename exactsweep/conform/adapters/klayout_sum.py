@@ -4,7 +4,7 @@ Promise: coordinates are integers of 32 bits; vertices of the result are rounded
 
 Question: `Polygon.minkowski_sum` of D and -G, without resolving holes, times the scale that
 makes the case integer. Cases whose result, or its width or height, needs more than 32 bits are not
-asked. Polygons are made raw, so that collinear vertices stay.
+asked. KLayout itself leaves out collinear vertices.
 """
 
 from __future__ import annotations
