@@ -361,6 +361,11 @@ def merge(u: Sequence[Any], v: Sequence[Any]) -> list[tuple[int, int]]:
     return found
 
 
+def tell(listed: Sequence[Any], what: str) -> str:
+    """Tell how many there are."""
+    return f"{len(listed)} {what}{'s' * (len(listed) != 1)}"
+
+
 def count(rings: Sequence[Sequence[Any]]) -> int:
     """Count the entries of lists."""
     return sum(map(len, rings))
@@ -575,14 +580,14 @@ class Layout:
 
     def prove(self) -> str:
         """Prove the claim, and describe it."""
-        found = f"layout of {len(self.placed) - 1} placements of {len(self.ids)} parts"
+        found = f"layout of {tell(self.placed[1:], 'placement')} of {tell(self.ids, 'part')}"
         rules = chain.from_iterable(self.check_rules(k).items() for k in range(len(self.ids)))
         broken = [kind for kind, holds in rules if holds]
         if not self.valid:
             need(self.faults != [] == self.apart, "faults: none, or normals beside them")
             for fault in self.faults:
                 self.prove_fault(fault)
-            return f"{found}, not valid: {len(self.faults)} faults"
+            return f"{found}, not valid: {tell(self.faults, 'fault')}"
         need(self.faults == [], "faults: of a valid layout")
         need(broken == [], f"a part breaks rules: {broken}")
         self.prove_apart()
@@ -904,7 +909,7 @@ def prove_no_fit(c: dict[str, Any], work: Work) -> str:
     loops = [loop(exterior, work), *(loop(hole, work)[::-1] for hole in items(holes))]
     still, moving = solid(d, first, work), [*map(turn, solid(g, second, work))]
     prove_positions(Sums(still, moving, work, []), loops, read_fits(fits), listed)
-    answer = f"{count(loops)} in {len(loops)} loops, {len(fits)} exact fits"
+    answer = f"{count(loops)} in {tell(loops, 'loop')}, {tell(fits, 'exact fit')}"
     return f"no-fit polygon of {count(g)} around {count(d)} vertices, {answer}"
 
 
@@ -928,7 +933,7 @@ def prove_inner_fit(c: dict[str, Any], work: Work) -> str:
         work.take(len(known))
         outside = winding(known, middle([p for p, _ in sums.get(k)[1]])) == 0
         need(outside, "a part of the outside is not outside the regions")
-    answer = f"{count(loops)} in {len(loops)} loops, {len(fits)} exact fits"
+    answer = f"{count(loops)} in {tell(loops, 'loop')}, {tell(fits, 'exact fit')}"
     return f"inner fit of {count(g)} in {count(d)} vertices, {answer}"
 
 

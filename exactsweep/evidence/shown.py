@@ -62,7 +62,7 @@ class Shown:
             >>> from exactsweep.check.standalone import prove
             >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
             >>> prove(no_fit_polygon(square, square).certificate(proof=True))
-            'no-fit polygon of 4 around 4 vertices, 4 in 1 loops, 0 exact fits'
+            'no-fit polygon of 4 around 4 vertices, 4 in 1 loop, 0 exact fits'
         """
         found = self._claim()
         if proof:

@@ -102,7 +102,7 @@ def test_it_says_what_is_proved() -> None:
         "CC sweep of 5 around 4 vertices, trajectory 6, inner 4, outer 8, area 22"
     )
     assert prove(CERTIFICATES["cave"]) == (
-        "no-fit polygon of 4 around 12 vertices, 8 in 2 loops, 1 exact fits"
+        "no-fit polygon of 4 around 12 vertices, 8 in 2 loops, 1 exact fit"
     )
     assert prove(CERTIFICATES["nowhere"]) == (
         "inner fit of 5 in 4 vertices, 0 in 0 loops, 0 exact fits"

@@ -83,7 +83,7 @@ def test_a_spacing_may_be_longer_than_python_prints() -> None:
 
 
 def test_a_layout_that_fills_its_container_is_proved() -> None:
-    assert prove(certificate()) == "layout of 2 placements of 1 parts, valid, spacing 0, margin 0"
+    assert prove(certificate()) == "layout of 2 placements of 1 part, valid, spacing 0, margin 0"
     assert prove(load(json.dumps(certificate())))
     assert verify(certificate()).proved
     assert (
