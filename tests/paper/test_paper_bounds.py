@@ -15,6 +15,8 @@ from exactsweep.paper.checks import (
     appendix,
     beyond,
     beyond_sizes,
+    section1,
+    section2,
     section3,
     section4,
     section4_sizes,
@@ -197,3 +199,26 @@ def test_counts_are_compared_with_what_they_say() -> None:
     handed_in, kept = 8, len(look_up_bottom(TEETH, "trajectory")) - 1
     assert appendix.envelope(TEETH)[1] == handed_in + handed_in - kept
     assert kept < handed_in
+
+
+@pytest.mark.parametrize(("place", "kind"), [((0, 1), "tops"), ((0, 0), "bottoms"), ((0, 3), "")])
+def test_like_chains_that_touch_are_told_at_the_top_and_at_the_bottom(
+    place: tuple[int, int], kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A bar of height 1 lies along the top, or the bottom, of one of height 2."""
+    low, high = ([(0, 0), (4, 0), (5, y), (4, y), (0, y), (-1, y)] for y in (1, 2))
+    planted = SimpleNamespace(trajectory=Polygon([place, (9, 9), (-9, 9)]))
+    monkeypatch.setattr(section2, "look_up", lambda pair: planted)
+    told = [*section2.like_chains_stay_apart(SweepPair(low, high))]
+    assert any(text.startswith(f"at {place} two like chains") for text in told) == bool(kind)
+
+
+@pytest.mark.parametrize(("is_swept", "words"), [(False, "is between"), (True, "is not between")])
+def test_points_are_told_to_be_between_the_loops_if_they_are(
+    is_swept: bool, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(section1, "swept_by_contact", lambda s, p: is_swept)
+    square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    told = [*section1.area_is_covered(SweepPair(square, square))]
+    assert told
+    assert all(f") {words} the loops" in text for text in told)
