@@ -74,3 +74,5 @@ def test_pyarrow_is_needed_for_parquet_alone(
         assert (tmp_path / name).read_bytes().count(b"\n") >= 2
     with pytest.raises(FormatError, match="Parquet"):
         run(job, str(tmp_path / "out.parquet"))
+    # At once, before any pair is computed.
+    assert not [*tmp_path.glob("*.part")]

@@ -15,6 +15,7 @@ from judged import FAULTY, TWO, write_cases
 from exactsweep.conform import Verdict
 from exactsweep.conform.report.html import write_html
 from exactsweep.conform.report.junit import write_junit
+from exactsweep.conform.report.text import close
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import Run
@@ -50,6 +51,13 @@ def test_the_farthest_loop_is_told_by_what_is_proved() -> None:
         tally.add(Outcome(id, "CC", (), Verdict.WRONG, parts=(measured,)))
     (worst,) = tally.worst.values()
     assert worst == ((Fraction(2), "b"), (Fraction(5), "a"))
+
+
+def test_twenty_kinds_of_failures_are_listed_and_others_counted() -> None:
+    run = Run(Hello("mine"))
+    for k in range(23):
+        run.add(Outcome(f"a{k}", "CC", (), Verdict.CRASH, fault=f"kind {k}"))
+    assert "\n... and 3 failures of 3 other kinds\n" in close(run)
 
 
 @pytest.mark.long

@@ -32,7 +32,9 @@ from exactsweep.formats import (
     to_numpy,
     to_shapely,
 )
+from exactsweep.formats.exact_json import measure_file
 from exactsweep.formats.folder import make_unique
+from exactsweep.formats.parsing import measure_written
 
 TRIANGLE = Polygon([(0, 0), (1, 0), (0, 1)])
 DECIMALS = [form for form in FORMATS if form != "json"]
@@ -218,3 +220,11 @@ def test_files_are_converted(tmp_path: Path) -> None:
     assert parse_polygon(done.stdout, "c").area > 3
     assert run("convert", str(circle)).exit_code == 2
     assert run("sweep", str(circle), f"{source}#a", "--flatten", "0.1").exit_code == 0
+
+
+@pytest.mark.parametrize("line", ['{"a": [[0, 1], [2, 3]], "b": 7}', f"[{'1,' * 500}1]"])
+def test_a_file_of_records_counts_as_much_as_its_text(line: str, tmp_path: Path) -> None:
+    text = f"{line}\n" * 40
+    path = tmp_path / "records"
+    path.write_text(text)
+    assert measure_file(str(path)) == measure_written(text)

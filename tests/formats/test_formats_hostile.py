@@ -152,6 +152,17 @@ def test_collections_are_read_to_a_depth_of_100() -> None:
         parse_polygon(nest_geojson(101))
 
 
+@pytest.mark.parametrize("depth", [100, 101])
+def test_elements_of_svg_are_read_to_a_depth_of_100(depth: int) -> None:
+    groups = depth - 2
+    text = f'<svg>{"<g>" * groups}<polygon points="0,0 1,0 0,1"/>{"</g>" * groups}</svg>'
+    if depth == 100:
+        assert parse_polygon(text) == Polygon([(0, 0), (1, 0), (0, 1)])
+    else:
+        with pytest.raises(FormatError, match="line 1: nested deeper than 100 elements"):
+            parse_polygon(text)
+
+
 def test_uses_in_deep_groups_are_refused() -> None:
     groups = (
         f'<g id="g{k}">{"<g>" * 90}<use href="#g{k + 1}"/>{"</g>" * 90}</g>' for k in range(30)

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from exactsweep.layout import Layout, judge_layout
+from exactsweep.layout import diagnose as diagnosing
 from exactsweep.layout.diagnose import diagnose
 from exactsweep.numbers.number import Rational
 
@@ -150,3 +151,18 @@ def test_other_mirrors_are_named(write: Callable[..., Any], said: str) -> None:
     assert not judgement.valid
     notes = diagnose(judgement)
     assert any(note.startswith(f"with {said}, 0 of ") for note in notes), notes
+
+
+def test_the_convention_that_leaves_the_fewest_faults_is_named_first(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    judgement = judge_layout(layout([place(0, 0, 0)] * 4))
+    counts = {"a": 1, "b": 0, "c": 2}
+    monkeypatch.setattr(diagnosing, "_list_conventions", lambda layout: counts.items())
+    monkeypatch.setattr(diagnosing, "_apply", lambda layout, left: left)
+    monkeypatch.setattr(diagnosing, "judge_layout", lambda left: left)
+    monkeypatch.setattr(
+        diagnosing, "_count_faults", lambda found: found if isinstance(found, int) else 20
+    )
+    said = [f"with {name}, {counts[name]} of 20 faults would be left" for name in "bac"]
+    assert diagnose(judgement) == said
