@@ -168,7 +168,9 @@ def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
 
 
 def test_the_citation_is_two_files_of_this_version(tmp_path: Path) -> None:
-    result = run("--cite", "--out", str(tmp_path / "cite"))
+    # The second time the folder is there.
+    for _ in range(2):
+        result = run("--cite", "--out", str(tmp_path / "cite"))
     paths = [tmp_path / "cite" / name for name in ("CITATION.cff", "references.bib")]
     assert result.output == f"{paths[0]} {paths[1]}\n"
     cff, bib = (path.read_text(encoding="utf-8") for path in paths)
