@@ -20,6 +20,7 @@ _points = st.tuples(st.integers(0, 4), st.integers(0, 4), st.integers(1, 2))
 @examples(100)
 @given(_points, _points, _points, _points)
 @example((0, 0, 1), (2, 0, 1), (1, 1, 1), (1, 2, 1))
+@example((0, 0, 1), (4, 0, 1), (1, 1, 1), (3, 1, 2))
 @example((0, 0, 1), (0, 2, 1), (0, 1, 1), (0, 1, 1))
 def test_a_share_is_what_two_edges_have_in_common(a: Node, b: Node, p: Node, q: Node) -> None:
     """Up to 4 and by halves, segments meet at shares with denominators below 128."""
