@@ -64,6 +64,7 @@ def test_figure_10_of_ten_and_four_vertices_is_the_paper_s() -> None:
     assert FAMILIES["figure10"](4, 10, 0) == bumps(2, 4, 6)
 
 
+@pytest.mark.long
 def test_outlines_of_parts_are_parts() -> None:
     outlines = [Polygon(ring) for _, pair in list_outlines(["parts"]) for ring in pair]
     assert {*map(len, outlines)} >= {7, 38}

@@ -75,6 +75,7 @@ class Checker(HTMLParser):
         assert self.open.pop() == tag
 
 
+@pytest.mark.long
 def test_the_same_seed_gives_the_same_bytes_but_for_times(tmp_path: Path) -> None:
     texts = []
     again = list(reproduce(map(find, FEW), EFFORT))

@@ -34,7 +34,14 @@ def assert_in_place(shown: Shown, s: Sweep, position: Point) -> None:
         assert abs(Fraction(a) - Fraction(b)) <= 2 * Fraction(ulp(max(map(abs, wanted))))
 
 
-@pytest.mark.parametrize("factor", [Fraction(1), Fraction(10**30), Fraction(1, 7 * 10**30)])
+@pytest.mark.parametrize(
+    "factor",
+    [
+        Fraction(1),
+        pytest.param(Fraction(10**30), marks=pytest.mark.long),
+        Fraction(1, 7 * 10**30),
+    ],
+)
 def test_the_slider_moves_g_to_exactly_the_right_place(show: Open, factor: Fraction) -> None:
     s = scale_example(factor)
     shown = show(s)
@@ -175,7 +182,9 @@ def test_zooming_in_keeps_what_is_under_the_pointer(show: Open) -> None:
     assert shown.pixels[:2] == before
 
 
-@pytest.mark.parametrize("s", [EXAMPLE, SLOT], ids=["undercut", "fit"])
+@pytest.mark.parametrize(
+    "s", [EXAMPLE, pytest.param(SLOT, marks=pytest.mark.long)], ids=["undercut", "fit"]
+)
 def test_light_and_dark_differ_and_follow_the_system(show: Open, s: Sweep) -> None:
     light, dark = (show(s, color_scheme=scheme) for scheme in ("light", "dark"))
     corner = (20, HEIGHT // 2)
