@@ -65,7 +65,8 @@ def test_a_program_ends_if_its_start_is_interrupted(
     monkeypatch: pytest.MonkeyPatch, mark: str
 ) -> None:
     def interrupt(*_: object) -> bytes:
-        assert processes(mark)
+        # It has its command line a little after it is there.
+        eventually(lambda: bool(processes(mark)))
         raise KeyboardInterrupt
 
     monkeypatch.setattr("exactsweep.conform.run.process.Channel.receive", interrupt)
