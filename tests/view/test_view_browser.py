@@ -212,6 +212,7 @@ def test_a_loop_of_10000_vertices_works(show: Open) -> None:
     assert shown.position != before
 
 
+@pytest.mark.long
 def test_long_numbers_are_told_in_short_too(show: Open) -> None:
     shown = show(scale_example(Fraction(10**30)))
     assert shown.text("area") == f"{72 * 10**60}"

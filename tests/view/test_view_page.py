@@ -54,6 +54,7 @@ def test_the_page_finds_all_contacts_at_a_stop(
             assert {Contact(*c) for c in brief} == without_parts(s, here | lasting) - lasting
 
 
+@pytest.mark.long
 def test_arrows_move_g_once_it_was_dragged(show: Open) -> None:
     shown = show(EXAMPLE)
     shown.tab.focus("#top")
@@ -82,6 +83,7 @@ def test_arrows_move_g_once_it_was_dragged(show: Open) -> None:
     assert (shown.position, shown.pixels == where) == (at, False)
 
 
+@pytest.mark.long
 def test_a_grid_can_be_put_away(show: Open) -> None:
     shown = show(EXAMPLE)
     shown.tab.focus("#top")

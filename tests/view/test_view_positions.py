@@ -132,6 +132,7 @@ def test_what_is_not_to_scale_covers_no_label(show: Open) -> None:
         assert note["x"] >= buttons["x"] + buttons["width"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_names_of_contacts_have_the_contrast_of_text(scheme: str, show: Open) -> None:
     page = show(sweep(TIGHT, PLATE), color_scheme=scheme)

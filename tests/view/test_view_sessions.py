@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 
+import pytest
 from command import EXAMPLE
 from shown import Open, Shown
 
@@ -64,6 +65,7 @@ def replay(session: str, show: Open) -> str:
     return "".join(f"{line}\n" for line in lines)
 
 
+@pytest.mark.long
 def test_the_page_tells_what_it_told(show: Open) -> None:
     session = FILE.read_text(encoding="utf-8")
     assert replay(session, show) == session
