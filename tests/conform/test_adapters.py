@@ -1,7 +1,6 @@
 """Other programs: asked rightly, judged, and spoken to as processes."""
 
 import json
-import re
 import shutil
 import subprocess
 import sys
@@ -12,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner
 from command import PATIENCE, eventually, processes
 from strategies import points
 
@@ -20,18 +18,14 @@ from exactsweep import Point
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, klayout_sum, load, npm
 from exactsweep.conform.adapters.__main__ import _write
 from exactsweep.conform.adapters.adapter import build_frame, prepare_ring
-from exactsweep.conform.adapters.measure import main as measure
 from exactsweep.conform.adapters.names import NPM
 from exactsweep.conform.adapters.npm import SCRIPT
 from exactsweep.conform.adapters.orbit import sort_out
-from exactsweep.conform.adapters.page import write_page
 from exactsweep.conform.adapters.program import ProgramError
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
-from exactsweep.conform.run.process import Terms
-from exactsweep.conform.run.protocol import Hello, read_hello
+from exactsweep.conform.run.protocol import read_hello
 from exactsweep.corpus import Case, find_case, generate
 
 BOX = [(0, 0), (4, 0), (4, 4), (0, 4)]
@@ -339,62 +333,6 @@ def test_versions_of_npm_packages_are_pinned() -> None:
     pinned = json.loads(PACKAGES.read_text(encoding="utf-8"))["dependencies"]
     assert pinned.keys() == set(NPM)
     assert all(version[0].isdigit() for version in pinned.values())
-
-
-def test_who_is_exact_on_what_is_one_page(tmp_path: Path) -> None:
-    square = [(0, 0), (8, 0), (8, 8), (0, 8)]
-    case = Case.of("squares", "", square, [(0, 0), (1, 0), (1, 1), (0, 1)])
-    loop = case.trajectory.vertices
-    hello = Hello("a program", ("trajectory",), "rational", "origin")
-    answers: Iterator[dict[str, Any]] = iter(
-        [{"trajectory": loop}, {"trajectory": loop[:3]}, {"unsupported": "no"}]
-    )
-    peer = CallablePeer(lambda *_: next(answers), hello)
-    path = tmp_path / "a.sweep"
-    with Journal(path, Terms([]), hello) as journal:
-        for _ in range(3):
-            journal.add(judge_case(peer, case))
-    asked = Hello("another", (), questions=("no_fit",), shapes="any")
-    other = CallablePeer(lambda *_: {"no_fit": loop}, asked)
-    with Journal(tmp_path / "b.no_fit", Terms([]), asked) as journal:
-        journal.add(judge_case(other, case))
-    both = write_page([tmp_path / "b.no_fit", path], "four cases").split("## All verdicts")
-    assert "| another | no-fit polygon | 1 | 1 |  |  |" in both[1]
-    by_kind, verdicts = write_page([path], "three cases").split("## All verdicts")
-    *_, head, _, row = by_kind.strip().splitlines()
-    assert head.startswith("| program | convex | monotone |")
-    assert row.startswith("| a program | 1 of 2 |  |")
-    *_, head, _, row = verdicts.strip().splitlines()
-    assert head.endswith("| cases | exact | unsound | smallest not right |")
-    assert row == "| a program | outer path | 2 | 1 | 1 | squares |"
-
-
-def test_a_page_says_what_was_asked(tmp_path: Path) -> None:
-    page, folder = tmp_path / "page", tmp_path / "journals"
-    asked = [str(folder), "--no-judging", "--most", "6", "--each", "3"]
-    shown = CliRunner().invoke(measure, asked)
-    assert shown.exit_code == 0
-    assert folder.is_dir()
-    assert "of at most 6 vertices, and 3 of each family of the generator, seed 1" in shown.output
-    # Again, with the folder there.
-    written = CliRunner().invoke(measure, [*asked, "--page", str(page)])
-    assert (written.exit_code, written.output) == (0, "")
-    assert f"{page.read_text(encoding='utf-8')}\n" == shown.output
-
-
-@pytest.mark.long
-def test_a_program_is_judged_once(tmp_path: Path) -> None:
-    installed("shapely").close()
-    asked = [str(tmp_path), "--only", "shapely", "--most", "6", "--each", "0"]
-    done = CliRunner().invoke(measure, asked)
-    assert done.exit_code == 0, done.output
-    questions = ("no_fit", "inner_fit")
-    assert done.stderr.splitlines() == [f"shapely, {question}: done" for question in questions]
-    assert re.search(r"\| no-fit polygon \| (\d\d) \| \1 \|  \|  \|", done.stdout)
-    journals = [tmp_path / f"shapely.{question}" for question in questions]
-    judged = [journal.read_bytes() for journal in journals]
-    assert CliRunner().invoke(measure, asked).stdout == done.stdout
-    assert [journal.read_bytes() for journal in journals] == judged
 
 
 def test_programs_are_asked_as_far_as_their_numbers_reach() -> None:
