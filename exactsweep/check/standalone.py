@@ -585,8 +585,8 @@ class Layout:
         broken = [kind for kind, holds in rules if holds]
         if not self.valid:
             need(self.faults != [] == self.apart, "faults: none, or normals beside them")
-            for fault in self.faults:
-                self.prove_fault(fault)
+            proved = {self.prove_fault(fault) for fault in self.faults}
+            need(len(proved) == len(self.faults), "faults: one is there twice")
             return f"{found}, not valid: {tell(self.faults, 'fault')}"
         need(self.faults == [], "faults: of a valid layout")
         need(broken == [], f"a part breaks rules: {broken}")
@@ -645,19 +645,19 @@ class Layout:
                 apart = any(are_apart(piece, other.pieces[j], way, distance) for way in ways)
                 need(apart, f"piece {i} of {a} and piece {j} of {b}: no normal that parts them")
 
-    def prove_fault(self, fault: Any) -> None:
-        """Prove one fault by its witness."""
+    def prove_fault(self, fault: Any) -> tuple[Any, ...]:
+        """Prove one fault by its witness; return what has it."""
         kind = fault.get("kind") if type(fault) is dict else None
         if kind in ("overlap", "outside", "too close"):
             self.prove_near(kind, *fields(fault, "kind placements pieces points")[1:])
-            return
+            return tuple(sorted(fault["placements"]))
         name, both = fields(fault, "kind part", "edges")[1:]
         need(type(name) is str and name in self.numbers, "faults: of no part")
         k = self.numbers[name]
         self.work.take(count(self.rings[k]))
         if kind != "shape":
             need(self.check_rules(k).get(str(kind), False), "faults: a rule that is not broken")
-            return
+            return kind, name
         written = self.parts[k][1], *(self.parts[k][2] or [])
         self.work.take(2 * count(written))
         rings = [edges(ring(e)) for e in written]
@@ -667,6 +667,7 @@ class Layout:
         (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
         clash = i != j and do_clash(p, q, r, s, (j - i) % size, size)
         need(clash if m == n else do_cross(p, q, r, s), "faults: the edges do not clash")
+        return kind, name
 
     def prove_near(self, kind: str, of: Any, numbers: Any, points: Any) -> None:
         """Prove that a point is inside two shapes, or that points of them are too close."""

@@ -279,6 +279,18 @@ def test_a_false_witness_is_refused(kind: str, change: dict[str, Any]) -> None:
     assert refusal(faulty({**CASES["witnesses"][kind], **change}))
 
 
+def test_no_fault_is_counted_twice() -> None:
+    across = {**OVERLAP, "placements": [1, 0]}
+    close = {**OVERLAP, "kind": "too close"}
+    surplus = {"kind": "surplus", "part": "L"}
+    for again in (OVERLAP, across, close):
+        assert "there twice" in refusal(faulty(OVERLAP, OUTSIDE, again))
+    for faults in ([surplus], [surplus, OVERLAP], [surplus, surplus]):
+        found = faulty(*faults)
+        found["layout"]["parts"][0]["demand"] = 1
+        assert prove(found) if faults[-1:] != faults[:-1] else "there twice" in refusal(found)
+
+
 CLASH = {"kind": "shape", "part": "L", "edges": [[0, 0], [0, 3]]}
 
 
