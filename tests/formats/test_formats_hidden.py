@@ -91,6 +91,26 @@ def test_commands_tell_what_is_hidden(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("shapes", "noted"),
+    [
+        ("<rect fill='none' width='2' height='2'/>", "a rect"),
+        ("<g stroke='none' style='fill: transparent'><path d='M0 0h2v2z'/></g>", "a path"),
+        ("<style>.bare{fill:none}</style><circle class='bare' r='2'/>", "a circle"),
+        ("<rect id='a' fill='none' width='2' height='2'/><use href='#a' stroke='red'/>", "a rect"),
+        ("<rect width='2' height='2'/>", ""),
+        ("<rect fill='none' stroke='red' width='2' height='2'/>", ""),
+        ("<g stroke='red'><rect fill='none' width='2' height='2'/></g>", ""),
+        ("<style>rect{stroke:red}</style><rect fill='none' width='2' height='2'/>", ""),
+        ("<defs><path id='a' fill='red' d='M0 0h2v2z'/></defs><use href='#a' fill='none'/>", ""),
+    ],
+)
+def test_a_shape_that_nothing_paints_is_read_and_told(shapes: str, noted: str) -> None:
+    parts = parse_polygons(f"<svg>{shapes}</svg>", tolerance="1/10")
+    assert len(parts) == 1 + ("use" in shapes and bool(noted))
+    assert parts.notes == ([f"{noted} with neither fill nor stroke is read"] if noted else [])
+
+
+@pytest.mark.parametrize(
     "sheet",
     ["{" * 9999, "}" * 9999, "/*" * 9999, "@" * 9999 + "{", "@a{" * 9999, "rect{}rect{fill:red"],
 )

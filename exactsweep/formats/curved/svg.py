@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 _GROUPS = {"svg", "g", "a"}
 _CONDITIONS = {"requiredExtensions", "requiredFeatures", "systemLanguage"}
 _INVISIBLE = ("hidden", "collapse")
+_UNPAINTED = ("none", "transparent")
 
 MAX_DEPTH = 32
 """The greatest depth of nested uses."""
@@ -138,6 +139,11 @@ class _Document:
         elif name == "use":
             yield from self._follow_use(placed, depth + 1)
         elif name in SHAPES:
+            if (
+                placed.inherited("fill", "black") in _UNPAINTED
+                and placed.inherited("stroke", "none") in _UNPAINTED
+            ):
+                self.reading.notes[f"a {name} with neither fill nor stroke is read"] = None
             yield placed
 
     def _follow_use(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:

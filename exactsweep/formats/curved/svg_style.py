@@ -18,10 +18,10 @@ _PASSED = re.compile(
 )
 _SIMPLE = re.compile(r"[.#]?[^\s.#:>+~\[\]*()]+|\*")
 _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
-# The properties that show, turn or move a shape; and those that are read, which also give its size.
+# The properties that show, turn or move a shape; and those that are read, with its size and colors.
 _DRAWING = {"display", "visibility", "fill-rule", "transform", "transform-origin", "transform-box"}
 _DRAWING |= {"rotate", "scale", "translate"}
-_READ = {*_DRAWING, "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"}
+_READ = {*_DRAWING, "fill", "stroke", "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"}
 
 _Declared = tuple[bool, int, int, str]
 """A declaration: its importance, the rank of its selector, its number, its value."""
