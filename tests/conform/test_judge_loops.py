@@ -102,6 +102,15 @@ def test_a_loop_that_is_smaller_than_its_rounding_is_not_taken_for_a_fit() -> No
     assert found.parts[0].verdict is Verdict.WITHIN
 
 
+@pytest.mark.parametrize("flat", [[(x, 0) for x in row] for row in ((0, 4, 2, 3), (3, 2, 4, 0))])
+def test_rounding_may_make_a_loop_flat_either_way(flat: list[tuple[int, int]]) -> None:
+    e = Fraction(1, 1000)
+    rounded = [Point(Fraction(x), Fraction(y)) for x, y in flat]
+    thin = [Point(Fraction(x), e * k) for x, k in ((0, 0), (4, 0), (2, 1), (3, 2))]
+    assert match_rings([thin], [rounded], Fraction(1, 100))
+    assert not match_rings([thin], [rounded], e)
+
+
 def test_crossing_combs_are_wrong_whose_boxes_differ_already(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -1,18 +1,20 @@
 """Regions: accepted and refused input, messages, and equality of equal sets."""
 
 import pickle
-import sys
-from collections import Counter
 from fractions import Fraction
+from functools import partial
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from linear import count_calls
 from polyominoes import Cells, polyominoes, region, rings
 
 from exactsweep import Point, Polygon, PolygonError, Region
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.outline import number_features
 from exactsweep.geometry.overlap import touch
+from exactsweep.geometry.region import share_lattice
 from exactsweep.numbers.number import Vertex
 
 SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
@@ -182,19 +184,7 @@ def plate(count: int) -> Region:
 
 
 def test_features_are_numbered_in_time_in_proportion_to_them() -> None:
-    """Told by the calls that it takes, and not by the clock."""
-
-    def count_calls(region: Region) -> int:
-        calls = Counter[str]()
-        before = sys.getprofile()
-        sys.setprofile(lambda frame, event, argument: calls.update([event]))
-        try:
-            number_features(region)
-        finally:
-            sys.setprofile(before)
-        return calls.total()
-
-    few, many = count_calls(plate(100)), count_calls(plate(400))
+    few, many = (count_calls(partial(number_features, plate(n))) for n in (100, 400))
     assert few < many < 5 * few
 
 
@@ -211,3 +201,14 @@ def test_a_region_of_a_region_numbers_its_features_alike() -> None:
         assert again.vertex_index(k) == one.vertex_index(k)
         assert again.edge_index(k) == one.edge_index(k)
     assert number_features(one)[0].items() < number_features(more)[0].items()
+
+
+@pytest.mark.parametrize("scale", [None, 3])
+def test_rings_off_a_lattice_are_those_of_their_region(scale: int | None) -> None:
+    long = Fraction(1, 3**700)
+    region = Region(SQUARE, [[*SMALL[:2], (3, 3 + long), (1, 3)], OTHER])
+    found, [(exterior, *holes)] = share_lattice([region], scale)
+    assert found == (scale or 1)
+    assert [find_doubled_area(hole) < 0 for hole in holes] == [True, True]
+    back = [[(x / found, y / found) for x, y in ring] for ring in (exterior, *holes)]
+    assert Region(back[0], back[1:]) == region

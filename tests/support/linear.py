@@ -1,6 +1,8 @@
 """A test of linear time that is independent of the speed and load of the machine."""
 
+import sys
 import time
+from collections import Counter
 from collections.abc import Callable
 
 
@@ -13,6 +15,18 @@ def require_linear(action: Callable[[int], object], size: int = 10_000) -> None:
         for _ in range(12)
     )
     assert any(large < 30 * max(0.001, small) for large, small in tries)
+
+
+def count_calls(action: Callable[[], object]) -> int:
+    """Count the calls and returns of functions in a run, which do not depend on the clock."""
+    events = Counter[str]()
+    before = sys.getprofile()
+    sys.setprofile(lambda frame, event, argument: events.update([event]))
+    try:
+        action()
+    finally:
+        sys.setprofile(before)
+    return events.total()
 
 
 def _seconds(action: Callable[[int], object], size: int) -> float:

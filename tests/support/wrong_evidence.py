@@ -52,6 +52,19 @@ def lose_first(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[1:]
 
 
+@sabotage(
+    "undercuts: an edge of a bottom chain in two", undercut.Undercut, "Two forms of a bottom chain"
+)
+def add_corner(right: Procedure) -> Procedure:
+    def make(polygon: Any, extremes: Any, bottom: Any, form: str, positions: Any) -> Any:
+        (x, y), (u, v), *_ = bottom
+        middle = type(bottom[0])((x + u) / 2, (y + v) / 2)
+        corners = (bottom[0], middle, *bottom[1:]) if form == "point" else bottom
+        return right(polygon, extremes, corners, form, positions)
+
+    return make
+
+
 @sabotage("exact fits: none found", exact_fit.find_exact_fits, "Definition 1.1")
 def find_none(right: Procedure) -> Procedure:
     return lambda *arguments: []

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from linear import require_linear
 
-from exactsweep.text.report import approximate, lay_out, make_table, take_root
+from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
 
 SIX = Context(prec=6, Emax=10**9, Emin=-(10**9))
 
@@ -62,3 +62,8 @@ def test_names_in_brackets_are_shown_as_they_are(width: int | None) -> None:
     table = make_table(["part"])
     table.add_row("[bold]left[/bold]")
     assert "[bold]left[/bold]" in lay_out([table], width)
+
+
+def test_a_long_text_beside_its_name_is_shown_whole() -> None:
+    shown = lay_out([list_facts({"area": "7" * 300}, 6)], 80)
+    assert shown.count("7") == 300
