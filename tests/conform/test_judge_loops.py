@@ -11,6 +11,7 @@ from tiers import examples
 
 from exactsweep import Point
 from exactsweep.conform.judge.compare import compare
+from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
 from exactsweep.conform.judge.walk import match_rings
 from exactsweep.conform.judge.witness import list_exact_rings
@@ -232,3 +233,12 @@ def test_integers_are_rounded_only_by_programs_that_read_nothing_else(
     rounded = [[round(x), round(y)] for x, y in third.trajectory.vertices]
     found = judge(third, rounded, numbers=numbers)
     assert found.verdict == verdict
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_last_numbers_of_single_precision_are_rounded_to_it(sign: int) -> None:
+    largest, beyond = sign * Fraction(2**128 - 2**104), sign * Fraction(2**128 - 2**103 - 2**74)
+    third, rounded = Fraction(1, 3), Fraction(11184811, 2**25)
+    exact = [[Point(beyond - sign, third), Point(beyond, third)]]
+    theirs = [[Point(largest, rounded), Point(beyond, rounded)]]
+    assert name_arithmetic(exact, theirs) == ("rounded to single precision",)

@@ -10,9 +10,11 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, Region
 from exactsweep.check import classify
-from exactsweep.formats.rounding import Rounded, contains, round_region
+from exactsweep.formats import FormatError
+from exactsweep.formats.rounding import MAX_PLACES, Rounded, contains, round_region
 
 fewer = examples(60)
+SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
 
 
 def turned(polygon: Polygon, divisor: int) -> Region:
@@ -80,3 +82,14 @@ def square_to_edge(p: Point, a: Point, b: Point) -> Fraction:
     u, v, x, y = b.x - a.x, b.y - a.y, p.x - a.x, p.y - a.y
     t = min(max((u * x + v * y) / (u * u + v * v), Fraction(0)), Fraction(1))
     return (x - t * u) ** 2 + (y - t * v) ** 2
+
+
+@pytest.mark.parametrize("places", [-1, MAX_PLACES + 1])
+def test_places_beyond_the_limits_are_refused(places: int) -> None:
+    with pytest.raises(FormatError, match=f"^{places} decimal places: not from 0 to 4000$"):
+        round_region(Region(SQUARE), places, "closest")
+
+
+@pytest.mark.parametrize("places", [0, MAX_PLACES])
+def test_places_at_the_limits_are_allowed(places: int) -> None:
+    assert round_region(Region(SQUARE), places, "closest").region == Region(SQUARE)

@@ -20,9 +20,10 @@ Change = Callable[[Fraction], Fraction]
 _MOST_DECIMALS = 12
 _DIGITS = range(3, 16)
 _WIDTHS = (32, 64, 16, 8)
-# The least numbers that are rounded to infinity; such numbers are left as they are.
+# The least numbers that are rounded to infinity; such numbers are left as they are. To single
+# precision a number is rounded by way of a double.
 _BEYOND = Fraction(2**1024 - 2**970)
-_BEYOND_SINGLE = Fraction(2**128 - 2**103)
+_BEYOND_SINGLE = Fraction(2**128 - 2**103 - 2**74)
 
 ULPS = 16
 """Units in the last place of the largest coordinate: sums of three vertices, and a crossing."""
