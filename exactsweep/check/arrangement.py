@@ -153,8 +153,7 @@ def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
             if (k := places.get(q)) is not None:
                 (ax, ay), (bx, by) = walk[k : k + 2]
                 loops.append(WalkedLoop(tuple(walk[k:]), (divide(ax + bx, 2), divide(ay + by, 2))))
-                for gone in walk[k + 1 :]:
-                    del places[gone]
+                # The rest of the loop is not met again: around one face no two points alternate.
                 del walk[k + 1 :]
             else:
                 places[q] = len(walk)

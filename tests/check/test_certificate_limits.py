@@ -245,30 +245,35 @@ def test_each_drawing_takes_a_step() -> None:
 
 def test_each_fault_of_a_layout_takes_the_steps_of_its_part() -> None:
     ring = [[str(k), str(k * k)] for k in range(30)]
-    part = {"id": "", "exterior": ring, "demand": 1}
-    fault = {"kind": "missing", "part": ""}
+    part = {"exterior": ring, "demand": 1}
+    parts = [part | {"id": f"{k}"} for k in range(11)]
     certificate: dict[str, Any] = {
         **HEAD,
         "kind": "layout",
-        "layout": {"container": {"exterior": ring}, "parts": [part], "placements": []},
+        "layout": {"container": {"exterior": ring}, "parts": parts, "placements": []},
         "valid": False,
         "turns": [],
         "frame": ["0", "0", "1", "1"],
-        "pieces": [None],
+        "pieces": [None] * 11,
         "outside": None,
         "apart": [],
-        "faults": [fault],
     }
-    more = find_least({**certificate, "faults": [fault] * 11}) - find_least(certificate)
-    assert more >= 10 * len(ring)
+
+    def measure(**fault: Any) -> int:
+        faults = [{**fault, "part": part["id"]} for part in parts]
+        one, eleven = (find_least({**certificate, "faults": faults[:n]}) for n in (1, 11))
+        return eleven - one
+
+    assert measure(kind="missing") >= 10 * len(ring)
     # The points of a ring are read again as written, and so are the turns that are allowed.
-    part |= {"exterior": [ring[0]] * 100 + [["2", "2"], ["1", "1"]], "turns": ["0"] * 100}
-    for again in ({**fault, "kind": "shape", "edges": [[0, 0], [0, 1]]}, fault):
-        one, eleven = (find_least({**certificate, "faults": [again] * n}) for n in (1, 11))
-        assert eleven - one >= 10 * 100
-    part |= {"exterior": ring, "turns": None}
-    placed = {"part": "", "turn": "0", "move": ["0", "0"]}
-    part["demand"] = 20
+    for part in parts:
+        part |= {"exterior": [ring[0]] * 100 + [["2", "2"], ["1", "1"]], "turns": ["0"] * 100}
+    assert measure(kind="shape", edges=[[0, 0], [0, 1]]) >= 10 * 100
+    assert measure(kind="missing") >= 10 * 100
+    certificate["faults"] = [{"kind": "missing", "part": "0"}]
+    for part in parts:
+        part |= {"exterior": ring, "turns": None, "demand": 20}
+    placed = {"part": "0", "turn": "0", "move": ["0", "0"]}
     least = []
     for count in (1, 11):
         certificate["layout"]["placements"] = [placed] * count
