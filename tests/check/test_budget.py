@@ -37,6 +37,11 @@ FILE = Path(__file__).with_name("steps.txt")
 Points = list[tuple[int, int]]
 HOOK = [(0, 0), (6, 0), (6, 6), (1, 6), (1, 3), (2, 3), (2, 5), (5, 5), (5, 1), (0, 1)]
 
+SIEVE = Holed(
+    Polygon([(0, 0), (300, 0), (300, 20), (0, 20)]),
+    tuple(Polygon([(x, 9), (x + 1, 10), (x, 10)]) for x in range(10, 290, 10)),
+)
+
 
 def comb(n: int) -> Points:
     """Teeth to the right, one above the other: boxes in one column."""
@@ -173,6 +178,8 @@ def list_steps() -> Iterator[str]:
     checked = CERTIFICATES | {name: claim(*pair) for name, pair in HOSTILE.items()}
     long = {f"long {name}": [*map(lengthen, HOSTILE[name])] for name in ("two fans", "two zigzags")}
     checked |= {name: claim(d, g) for name, (d, g) in long.items()}
+    checked["sieve"] = {**HEAD, "claim": "inner_fit", "regions": [], "exact_fits": []}
+    checked["sieve"] |= {"container": outline(SIEVE), "part": outline(Holed(Polygon(HOOK)))}
     checked |= {name: judge_layout(layout).certificate() for name, layout in layouts.items()}
     for name, certificate in checked.items():
         yield f"{name}: {' '.join(map(str, count_steps(certificate)))}"

@@ -74,12 +74,12 @@ def test_a_demand_may_have_any_size() -> None:
 
 def test_a_spacing_may_be_longer_than_python_prints() -> None:
     long = certificate()
-    long["layout"]["spacing"] = long["layout"]["margin"] = "9" * 5000
+    long["layout"] |= {"spacing": "8" * 5000, "margin": "9" * 5000}
     long["layout"]["placements"], long["turns"], long["apart"] = [], [], []
     for part in long["layout"]["parts"]:
         part.pop("demand", None)
     assert verify(long).proved
-    assert prove(long).endswith(f"margin {'9' * 5000}")
+    assert prove(long).endswith(f"spacing {'8' * 5000}, margin {'9' * 5000}")
 
 
 def test_a_layout_that_fills_its_container_is_proved() -> None:

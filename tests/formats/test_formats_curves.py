@@ -353,3 +353,24 @@ def test_a_map_that_is_off_moves_no_curve_too_far() -> None:
         assert image.error([start]) == 2 * 8 * off
         with pytest.raises(FormatError, match=message) if message else nullcontext():
             flatten_arc(center, start, start, True, image, Reading(1))
+
+
+@pytest.mark.parametrize("place", range(4))
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_stretched_elliptic_arc_is_as_wide_as_the_one_that_is_meant(
+    place: int, sign: int
+) -> None:
+    """Its center is irrational. Each entry of the image alone decides how far it stretches."""
+    entries = [0, 0, 0, 0]
+    entries[place] = sign * 10**4
+    one, zero = Fraction(1), Fraction(0)
+    ends = Point(zero, zero), Point(Fraction(3, 5), Fraction(4, 5))
+    image, how = make_affine(*entries, 0, 0), (True, True)
+    found = flatten_elliptic_arc(ends, (one, one), zero, how, image, Reading("1/10"))
+    across = [p.x + p.y for p in found]
+    # Up and to the left of the middle of the chord by the height of a triangle of equal sides.
+    height = bound_root(Fraction(3, 4), 10**20)
+    center = image.point(Fraction(3, 10) + height * 4 / 5, Fraction(2, 5) - height * 3 / 5)
+    middle, reach = center.x + center.y, 10**4
+    assert abs(min(across) - (middle - reach)) < Fraction(1, 5)
+    assert abs(max(across) - (middle + reach)) < Fraction(1, 5)

@@ -191,3 +191,11 @@ def test_an_arc_too_short_to_be_seen_is_no_circle(turn: int) -> None:
     arc: Tags = [(0, "ARC"), (10, 0), (20, 0), (40, "0.01"), (50, 7), (51, 7 + turn)]
     with pytest.raises(FormatError, match="ARC: 1 line vanished"):
         parse_polygons(dxf(arc), tolerance=1)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_long_thin_outline_whose_ends_are_joined_is_no_short_line(turned: bool) -> None:
+    corners: list[tuple[object, ...]] = [(0, 0), (10, 0), (10, "0.03"), (0, "0.001")]
+    thin = polyline(*(corner[::-1] if turned else corner for corner in corners), flags=0)
+    (part,) = parse_polygons(dxf(thin), join="0.01")
+    assert part.polygon.area == Fraction("0.15")

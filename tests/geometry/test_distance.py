@@ -94,6 +94,7 @@ def _clockwise(shape: Region) -> list[list[Point]]:
         # One holds the other.
         ([(-9, -9), (9, -9), (9, 9), (-9, 9)], 0, None),
         ([("1/4", "1/4"), ("1/2", "1/4"), ("1/4", "1/2")], 0, None),
+        ([("4/5", "3/4"), ("5/6", "3/4"), ("4/5", "5/6")], 0, None),
     ],
 )
 def test_known_distances(
