@@ -206,6 +206,27 @@ def test_a_corner_on_a_wall_of_the_sum(x: int, y: int) -> None:
     assert found.value.witness == Point(Fraction(2 * x), Fraction(3 * y))
 
 
+@pytest.mark.parametrize("by", [Fraction(1), Fraction(1, 7)])
+@pytest.mark.parametrize("side", range(4))
+def test_a_loop_that_is_narrower_than_the_sum_is_refused_at_the_side(
+    side: int, by: Fraction
+) -> None:
+    ends = [Fraction(0), Fraction(0), Fraction(2), Fraction(2)]
+    part, around = _loop(Polygon(UNIT).vertices), Polygon(_box(*ends))
+    PROVER.prove_held(_loop(around.vertices), part.chains, part.chains, "outside")
+    ends[side] += by if side < 2 else -by
+    narrow = Polygon(_box(*ends))
+    with pytest.raises(Refused, match="outside") as found:
+        PROVER.prove_held(_loop(narrow.vertices), part.chains, part.chains, "outside")
+    assert found.value.witness is not None
+    assert point_in_polygon(found.value.witness, narrow) <= 0
+    assert point_in_polygon(found.value.witness, around) >= 0
+
+
+def _box(left: Fraction, low: Fraction, right: Fraction, high: Fraction) -> list[Point]:
+    return [Point(x, y) for x, y in ((left, low), (right, low), (right, high), (left, high))]
+
+
 # --- Contacts and drawings -----------------------------------------------------------------------
 
 

@@ -39,6 +39,7 @@ def test_many_rings_are_judged_as_few_are() -> None:
     rings = list(list_exact_rings(sheet, "no_fit"))
     assert len(rings) == 65
     assert judge(sheet, [ring[::-1] for ring in rings[::-1]], "no_fit").verdict == "equivalent"
+    assert judge(sheet, [rings[0], *rings[:0:-1]], "no_fit").verdict == "exact"
     lost = judge(sheet, [*rings[:30], *rings[31:]], "no_fit")
     assert (lost.verdict, lost.diagnosis) == ("conservative", ("lacks 1 of 64 holes",))
     tiny = [[[k, 9], [k + 1, 9], [k, 10]] for k in range(0, 1200, 2)]
