@@ -62,6 +62,8 @@ def test_names_of_files_survive_in_records(folder: Path, tmp_path: Path) -> None
 def test_parts_are_named_by_id_layer_file_or_index(folder: Path) -> None:
     assert [part.name for part in list_parts([str(folder / "left.svg")]).parts] == ["plate"]
     assert [part.name for part in list_parts([str(folder / "one.json")]).parts] == ["one.json"]
+    both = list_parts([str(folder / "left.svg"), str(folder / "one.json")]).parts
+    assert [part.name for part in both] == ["left.svg#plate", "one.json"]
     job = take_all_pairs([Part("a", TRIANGLE)] * 3, [Part("b", TRIANGLE)])
     assert [part.name for part in job.work.generatrices] == ["a", "a-2", "a-3"]
     assert make_unique(["a-2", "a", "a"]) == ["a-2", "a", "a-3"]

@@ -53,6 +53,21 @@ def test_convex_pieces_make_up_a_polygon(polygon: Polygon) -> None:
     assert _check_pieces(polygon) <= len(polygon) - 2
 
 
+@pytest.mark.parametrize(
+    "hole",
+    [
+        [(4, 0), (6, 2), (2, 2)],  # a vertex of the hole on an edge around it
+        [(2, 2), (10, 2), (10, 4), (2, 4)],  # a vertex of the exterior on an edge of the hole
+        [(2, 2), (6, 2), (6, 4), (2, 4)],  # vertex on vertex
+    ],
+)
+def test_convex_pieces_make_up_a_shape_whose_only_hole_touches_its_exterior(
+    hole: list[tuple[int, int]],
+) -> None:
+    exterior = [(0, 0), (12, 0), (12, 9), (8, 9), (6, 4), (4, 9), (0, 9)]
+    _check_pieces(Polygon(exterior), Polygon(hole))
+
+
 @examples(60)
 @given(shape_pairs())
 def test_convex_pieces_make_up_a_shape_with_holes(pair: tuple[Holed, Holed]) -> None:

@@ -52,9 +52,12 @@ def test_names_are_completed(words: tuple[str, ...], expected: list[str]) -> Non
     assert bool(offered(*words)) == bool(expected)
 
 
-def test_a_file_is_offered_where_there_is_no_such_case() -> None:
-    items = ShellComplete(main, {}, "exactsweep", "_X").get_completions(["compare"], "my-case.js")
-    assert [item.type for item in items] == ["file"]
+@pytest.mark.parametrize(
+    ("words", "expected"), [(["compare"], ["file"]), (["corpus", "generate", "--family"], [])]
+)
+def test_a_file_is_offered_where_it_may_stand(words: list[str], expected: list[str]) -> None:
+    items = ShellComplete(main, {}, "exactsweep", "_X").get_completions(words, "my-case.js")
+    assert [item.type for item in items] == expected
 
 
 @pytest.mark.parametrize(

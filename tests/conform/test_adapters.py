@@ -25,6 +25,7 @@ from exactsweep.conform.adapters.program import ProgramError
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
+from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import read_hello
 from exactsweep.corpus import Case, find_case, generate
 
@@ -131,6 +132,15 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
     found = {(Fraction(x), Fraction(y)) for x, y in ring}
     assert {(-6, 0), (0, -6), (6, -6), (6, 0), (0, 6), (-6, 6)} <= found
     assert ("no_fit" in answers[1]) == (hello.numbers == "rational")
+
+
+def test_a_program_answers_before_it_is_asked_again() -> None:
+    pytest.importorskip("shapely")
+    square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    peer = ProcessPeer(Terms([*COMMAND, "shapely"], seconds=PATIENCE))
+    judged = [judge_case(peer, Case.of(f"{k}", "", square, square)).verdict for k in range(2)]
+    peer.kill()
+    assert {*judged} <= {Verdict.EXACT, Verdict.EQUIVALENT}
 
 
 def test_programs_are_listed() -> None:

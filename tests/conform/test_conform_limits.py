@@ -113,7 +113,10 @@ for line in sys.stdin:
     case = json.loads(line)
     if "bye" in case:
         break
-    held = b"x" * (int(case["id"].partition("-")[2]) * 2**20)
+    what, _, size = case["id"].partition("-")
+    held = b"x" * (int(size) * 2**20)
+    if what == "keep":
+        sys.stdin.read()
     held = str(len(held))
     print(json.dumps({"id": case["id"], "unsupported": held}), flush=True)
 """
@@ -151,6 +154,12 @@ def test_too_much_memory_is_a_verdict(tmp_path: Path) -> None:
     peer.kill()
     assert [outcome.verdict for outcome in verdicts] == ["memory", "unsupported", "memory"]
     assert verdicts[0].reason == "holds more than 150.0 MiB"
+
+
+@needs_proc
+def test_too_much_memory_ends_the_wait_for_an_answer(tmp_path: Path) -> None:
+    judged = judge_case(hold(tmp_path, 150 * MIB), Case.of("keep-300", "", SQUARE, SQUARE))
+    assert judged.reason == "holds more than 150.0 MiB"
 
 
 @needs_proc

@@ -101,6 +101,13 @@ def test_gaps_at_the_limit_of_rational_turns_are_proved(kind: str, digits: int) 
         assert verify(judgement.certificate()).proved
 
 
+@pytest.mark.parametrize(("x", "y"), [(3, 4), (-3, 4), (-4, 3)])
+def test_corners_as_far_apart_as_they_must_be_are_proved(x: int, y: int) -> None:
+    """No edge has the direction in which they are apart."""
+    at = 10 + x + (1 if x > 0 else -1), 10 + y + 1
+    prove(lay(box(0, 0, 30, 30), {"t": TILE}, put("t", (10, 10)), put("t", at), spacing=5))
+
+
 def test_what_is_undecided_has_no_certificate() -> None:
     layout = lay(SHEET, {"t": TILE}, put("t", (5, 0), 45))
     (fault,) = judge_layout(layout).faults

@@ -1,6 +1,7 @@
 """Bounds of checks: each holds at the bound, and complains of one more, or one less."""
 
 from collections.abc import Callable, Iterable
+from itertools import count
 from math import log2
 from types import ModuleType, SimpleNamespace
 from typing import Any
@@ -25,6 +26,7 @@ from exactsweep.paper.checks import (
     undercuts,
 )
 from exactsweep.paper.claim import Counterexample, Effort, Observation, find_first_failure
+from exactsweep.paper.counting import seconds
 from exactsweep.paper.functions import list_sub_trajectories, look_up_bottom
 from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.pairs import SweepPair, draw_pairs
@@ -193,8 +195,8 @@ def test_counts_are_compared_with_what_they_say() -> None:
     for pair in draw_pairs(Effort(), "MM", 5):
         chains = list_sub_trajectories(pair)
         size = sum(len(chain.pieces) for chain in chains)
-        for count in (section5_time.merge_by_halves, section5_time.merge_to_the_letter):
-            assert count(pair)[1] == size * max(1, log2(len(chains)))
+        for merge in (section5_time.merge_by_halves, section5_time.merge_to_the_letter):
+            assert merge(pair)[1] == size * max(1, log2(len(chains)))
     # Both parts of the trajectory have four edges, of which the last of the first is cut off.
     handed_in, kept = 8, len(look_up_bottom(TEETH, "trajectory")) - 1
     assert appendix.envelope(TEETH)[1] == handed_in + handed_in - kept
@@ -222,3 +224,14 @@ def test_points_are_told_to_be_between_the_loops_if_they_are(
     told = [*section1.area_is_covered(SweepPair(square, square))]
     assert told
     assert all(f") {words} the loops" in text for text in told)
+
+
+@pytest.mark.parametrize(("each", "runs"), [(1, 3), (0.05, 4), (0.001, 50)])
+def test_seconds_are_the_least_of_three_runs_or_more(
+    each: float, runs: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clock = count()
+    monkeypatch.setattr("exactsweep.paper.counting.process_time", lambda: each * next(clock))
+    asked: list[object] = []
+    assert seconds(asked.append, None) == pytest.approx(each)  # type: ignore[arg-type]
+    assert len(asked) == runs

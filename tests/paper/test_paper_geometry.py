@@ -2,6 +2,8 @@
 
 from fractions import Fraction
 from itertools import pairwise
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -46,6 +48,7 @@ from exactsweep.paper.functions import (
     reaches,
     sample_between,
     take_bottom,
+    tell_loops,
 )
 from exactsweep.paper.pairs import SweepPair, draw_pair
 from exactsweep.procedures.mm import sweep_mm
@@ -193,3 +196,12 @@ def test_chains_meet_in_one_point_or_segment(other: list[Vertex], fault: str, me
 def test_chains_that_share_a_bend_meet_in_more_than_a_segment() -> None:
     bent: list[Vertex] = [(0, 0), (2, 2), (4, 0)]
     assert meetings(bent, bent) == ("the chains share a bend between 0 and 4", True)
+
+
+def test_a_loop_that_is_not_that_of_the_definition_is_told() -> None:
+    s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (3, 0), (3, 3), (0, 3)])
+    names = "generatrix", "directrix", "reference", "trajectory", "inner", "outer"
+    wrong: Any = SimpleNamespace(**{name: getattr(s, name) for name in names} | {"inner": s.outer})
+    assert [*tell_loops(s)] == [*tell_loops(wrong, "trajectory", "outer")] == []
+    for asked in ((), ("inner",), ("outer", "inner")):
+        assert [*tell_loops(wrong, *asked)] == ["the inner loop is not that of the definition"]
