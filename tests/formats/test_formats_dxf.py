@@ -1,6 +1,9 @@
 import io
 from fractions import Fraction
+from functools import partial
+from itertools import chain, pairwise
 from pathlib import Path
+from random import Random
 
 import ezdxf.filemanagement as files
 import pytest
@@ -9,6 +12,7 @@ from ezdxf.entities.polyline import Polyline
 from ezdxf.layouts.layout import Modelspace
 from hypothesis import given
 from hypothesis import strategies as st
+from linear import count_calls
 from tiers import examples
 
 from exactsweep import Polygon
@@ -199,3 +203,38 @@ def test_a_long_thin_outline_whose_ends_are_joined_is_no_short_line(turned: bool
     thin = polyline(*(corner[::-1] if turned else corner for corner in corners), flags=0)
     (part,) = parse_polygons(dxf(thin), join="0.01")
     assert part.polygon.area == Fraction("0.15")
+
+
+@examples(60)
+@given(
+    st.lists(st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=1, max_size=5)),
+    st.randoms(use_true_random=False),
+    st.sampled_from(["", ".0"]),
+)
+def test_lines_of_outlines_are_read_as_each_by_itself(
+    shapes: list[list[tuple[int, int]]], random: Random, point: str
+) -> None:
+    lines = [
+        line(f"{a + 9 * k}{point}", b, c + 9 * k, d)
+        for k, shape in enumerate([CORNERS, *shapes])
+        for (a, b), (c, d) in pairwise([*shape, shape[0]])
+    ]
+    random.shuffle(lines)
+    together, alone = (
+        parse_polygons(dxf(*entities), nested=False)
+        for entities in (lines, chain.from_iterable((one, [(0, "TEXT")]) for one in lines))
+    )
+    assert [part.polygon for part in together] == [part.polygon for part in alone]
+
+
+def test_lines_in_any_order_take_about_as_long_as_in_order() -> None:
+    lines = [
+        line(9 * k + a, b, 9 * k + c, d)
+        for k in range(100)
+        for (a, b), (c, d) in pairwise([*CORNERS, CORNERS[0]])
+    ]
+    in_order, shuffled = (
+        count_calls(partial(parse_polygons, dxf(*entities)))
+        for entities in (lines, Random(1).sample(lines, len(lines)))
+    )
+    assert shuffled < 1.3 * in_order

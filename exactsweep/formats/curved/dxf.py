@@ -75,26 +75,52 @@ def _draw_lines(placed: PlacedEntity, reading: Reading) -> list[Candidate | Open
     entity, count = placed.entity, placed.entity.count
     reading.require_level(entity.take(30, 31, default="0"))
     xs, ys = entity.take(10, 11), entity.take(20, 21)
-    breaks = [
-        k for k in range(1, count) if (xs[k], ys[k]) != (xs[count + k - 1], ys[count + k - 1])
-    ]
     drawn: list[Candidate | OpenLine] = []
-    for i, k in pairwise([0, *breaks, count]):
-        last = count + k - 1
-        points = make_points([*xs[i:k], xs[last]], [*ys[i:k], ys[last]])
+    for numbers in _find_chains(xs, ys, count):
+        last = count + numbers[-1]
+        points = make_points(
+            [*map(xs.__getitem__, numbers), xs[last]], [*map(ys.__getitem__, numbers), ys[last]]
+        )
         chain = place_points(points, placed.image, reading)
-        split = partial(_split, placed, i, chain)
-        if k - i > 2:
-            drawn.append(OpenLine(placed.place(i), chain, layer=placed.layer, split=split))
+        split = partial(_split, placed, numbers, chain)
+        if len(numbers) > 2:
+            first = placed.place(numbers[0])
+            drawn.append(OpenLine(first, chain, layer=placed.layer, split=split))
         else:
             drawn += split()
     return drawn
 
 
-def _split(placed: PlacedEntity, first: int, chain: Sequence[Point]) -> list[OpenLine]:
+def _find_chains(
+    xs: Sequence[Fraction], ys: Sequence[Fraction], count: int
+) -> Sequence[Sequence[int]]:
+    """Find the chains of lines by the coordinates of their starts, then of their ends."""
+    breaks = [
+        k for k in range(1, count) if (xs[k], ys[k]) != (xs[count + k - 1], ys[count + k - 1])
+    ]
+    if 2 * len(breaks) <= count:
+        return [range(i, k) for i, k in pairwise([0, *breaks, count])]
+    # The lines are not in order. Equal texts are one number, whose id is found sooner than itself.
+    places = [*zip(map(id, xs), map(id, ys), strict=True)]
+    at = {start: k for k, start in enumerate(places[:count])}
+    chains: list[list[int]] = []
+    left = [True] * count
+    for first in range(count):
+        chain: list[int] = []
+        k: int | None = first
+        while k is not None and left[k]:
+            left[k] = False
+            chain.append(k)
+            k = at.get(places[count + k])
+        # Lines that are not a closed outline stay in order, each by itself.
+        chains += [chain] if chain and k == first else ([n] for n in chain)
+    return sorted(chains)
+
+
+def _split(placed: PlacedEntity, numbers: Sequence[int], chain: Sequence[Point]) -> list[OpenLine]:
     return [
         OpenLine(placed.place(k), ends, layer=placed.layer)
-        for k, ends in enumerate(pairwise(chain), first)
+        for k, ends in zip(numbers, pairwise(chain), strict=True)
     ]
 
 
