@@ -54,6 +54,12 @@ def test_all_numbers_are_drawn_about_equally_often() -> None:
     assert 900 < happened < 1100
 
 
+def test_a_range_that_is_no_part_of_all_draws_is_drawn_evenly() -> None:
+    random, third = Prng("long dice"), 2**62
+    low = sum(random.between(1, 3 * third) <= third for _ in range(600))
+    assert 160 < low < 240
+
+
 def test_nothing_lies_between_bounds_that_are_exchanged() -> None:
     with pytest.raises(ValueError, match=r"^nothing is between 2 and 1$"):
         Prng("").between(2, 1)

@@ -87,6 +87,9 @@ def test_commands_tell_what_is_hidden(tmp_path: Path) -> None:
     done = run("nfp", f"{path}#part", f"{path}#part")
     assert "left out: " in done.stderr
     assert "hidden: 1 g with display none (--hidden)" in done.stderr
+    told = [line for line in done.stderr.splitlines() if "hidden: " in line]
+    swept = run("sweep", f"{path}#part", f"{path}#used").stderr.splitlines()
+    assert [line for line in swept if "hidden: " in line] == told
     assert run("convert", str(path), "--hidden", "--to", "wkt").stdout.count("POLYGON") == 9
 
 

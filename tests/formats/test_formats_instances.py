@@ -51,6 +51,13 @@ def test_a_turn_that_jagua_rounds_is_the_allowed_one(turn: float) -> None:
     assert found.notes == (f"item 0: the turn {turn} is 30 in single precision",)
 
 
+def test_a_turn_that_jagua_rounds_is_noted_once() -> None:
+    (note,) = read_jagua(30.000002)[0].notes
+    for found in read_jagua(30.000002, 0, 30.000002):
+        assert found.notes == ("container 0: 3 used, 2 in stock", note)
+        assert found.data["parts"][0]["turns"] == ["0", "30", "30.000002"]
+
+
 @pytest.mark.parametrize("turn", [30.00001, 29.999998, 60])
 def test_other_turns_are_not_allowed(turn: float) -> None:
     assert kinds(read_jagua(turn)[0]) == ["turn"]

@@ -1,5 +1,6 @@
 """The ledger's own computations: contacts, envelopes of segments, families."""
 
+import re
 from fractions import Fraction
 from itertools import pairwise
 from types import SimpleNamespace
@@ -26,7 +27,7 @@ from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.checks.beyond import covers
-from exactsweep.paper.checks.section1 import draw_slots
+from exactsweep.paper.checks.section1 import draw_slots, fits_are_whole
 from exactsweep.paper.checks.section4 import (
     bottom_chains_have_two_forms,
     labels_name_the_extremes,
@@ -205,3 +206,43 @@ def test_a_loop_that_is_not_that_of_the_definition_is_told() -> None:
     assert [*tell_loops(s)] == [*tell_loops(wrong, "trajectory", "outer")] == []
     for asked in ((), ("inner",), ("outer", "inner")):
         assert [*tell_loops(wrong, *asked)] == ["the inner loop is not that of the definition"]
+
+
+def test_a_fit_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+    pair = SweepPair([(0, 0), (1, 0), (1, 1), (0, 1)], slot)
+    s = sweep(*pair)
+    ((start, end),) = s.exact_fits
+    middle = Point((start.x + end.x) / 2, (start.y + end.y) / 2)
+    found = []
+    for fit in ((start, end), (start, middle), (middle, end)):
+        wrong: Any = SimpleNamespace(
+            directrix=s.directrix,
+            generatrix=s.generatrix,
+            trajectory=s.trajectory,
+            exact_fits=(fit,),
+        )
+        monkeypatch.setattr("exactsweep.paper.checks.section1.sweep", lambda *_, s=wrong: s)
+        found.append([*fits_are_whole(pair)])
+    x, y = middle
+    assert found[0] == []
+    assert [re.sub(r"at \(1, .*\)", "there", text) for text in found[1]] == [
+        "there, along an exact fit, CONTACT"
+    ]
+    assert found[2] == [f"the exact fit from ({x}, {y}) hangs on nothing"]
+
+
+def test_a_slide_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    directrix = [(-1, 5), (2, 0), (10, 2), (11, 6), (7, 3), (5, 5), (0, 4)]
+    pair = SweepPair([(5, 0), (17, 2), (9, 4)], directrix)
+    s = sweep(*pair)
+    names = "generatrix", "directrix", "reference", "inner"
+    wrong: Any = SimpleNamespace(**{name: getattr(s, name) for name in names})
+    monkeypatch.setattr("exactsweep.paper.checks.section4.sweep", lambda *_: wrong)
+    slide, other = s.undercuts
+    p, q = slide.positions
+    middle = Point((p.x + q.x) / 2, (p.y + q.y) / 2)
+    for ends, is_whole in (((p, q), True), ((p, middle), False), ((middle, q), False)):
+        wrong.undercuts = slide._replace(positions=ends), other
+        told = [text.partition(":")[0] for text in bottom_chains_have_two_forms(pair)]
+        assert told == ([] if is_whole else ["not there"])

@@ -5,6 +5,7 @@ import json
 import re
 from functools import cache
 from html.parser import HTMLParser
+from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 
@@ -26,7 +27,7 @@ from exactsweep.paper.claim import (
     Table,
     reproduce,
 )
-from exactsweep.paper.data import make_slug, write_data
+from exactsweep.paper.data import describe_environment, make_slug, write_data
 from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.paper.report import count_verdicts, read_bibtex, render_row, write
@@ -206,3 +207,10 @@ def test_the_totals_are_told() -> None:
     with mutated(MUTATIONS[0]):
         red = list(reproduce([find("Trajectory_CC")], Effort(quick=True)))
     assert "; evidence fails: Trajectory_CC; " in count_verdicts(red)
+
+
+def test_the_environment_names_the_packages_that_are_there() -> None:
+    found = describe_environment(Effort(7, quick=True))
+    assert found["packages"]["sympy"] == version("sympy")
+    assert None not in found["packages"].values()
+    assert (found["exactsweep"], found["seed"], found["quick"]) == (__version__, 7, True)
