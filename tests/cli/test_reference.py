@@ -84,6 +84,7 @@ def test_the_first_page_says_what_each_module_is() -> None:
     shown = front().splitlines()
     for name in MODULES[1:]:
         assert f"- `{name}`: {summary(importlib.import_module(name))}" in shown
+    assert [line for line in shown if line.startswith("# ")][:2] == ["# Modules", "# Lessons"]
 
 
 @pytest.mark.long

@@ -1,6 +1,7 @@
 """The bench of other programs judges each once, and writes who is exact on what."""
 
 import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -57,6 +58,14 @@ def test_a_page_says_what_was_asked(tmp_path: Path) -> None:
     written = CliRunner().invoke(measure, [*asked, "--page", str(page)])
     assert (written.exit_code, written.output) == (0, "")
     assert f"{page.read_text(encoding='utf-8')}\n" == shown.output
+
+
+def test_a_program_that_is_not_there_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "shapely", None)
+    shown = CliRunner().invoke(measure, [str(tmp_path), "--only", "shapely", "--each", "0"])
+    assert shown.stderr.startswith("shapely: shapely is not installed")
 
 
 @pytest.mark.long

@@ -28,6 +28,7 @@ from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section1 import draw_slots, fits_are_whole
+from exactsweep.paper.checks.section2 import like_chains_have_no_contact
 from exactsweep.paper.checks.section4 import (
     bottom_chains_have_two_forms,
     labels_name_the_extremes,
@@ -246,3 +247,25 @@ def test_a_slide_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> N
         wrong.undercuts = slide._replace(positions=ends), other
         told = [text.partition(":")[0] for text in bottom_chains_have_two_forms(pair)]
         assert told == ([] if is_whole else ["not there"])
+
+
+@pytest.mark.parametrize(("k", "chain"), [(1, "bottom"), (2, "bottom"), (4, "top"), (5, "top")])
+def test_a_contact_of_two_like_chains_is_told(
+    k: int, chain: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ring = [(0, 0), (2, -1), (4, -1), (6, 0), (4, 1), (2, 1)]
+    pair = SweepPair(ring, ring)
+    assert not [*like_chains_have_no_contact(pair)]
+    s = sweep(*pair)
+    for event in ("VV", "VE", "EV"):
+        wrong = SimpleNamespace(
+            generatrix=s.generatrix,
+            directrix=s.directrix,
+            contacts=[[(event, k, k)]],
+            vertex_contacts=[],
+        )
+        monkeypatch.setattr("exactsweep.paper.checks.section2.sweep", lambda *_, s=wrong: s)
+        monkeypatch.setattr("exactsweep.paper.checks.section2.contacts_are_right", lambda _: ())
+        assert [*like_chains_have_no_contact(pair)] == [
+            f"{event} of two {chain} chains: {k} of G, {k} of D"
+        ]

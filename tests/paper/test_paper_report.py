@@ -213,4 +213,7 @@ def test_the_environment_names_the_packages_that_are_there() -> None:
     found = describe_environment(Effort(7, quick=True))
     assert found["packages"]["sympy"] == version("sympy")
     assert None not in found["packages"].values()
+    described = Path("/proc/cpuinfo")
+    if described.exists() and "model name" in described.read_text(encoding="utf-8"):
+        assert found["processor"] in described.read_text(encoding="utf-8")
     assert (found["exactsweep"], found["seed"], found["quick"]) == (__version__, 7, True)
