@@ -113,6 +113,12 @@ def test_a_shape_that_nothing_paints_is_read_and_told(shapes: str, noted: str) -
     assert parts.notes == ([f"{noted} with neither fill nor stroke is read"] if noted else [])
 
 
+@pytest.mark.parametrize("element", ["title", "desc", "text", "rect"])
+def test_only_style_sheets_are_read_as_such(element: str) -> None:
+    text = f"<svg><{element}>path{{display:none}}</{element}><path d='M0 0h2v2z'/></svg>"
+    assert [part.polygon.area for part in parse_polygons(text)] == [2]
+
+
 @pytest.mark.parametrize(
     "sheet",
     ["{" * 9999, "}" * 9999, "/*" * 9999, "@" * 9999 + "{", "@a{" * 9999, "rect{}rect{fill:red"],

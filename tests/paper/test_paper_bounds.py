@@ -235,3 +235,12 @@ def test_seconds_are_the_least_of_three_runs_or_more(
     asked: list[object] = []
     assert seconds(asked.append, None) == pytest.approx(each)  # type: ignore[arg-type]
     assert len(asked) == runs
+
+
+@pytest.mark.parametrize(("slow", "outgrows"), [([4, 8, 16], False), ([4, 12, 36], True)])
+def test_a_count_outgrows_another_by_half_with_each_doubling(
+    slow: list[int], outgrows: bool
+) -> None:
+    counts = slow, [2, 4, 8]
+    growths = [Growth("", "", "", tuple(Size(2, 2, c, 1) for c in each)) for each in counts]
+    assert section5_time._outgrows(*growths) == outgrows

@@ -249,9 +249,9 @@ def test_a_slide_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> N
         assert told == ([] if is_whole else ["not there"])
 
 
-@pytest.mark.parametrize(("k", "chain"), [(1, "bottom"), (2, "bottom"), (4, "top"), (5, "top")])
+@pytest.mark.parametrize(("i", "k", "chain"), [(1, 2, "bottom"), (2, 1, "bottom"), (4, 5, "top")])
 def test_a_contact_of_two_like_chains_is_told(
-    k: int, chain: str, monkeypatch: pytest.MonkeyPatch
+    i: int, k: int, chain: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ring = [(0, 0), (2, -1), (4, -1), (6, 0), (4, 1), (2, 1)]
     pair = SweepPair(ring, ring)
@@ -261,11 +261,11 @@ def test_a_contact_of_two_like_chains_is_told(
         wrong = SimpleNamespace(
             generatrix=s.generatrix,
             directrix=s.directrix,
-            contacts=[[(event, k, k)]],
+            contacts=[[(event, i, k)]],
             vertex_contacts=[],
         )
         monkeypatch.setattr("exactsweep.paper.checks.section2.sweep", lambda *_, s=wrong: s)
         monkeypatch.setattr("exactsweep.paper.checks.section2.contacts_are_right", lambda _: ())
         assert [*like_chains_have_no_contact(pair)] == [
-            f"{event} of two {chain} chains: {k} of G, {k} of D"
+            f"{event} of two {chain} chains: {i} of G, {k} of D"
         ]

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 
+import pytest
 from covered import rings
 from hypothesis import given
 from hypothesis import strategies as st
@@ -58,15 +59,22 @@ def test_polygons_have_the_same_loops(d: Ring, g: Ring) -> None:
     require_the_same([Polygon(d).lattice()[1]], [Polygon(g).lattice()[1]])
 
 
-def test_the_outermost_of_several_pieces_is_known() -> None:
+@pytest.mark.parametrize("shear", [0, 8, -8])
+def test_the_outermost_of_several_pieces_is_known(shear: int) -> None:
     # A hole touches the least vertex of D, so two pieces leave the least point. A segment on the
     # line of the wrong one, y = x / 5, comes first in the order of lines.
-    d = [[(0, 0), (10, -60), (10, 60)], [(0, 0), (5, 1), (5, -1)]]
-    h = [(0, 0), (100, 30), (100, 100), (15, 100), (20, 66), (25, 67), (50, 20)]
-    turned = [inverse(h)]
+    d, h = (
+        [[(x, y + shear * x) for x, y in ring] for ring in rings]
+        for rings in (
+            [[(0, 0), (10, -60), (10, 60)], [(0, 0), (5, 1), (5, -1)]],
+            [[(0, 0), (100, 30), (100, 100), (15, 100), (20, 66), (25, 67), (50, 20)]],
+        )
+    )
+    turned = [inverse(ring) for ring in h]
     stretches = cut(d, turned)
     meeting = [(s.dx, s.dy) for s in stretches if not s.c and (0, 1) in (s.low, s.high)]
-    assert meeting == [(5, 1), (1, 6), (1, -6)]
+    slopes = [(5, 1 + 5 * shear), (1, 6 + shear), (1, shear - 6)]
+    assert meeting == slopes if shear == 0 else {*meeting} == {*slopes}
     found = find_free_positions(stretches, lambda _: True, 1, find_least(d, turned))
     assert [loop[0] for loop in found.around] == [Point(Fraction(0), Fraction(0))]
 
