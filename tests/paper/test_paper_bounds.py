@@ -25,8 +25,9 @@ from exactsweep.paper.checks import (
     slips,
     undercuts,
 )
-from exactsweep.paper.claim import Counterexample, Effort, Observation, find_first_failure
-from exactsweep.paper.counting import seconds
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
+from exactsweep.paper.costs import measure_costs
+from exactsweep.paper.counting import CountedList, seconds, watch_operations
 from exactsweep.paper.functions import list_sub_trajectories, look_up_bottom
 from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.pairs import SweepPair, draw_pairs
@@ -184,7 +185,9 @@ def test_a_written_chain_is_compared_with_mn(monkeypatch: pytest.MonkeyPatch) ->
         return [Growth("counts", "planted", "mn", points)] * 3
 
     monkeypatch.setattr(section5_time, "count_all", plant)
-    *_, found = section5_time.count_gaps(Effort(quick=True))
+    evidence, *_, found = section5_time.count_gaps(Effort(quick=True))
+    assert isinstance(evidence, Evidence)
+    assert "160 in place of 160 at m = n = 16." in evidence.tried
     assert isinstance(found, Counterexample)
     assert found.text == "160 vertices to be written for m = 16 and n = 24, mn being 384"
 
@@ -192,6 +195,9 @@ def test_a_written_chain_is_compared_with_mn(monkeypatch: pytest.MonkeyPatch) ->
 def test_counts_are_compared_with_what_they_say() -> None:
     for pair in draw_pairs(Effort(), "CM", 5):
         assert slips.calls(pair)[1] == len(look_up_bottom(pair, "trajectory")) - 1
+    # Each of the two parts of D_b is merged with all of G.
+    wide = [*bow(40), (0, 9999)]
+    assert slips.calls(SweepPair(wide, TEETH.directrix))[0] > 2 * 40
     for pair in draw_pairs(Effort(), "MM", 5):
         chains = list_sub_trajectories(pair)
         size = sum(len(chain.pieces) for chain in chains)
@@ -244,3 +250,17 @@ def test_a_count_outgrows_another_by_half_with_each_doubling(
     counts = slow, [2, 4, 8]
     growths = [Growth("", "", "", tuple(Size(2, 2, c, 1) for c in each)) for each in counts]
     assert section5_time._outgrows(*growths) == outgrows
+
+
+def test_a_quick_run_says_what_it_leaves_out() -> None:
+    for quick in (False, True):
+        first = next(iter(measure_costs("Corollary 3.3", Effort(quick=quick))))
+        assert isinstance(first, Evidence)
+        assert ("leaves out seconds" in first.tried) == quick
+
+
+def test_slots_of_a_list_are_counted() -> None:
+    with watch_operations() as tally:
+        counted = CountedList("abcde")
+        assert (counted[0], counted[-1], counted[1:4]) == ("a", "e", ["b", "c", "d"])
+    assert tally.slots == 5

@@ -22,13 +22,23 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.corpus.generator.prng import Prng
+from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.steps import Touch
 from exactsweep.geometry.segment import make_segment
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
-from exactsweep.paper.checks.appendix import meetings
+from exactsweep.paper.checks import appendix
+from exactsweep.paper.checks.appendix import meetings, one_edge_at_a_time
 from exactsweep.paper.checks.beyond import covers
-from exactsweep.paper.checks.section1 import draw_slots, fits_are_whole
-from exactsweep.paper.checks.section2 import like_chains_have_no_contact
+from exactsweep.paper.checks.section1 import (
+    draw_slots,
+    fits_are_whole,
+    path_is_not_the_directrix,
+)
+from exactsweep.paper.checks.section2 import (
+    like_chains_have_no_contact,
+    starts_and_stops_at_the_ends,
+)
 from exactsweep.paper.checks.section4 import (
     bottom_chains_have_two_forms,
     labels_name_the_extremes,
@@ -247,6 +257,12 @@ def test_a_slide_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> N
         wrong.undercuts = slide._replace(positions=ends), other
         told = [text.partition(":")[0] for text in bottom_chains_have_two_forms(pair)]
         assert told == ([] if is_whole else ["not there"])
+    # As if it were along another line, or along two edges.
+    first, last = slide.bottom
+    for bottom in ((first, slide.polygon.vertices[1]), (first, last, other.bottom[1])):
+        wrong.undercuts = slide._replace(bottom=bottom), other
+        told = [text.partition(":")[0] for text in bottom_chains_have_two_forms(pair)]
+        assert told[:1] == ["not one edge"]
 
 
 @pytest.mark.parametrize(("i", "k", "chain"), [(1, 2, "bottom"), (2, 1, "bottom"), (4, 5, "top")])
@@ -269,3 +285,42 @@ def test_a_contact_of_two_like_chains_is_told(
         assert [*like_chains_have_no_contact(pair)] == [
             f"{event} of two {chain} chains: {i} of G, {k} of D"
         ]
+
+
+def _plant(monkeypatch: pytest.MonkeyPatch, section: str, s: Any) -> None:
+    monkeypatch.setattr(f"exactsweep.paper.checks.{section}.sweep", lambda *_: s)
+
+
+SQUARES = SweepPair([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (3, 3), (0, 3)])
+
+
+def test_a_path_that_is_the_directrix_moved_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not [*path_is_not_the_directrix(SQUARES)]
+    d = sweep(*SQUARES).directrix
+    _plant(monkeypatch, "section1", SimpleNamespace(directrix=d, trajectory=d.translated((2, 7))))
+    assert [*path_is_not_the_directrix(SQUARES)] == ["the trajectory is D moved"]
+
+
+def test_a_sweep_that_starts_and_stops_elsewhere_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not [*starts_and_stops_at_the_ends(SQUARES)]
+    moved = SimpleNamespace(trajectory=sweep(*SQUARES).trajectory.translated((2, 7)))
+    _plant(monkeypatch, "section2", moved)
+    assert [*starts_and_stops_at_the_ends(SQUARES)] == [
+        "it starts at (1, 6), with (1, 1) not on D's end",
+        "it stops at (5, 6), with (0, 1) not on D's end",
+    ]
+
+
+def test_contacts_of_two_edges_at_a_time_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not [*one_edge_at_a_time(SQUARES)]
+    step = appendix.list_lower_steps(sweep(*SQUARES))[0]
+    middle = Point((step.start.x + step.end.x) / 2, (step.start.y + step.end.y) / 2)
+    contacts = Contact("EV", 0, 1), Contact("EV", 1, 2)
+    monkeypatch.setattr(appendix, "touches_are_right", lambda *_: ())
+    for ends, is_told in ((step.end, step.start), True), ((middle, middle), False):
+        spans = (step.start, ends[0]), (ends[1], step.end)
+        touches = tuple(Touch(c, *span) for c, span in zip(contacts, spans, strict=True))
+        planted = step._replace(touches=touches)
+        monkeypatch.setattr(appendix, "list_lower_steps", lambda _, step=planted: [step])
+        told = {text.partition(": ")[2] for text in one_edge_at_a_time(SQUARES)}
+        assert told == ({"EV of 0 and 1, EV of 1 and 2"} if is_told else set())
