@@ -41,6 +41,7 @@ from exactsweep.paper.checks.section2 import (
 )
 from exactsweep.paper.checks.section4 import (
     bottom_chains_have_two_forms,
+    is_monotone,
     labels_name_the_extremes,
 )
 from exactsweep.paper.checks.section5 import kernel_is_literal
@@ -324,3 +325,16 @@ def test_contacts_of_two_edges_at_a_time_are_told(monkeypatch: pytest.MonkeyPatc
         monkeypatch.setattr(appendix, "list_lower_steps", lambda _, step=planted: [step])
         told = {text.partition(": ")[2] for text in one_edge_at_a_time(SQUARES)}
         assert told == ({"EV of 0 and 1, EV of 1 and 2"} if is_told else set())
+
+
+@pytest.mark.parametrize("name", ["trajectories", "outer_chains"])
+def test_chains_at_a_wall_cross_once_without_meeting(name: str) -> None:
+    meet, cross = (getattr(appendix, f"sub_{name}_{how}_once") for how in ("meet", "cross"))
+    assert [*filter(None, meet(appendix.AT_A_WALL))]
+    assert not [*filter(None, cross(appendix.AT_A_WALL))]
+
+
+@pytest.mark.parametrize(("x", "is_told"), [(1, True), (0, True), (2, False)])
+def test_a_chain_that_stands_still_or_turns_back_is_told(x: int, is_told: bool) -> None:
+    told = [*is_monotone("T", [(0, 0), (1, 1), (x, 5), (3, 3)])]
+    assert told == ["T is not strictly X-monotone at x = 1"] * is_told
