@@ -231,3 +231,7 @@ def test_a_trajectory_into_a_notch_that_only_the_tip_fits_into_is_refused() -> N
         "trajectory: outside it, at the witness or beside it, G overlaps or touches D"
     )
     assert found.witness == Point(Fraction(3), Fraction(3))
+
+
+def test_one_step_may_be_taken() -> None:
+    assert verify({}, max_steps=1).reason

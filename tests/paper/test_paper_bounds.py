@@ -1,5 +1,6 @@
 """Bounds of checks: each holds at the bound, and complains of one more, or one less."""
 
+import tracemalloc
 from collections.abc import Callable, Iterable
 from itertools import count
 from math import log2
@@ -26,8 +27,8 @@ from exactsweep.paper.checks import (
     undercuts,
 )
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
-from exactsweep.paper.costs import measure_costs
-from exactsweep.paper.counting import CountedList, seconds, watch_operations
+from exactsweep.paper.costs import COSTS, Cost, measure_costs
+from exactsweep.paper.counting import CountedList, peak, seconds, watch_operations
 from exactsweep.paper.functions import list_sub_trajectories, look_up_bottom
 from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.pairs import SweepPair, draw_pairs
@@ -265,3 +266,18 @@ def test_slots_of_a_list_are_counted() -> None:
         counted = CountedList("abcde")
         assert (counted[0], counted[-1], counted[1:4]) == ("a", "e", ["b", "c", "d"])
     assert tally.slots == 5
+
+
+@pytest.mark.parametrize("quick", [False, True])
+def test_seconds_are_left_out_of_a_quick_run(quick: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Cost, "grow", lambda self, unit, *_: unit)
+    monkeypatch.setattr(Cost, "time", lambda self: "seconds")
+    measured: list[Any] = [*COSTS[0].measure(Effort(quick=quick))]
+    assert measured == ["operations", "bytes", *["seconds"] * (not quick)]
+
+
+def test_the_peak_of_memory_is_that_of_the_run() -> None:
+    chains = TEETH.chains
+    kept = peak(lambda _: len([0] * 10**5), chains)
+    assert 8 * 10**5 <= kept < 9 * 10**5
+    assert not tracemalloc.is_tracing()

@@ -2,7 +2,7 @@
 
 import re
 from fractions import Fraction
-from itertools import pairwise
+from itertools import count, pairwise
 from types import SimpleNamespace
 from typing import Any
 
@@ -28,7 +28,7 @@ from exactsweep.geometry.segment import make_segment
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks import appendix
-from exactsweep.paper.checks.appendix import meetings, one_edge_at_a_time
+from exactsweep.paper.checks.appendix import contact_moves_right, meetings, one_edge_at_a_time
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section1 import (
     draw_slots,
@@ -63,6 +63,7 @@ from exactsweep.paper.functions import (
     take_bottom,
     tell_loops,
 )
+from exactsweep.paper.laws import break_law
 from exactsweep.paper.pairs import SweepPair, draw_pair
 from exactsweep.procedures.mm import sweep_mm
 
@@ -338,3 +339,25 @@ def test_chains_at_a_wall_cross_once_without_meeting(name: str) -> None:
 def test_a_chain_that_stands_still_or_turns_back_is_told(x: int, is_told: bool) -> None:
     told = [*is_monotone("T", [(0, 0), (1, 1), (x, 5), (3, 3)])]
     assert told == ["T is not strictly X-monotone at x = 1"] * is_told
+
+
+def test_a_contact_that_moves_left_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not [*contact_moves_right(SQUARES)]
+    places = count(9, -1)
+    monkeypatch.setattr(
+        appendix, "places_of_contact", lambda *_: [x := next(places), x + Fraction(1, 2)]
+    )
+    first, *_ = contact_moves_right(SQUARES)
+    assert re.sub(r"at \(.*?\)", "there", first) == (
+        "there the contact is from x = 8 to 17/2, after 9 to 19/2"
+    )
+
+
+def test_a_counterexample_is_made_smaller() -> None:
+    def has_corner(pair: SweepPair) -> list[str]:
+        return ["a corner"] if (0, 0) in pair.directrix else []
+
+    large = [(0, 0), (4, 0), (6, 2), (6, 6), (4, 8), (0, 8)]
+    told = break_law(has_corner, [SweepPair([(x, y) for x, y in large], large)])
+    text, g, d = re.split("; G = |, D = ", told)
+    assert (text, g.count("("), d.count("(")) == ("a corner", 3, 3)

@@ -217,3 +217,11 @@ def test_the_environment_names_the_packages_that_are_there() -> None:
     if described.exists() and "model name" in described.read_text(encoding="utf-8"):
         assert found["processor"] in described.read_text(encoding="utf-8")
     assert (found["exactsweep"], found["seed"], found["quick"]) == (__version__, 7, True)
+
+
+def test_the_plot_of_growth_names_its_lines_and_axes() -> None:
+    pytest.importorskip("matplotlib")
+    points = tuple(Size(8 << k, 16, 100 << k, 8 << k) for k in range(3))
+    drawn = plots.ratios([Growth("planted", "family", "mn", points)]).decode()
+    for text in ("planted, family, m, / (mn)", "the greater of m and n", "count / bound"):
+        assert text in drawn
