@@ -361,3 +361,9 @@ def test_a_counterexample_is_made_smaller() -> None:
     told = break_law(has_corner, [SweepPair([(x, y) for x, y in large], large)])
     text, g, d = re.split("; G = |, D = ", told)
     assert (text, g.count("("), d.count("(")) == ("a corner", 3, 3)
+
+
+@pytest.mark.parametrize(("last", "is_told"), [(0, False), (-1, True), (1, False)])
+def test_a_chain_that_falls_from_above_to_below_is_told(last: int, is_told: bool) -> None:
+    first: list[Vertex] = [(0, 0), (1, 1), (2, 0), (4, last)]
+    assert any(appendix.crosses_once(first, [(0, 0), (4, 0)])) == is_told
