@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
+from exactsweep.conform.adapters import measure as measure_module
 from exactsweep.conform.adapters.measure import main as measure
 from exactsweep.conform.adapters.page import write_page
 from exactsweep.conform.run.journal import Journal
@@ -16,6 +17,7 @@ from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.run import Run
 from exactsweep.corpus import Case
 
 
@@ -66,6 +68,27 @@ def test_a_program_that_is_not_there_is_told(
     monkeypatch.setitem(sys.modules, "shapely", None)
     shown = CliRunner().invoke(measure, [str(tmp_path), "--only", "shapely", "--each", "0"])
     assert shown.stderr.startswith("shapely: shapely is not installed")
+
+
+@pytest.mark.parametrize(
+    ("complaints", "interrupted", "said"),
+    [(["one", "two"], False, "one; two"), ([], True, "interrupted")],
+)
+def test_a_run_that_fails_is_told(
+    complaints: list[str],
+    interrupted: bool,
+    said: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pytest.importorskip("shapely")
+
+    def fail(run: Run, *_: object, **named: object) -> None:
+        run.complaints, run.interrupted = complaints, interrupted
+
+    monkeypatch.setattr(measure_module, "judge_cases", fail)
+    shown = CliRunner().invoke(measure, [str(tmp_path), "--only", "shapely", "--each", "0"])
+    assert (shown.exit_code, shown.stderr) == (1, f"Error: shapely: {said}\n")
 
 
 @pytest.mark.long

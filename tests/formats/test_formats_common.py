@@ -18,6 +18,7 @@ from exactsweep.formats import (
     FormatError,
     NamedPolygon,
     format_polygons,
+    parse_polygon,
     parse_polygons,
     parse_regions,
     parts_from_shapely,
@@ -27,6 +28,7 @@ from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.parsing import measure_written
 from exactsweep.formats.reading import Reading
+from exactsweep.formats.size import ELEMENT
 
 UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
 
@@ -106,6 +108,7 @@ def test_names_that_are_no_utf_8_are_named() -> None:
 def test_a_table_counts_for_its_lines() -> None:
     assert measure_written("id,x,y\na,0,0\na,1,0\na,0,1\n") == 4 * 16
     assert measure_written("x,y\n0,0\n1,0\n0,1\n") == 4 * 16
+    assert measure_written("<svg>" + "<g/>" * 9) == 10 * ELEMENT
 
 
 @pytest.mark.parametrize(
@@ -127,3 +130,15 @@ def test_readers_of_csv_in_other_threads_keep_their_limit() -> None:
         for length in (3, before + 1):
             formats_csv.parse_csv(length * "1")
     assert [*held, csv.field_size_limit()] == [before, before + 1, before]
+
+
+@pytest.mark.parametrize("corners", ["0,0 {},0 0,1", "-1,0 {},0 0,1", "1,0 -{},0 0,1"])
+def test_coordinates_that_grow_too_long_are_refused(corners: str) -> None:
+    """Scaled by 10**19 so many times; the limit is 32 times that of a number, and 7 digits more."""
+    shape = f'<polygon points="{corners.format("9" * 19)}"/>'
+    group = "<g transform='scale(1e19)'>"
+    scaled = {n: f"<svg>{group * n}{shape}{'</g>' * n}</svg>" for n in (33, 34)}
+    with limits(max_digits=20):
+        assert parse_polygon(scaled[33])
+        with pytest.raises(FormatError, match=r"has more than 647 digits \(max_digits\)$"):
+            parse_polygon(scaled[34])

@@ -86,10 +86,12 @@ def test_sheets_are_no_larger_than_the_strip(height: float, width: float, reason
     strips = {"height": height, "max_width": width}
     empty = {"id": 0, "shape": {"type": "simple_polygon", "data": []}}
     assert read_jagua(0, strips=strips, containers=[empty])[0].data["container"]["exterior"] == []
-    sheets = [{"id": 0, "shape": WIDE}]
+    # Where a sheet lies does not matter.
+    place: dict[str, Any] = {"x_min": 70, "y_min": -30, "width": 10, "height": 9}
+    sheets = [{"id": 0, "shape": {"type": "rectangle", "data": place}}]
     if not reason:
         (found,) = read_jagua(0, strips=strips, containers=sheets)
-        assert ["10", "9"] in found.data["container"]["exterior"]
+        assert ["80", "-21"] in found.data["container"]["exterior"]
         return
     with pytest.raises(FormatError, match=rf"containers\[0\] is {reason} than the strip"):
         read_jagua(0, strips=strips, containers=sheets)

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tiers import examples
 
-from exactsweep import Point, sweep
+from exactsweep import Point, Polygon, sweep
 from exactsweep.corpus.generator.growing import (
     bumps,
     ceilings,
@@ -27,7 +27,7 @@ from exactsweep.evidence.steps import Touch
 from exactsweep.geometry.segment import make_segment
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
-from exactsweep.paper.checks import appendix
+from exactsweep.paper.checks import appendix, beyond
 from exactsweep.paper.checks.appendix import contact_moves_right, meetings, one_edge_at_a_time
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section1 import (
@@ -367,3 +367,14 @@ def test_a_counterexample_is_made_smaller() -> None:
 def test_a_chain_that_falls_from_above_to_below_is_told(last: int, is_told: bool) -> None:
     first: list[Vertex] = [(0, 0), (1, 1), (2, 0), (4, last)]
     assert any(appendix.crosses_once(first, [(0, 0), (4, 0)])) == is_told
+
+
+@pytest.mark.parametrize(("shift", "is_told"), [(0, True), (1, True), (2, False)])
+def test_holes_that_overlap_are_told(
+    shift: int, is_told: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    outer, hole = (Polygon([(0, 0), (s, 0), (s, s), (0, s)]) for s in (9, 2))
+    found = SimpleNamespace(exterior=outer, holes=(hole, hole.translated((shift, 0))))
+    monkeypatch.setattr(beyond, "no_fit_polygon", lambda *_: found)
+    monkeypatch.setattr(beyond, "no_fit_is_the_definition", lambda _: ())
+    assert [*beyond.loops_are_simple(SQUARES)] == ["two holes overlap"] * is_told
