@@ -220,6 +220,7 @@ def test_the_source_of_nesting_programs_is_the_user_s(
         load("libnfporb-rational")
 
 
+@pytest.mark.long
 def test_a_nesting_program_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A stand-in for the user's source, of the same functions."""
     if shutil.which("node") is None:

@@ -94,7 +94,7 @@ def test_no_two_things_differ_by_colour_alone() -> None:
     assert len({(look.marker, str(look.dash)) for look in chains}) == len(chains)
 
 
-@pytest.mark.parametrize("suffix", ["svg", "pdf", "png"])
+@pytest.mark.parametrize("suffix", ["svg", pytest.param("pdf", marks=pytest.mark.long), "png"])
 def test_files_are_the_same_byte_by_byte(tmp_path: Path, suffix: str) -> None:
     paths = [tmp_path / f"{name}.{suffix}" for name in "ab"]
     for path in paths:
