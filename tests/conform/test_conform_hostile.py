@@ -30,6 +30,7 @@ SURVIVED = {
     "never-reads": ("timeout", "no answer within 0.5 s"),
     "closes-output": ("crash", "closed its output"),
     "leaves-children": ("crash", "exited with code 0"),
+    "leaves-children-in-silence": ("crash", "exited with code 0"),
     "dies": ("crash", "was ended by signal 9, SIGKILL"),
 }
 if any(Path("/proc/self/task").glob("*/children")):

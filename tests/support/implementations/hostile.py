@@ -52,6 +52,11 @@ def leaves_children(line: str) -> None:
     sys.exit(0)
 
 
+def leaves_children_in_silence(line: str) -> None:
+    os.close(2)
+    leaves_children(line)
+
+
 def closes_output(line: str) -> None:
     os.close(1)
     time.sleep(600)
@@ -92,6 +97,7 @@ AFTER_A_CASE: dict[str, Callable[[str], object]] = {
     "stderr-flood": stderr_flood,
     "ignores-termination": ignores_termination,
     "leaves-children": leaves_children,
+    "leaves-children-in-silence": leaves_children_in_silence,
     "hides-a-child": lambda line: time.sleep(600),
     "closes-output": closes_output,
     "dies": lambda line: os.kill(os.getpid(), signal.SIGKILL),
