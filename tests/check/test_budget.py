@@ -37,10 +37,20 @@ FILE = Path(__file__).with_name("steps.txt")
 Points = list[tuple[int, int]]
 HOOK = [(0, 0), (6, 0), (6, 6), (1, 6), (1, 3), (2, 3), (2, 5), (5, 5), (5, 1), (0, 1)]
 
-SIEVE = Holed(
-    Polygon([(0, 0), (300, 0), (300, 20), (0, 20)]),
-    tuple(Polygon([(x, 9), (x + 1, 10), (x, 10)]) for x in range(10, 290, 10)),
-)
+INSIDE: dict[str, tuple[Holed, Points]] = {
+    "sieve": (
+        Holed(
+            Polygon([(0, 0), (300, 0), (300, 20), (0, 20)]),
+            tuple(Polygon([(x, 9), (x + 1, 10), (x, 10)]) for x in range(10, 290, 10)),
+        ),
+        HOOK,
+    ),
+    # The positions in one room and in the other meet in a point.
+    "two rooms": (
+        Holed(Polygon([(0, 0), (3, 0), (3, 2), (5, 2), (5, 5), (2, 5), (2, 3), (0, 3)])),
+        [(0, 0), (1, 0), (1, 1), (0, 1)],
+    ),
+}
 
 
 def comb(n: int) -> Points:
@@ -178,8 +188,9 @@ def list_steps() -> Iterator[str]:
     checked = CERTIFICATES | {name: claim(*pair) for name, pair in HOSTILE.items()}
     long = {f"long {name}": [*map(lengthen, HOSTILE[name])] for name in ("two fans", "two zigzags")}
     checked |= {name: claim(d, g) for name, (d, g) in long.items()}
-    checked["sieve"] = {**HEAD, "claim": "inner_fit", "regions": [], "exact_fits": []}
-    checked["sieve"] |= {"container": outline(SIEVE), "part": outline(Holed(Polygon(HOOK)))}
+    for name, (container, part) in INSIDE.items():
+        asked = {"container": outline(container), "part": outline(Holed(Polygon(part)))}
+        checked[name] = {**HEAD, "claim": "inner_fit", **asked, "regions": [], "exact_fits": []}
     checked |= {name: judge_layout(layout).certificate() for name, layout in layouts.items()}
     for name, certificate in checked.items():
         yield f"{name}: {' '.join(map(str, count_steps(certificate)))}"
