@@ -2,8 +2,11 @@ import re
 import subprocess
 import sys
 import tomllib
+import weakref
 from pathlib import Path
+from typing import Any
 
+import click
 import pytest
 from command import EXAMPLE, HOUSE, NOTCH, ROOT, refusal, run, shell
 
@@ -78,6 +81,29 @@ def test_bad_input_is_refused_in_one_line(tmp_path: Path, content: bytes, messag
 def test_streams_in_trouble_end_in_one_line(command: str, code: int, message: str) -> None:
     done = shell(command)
     assert (done.returncode, done.stdout, done.stderr) == (code, "", message)
+
+
+def test_memory_is_let_go_before_its_lack_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Large:
+        """What a failed function holds."""
+
+    held: list[weakref.ref[Large]] = []
+    there: list[bool] = []
+    show = click.ClickException.show
+
+    def fail(*_: object, **named: object) -> None:
+        large = Large()
+        held.append(weakref.ref(large))
+        raise MemoryError
+
+    def look(error: click.ClickException, file: Any = None) -> None:
+        there.append(held[0]() is not None)
+        show(error, file)
+
+    monkeypatch.setattr("exactsweep.cli.pair.read_two", fail)
+    monkeypatch.setattr(click.ClickException, "show", look)
+    assert refusal(run("sweep", HOUSE, NOTCH)) == "out of memory"
+    assert there == [False]
 
 
 @pytest.mark.parametrize(
