@@ -85,7 +85,7 @@ def test_streams_in_trouble_end_in_one_line(command: str, code: int, message: st
 
 def test_memory_is_let_go_before_its_lack_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     class Large:
-        """What a failed function holds."""
+        """An object of a failed function."""
 
     held: list[weakref.ref[Large]] = []
     there: list[bool] = []
