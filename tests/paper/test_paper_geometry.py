@@ -2,16 +2,14 @@
 
 import re
 from fractions import Fraction
-from itertools import count, pairwise
-from types import SimpleNamespace
-from typing import Any
+from itertools import pairwise
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from tiers import examples
 
-from exactsweep import Point, Polygon, sweep
+from exactsweep import Point, sweep
 from exactsweep.corpus.generator.growing import (
     bumps,
     ceilings,
@@ -22,22 +20,14 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.steps import Touch
 from exactsweep.geometry.segment import make_segment
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import literal
-from exactsweep.paper.checks import appendix, beyond
-from exactsweep.paper.checks.appendix import contact_moves_right, meetings, one_edge_at_a_time
+from exactsweep.paper.checks import appendix
+from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section1 import (
     draw_slots,
-    fits_are_whole,
-    path_is_not_the_directrix,
-)
-from exactsweep.paper.checks.section2 import (
-    like_chains_have_no_contact,
-    starts_and_stops_at_the_ends,
 )
 from exactsweep.paper.checks.section4 import (
     bottom_chains_have_two_forms,
@@ -61,7 +51,6 @@ from exactsweep.paper.functions import (
     reaches,
     sample_between,
     take_bottom,
-    tell_loops,
 )
 from exactsweep.paper.laws import break_law
 from exactsweep.paper.pairs import SweepPair, draw_pair
@@ -212,122 +201,6 @@ def test_chains_that_share_a_bend_meet_in_more_than_a_segment() -> None:
     assert meetings(bent, bent) == ("the chains share a bend between 0 and 4", True)
 
 
-def test_a_loop_that_is_not_that_of_the_definition_is_told() -> None:
-    s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (3, 0), (3, 3), (0, 3)])
-    names = "generatrix", "directrix", "reference", "trajectory", "inner", "outer"
-    wrong: Any = SimpleNamespace(**{name: getattr(s, name) for name in names} | {"inner": s.outer})
-    assert [*tell_loops(s)] == [*tell_loops(wrong, "trajectory", "outer")] == []
-    for asked in ((), ("inner",), ("outer", "inner")):
-        assert [*tell_loops(wrong, *asked)] == ["the inner loop is not that of the definition"]
-
-
-def test_a_fit_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-    pair = SweepPair([(0, 0), (1, 0), (1, 1), (0, 1)], slot)
-    s = sweep(*pair)
-    ((start, end),) = s.exact_fits
-    middle = Point((start.x + end.x) / 2, (start.y + end.y) / 2)
-    found = []
-    for fit in ((start, end), (start, middle), (middle, end)):
-        wrong: Any = SimpleNamespace(
-            directrix=s.directrix,
-            generatrix=s.generatrix,
-            trajectory=s.trajectory,
-            exact_fits=(fit,),
-        )
-        monkeypatch.setattr("exactsweep.paper.checks.section1.sweep", lambda *_, s=wrong: s)
-        found.append([*fits_are_whole(pair)])
-    x, y = middle
-    assert found[0] == []
-    assert [re.sub(r"at \(1, .*\)", "there", text) for text in found[1]] == [
-        "there, along an exact fit, CONTACT"
-    ]
-    assert found[2] == [f"the exact fit from ({x}, {y}) hangs on nothing"]
-
-
-def test_a_slide_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    directrix = [(-1, 5), (2, 0), (10, 2), (11, 6), (7, 3), (5, 5), (0, 4)]
-    pair = SweepPair([(5, 0), (17, 2), (9, 4)], directrix)
-    s = sweep(*pair)
-    names = "generatrix", "directrix", "reference", "inner"
-    wrong: Any = SimpleNamespace(**{name: getattr(s, name) for name in names})
-    monkeypatch.setattr("exactsweep.paper.checks.section4.sweep", lambda *_: wrong)
-    slide, other = s.undercuts
-    p, q = slide.positions
-    middle = Point((p.x + q.x) / 2, (p.y + q.y) / 2)
-    for ends, is_whole in (((p, q), True), ((p, middle), False), ((middle, q), False)):
-        wrong.undercuts = slide._replace(positions=ends), other
-        told = [text.partition(":")[0] for text in bottom_chains_have_two_forms(pair)]
-        assert told == ([] if is_whole else ["not there"])
-    # As if it were along another line, or along two edges.
-    first, last = slide.bottom
-    for bottom in ((first, slide.polygon.vertices[1]), (first, last, other.bottom[1])):
-        wrong.undercuts = slide._replace(bottom=bottom), other
-        told = [text.partition(":")[0] for text in bottom_chains_have_two_forms(pair)]
-        assert told[:1] == ["not one edge"]
-
-
-@pytest.mark.parametrize(("i", "k", "chain"), [(1, 2, "bottom"), (2, 1, "bottom"), (4, 5, "top")])
-def test_a_contact_of_two_like_chains_is_told(
-    i: int, k: int, chain: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    ring = [(0, 0), (2, -1), (4, -1), (6, 0), (4, 1), (2, 1)]
-    pair = SweepPair(ring, ring)
-    assert not [*like_chains_have_no_contact(pair)]
-    s = sweep(*pair)
-    for event in ("VV", "VE", "EV"):
-        wrong = SimpleNamespace(
-            generatrix=s.generatrix,
-            directrix=s.directrix,
-            contacts=[[(event, i, k)]],
-            vertex_contacts=[],
-        )
-        monkeypatch.setattr("exactsweep.paper.checks.section2.sweep", lambda *_, s=wrong: s)
-        monkeypatch.setattr("exactsweep.paper.checks.section2.contacts_are_right", lambda _: ())
-        assert [*like_chains_have_no_contact(pair)] == [
-            f"{event} of two {chain} chains: {i} of G, {k} of D"
-        ]
-
-
-def _plant(monkeypatch: pytest.MonkeyPatch, section: str, s: Any) -> None:
-    monkeypatch.setattr(f"exactsweep.paper.checks.{section}.sweep", lambda *_: s)
-
-
-SQUARES = SweepPair([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (3, 3), (0, 3)])
-
-
-def test_a_path_that_is_the_directrix_moved_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert not [*path_is_not_the_directrix(SQUARES)]
-    d = sweep(*SQUARES).directrix
-    _plant(monkeypatch, "section1", SimpleNamespace(directrix=d, trajectory=d.translated((2, 7))))
-    assert [*path_is_not_the_directrix(SQUARES)] == ["the trajectory is D moved"]
-
-
-def test_a_sweep_that_starts_and_stops_elsewhere_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert not [*starts_and_stops_at_the_ends(SQUARES)]
-    moved = SimpleNamespace(trajectory=sweep(*SQUARES).trajectory.translated((2, 7)))
-    _plant(monkeypatch, "section2", moved)
-    assert [*starts_and_stops_at_the_ends(SQUARES)] == [
-        "it starts at (1, 6), with (1, 1) not on D's end",
-        "it stops at (5, 6), with (0, 1) not on D's end",
-    ]
-
-
-def test_contacts_of_two_edges_at_a_time_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert not [*one_edge_at_a_time(SQUARES)]
-    step = appendix.list_lower_steps(sweep(*SQUARES))[0]
-    middle = Point((step.start.x + step.end.x) / 2, (step.start.y + step.end.y) / 2)
-    contacts = Contact("EV", 0, 1), Contact("EV", 1, 2)
-    monkeypatch.setattr(appendix, "touches_are_right", lambda *_: ())
-    for ends, is_told in ((step.end, step.start), True), ((middle, middle), False):
-        spans = (step.start, ends[0]), (ends[1], step.end)
-        touches = tuple(Touch(c, *span) for c, span in zip(contacts, spans, strict=True))
-        planted = step._replace(touches=touches)
-        monkeypatch.setattr(appendix, "list_lower_steps", lambda _, step=planted: [step])
-        told = {text.partition(": ")[2] for text in one_edge_at_a_time(SQUARES)}
-        assert told == ({"EV of 0 and 1, EV of 1 and 2"} if is_told else set())
-
-
 @pytest.mark.parametrize("name", ["trajectories", "outer_chains"])
 def test_chains_at_a_wall_cross_once_without_meeting(name: str) -> None:
     meet, cross = (getattr(appendix, f"sub_{name}_{how}_once") for how in ("meet", "cross"))
@@ -339,18 +212,6 @@ def test_chains_at_a_wall_cross_once_without_meeting(name: str) -> None:
 def test_a_chain_that_stands_still_or_turns_back_is_told(x: int, is_told: bool) -> None:
     told = [*is_monotone("T", [(0, 0), (1, 1), (x, 5), (3, 3)])]
     assert told == ["T is not strictly X-monotone at x = 1"] * is_told
-
-
-def test_a_contact_that_moves_left_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert not [*contact_moves_right(SQUARES)]
-    places = count(9, -1)
-    monkeypatch.setattr(
-        appendix, "places_of_contact", lambda *_: [x := next(places), x + Fraction(1, 2)]
-    )
-    first, *_ = contact_moves_right(SQUARES)
-    assert re.sub(r"at \(.*?\)", "there", first) == (
-        "there the contact is from x = 8 to 17/2, after 9 to 19/2"
-    )
 
 
 def test_a_counterexample_is_made_smaller() -> None:
@@ -367,14 +228,3 @@ def test_a_counterexample_is_made_smaller() -> None:
 def test_a_chain_that_falls_from_above_to_below_is_told(last: int, is_told: bool) -> None:
     first: list[Vertex] = [(0, 0), (1, 1), (2, 0), (4, last)]
     assert any(appendix.crosses_once(first, [(0, 0), (4, 0)])) == is_told
-
-
-@pytest.mark.parametrize(("shift", "is_told"), [(0, True), (1, True), (2, False)])
-def test_holes_that_overlap_are_told(
-    shift: int, is_told: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    outer, hole = (Polygon([(0, 0), (s, 0), (s, s), (0, s)]) for s in (9, 2))
-    found = SimpleNamespace(exterior=outer, holes=(hole, hole.translated((shift, 0))))
-    monkeypatch.setattr(beyond, "no_fit_polygon", lambda *_: found)
-    monkeypatch.setattr(beyond, "no_fit_is_the_definition", lambda _: ())
-    assert [*beyond.loops_are_simple(SQUARES)] == ["two holes overlap"] * is_told
