@@ -37,7 +37,7 @@ FILE = Path(__file__).with_name("steps.txt")
 Points = list[tuple[int, int]]
 HOOK = [(0, 0), (6, 0), (6, 6), (1, 6), (1, 3), (2, 3), (2, 5), (5, 5), (5, 1), (0, 1)]
 
-INSIDE: dict[str, tuple[Holed, Points]] = {
+INSIDE: dict[str, tuple[Holed, Any]] = {
     "sieve": (
         Holed(
             Polygon([(0, 0), (300, 0), (300, 20), (0, 20)]),
@@ -48,7 +48,7 @@ INSIDE: dict[str, tuple[Holed, Points]] = {
     # The positions in one room and in the other meet in a point.
     "two rooms": (
         Holed(Polygon([(0, 0), (3, 0), (3, 2), (5, 2), (5, 5), (2, 5), (2, 3), (0, 3)])),
-        [(0, 0), (1, 0), (1, 1), (0, 1)],
+        TILE,
     ),
 }
 

@@ -12,6 +12,7 @@ import pytest
 import tampering
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
+from layouts import box
 from producer import SLOT, UNIT, VALLEY, Vertices, edges, find_meetings
 from small_pairs import draw
 from strategies import monotone_rings
@@ -212,19 +213,15 @@ def test_a_loop_that_is_narrower_than_the_sum_is_refused_at_the_side(
     side: int, by: Fraction
 ) -> None:
     ends = [Fraction(0), Fraction(0), Fraction(2), Fraction(2)]
-    part, around = _loop(Polygon(UNIT).vertices), Polygon(_box(*ends))
+    part, around = _loop(Polygon(UNIT).vertices), Polygon(box(*ends))
     PROVER.prove_held(_loop(around.vertices), part.chains, part.chains, "outside")
     ends[side] += by if side < 2 else -by
-    narrow = Polygon(_box(*ends))
+    narrow = Polygon(box(*ends))
     with pytest.raises(Refused, match="outside") as found:
         PROVER.prove_held(_loop(narrow.vertices), part.chains, part.chains, "outside")
     assert found.value.witness is not None
     assert point_in_polygon(found.value.witness, narrow) <= 0
     assert point_in_polygon(found.value.witness, around) >= 0
-
-
-def _box(left: Fraction, low: Fraction, right: Fraction, high: Fraction) -> list[Point]:
-    return [Point(x, y) for x, y in ((left, low), (right, low), (right, high), (left, high))]
 
 
 # --- Contacts and drawings -----------------------------------------------------------------------

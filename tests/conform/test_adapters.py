@@ -136,9 +136,8 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
 
 def test_a_program_answers_before_it_is_asked_again() -> None:
     pytest.importorskip("shapely")
-    square = [(0, 0), (4, 0), (4, 4), (0, 4)]
     peer = ProcessPeer(Terms([*COMMAND, "shapely"], seconds=PATIENCE))
-    judged = [judge_case(peer, Case.of(f"{k}", "", square, square)).verdict for k in range(2)]
+    judged = [judge_case(peer, Case.of(f"{k}", "", BOX, BOX)).verdict for k in range(2)]
     peer.kill()
     assert {*judged} <= {Verdict.EXACT, Verdict.EQUIVALENT}
 

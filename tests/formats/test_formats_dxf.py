@@ -205,6 +205,15 @@ def test_a_long_thin_outline_whose_ends_are_joined_is_no_short_line(turned: bool
     assert part.polygon.area == Fraction("0.15")
 
 
+def draw_outlines(shapes: list[list[tuple[int, int]]], point: str = "") -> list[Tags]:
+    """Lines of outlines side by side, in order; the texts of their first x end in some way."""
+    return [
+        line(f"{a + 9 * k}{point}", b, c + 9 * k, d)
+        for k, shape in enumerate(shapes)
+        for (a, b), (c, d) in pairwise([*shape, shape[0]])
+    ]
+
+
 @examples(60)
 @given(
     st.lists(st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=1, max_size=5)),
@@ -214,25 +223,17 @@ def test_a_long_thin_outline_whose_ends_are_joined_is_no_short_line(turned: bool
 def test_lines_of_outlines_are_read_as_each_by_itself(
     shapes: list[list[tuple[int, int]]], random: Random, point: str
 ) -> None:
-    lines = [
-        line(f"{a + 9 * k}{point}", b, c + 9 * k, d)
-        for k, shape in enumerate([CORNERS, *shapes])
-        for (a, b), (c, d) in pairwise([*shape, shape[0]])
-    ]
+    lines = draw_outlines([CORNERS, *shapes], point)
     random.shuffle(lines)
     together, alone = (
-        parse_polygons(dxf(*entities), nested=False)
+        parse_polygons(dxf(*entities))
         for entities in (lines, chain.from_iterable((one, [(0, "TEXT")]) for one in lines))
     )
     assert [part.polygon for part in together] == [part.polygon for part in alone]
 
 
 def test_lines_in_any_order_take_about_as_long_as_in_order() -> None:
-    lines = [
-        line(9 * k + a, b, 9 * k + c, d)
-        for k in range(100)
-        for (a, b), (c, d) in pairwise([*CORNERS, CORNERS[0]])
-    ]
+    lines = draw_outlines([CORNERS] * 100)
     in_order, shuffled = (
         count_calls(partial(parse_polygons, dxf(*entities)))
         for entities in (lines, Random(1).sample(lines, len(lines)))
