@@ -30,7 +30,7 @@ def write_vector(direction: Iterable[object]) -> str:
     """Write a direction as Python writes a pair of ints, with long numbers shortened.
 
     >>> write_vector((1, -2)), write_vector((1, 10**5000))
-    ('(1, -2)', '(1, 100000000000000000000...)')
+    ('(1, -2)', '(1, 1e+5000~)')
     """
     return write_pair(direction).replace(",", ", ")
 

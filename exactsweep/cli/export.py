@@ -47,7 +47,8 @@ takes_format = click.option(
     "--to",
     "target",
     type=click.Choice(FORMATS),
-    help="Write the polygons of the result in this format, for other programs and 'convert'.",
+    help="Write the polygons of the result in this format; by default that of the suffix of -o. "
+    "'--to json' is '--json'.",
 )
 """Gives a command --to FORMAT, as `target`; None if left out."""
 

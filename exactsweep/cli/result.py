@@ -1,6 +1,7 @@
 """The result of a sweep or a fit: as a report, as JSON or WKT, as a certificate, as polygons."""
 
 from collections.abc import Callable
+from pathlib import PurePath
 from typing import Any, NamedTuple
 
 import click
@@ -9,8 +10,10 @@ from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import Decorator, gather, takes_output
 from exactsweep.cli.output import measure_columns, write, write_readable
+from exactsweep.cli.pair import coordinates_of_files
+from exactsweep.cli.parts import say_all
 from exactsweep.cli.working import working
-from exactsweep.formats import FormatError, NamedRegion
+from exactsweep.formats import FORMATS, FormatError, NamedRegion
 from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.text import report as reports
 from exactsweep.text import results
@@ -49,6 +52,11 @@ def _make_form(
     if len(chosen) > 1:
         raise click.UsageError(f"--{chosen[0]} and --{chosen[1]} exclude each other.")
     kind = chosen[0] if chosen else "report"
+    suffix = PurePath(output).suffix[1:].lower()
+    if kind == "report" and suffix in FORMATS:
+        kind, target = "to", suffix
+    if target == "json" and rounding is None:
+        kind = "json"
     if rounding is not None:
         if kind not in ("json", "wkt", "to"):
             raise click.UsageError("--round goes with --to FORMAT, --json or --wkt.")
@@ -144,3 +152,5 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
         write(text, form.output)
     else:
         write_readable(text, form.output)
+        if form.kind == "json" and coordinates_of_files().y_down:
+            say_all(["Y points down in the output, as in the files (--y-down reads it so)"])

@@ -19,7 +19,7 @@ from exactsweep.geometry.reading import (
     refuse_number,
     to_lattice,
 )
-from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.digits import abridge, write_literals
 from exactsweep.numbers.number import Point, Vertex, divide_all, divide_exactly, make_points
 
 if TYPE_CHECKING:
@@ -267,15 +267,18 @@ class Polygon(PointSet):
         return hash(self.vertices)
 
     def __repr__(self) -> str:
-        shown = [
-            f"({', '.join(t if t.lstrip('-').isdigit() else repr(t) for t in map(abridge, v))})"
-            for v in self._head()
-        ]
-        return f"Polygon([{', '.join(shown + self._more())}])"
+        literals = [write_literals(vertex) for vertex in self._head()]
+        if len(self) > _SHOWN_VERTICES or None in literals:
+            return f"<Polygon of {len(self)} vertices: {self}>"
+        return f"Polygon([{', '.join(map(str, literals))}])"
 
     def __str__(self) -> str:
         shown = [f"({', '.join(map(abridge, v))})" for v in self._head()]
         return " ".join(shown + self._more())
+
+    def __format__(self, spec: str) -> str:
+        """Write all vertices with coordinates in a format of floats, as in `f"{polygon:.3f}"`."""
+        return " ".join(format(vertex, spec) for vertex in self.vertices) if spec else str(self)
 
     def _facts(self) -> list[tuple[str, str]]:
         return [("area", abridge(self.area)), ("convex", "yes" if self.is_convex else "no")]

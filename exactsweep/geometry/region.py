@@ -177,8 +177,11 @@ class Region(PointSet):
         return _restore, ((self.exterior, *self.holes), self._firsts)
 
     def __repr__(self) -> str:
-        holes = ", ".join(repr(hole).removeprefix("Polygon(")[:-1] for hole in self.holes)
-        return f"Region({repr(self.exterior).removeprefix('Polygon(')[:-1]}, [{holes}])"
+        exterior, *holes = (repr(ring) for ring in (self.exterior, *self.holes))
+        if any(ring.startswith("<") for ring in (exterior, *holes)):
+            return f"<Region of {len(self)} vertices: {self}>"
+        lists = [ring.removeprefix("Polygon(")[:-1] for ring in (exterior, *holes)]
+        return f"Region({lists[0]}, [{', '.join(lists[1:])}])"
 
     def __str__(self) -> str:
         return "; hole ".join(map(str, (self.exterior, *self.holes)))

@@ -126,7 +126,7 @@ def judge_layout(layout: Layout) -> Judgement:
         (False, Fraction(1, 1))
         >>> (fault,) = judgement.faults
         >>> print(fault, fault.move)
-        placements 0 and 1 overlap at (19/20,1/2) Point(x=Fraction(1, 10), y=Fraction(0, 1))
+        placements 0 and 1 overlap at (19/20,1/2) (1/10, 0)
     """
     return Judgement(layout)
 

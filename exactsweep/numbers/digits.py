@@ -10,7 +10,17 @@ read, it uses powers of ten as ints, which multiply by Karatsuba's method.
 
 import re
 import sys
-from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, Context, Decimal, Inexact, localcontext
+from collections.abc import Iterable
+from decimal import (
+    MAX_EMAX,
+    MAX_PREC,
+    MIN_EMIN,
+    ROUND_05UP,
+    Context,
+    Decimal,
+    Inexact,
+    localcontext,
+)
 from fractions import Fraction
 from math import gcd
 from typing import Any, TypeVar
@@ -38,7 +48,8 @@ _SHORT = sys.int_info.str_digits_check_threshold
 # 2**-d has d digits as a decimal, and d/3.32 digits in the denominator of a fraction.
 _DIGITS_BEFORE_REDUCTION = 5
 
-_SHOWN_DIGITS = 24
+# The length of a number that people are shown exactly, and the digits of any other.
+_SHOWN_DIGITS, _ROUNDED_DIGITS = 24, 12
 
 
 def write_int(value: int) -> str:
@@ -149,13 +160,97 @@ def find_magnitude(value: Fraction) -> int:
 
 
 def abridge(value: Fraction) -> str:
-    """Write a number for people: exactly, or its first digits if it is long.
+    """Write a number for people: exactly if that is short, else rounded, with the mark "~".
 
-    >>> abridge(Fraction(-7, 2)), abridge(Fraction(10**99))
-    ('-7/2', '100000000000000000000...')
+    A float is rounded to the decimal that Python writes for it, any other number to twelve digits.
+
+    >>> abridge(Fraction(-7, 2)), abridge(Fraction(-(10**99))), abridge(Fraction(10**30 + 1, 10**9))
+    ('-7/2', '-1e+99', '1000000000000000000000.000000001')
+    >>> abridge(Fraction(0.1)), abridge(Fraction(10**30, 10**30 - 3)), abridge(Fraction(1, 7**99))
+    ('0.1~', '1~', '2.16418328566e-84~')
     """
     text = format_fraction(value)
-    return text if len(text) <= _SHOWN_DIGITS else f"{text[: _SHOWN_DIGITS - 3]}..."
+    if len(text) <= _SHOWN_DIGITS:
+        return text
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) <= _BITS:
+        rounded = _round(value, _SHOWN_DIGITS + 10)
+        text = _write_decimal(rounded)
+        if len(text) <= _SHOWN_DIGITS + 10 and rounded == value:
+            return text
+    if is_float(value):
+        return f"{float(value)!r}~"
+    return f"{_write_decimal(_round(value, _ROUNDED_DIGITS))}~"
+
+
+def write_literals(values: Iterable[Fraction]) -> str | None:
+    """Write numbers as a tuple that Python reads back to the same values; None if one is long.
+
+    >>> write_literals([Fraction(3), Fraction(1, 2), Fraction(0.1)]), write_literals([Fraction(1, 7**99)])
+    ("(3, '1/2', 0.1)", None)
+    """
+    literals = []
+    for value in values:
+        text = format_fraction(value)
+        if len(text) <= _SHOWN_DIGITS:
+            literals.append(text if value.denominator == 1 else repr(text))
+        elif is_float(value):
+            literals.append(repr(float(value)))
+        else:
+            return None
+    return f"({', '.join(literals)})"
+
+
+def is_float(value: Fraction) -> bool:
+    """Decide whether a number is the value of a float.
+
+    >>> is_float(Fraction(0.1)), is_float(Fraction(1, 10)), is_float(Fraction(2**5000))
+    (True, False, False)
+    """
+    try:
+        return float(value) == value
+    except OverflowError:
+        return False
+
+
+def format_rounded(value: Fraction | int, spec: str) -> str:
+    """Write a number in a format of floats, rounded once.
+
+    Raises:
+        ValueError: not a format of floats.
+
+    >>> format_rounded(Fraction(2, 3), ".3f"), format_rounded(Fraction(10**40, 3), ".2e")
+    ('0.667', '3.33e+39')
+    """
+    places = re.search(r"\.([0-9]+)", spec)
+    whole = max(0, value.numerator.bit_length() - value.denominator.bit_length()) // 3
+    return format(_divide(value, whole + int(places[1] if places else 6) + 10), spec)
+
+
+def _divide(value: Fraction | int, digits: int) -> Decimal:
+    """Return the first digits of a number, so that rounding them to fewer is right."""
+    with localcontext(_EXACT) as context:
+        context.prec, context.rounding, context.traps[Inexact] = digits, ROUND_05UP, False
+        return Decimal(value.numerator) / Decimal(value.denominator)
+
+
+def _round(value: Fraction, digits: int) -> Decimal:
+    """Round a number to some digits, and be exact if it has no more and is not very long."""
+    # The conversion of an int to a Decimal takes quadratic time.
+    n, d = value.as_integer_ratio()
+    cut, below = (max(0, number.bit_length() - _BITS) for number in (n, d))
+    with localcontext(_EXACT) as context:
+        context.prec, context.traps[Inexact] = 3 * digits, False
+        quotient = _divide(Fraction(n >> cut, d >> below), 3 * digits)
+        if cut or below:
+            quotient *= Decimal(2) ** (cut - below)
+        context.prec = digits
+        return +quotient
+
+
+def _write_decimal(value: Decimal) -> str:
+    with localcontext(_EXACT):
+        value = value.normalize()
+    return f"{value:f}" if -7 <= value.adjusted() <= 20 else str(value).lower()
 
 
 def to_plain(data: dict[str, Any]) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from math import gcd
 from operator import attrgetter
 from typing import NamedTuple
 
-from exactsweep.numbers.digits import read_ratio, write_int
+from exactsweep.numbers.digits import abridge, format_rounded, read_ratio, write_int
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.limits import get_max_digits, limits
 
@@ -37,6 +37,20 @@ class Point(NamedTuple):
             for c in self
         )
         return f"Point(x={x}, y={y})"
+
+    def __str__(self) -> str:
+        """Write the point for people, as `print` shows it: long coordinates are rounded."""
+        return f"({abridge(Fraction(self.x))}, {abridge(Fraction(self.y))})"
+
+    def __format__(self, spec: str) -> str:
+        """Write both coordinates in a format of floats, as in `f"{point:.3f}"`.
+
+        >>> format(Point(Fraction(1, 3), Fraction(-2)), ".3f")
+        '(0.333, -2.000)'
+        """
+        if not spec:
+            return str(self)
+        return f"({format_rounded(self.x, spec)}, {format_rounded(self.y, spec)})"
 
 
 _make_point = partial(tuple.__new__, Point)

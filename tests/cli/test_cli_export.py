@@ -90,3 +90,32 @@ def test_what_contains_the_exact_polygon_is_safe_outside(side: Side, safe: str) 
     for name, reach in (("narrower", 3), ("wider", 5)):
         rounded = [NamedRegion(Region([(0, 0), (reach, 0), (reach, 4), (0, 4)]))]
         assert _is_safe(exact, rounded, lambda _: side) == (name in safe)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_the_suffix_of_the_output_selects_the_format(
+    command: str, files: dict[str, str], tmp_path: Path
+) -> None:
+    pair = [str(tmp_path / f"{size}.wkt") for size in (3, 1)]
+    for path, size in zip(pair, (3, 1), strict=True):
+        Path(path).write_text(f"POLYGON ((0 0, {size} 0, {size} {size}, 0 0))")
+    for form in ("svg", "dxf", "wkt", "geojson", "csv"):
+        output = tmp_path / f"a.{form.upper()}"
+        assert run(command, *pair, "-o", str(output)).exit_code == 0
+        assert output.read_text() == run(command, *pair, "--to", form).stdout
+        assert parse_regions(output.read_text())
+    text = tmp_path / "a.txt"
+    assert run(command, *pair, "-o", str(text)).exit_code == 0
+    assert text.read_text() == run(command, *pair).stdout
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_there_is_one_json_of_an_answer(
+    command: str, files: dict[str, str], tmp_path: Path
+) -> None:
+    pair = files["plate"], files["part"]
+    output = tmp_path / "a.json"
+    written = run(command, *pair, "--json").stdout
+    assert run(command, *pair, "--to", "json").stdout == written
+    assert run(command, *pair, "-o", str(output)).exit_code == 0
+    assert output.read_text() == written

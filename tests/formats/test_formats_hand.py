@@ -46,7 +46,7 @@ def ells(tmp_path: Path) -> dict[str, str]:
 def test_a_pair_of_both_hands_is_brought_to_one(ells: dict[str, str]) -> None:
     ell = read_region(ells["json"])
     for first, second in (("dxf", "svg"), ("svg", "dxf"), ("svg", "json")):
-        done = run("nfp", ells[first], ells[second], "--to", "json")
+        done = run("nfp", ells[first], ells[second], "--to", "wkt")
         assert done.exit_code == 0
         assert "l.svg: Y points down there, up in other files: turned up" in done.stderr
         (found,) = parse_regions(done.stdout)

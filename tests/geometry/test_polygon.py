@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from refusals import list_refusals, require_refused
 
-from exactsweep import NumberError, Point, Polygon, PolygonError, limits
+from exactsweep import NumberError, Point, Polygon, PolygonError, Region, limits
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 
@@ -135,11 +135,31 @@ def test_text_is_short_and_exact_where_it_is_whole() -> None:
     assert eval(repr(halves)) == halves
     assert str(halves) == "(0, -1) (1/2, 0) (0, 0)"
     long = Polygon([(x, x * x * 10**5000) for x in range(50)])
-    assert str(long).startswith("(0, 0) (1, 100000000000000000000...) (2, ")
+    assert str(long).startswith("(0, 0) (1, 1e+5000~) (2, ")
     assert str(long).endswith(" ... 42 more")
     assert str(Polygon(long.vertices[:9])).endswith(" ... 1 more")
     assert "more" not in str(Polygon(long.vertices[:8]))
     assert len(repr(long)) < 400
+
+
+def test_repr_reads_back_or_does_not_look_as_if() -> None:
+    for vertices in (
+        [(0, 0), (0.1, 0), ("1/3", 1)],
+        [(0, 0), (Fraction(1, 7**40), 0), (0, 1)],
+        [(x, x * x) for x in range(9)],
+        [(0, 0), (0.1 + 0.2, 0), (0, Fraction(0.1) + Fraction(0.2))],
+    ):
+        for shape in (Polygon(vertices), Region(vertices)):
+            shown = repr(shape)
+            assert shown.startswith("<") or eval(shown) == shape
+
+
+def test_floats_are_shown_as_the_decimals_that_stand_for_them() -> None:
+    polygon = Polygon([(0, 0), (0.1, 0), (0, Fraction(0.1) + Fraction(0.2))])
+    assert str(polygon) == "(0, 0) (0.1~, 0) (0, 0.3~)"
+    assert f"{polygon:.2f}" == "(0.00, 0.00) (0.10, 0.00) (0.00, 0.30)"
+    assert f"{polygon[1]:.3f}" == "(0.100, 0.000)"
+    assert f"{polygon}" == f"{polygon!s}"
 
 
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))

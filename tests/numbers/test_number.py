@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from refusals import list_refusals, require_refused
 
-from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.digits import abridge, format_fraction, format_rounded
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.limits import (
     Limits,
@@ -220,7 +220,19 @@ def test_what_is_as_long_as_may_be_shown_is_shown() -> None:
     assert quote("7" * 38) == f"'{'7' * 38}'"
     assert quote("7" * 39) == f"'{'7' * 36}..."
     assert abridge(Fraction(10**23)) == f"1{'0' * 23}"
-    assert abridge(Fraction(10**24)) == f"1{'0' * 20}..."
+    assert abridge(Fraction(10**24)) == "1e+24"
+    assert abridge(Fraction(10**21 + 1, 3)) == "1000000000000000000001/3"
+    assert abridge(Fraction(10**25, 3)) == "3.33333333333e+24~"
+    assert abridge(Fraction(2**5000 + 1, 3**3000)) == "6.11243369215e+73~"
+
+
+@given(st.fractions(), st.integers(0, 20), st.sampled_from("feg"))
+def test_a_format_of_floats_rounds_once(value: Fraction, places: int, kind: str) -> None:
+    shown = Fraction(format_rounded(value, f".{places}{kind}"))
+    if kind == "f":
+        assert shown == round(value, places)
+    elif value:
+        assert abs(shown / value - 1) <= Fraction(1, 2 * 10 ** max(places - 1, 0))
 
 
 NUMBERS = [-6, 0, 1, 3, 12, *(Fraction(n, d) for n in (-6, 0, 1, 3, 12) for d in (1, 2, 4))]
