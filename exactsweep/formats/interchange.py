@@ -26,13 +26,13 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
     """Read a polygon of shapely; its floats keep their exact binary values.
 
     Args:
-        geometry: a shapely Polygon or LinearRing, in the plane.
+        geometry: a shapely Polygon or LinearRing. Z coordinates are dropped, with a warning.
 
     Returns:
         A Polygon, or a Region if there are interiors.
 
     Raises:
-        FormatError: another geometry, a third coordinate.
+        FormatError: another geometry.
         PolygonError: not simple, or not a region.
         NumberError: nan or an infinity.
 
@@ -46,8 +46,6 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
         raise FormatError(f"{kind} is not a polygon of shapely")
     if geometry.is_empty:
         raise FormatError("the polygon is empty")
-    if geometry.has_z:
-        raise FormatError("Z coordinates cannot be swept")
     found = Region(geometry)
     return found if found.holes else found.exterior
 

@@ -258,10 +258,36 @@ class Polygon(PointSet):
     def __len__(self) -> int:
         return len(self._vertex_index)
 
+    def index(self, vertex: object, start: int = 0, stop: int | None = None) -> int:
+        """Return the number of a vertex; raise ValueError if it is none, as a tuple does."""
+        return self.vertices.index(cast(Point, vertex), start, len(self) if stop is None else stop)
+
+    def count(self, vertex: object) -> int:
+        """Return 1 for a vertex and 0 for any other point."""
+        return self.vertices.count(cast(Point, vertex))
+
     def __eq__(self, other: object) -> bool:
+        # A Region compares itself.
         if not isinstance(other, Polygon):
             return NotImplemented
         return self.vertices == other.vertices
+
+    def __reduce__(self) -> tuple[object, ...]:
+        state = (*self.lattice(), [*self._vertex_index], [*self._edge_index])
+        return Polygon._restore, state
+
+    @classmethod
+    def _restore(
+        cls,
+        scale: int,
+        points: Sequence[Vertex],
+        vertex_index: Sequence[int],
+        edge_index: Sequence[int],
+    ) -> "Polygon":
+        """Make a copy that keeps the numbers of the input, without a new check."""
+        polygon = cls._trust(points, scale)
+        polygon._vertex_index, polygon._edge_index = vertex_index, edge_index
+        return polygon
 
     def __hash__(self) -> int:
         return hash(self.vertices)
@@ -289,3 +315,6 @@ class Polygon(PointSet):
     def _more(self) -> list[str]:
         hidden = len(self) - _SHOWN_VERTICES
         return [f"... {hidden} more"] if hidden > 0 else []
+
+
+Sequence.register(Polygon)

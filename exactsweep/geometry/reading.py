@@ -11,7 +11,8 @@ from fractions import Fraction
 from itertools import chain
 from math import gcd, lcm
 from operator import mul
-from typing import cast
+from typing import Any, cast
+from warnings import warn
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.numbers.error import NumberError, name_refusals, quote
@@ -46,8 +47,10 @@ def refuse_number(k: object, what: str, count: int) -> PolygonError:
 def read_interface(shape: object) -> list[Pairs] | None:
     """Read the rings of an object with a `__geo_interface__`, such as a polygon of shapely.
 
+    Z coordinates are dropped, with a warning.
+
     Args:
-        shape: any object.
+        shape: any object; a dict of GeoJSON counts as its own interface.
 
     Returns:
         The exterior and the holes; None if the object has no such attribute.
@@ -60,7 +63,7 @@ def read_interface(shape: object) -> list[Pairs] | None:
         >>> read_interface(shapely.box(0, 0, 2, 1))
         [[(2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0)]]
     """
-    told = getattr(shape, "__geo_interface__", None)
+    told: Any = shape if _is_geojson(shape) else getattr(shape, "__geo_interface__", None)
     if isinstance(told, Mapping) and told.get("type") == "Feature":
         told = told.get("geometry")
     if told is None:
@@ -76,7 +79,20 @@ def read_interface(shape: object) -> list[Pairs] | None:
     rings = [[*ring] for ring in rings]
     if not any(rings):
         raise PolygonError("the polygon is empty")
-    return [*rings]
+    return list(map(_drop_heights, rings)) if any(map(_has_heights, rings)) else [*rings]
+
+
+def _is_geojson(shape: object) -> bool:
+    return isinstance(shape, Mapping) and not {"geometry", "coordinates"}.isdisjoint(shape)
+
+
+def _has_heights(ring: Sequence[object]) -> bool:
+    return any(isinstance(point, Sequence) and len(point) == 3 for point in ring)
+
+
+def _drop_heights(ring: list[Any]) -> list[Any]:
+    warn("Z coordinates are dropped: a sweep is planar", stacklevel=2)
+    return [point[:2] if len(point) == 3 else point for point in ring]
 
 
 def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
@@ -100,6 +116,11 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
     """
     if isinstance(vertices, (set, frozenset)):
         raise PolygonError("the vertices are a set, which has no order")
+    if isinstance(vertices, (str, bytes, Mapping)) and read_interface(vertices) is None:
+        raise PolygonError(
+            f"{type(vertices).__name__} is not a sequence of vertices; in exactsweep.formats, "
+            "from_wkt reads WKT, and parse_region reads JSON, GeoJSON and other texts"
+        )
     rings = read_interface(vertices)
     if rings is not None:
         if len(rings) > 1:

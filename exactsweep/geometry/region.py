@@ -166,12 +166,13 @@ class Region(PointSet):
         return self._starts[-1] + len(self.holes[-1] if self.holes else self.exterior)
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Region):
+        if not isinstance(other, (Polygon, Region)):
             return NotImplemented
         return self.exterior == other.exterior and self.holes == other.holes
 
     def __hash__(self) -> int:
-        return hash((self.exterior, self.holes))
+        # That of a Polygon, which is equal, if there are no holes.
+        return hash((self.exterior, self.holes) if self.holes else self.exterior)
 
     def __reduce__(self) -> tuple[object, ...]:
         return _restore, ((self.exterior, *self.holes), self._firsts)

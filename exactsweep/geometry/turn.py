@@ -26,6 +26,9 @@ from exactsweep.numbers.number import Point, find_simplest_fraction, to_fraction
 TURN_BITS = 64
 """The default precision: a rational turn near an irrational one is off by at most 2**-64."""
 
+MAX_TURN_BITS = 100_000
+"""The greatest precision of a rational turn, whose cost grows with its square."""
+
 _ZERO, _ONE = Fraction(0), Fraction(1)
 _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
 
@@ -58,6 +61,8 @@ class Turn:
 
     def near(self, bits: int = TURN_BITS) -> RationalTurn:
         """Return a rational turn off by at most 2**-bits; the turn itself, if it is rational.
+
+        Raises NumberError for bits below 1 or above MAX_TURN_BITS.
 
         Cost: O(bits^2); computed once for each number of bits.
 
@@ -144,6 +149,8 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
         >>> find_rational_turn(Fraction(270), 9)
         RationalTurn(cosine=Fraction(0, 1), sine=Fraction(-1, 1), error=Fraction(0, 1))
     """
+    if not 1 <= bits <= MAX_TURN_BITS:
+        raise NumberError(f"bits={bits}: not from 1 to {MAX_TURN_BITS}")
     quarter, rest = divmod(degrees % 360, 90)
     if not rest:
         return RationalTurn(*_QUARTERS[quarter], _ZERO)

@@ -2,7 +2,7 @@ import copy
 import math
 import pickle
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -215,3 +215,36 @@ def test_vertices_inside_straight_edges_are_left_out(factor: Fraction, kind: Any
     assert polygon.vertices == tuple(
         Point(factor * x, factor * y) for x, y in ring[::2][:1] + ring[2:4]
     )
+
+
+@pytest.mark.parametrize("protocol", range(pickle.HIGHEST_PROTOCOL + 1))
+def test_every_protocol_of_pickle_keeps_shapes_and_numbers(protocol: int) -> None:
+    polygon = Polygon([(0, 2), (1, 1), (2, 2), (2, 0), ("1/3", 0)])
+    for shape in (polygon, Region(polygon)):
+        again = pickle.loads(pickle.dumps(shape, protocol))
+        assert again == shape
+        numbers = range(len(shape))
+        assert [*map(again.edge_index, numbers)] == [*map(shape.edge_index, numbers)]
+
+
+def test_a_polygon_equals_the_region_without_holes() -> None:
+    polygon = Polygon(SQUARE)
+    assert polygon == Region(polygon)
+    assert Region(polygon) == polygon
+    assert len({polygon, Region(polygon)}) == 1
+    assert polygon != Region(polygon, [[(1, 1), ("3/2", 1), (1, "3/2")]])
+
+
+def test_a_polygon_is_a_sequence_of_its_vertices() -> None:
+    polygon: Any = Polygon(SQUARE)
+    assert issubclass(Polygon, Sequence)
+    assert [*reversed(polygon)] == [*polygon.vertices[::-1]]
+    assert [polygon.index(vertex) for vertex in polygon] == [0, 1, 2, 3]
+    assert [polygon.count(point) for point in (polygon[0], (1, 1))] == [1, 0]
+
+
+def test_heights_are_dropped_with_a_warning() -> None:
+    flat = {"type": "Polygon", "coordinates": [[(0, 0), (1, 0), (0, 1), (0, 0)]]}
+    high = {"type": "Polygon", "coordinates": [[(x, y, 7) for x, y in flat["coordinates"][0]]]}
+    with pytest.warns(UserWarning, match="Z coordinates are dropped"):
+        assert Polygon(high) == Polygon(flat)
