@@ -114,7 +114,7 @@ class RecordsOfCluster:
 
 
 def _dask() -> Any:
-    with require_imports("distributed", "distributed", "a scheduler", FormatError):
+    with require_imports("distributed", "a scheduler", FormatError):
         import distributed
     return distributed
 

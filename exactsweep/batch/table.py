@@ -22,7 +22,7 @@ _NAMES = ("error", "id", "generatrix", "directrix")
 
 def require_pyarrow() -> None:
     """Refuse to begin what could not be finished."""
-    with require_imports("pyarrow", "parquet", "Parquet", FormatError):
+    with require_imports("pyarrow", "Parquet", FormatError):
         import pyarrow.parquet  # noqa: F401
 
 

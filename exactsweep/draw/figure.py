@@ -26,7 +26,7 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 def require_matplotlib() -> None:
     """Raise DrawError if matplotlib is missing or does not load; say how to install it."""
-    with require_imports("matplotlib", "plot", "a picture", DrawError):
+    with require_imports("matplotlib", "a picture", DrawError):
         import matplotlib  # noqa: F401
 
 

@@ -134,7 +134,7 @@ def to_shapely(polygon: AnyPolygon, *, nearest: bool = False) -> shapely.Polygon
     shell, *holes = polygon.rings
     rows = _floats(shell, nearest)
     inner = [_floats(hole, nearest, f"hole {k}, ") for k, hole in enumerate(holes)]
-    with require_imports("shapely", "arrays", "a polygon of shapely", FormatError):
+    with require_imports("shapely", "a polygon of shapely", FormatError):
         import shapely
 
     return shapely.Polygon(rows, inner)
@@ -184,7 +184,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
         >>> to_numpy(Polygon([(0, 0), (1, 0), (0, "1/2")]), "float64").tolist()
         [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5]]
     """
-    with require_imports("numpy", "arrays", "an array", FormatError):
+    with require_imports("numpy", "an array", FormatError):
         import numpy
 
     if dtype == "object":

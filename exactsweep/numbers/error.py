@@ -86,14 +86,11 @@ class name_refusals:  # noqa: N801
 
 
 @contextmanager
-def require_imports(
-    package: str, extra: str, what: str, refusal: type[ExactSweepError]
-) -> Iterator[None]:
-    """Refuse if an import inside the `with` block fails, and name the extra to install.
+def require_imports(package: str, what: str, refusal: type[ExactSweepError]) -> Iterator[None]:
+    """Refuse if an import inside the `with` block fails, and name the package to install.
 
     Args:
-        package: the library.
-        extra: the extra of exactsweep that installs the library.
+        package: the library, by the name under which pip installs it.
         what: the feature that needs the library.
         refusal: the type of the error to raise.
 
@@ -101,15 +98,15 @@ def require_imports(
         ExactSweepError: the refusal, if the library is missing or cannot be loaded.
 
     Example:
-        >>> with require_imports("naps", "bed", "rest", ExactSweepError):
+        >>> with require_imports("naps", "rest", ExactSweepError):
         ...     import naps
         Traceback (most recent call last):
-        exactsweep.numbers.error.ExactSweepError: rest needs naps: pip install 'exactsweep[bed]'
+        exactsweep.numbers.error.ExactSweepError: rest needs naps: pip install naps
     """
     try:
         yield
     except ModuleNotFoundError:
-        raise refusal(f"{what} needs {package}: pip install 'exactsweep[{extra}]'") from None
+        raise refusal(f"{what} needs {package}: pip install {package}") from None
     except ImportError as error:  # of a library that it needs, or of memory
         said = " ".join(str(error).split())
         raise refusal(f"{what} needs {package}, which cannot be loaded: {said}") from None

@@ -13,7 +13,7 @@ from exactsweep.numbers.error import require_imports
 
 
 def read_dreams() -> None:
-    with require_imports("dreams", "night", "sleep", FormatError):
+    with require_imports("dreams", "sleep", FormatError):
         import dreams  # type: ignore[import-not-found]  # noqa: F401
 
 
@@ -22,12 +22,12 @@ def read_dreams() -> None:
     [
         (
             *("matplotlib", require_matplotlib, DrawError),
-            "a picture needs matplotlib: pip install 'exactsweep[plot]'",
+            "a picture needs matplotlib: pip install matplotlib",
             "a picture needs matplotlib, which cannot be loaded: ft2font.so: failed to map segment",
         ),
         (
             *("dreams", read_dreams, FormatError),
-            "sleep needs dreams: pip install 'exactsweep[night]'",
+            "sleep needs dreams: pip install dreams",
             "sleep needs dreams, which cannot be loaded: ft2font.so: failed to map segment",
         ),
     ],
