@@ -95,7 +95,11 @@ def _refuse_in_one_line() -> Iterator[None]:
         raise click.ClickException("out of memory") from None
 
 
-@click.group(cls=_Commands, commands=_Modules())
+@click.group(
+    cls=_Commands,
+    commands=_Modules(),
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
 @click.version_option(__version__, prog_name="exactsweep")
 def main() -> None:
     """Sweep polygons around polygons in exact arithmetic."""

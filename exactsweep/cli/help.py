@@ -15,7 +15,8 @@ def add_examples(command: click.Command) -> None:
         for inner in command.commands.values():
             add_examples(inner)
         return
-    command.help, _, examples = cleandoc(command.help or "").partition("\n\nExample:\n")
-    # \b keeps click from wrapping what follows.
+    text, _, examples = cleandoc(command.help or "").partition("\n\nExample:\n")
+    # \b keeps click from wrapping what follows: here, paragraphs that are indented.
+    command.help = text.replace("\n\n    ", "\n\n\b\n    ")
     heading = "Examples" if "\n" in examples else "Example"
     command.epilog = f"\b\n{heading}:\n{examples}"

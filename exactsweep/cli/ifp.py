@@ -22,6 +22,8 @@ _takes_placed = click.option(
 def ifp_command(shapes: tuple[Region, Region, list[Region]], reference: Point, form: Form) -> None:
     """Find all positions of a part inside a container.
 
+        exactsweep ifp CONTAINER PART            first stays, second moves
+
     With --placed FILE, once or several times, PART also stays clear of the polygons in these files,
     in their positions in the files.
 

@@ -25,6 +25,9 @@ def nfp_command(
     which is the trajectory of a sweep; holes, where ORBITING fits into a cave or a hole; and exact
     fits, positions and segments of positions at which it fits without any room.
 
+        exactsweep nfp   STATIONARY ORBITING     first stays, second moves
+        exactsweep sweep GENERATRIX DIRECTRIX    first moves, second stays
+
     The command reads files as 'exactsweep sweep' does. Each argument may also be a folder or a
     pattern. For several pairs the report has one line per pair, --json writes one line of JSON per
     pair, and --to writes all polygons. --wkt writes a POLYGON with its holes, and a LINESTRING or a

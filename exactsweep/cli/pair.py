@@ -210,6 +210,18 @@ def name_files_of_pair() -> tuple[str, str] | None:
     return None if generatrix is None or directrix is None else (generatrix, directrix)
 
 
+def name_files() -> dict[str, str]:
+    """The files of the command that runs, by role; none for the built-in example."""
+    ctx = click.get_current_context()
+    named = {one.name: one.human_readable_name.lower() for one in ctx.command.params}
+    roles = {"generatrix": "moves", "directrix": "stays", "stays": "stays", "moves": "moves"}
+    return {
+        role: f"{show_path(path)} ({named[name]})"
+        for name, role in roles.items()
+        if (path := ctx.params.get(name)) is not None
+    }
+
+
 def coordinates_of_files() -> Coordinates:
     """The meaning of the coordinates that the command that runs has read: of Y, and the unit."""
     ctx = click.get_current_context()

@@ -10,7 +10,7 @@ from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import Decorator, gather, takes_output
 from exactsweep.cli.output import measure_columns, write, write_readable
-from exactsweep.cli.pair import coordinates_of_files
+from exactsweep.cli.pair import coordinates_of_files, name_files
 from exactsweep.cli.parts import say_all
 from exactsweep.cli.working import working
 from exactsweep.formats import FORMATS, FormatError, NamedRegion
@@ -145,7 +145,8 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
                 except FormatError as error:
                     raise FormatError(f"{error}; use --json, or --round") from None
             case _:
-                text = writers.report(result, columns, everything=form.everything)
+                files = name_files()
+                text = writers.report(result, columns, everything=form.everything, files=files)
     if form.kind == "to":
         export(regions, fits, form.target, form.rounding, form.output, writers.side_of)
     elif form.kind == "report":

@@ -13,11 +13,15 @@ from exactsweep.cli.result import Form, takes_form, write_result
 def sweep_command(result: Sweep, form: Form) -> None:
     """Sweep one polygon around another.
 
-    GENERATRIX goes around DIRECTRIX, always in contact and never overlapping. Each is a file,
-    or - for standard input: JSON (a list of pairs or an object with such a list as "vertices"),
-    GeoJSON, WKT, CSV, SVG or DXF. Of a file with several polygons, FILE#NAME chooses one by its
-    name, its index from 0 or its layer. Decimals are read exactly; JSON may hold fractions, too, as
-    strings such as "-7/2". Without files, a built-in example is swept.
+    GENERATRIX goes around DIRECTRIX, always in contact and never overlapping:
+
+        exactsweep sweep GENERATRIX DIRECTRIX    first moves, second stays
+        exactsweep nfp   STATIONARY ORBITING     first stays, second moves
+
+    Each is a file, or - for standard input: JSON (a list of pairs or an object with such a list as
+    "vertices"), GeoJSON, WKT, CSV, SVG or DXF. Of a file with several polygons, FILE#NAME chooses
+    one by its name, its index from 0 or its layer. Decimals are read exactly; JSON may hold
+    fractions, too, as strings such as "-7/2". Without files, a built-in example is swept.
 
     A polygon may have any shape. One with holes is WKT with inner rings, or a JSON object with a
     list of pairs as "exterior" and a list of such lists as "holes".

@@ -7,6 +7,7 @@ from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
 from math import isqrt
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
@@ -21,6 +22,9 @@ from exactsweep.words import CLASSES, write_pair
 if TYPE_CHECKING:
     from rich.table import Table
 
+NO_FILES: Mapping[str, str] = MappingProxyType({})
+"""For results of polygons that are in no file."""
+
 _SHOWN = 6
 """The significant digits of a rounded number."""
 _ANY_EXPONENT = Context(prec=_SHOWN + 1, Emax=MAX_EMAX, Emin=MIN_EMIN)
@@ -28,7 +32,13 @@ _ANY_EXPONENT = Context(prec=_SHOWN + 1, Emax=MAX_EMAX, Emin=MIN_EMIN)
 _NO_WRAPPING = 10**9
 
 
-def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool = False) -> str:
+def report(
+    sweep: Sweep,
+    terminal_width: int | None = None,
+    *,
+    everything: bool = False,
+    files: Mapping[str, str] = NO_FILES,
+) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
     Areas are exact. A decimal approximation stands beside an area if it is a different number. The
@@ -39,6 +49,7 @@ def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool 
         terminal_width: the width of the terminal in columns; None for plain text, with lines of any
             length.
         everything: whether to show all vertices, and all digits of their coordinates.
+        files: the files of the polygons, by role, such as "moves" and "stays".
 
     Returns:
         Lines of text with ASCII characters only; for a terminal also control sequences.
@@ -72,6 +83,7 @@ def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool 
         **{f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)},
     }
     facts = {
+        **files,
         "class": CLASSES[sweep.kind],
         "direction": "none" if sweep.direction is None else write_pair(sweep.direction),
         "reference": write_pair(sweep.reference),
@@ -83,7 +95,11 @@ def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool 
 
 
 def report_no_fit(
-    n: NoFitPolygon, terminal_width: int | None = None, *, everything: bool = False
+    n: NoFitPolygon,
+    terminal_width: int | None = None,
+    *,
+    everything: bool = False,
+    files: Mapping[str, str] = NO_FILES,
 ) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
 
@@ -91,6 +107,7 @@ def report_no_fit(
         n: a NoFitPolygon.
         terminal_width: as for `report`.
         everything: likewise.
+        files: likewise.
 
     Returns:
         Lines of text, as by `report`.
@@ -116,6 +133,7 @@ def report_no_fit(
     """
     loops = {"exterior": n.exterior, **{f"hole {k}": hole for k, hole in enumerate(n.holes)}}
     facts = {
+        **files,
         "class": CLASSES[n.kind],
         "reference": write_pair(n.reference),
         "holes": str(len(n.holes)),
@@ -126,7 +144,11 @@ def report_no_fit(
 
 
 def report_inner_fit(
-    f: InnerFit, terminal_width: int | None = None, *, everything: bool = False
+    f: InnerFit,
+    terminal_width: int | None = None,
+    *,
+    everything: bool = False,
+    files: Mapping[str, str] = NO_FILES,
 ) -> str:
     """Describe the positions of a part inside a container.
 
@@ -134,6 +156,7 @@ def report_inner_fit(
         f: an InnerFit.
         terminal_width: as for `report`.
         everything: likewise.
+        files: likewise.
 
     Returns:
         Lines of text, as by `report`.
@@ -156,6 +179,7 @@ def report_inner_fit(
     """
     exact = "fits exactly" if f.exact_fits else "does not fit"
     facts = {
+        **files,
         "the part": "fits" if f.regions else exact,
         **({"placed": str(len(f.placed))} if f.placed else {}),
         "reference": write_pair(f.reference),
