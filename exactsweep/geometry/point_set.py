@@ -11,15 +11,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import chain, pairwise
-from typing import Any, NamedTuple, Self, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, overload
 
 from exactsweep.geometry.overlap import is_inside
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.numbers.error import NumberError
+from exactsweep.numbers.error import (
+    ExactSweepError,
+    NumberError,
+    require_imports,
+    tells_arguments,
+)
 from exactsweep.numbers.number import Point
 from exactsweep.words import write_pair, write_size
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 _ONE, _ZERO = Fraction(1), Fraction(0)
 
@@ -91,6 +99,45 @@ class PointSet:
         low, high = map(write_pair, self.bounding_box)
         count = "vertices", str(len(self.vertices))
         return put_beside(self._repr_svg_(), [count, *self._facts(), ("from", low), ("to", high)])
+
+    @tells_arguments
+    def plot(self, axes: Axes | None = None, **style: Any) -> Axes:
+        """Draw the shape with matplotlib, filled, with equal units on both axes.
+
+        Args:
+            axes: Axes to draw on; by default those of a new figure of `matplotlib.pyplot`.
+            style: properties of a `matplotlib.patches.PathPatch`, such as `color="red"`.
+
+        Returns:
+            The Axes.
+
+        Raises:
+            ExactSweepError: matplotlib is not installed.
+
+        Example:
+            >>> from matplotlib.figure import Figure
+            >>> from exactsweep import Polygon
+            >>> triangle = Polygon([(0, 0), (2, 0), (0, 1)])
+            >>> axes = triangle.plot(Figure().subplots(), facecolor="gold")
+            >>> len(axes.patches), axes.dataLim.width == 2
+            (1, True)
+        """
+        with require_imports("matplotlib", "a picture", ExactSweepError):
+            from matplotlib.patches import PathPatch
+            from matplotlib.path import Path
+        if axes is None:
+            from matplotlib import pyplot
+
+            axes = pyplot.figure().subplots()
+        exterior, *holes = self.rings
+        # Holes run clockwise, so that they are left out.
+        rings = [exterior, *(hole[::-1] for hole in holes)]
+        paths = [Path([*map(_to_floats, (*ring, ring[0]))], closed=True) for ring in rings]
+        path = Path.make_compound_path(*paths)
+        axes.add_patch(PathPatch(path, **{"alpha": 0.5, **style}))
+        axes.set_aspect("equal")
+        axes.autoscale_view()
+        return axes
 
     def translated(self, by: Iterable[object]) -> Self:
         """Return the shape moved by a vector.
@@ -277,6 +324,10 @@ def is_on(point: Point, ring: tuple[Point, ...]) -> bool:
     (True, False)
     """
     return any(is_on_segment(point, a, b) for a, b in pairwise((*ring, ring[0])))
+
+
+def _to_floats(point: Point) -> tuple[float, float]:
+    return float(point.x), float(point.y)
 
 
 def _is_pair(value: object) -> bool:

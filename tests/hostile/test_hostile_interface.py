@@ -194,6 +194,7 @@ OF_SHAPES: dict[str, dict[str, Any]] = {
     "contains": {"point": (0, 0), "strictly": False},
     "edge_index": {"k": 0},
     "mirrored": {"along": (0, 1), "center": (0, 0)},
+    "plot": {"axes": None},
     "reflected": {"center": (0, 0)},
     "rotated": {"by": 90, "center": (0, 0)},
     "scaled": {"by": 2, "center": (0, 0)},
