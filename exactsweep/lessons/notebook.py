@@ -18,7 +18,7 @@ Notebook = dict[str, Any]
 FOLDER = Path(__file__).parent
 """The folder of the lessons."""
 
-_NAMES = ("tour", "sweeps", "paper", "judging", "layouts")
+_NAMES = ("gallery", "tour", "sweeps", "paper", "judging", "layouts")
 
 # Longer outputs, such as the interactive page, are not stored; a new run makes them again.
 _MOST_STORED = 60_000

@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 
 import pytest
 
+from exactsweep.lessons import render_lesson
 from exactsweep.lessons.notebook import (
     FOLDER,
     list_titles,
@@ -104,3 +105,13 @@ def test_a_cell_that_fails_fails_the_notebook() -> None:
     cell = {"cell_type": "code", "source": ["from exactsweep import sweep\n", "sweep([], [])"]}
     with pytest.raises(ValueError, match="generatrix: fewer than three"):
         run_notebook({"cells": [cell]})
+
+
+@pytest.mark.parametrize("name", list_titles())
+def test_a_page_shows_all_cells_and_pictures_of_its_lesson(name: str) -> None:
+    page = render_lesson(name)
+    stored = read_notebook(name)
+    assert page.count("<pre><code>") >= len(code(stored))
+    assert page.count("<svg") >= sum("<svg" in json.dumps(cell) for cell in stored["cells"])
+    assert f"<title>{list_titles()[name]}</title>" in page
+    assert "{{" not in page
