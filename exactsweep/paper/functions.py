@@ -16,11 +16,9 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Fit, Vertex
+from exactsweep.paper.kernel import find_convex_parts, sweep_outer_cc, trajectory_cc
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import find_convex_parts, inverse, split, take_corners
-from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures.chain import split, take_corners
 from exactsweep.sweep import Sweep, no_fit_polygon
 
 P = TypeVar("P", bound=tuple[Any, Any])
@@ -28,7 +26,7 @@ P = TypeVar("P", bound=tuple[Any, Any])
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
     """A chain with corners only, so that equal chains are equal lists."""
-    return take_corners([(Fraction(x), Fraction(y)) for x, y in chain])
+    return [(x, y) for x, y, _ in take_corners((Fraction(x), Fraction(y), 1) for x, y in chain)]
 
 
 def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
@@ -71,7 +69,7 @@ def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> lis
 def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Vertex]:
     """The part of a chain over a closed x-range at whose ends it does not jump."""
     inside = [(x, y) for x, y in chain if left < x < right]
-    return take_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
+    return keep_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
 
 def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
@@ -81,7 +79,7 @@ def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
 
 def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
     """The bottom chain of a canonical loop, without vertical edges at the ends."""
-    return take_corners(split([(x, y) for x, y in loop])[0])
+    return keep_corners(split([(x, y) for x, y in loop])[0])
 
 
 def look_up(pair: SweepPair) -> ReferenceLoops:
@@ -135,12 +133,6 @@ def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vert
     parts = find_convex_parts(directrix)
     paths = [trajectory_cc(top, part) for part in parts]
     return paths, [sweep_outer_cc(top, bottom, part) for part in parts]
-
-
-def list_sub_trajectories(pair: SweepPair) -> list[Envelope]:
-    """The trajectories of the convex parts of G_t, of which that of G is the lower envelope."""
-    top, _, directrix = pair.chains
-    return [trajectory_cm(inverse(part), directrix) for part in find_convex_parts(inverse(top))]
 
 
 def lower_undercuts(s: Sweep) -> list[Undercut]:

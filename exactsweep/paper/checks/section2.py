@@ -12,6 +12,7 @@ from exactsweep.check import reference_swept
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import explain
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.direction import X_AXIS
 from exactsweep.geometry.outline import number_features
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.paper.checks.touching import contacts_are_right, touches_are_right
@@ -28,7 +29,7 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.paper.tiny import expect_none, search, search_grid
 from exactsweep.procedures.chain import split
-from exactsweep.procedures.monotone import LowerSweep
+from exactsweep.procedures.monotone import MonotoneSolution
 
 KINDS = ("CC", "CM", "MM")
 
@@ -108,7 +109,8 @@ def find_void(effort: Effort) -> Iterator[Observation]:
 
 def boundaries_are_bottom_chains(pair: SweepPair) -> Iterator[str]:
     """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
-    half = LowerSweep(sweep(*pair).kind, *pair.chains)
+    g, d = map(Polygon, pair)
+    half, _ = MonotoneSolution(g, d, X_AXIS).halves
     yield from tell_boundaries(pair, inner=half.inner, outer=half.outer)
 
 
