@@ -43,17 +43,16 @@ def subtrajectories(
 
     Cost: O(strips crossed) for each pair of parts, O(1) on average; memory O(parts + result).
     """
-    count = STRIPS * (len(generatrix_parts) + len(directrix_parts))
-    if ranges is None and len(generatrix_parts) * len(directrix_parts) <= count:
-        # Fewer pairs than strips: bounds cost more than they save.
+    count = STRIPS * min(len(generatrix_parts), len(directrix_parts))
+    if ranges is None and count <= STRIPS**2:
+        # Bounds cost more than they save.
         return sums.subtrajectories(generatrix_parts, directrix_parts)
     rows, columns = bound_all(generatrix_parts), bound_all(directrix_parts)
-    ceiling = Ceiling(
-        min(row[1] for row in rows) + min(column[1] for column in columns),
-        max(row[2] for row in rows) + max(column[2] for column in columns),
-        count,
-        ranges,
-    )
+    left, right = (min(row[1] for row in rows), max(row[2] for row in rows))
+    start, end = min(column[1] for column in columns), max(column[2] for column in columns)
+    ceiling = Ceiling(left + start, right + end, count, ranges)
+    # Without a range in which the envelope is needed, a part is of no use.
+    columns = [c for c in columns if ceiling.is_above(-inf, left + c[1], right + c[2])]
     found = []
     for rank in range(len(rows) + len(columns) - 1):
         for k in range(max(0, rank - len(columns) + 1), min(len(rows), rank + 1)):

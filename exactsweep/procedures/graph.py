@@ -107,16 +107,20 @@ def find_crossing(a: Rational, b: Rational) -> Break:
 
 
 # LowerEnvelope_CM. P is the partial trajectory with edges P_i, S the subtrajectory with edges S_j.
-# The walk goes from right to left. Before each round, with x the lesser right end of P_i and S_j,
+# The walk goes from right to left, from the lesser right end of P and S. Before each round, with x
+# the lesser right end of P_i and S_j,
 #
-#     (1)  right of x, P is above S: S is the envelope there.
+#     (1)  right of x, P is above S as far as both reach.
 #
 # Let x' be the greater left end of P_i and S_j.
 #
 #     (2)  P_i <= S_j at x: S takes over at x. P has a step there, or the walk has just begun.
 #     (3)  P_i < S_j at x': S takes over where the two lines cross.
-#     (4)  P_i >= S_j at x': (1) holds for x'. The edges that begin at x' are done with. If all of P
-#          or all of S is done with, S takes over at x'.
+#     (4)  P_i >= S_j at x': (1) holds for x'. The edges that begin at x' are done with. If all of S
+#          is done with, S takes over at x'; if all of P is, S takes the place of P.
+#
+# If S ends at or left of the place where it takes over, P stays as it is. Otherwise P loses all that
+# is right of that place, even where S ends before P (see `mm`).
 
 
 def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
@@ -124,9 +128,7 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
 
     Procedure LowerEnvelope_CM. "We traverse the subtrajectory from right to left. In the beginning,
     T_{i-1} appears above T(G_t, D_i), and then the intersection is detected by a switch in this
-    vertical relationship." The paper's subtrajectories begin over the partial trajectory and end
-    right of it. Without irrelevant edges some begin right of it, and some end first; these are
-    appended, and merged with the part that they overlap.
+    vertical relationship."
 
     Args:
         partial: the envelope so far; it is changed in place.
@@ -136,7 +138,7 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
     Returns:
         The graph `partial`.
 
-    Cost: O(edges of the piece + edges trimmed off).
+    Cost: O(edges of the piece + edges trimmed off), and O(log n) if the piece ends first.
     """
     edges, breaks, others, ends = partial.pieces, partial.breaks, piece.pieces, piece.breaks
     x, w = end = breaks[-1]
@@ -145,9 +147,10 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
         edges += [GAP] * gap + others
         breaks += ends[1 - gap :]
         return partial
-    if precedes(ends[0], breaks[0]) or precedes(ends[-1], end):
-        return _merge_tail(partial, piece)
     i, j = len(edges) - 1, 0
+    if precedes(ends[-1], end):
+        x, w = end = ends[-1]
+        i, j = bisect_left(breaks, True, key=lambda at: not precedes(at, end)) - 1, len(others) - 1
     while precedes(ends[j + 1], end):
         j += 1
     while i >= 0 and j >= 0:
@@ -163,20 +166,13 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
             break
         i -= order >= 0  # (4)
         j -= order <= 0
-    if j < 0 or not precedes((x, w), ends[j + 1]):
+    if i < 0:
+        j, (x, w) = 0, ends[0]
+    elif j < 0 or not precedes((x, w), ends[j + 1]):
         j += 1
-    edges[i + 1 :] = others[j:]
-    breaks[i + 1 :] = [(x, w), *ends[j + 1 :]]
-    return partial
-
-
-def _merge_tail(partial: Graph, piece: Graph) -> Graph:
-    """Merge a subtrajectory with that part of the partial trajectory that it overlaps."""
-    k = len(partial.pieces) - 1
-    while k > 0 and precedes(piece.breaks[0], partial.breaks[k]):
-        k -= 1
-    tail = merge(Graph(partial.breaks[k:], partial.pieces[k:]), piece)
-    partial.breaks[k:], partial.pieces[k:] = tail.breaks, tail.pieces
+    if j < len(others):
+        edges[i + 1 :] = others[j:]
+        breaks[i + 1 :] = [(x, w), *ends[j + 1 :]]
     return partial
 
 

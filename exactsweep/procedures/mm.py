@@ -34,11 +34,12 @@ from exactsweep.procedures.sums import Ranges
 # A row, the subtrajectories of one part, has relevant edges only, and lacks what is pruned. Let E
 # be the envelope of all pairs, P the partial trajectory, s_k the whole sum of the part and D_k.
 #
-#     (1) P is on E wherever one of its members is on E.
+#     (1)  P is on E wherever one of its members is on E.
 #
 # Let LowerEnvelope_CM put s_k in the place of P right of x, where P is not below s_k: there s_k is
-# on E where P was. Left of x, some whole sum s_j, j < k, is nowhere above s_k (Lemma A.3). Where
-# s_k is on E there, s_j is, too, and by (1) so is P. So the lowest of all rows is E.
+# on E where P was. So P may lose all of it, also where the edges of s_k are irrelevant, so that s_k
+# is not on E. Left of x, some whole sum s_j, j < k, is nowhere above s_k (Lemma A.3). Where s_k is
+# on E there, s_j is, too, and by (1) so is P. So the lowest of all rows is E.
 
 
 def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = None) -> Graph:
