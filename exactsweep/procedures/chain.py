@@ -59,10 +59,11 @@ class Chain:
         [(-2, 0), (-1, 1), (0, 0)]
     """
 
-    __slots__ = ("_lines", "vertices")
+    __slots__ = ("_lines", "_parts", "vertices")
 
     def __init__(self, vertices: list[Homogeneous], lines: list[Line | None] | None = None) -> None:
         self.vertices, self._lines = vertices, lines
+        self._parts: dict[tuple[int, Rational], list[Part]] = {}
 
     @classmethod
     def of(cls, points: Sequence[Vertex]) -> Chain:
@@ -261,6 +262,8 @@ def partition(generatrix: Chain, directrix: Chain) -> tuple[list[Part], list[Par
 def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None) -> list[Part]:
     """Cut a chain at its reflex vertices and vertical edges into convex parts. Cost: O(n).
 
+    The chain caches them, for nesting sweeps each polygon around many others.
+
     Args:
         chain: the chain.
         whose: the second item of each `SlopedEdge`.
@@ -271,6 +274,8 @@ def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None
     [(0, 2), (2, 1), (4, 1)]
     """
     unit = measure_unit(chain) if unit is None else unit
+    if known := chain._parts.get((whose, unit)):
+        return known
     edges = [
         line and (line[1] * unit // line[0] if unit else divide_exactly(*line[1::-1]), whose, *line)
         for line in chain.lines
@@ -289,4 +294,5 @@ def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None
         if last == len(edges) or (not edges[last] and precedes(heights[last], heights[last + 1])):
             steepest = (inf,)
         parts.append(Part(chain.vertices, first, own, flattest, steepest))
+    chain._parts[whose, unit] = parts
     return parts

@@ -119,8 +119,8 @@ def find_crossing(a: Rational, b: Rational) -> Break:
 #     (4)  P_i >= S_j at x': (1) holds for x'. The edges that begin at x' are done with. If all of S
 #          is done with, S takes over at x'; if all of P is, S takes the place of P.
 #
-# If S ends at or left of the place where it takes over, P stays as it is. Otherwise P loses all that
-# is right of that place, even where S ends before P (see `mm`).
+# If S ends at or left of the place where it takes over, P stays as it is. Otherwise P loses all
+# right of that place, even if S ends before P (see `mm`).
 
 
 def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:

@@ -226,7 +226,7 @@ def lower_envelope_cm_is_right(pair: SweepPair) -> Iterator[str]:
     yield tell_difference("the lower envelope", partial, look_up_bottom(pair, "trajectory"))
 
 
-def _watch_slots(partial: Graph) -> Graph:
+def watch_slots(partial: Graph) -> Graph:
     """Return the same envelope with lists that count slots; this call reads all slots once."""
     return Graph(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
 
@@ -237,9 +237,9 @@ def envelope(pair: SweepPair) -> tuple[int, float]:
     with watch_operations() as tally:
         pieces = [to_graph(trajectory_cc(top, part)) for part in find_convex_parts(directrix)]
         handed_in = sum(len(piece.pieces) for piece in pieces)
-        partial, before = _watch_slots(pieces[0]), tally.total
+        partial, before = watch_slots(pieces[0]), tally.total
         for piece in pieces[1:]:
             grown = lower_envelope_cm(partial, piece)
             # Trimmed in place; where it is not, the new lists were copied.
-            partial = grown if grown.breaks is partial.breaks else _watch_slots(grown)
+            partial = grown if grown.breaks is partial.breaks else watch_slots(grown)
     return tally.total - before, 2 * handed_in - len(partial.pieces)

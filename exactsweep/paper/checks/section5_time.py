@@ -10,6 +10,7 @@ from math import log2
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import kernel
+from exactsweep.paper.checks.appendix import watch_slots
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.section5_sizes import OUTGROWING, find_beyond_mn2, outgrows_its_parts
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
@@ -98,13 +99,19 @@ def step_2(pair: SweepPair) -> int:
 
 
 def merge_parts_by_turns(pair: SweepPair) -> int:
-    """Count the operations of merging one sub-trajectory after the other."""
-    return operations(lambda c: reduce(merge, _sub_trajectories(c)), pair.chains)
+    """Count the operations of merging one sub-trajectory after the other, and slots copied."""
+    graphs = _sub_trajectories(count_chains(pair))
+    with watch_operations() as tally:
+        merged = reduce(lambda partial, graph: merge(watch_slots(partial), graph), graphs)
+    return tally.total + len(merged.pieces)
 
 
 def merge_parts_by_halves(pair: SweepPair) -> int:
     """Count the operations of merging sub-trajectories by halves."""
-    return operations(lambda c: lower_envelope_mm(_sub_trajectories(c)), pair.chains)
+    graphs = _sub_trajectories(count_chains(pair))
+    with watch_operations() as tally:
+        merged = lower_envelope_mm(graphs)
+    return tally.total + len(merged.pieces)
 
 
 def count_glance(effort: Effort) -> Iterator[Observation]:
