@@ -85,8 +85,11 @@ def find_convex_parts(points: Sequence[Vertex]) -> list[Points]:
     >>> find_convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
     [[(0, 0), (1, -2), (2, -1)], [(2, -1), (3, -3)], [(3, -4), (5, -4)]]
     """
-    parts = chain.find_convex_parts(Chain.of(points))
-    return [list(points[part.first : part.first + len(part.edges) + 1]) for part in parts]
+    made = Chain.of(points)
+    return [
+        made.points[part.first : part.first + len(part.edges) + 1]
+        for part in chain.find_convex_parts(made)
+    ]
 
 
 def require_convex(points: Sequence[Vertex]) -> Points:

@@ -67,12 +67,13 @@ class Chain:
 
     @classmethod
     def of(cls, points: Sequence[Vertex]) -> Chain:
-        """Make a chain of points, from left to right.
+        """Make a chain of points, from left to right; repeated points count once.
 
         Raises ChainError if x decreases, or never increases. Cost: O(n).
         """
         if not all(issubclass(kind, int) for kind in {*map(type, link.from_iterable(points))}):
             points = [(Fraction(x), Fraction(y)) for x, y in points]
+        points = [point for point, _ in groupby(points)]
         lines: list[Line | None] = []
         for (px, py), (qx, qy) in pairwise(points):
             dx, dy = qx - px, qy - py
@@ -281,7 +282,7 @@ def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None
         for line in chain.lines
     ]
     # A part begins after a vertical edge, and where the slope decreases.
-    starts = [k for k, (d, e) in enumerate(pairwise([None, *edges])) if e and (not d or e < d)]
+    starts = [k for k, (d, e) in enumerate(pairwise([None, *edges])) if e and (not d or e[0] < d[0])]
     heights: list[Break] = [(y, w) for _, y, w in chain.vertices]
     parts: list[Part] = []
     for first, end in pairwise([*starts, len(edges)]):

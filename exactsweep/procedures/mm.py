@@ -147,7 +147,9 @@ def sweep_inner_mm(
 def find_untouched(
     generatrix: Chain, directrix: Chain, trajectory: Graph
 ) -> list[tuple[Piece, Break, Piece, Break]]:
-    """Find the x-ranges of D_b that G does not touch, from left to right: its undercuts.
+    """Find x-ranges of D_b that hold all that G does not touch, from left to right.
+
+    They are the undercuts, and what G touches only while another piece of T hides it.
 
     Returns:
         The first four items of a `Closing` for each.
