@@ -74,10 +74,9 @@ from typing import Any, NamedTuple
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
 MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**9, 5 * 10**7, 500
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
-EMPTY = dict.fromkeys(("holes", "defects"), [])  # what null or a key that is left out stands for
-DEFAULTS = {**EMPTY, **dict.fromkeys(("turn", "error", "spacing", "margin"), "0")}
-SOLID = "exterior holes pieces error"
+NULL = dict.fromkeys(("turn", "error", "spacing", "margin"), "0") | {"holes": [], "defects": []}
 AXES, NOWHERE = ((1, 0), (0, 1), (-1, 0), (0, -1)), ((0, 0, 0, 0), -1, 0)
+STILL = AXES[0], False, (0, 0, 1)
 PI = (
     "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534"
 )
@@ -133,7 +132,7 @@ def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
     known, required = f"{names} {optional}".split(), {*names.split()}
     right = type(item) is dict and required <= item.keys() <= {*known}
     need(right, f"{name}: no object of {names}{', perhaps ' * bool(optional)}{optional}")
-    return [DEFAULTS.get(key) if item.get(key) is None else item[key] for key in known]
+    return [NULL.get(key) if item.get(key) is None else item[key] for key in known]
 
 
 def items(name: str, item: Any, size: int | None = None) -> list[Any]:
@@ -186,8 +185,9 @@ def shape(name: str, item: Any) -> list[Ring]:
     return [e[::-1] if (area(edges(e)) > 0) == bool(k) else e for k, e in enumerate(rings)]
 
 
-def rectangle(name: str, left: Rational, low: Rational, right: Rational, high: Rational) -> Ring:
-    """Return a rectangle, counter-clockwise from its lower left corner on."""
+def rectangle(name: str, ends: Sequence[Rational]) -> Ring:
+    """Return a rectangle by its ends, counter-clockwise from its lower left corner on."""
+    left, low, right, high = items(name, [*ends], 4)
     need(left < right and low < high, f"{name}: not left, bottom, right, top of a rectangle")
     return [node(left, low), node(right, low), node(right, high), node(left, high)]
 
@@ -574,8 +574,8 @@ def inner_fit(c: Any, work: Work) -> str:
     names = f"container part regions exact_fits proof {HEAD}"
     first, second, regions, exact, proof = fields("certificate", c, names)[:5]
     ends, cut, others, listed, around = fields("proof", proof, "frame outside part sums around")
-    left, low, right, high = (number("frame", n) for n in items("frame", ends, 4))
-    frame, known = rectangle("frame", left, low, right, high), list[Known]()
+    sides, known = [number("frame", n) for n in items("frame", ends)], list[Known]()
+    frame = rectangle("frame", sides)
     rings = [frame, *(points[::-1] for points in shape("container", first))]
     d = solid("outside", rings, cut, work)
     h = reflect(solid("part", shape("part", second), others, work))
@@ -583,8 +583,9 @@ def inner_fit(c: Any, work: Work) -> str:
         known += read_region(f"regions[{k}]", region, work)
     known += fits("exact_fits", exact)
     xs, ys = zip(*map(place, chain(*h)), strict=True)
-    inner = left + max(xs), low + max(ys), right + min(xs), high + min(ys)
-    within = edges(rectangle("frame, for the part", *inner))
+    less = max(xs), max(ys), min(xs), min(ys)
+    inner = [end + by for end, by in zip(sides, less, strict=True)]
+    within = edges(rectangle("frame, for the part", inner))
     beyond = [(q, p, (-a, -b, -c)) for p, q, (a, b, c) in within]
     for edge, (*_, line) in product(known, within):
         is_within = side(line, edge.start) >= 0 <= side(line, edge.end)
@@ -609,12 +610,12 @@ def read_region(name: str, item: Any, work: Work) -> list[Known]:
 
 
 class Body(NamedTuple):
-    """A part, where it is, or an obstacle: its pieces, of rings and a radius, and their error."""
+    """A part or an obstacle: its pieces, or else its rings, and the winding number in them."""
 
     name: str
-    pieces: list[tuple[list[Ring], Rational]]
+    rings: list[Ring]
     error: Rational
-    inside: int  # the winding number of the rings
+    inside: int
 
 
 def read_rotation(name: str, item: Any) -> Any:
@@ -633,8 +634,8 @@ def rotation_error(to: Any, degrees: Rational) -> Rational:
     angle = int(Fraction(PI) * degrees / 180 * unit)
     while term:
         sums[k % 4], k, term = sums[k % 4] + term, k + 1, term * angle // (unit * (k + 1))
-    true = Fraction(sums[0] - sums[2], unit), Fraction(sums[1] - sums[3], unit)
-    return Fraction(abs(to[0] - true[0]) + abs(to[1] - true[1]) + Fraction(1, 10**88))
+    cosine, sine = Fraction(sums[0] - sums[2], unit), Fraction(sums[1] - sums[3], unit)
+    return abs(Fraction(to[0]) - cosine) + abs(Fraction(to[1]) - sine) + Fraction(1, 10**88)
 
 
 def move(points: Ring, to: Any, mirrored: bool, by: Point) -> Ring:
@@ -655,18 +656,14 @@ def gap(one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bo
 
 
 def is_inside(body: Body, p: Point, depth: Rational) -> bool:
-    """Return whether a point is deeper in a body than a depth; below 0, or less far from it."""
-    x, y = place(p)
-    for rings, radius in body.pieces:
-        around, squared, room = [*chain(*map(edges, rings))], list[Rational](), radius - depth
-        for (a, b), (c, d) in ((place(p), place(q)) for p, q, _ in around):
-            u, v, along = c - a, d - b, (c - a) * (x - a) + (d - b) * (y - b)
-            at = min(along / (u * u + v * v), Fraction(1)) if along > 0 else 0
-            squared.append((a + at * u - x) ** 2 + (b + at * v - y) ** 2)
-        sign = 1 if winding(around, p) == body.inside else -1
-        if sign * min(squared) + room * abs(room) > 0:
-            return True
-    return False
+    """Return whether a point is in a body, deeper than a depth, or if that is below 0, near it."""
+    squared, around, (x, y) = list[Rational](), [*chain(*map(edges, body.rings))], place(p)
+    for (a, b), (c, d) in ((place(start), place(end)) for start, end, _ in around):
+        u, v, along = c - a, d - b, (c - a) * (x - a) + (d - b) * (y - b)
+        at = min(along / (u * u + v * v), Fraction(1)) if along > 0 else 0
+        squared.append((a + at * u - x) ** 2 + (b + at * v - y) ** 2)
+    sign = 1 if winding(around, p) == body.inside else -1
+    return sign * min(squared) > depth * abs(depth)
 
 
 class Layout:
@@ -677,163 +674,125 @@ class Layout:
         need(type(self.valid) is bool, "valid: neither true nor false")
         names = f"layout turns valid {'proof' if self.valid else 'faults'} {HEAD}"
         given, turns, _, self.evidence = fields("certificate", c, names)[:4]
-        names = "container defects spacing margin"
-        parts, placed, container, defects, *gaps = fields(
-            "layout", given, "parts placements", names
-        )
+        names, more = "parts placements container", "defects spacing margin"
+        parts, placed, container, defects, *gaps = fields("layout", given, names, more)
         self.spacing, self.margin = (number("spacing, margin", n, 0) for n in gaps)
         solids, self.frame = [container, *items("defects", defects)], list[Ring]()
         cut, outside = [None] * len(items("parts", parts)), [None] * len(solids)
         if self.valid:
             names = "frame outside pieces apart"
             ends, outside, cut, self.normals = fields("proof", self.evidence, names)
-            need((ends is None) == (container is None), "frame: not around a container")
-            for found in [] if ends is None else [items("frame", ends, 4)]:
-                self.frame = [rectangle("frame", *(number("frame", n) for n in found))]
-        need(container is not None or not self.margin, "margin: of no container")
-        self.parts, self.bodies = dict[str, tuple[Body, Any, Any, Any, list[Any]]](), list[Body]()
+            self.frame = [rectangle("frame", [number("frame", n) for n in items("frame", ends)])]
+        self.parts, self.bodies = dict[str, tuple[Body, list[Any], list[Any]]](), list[Body]()
         for k, own in enumerate(items("pieces", cut, len(parts))):
+            names, more = "id exterior", "demand turns mirrored holes error"
+            key, _, *rules = fields(f"parts[{k}]", parts[k], names, more)[:5]
+            is_new = type(key) is str and key not in self.parts
+            need(is_new, f"parts[{k}]: its id is no string of its own")
             more = "id demand turns mirrored"
-            name, (key, *rules) = (
-                f"parts[{k}]",
-                fields(f"parts[{k}]", parts[k], "id", f"{more[3:]} {SOLID}")[:4],
-            )
-            need(
-                type(key) is str and key not in self.parts,
-                f"{name}: its id is no string of its own",
-            )
-            self.parts[key] = self.read_solid(name, parts[k], own, more), *rules, []
+            self.parts[key] = self.read_body(f"parts[{k}]", parts[k], own, None, more), rules, []
         self.count = len(items("placements", placed))
         for k, to in enumerate(items("turns", turns, self.count)):
             self.read_placement(f"placements[{k}]", placed[k], to)
         for k, own in reversed([*enumerate(items("outside", outside, len(solids)))]):
-            name = f"defects[{k - 1}]" if k else "container"
-            self.bodies.append(self.read_solid(name, solids[k], own, ""))
+            name, around = (f"defects[{k - 1}]", None) if k else ("container", self.frame)
+            self.bodies.append(self.read_body(name, solids[k], own, around, ""))
 
-    def read_solid(self, name: str, item: Any, cut: Any, more: str) -> Body:
-        """Read a part or an obstacle: with its pieces in a proof, else with all its rings."""
-        if item is None and name == "container":
-            need(not cut, "outside: of no container")
-            return Body(name, [], 0, 0)
-        exterior, holes, listed, error = fields(name, item, "", f"{SOLID} {more}")[:4]
-        inside, error = int(name != "container"), number(f"{name}, error", error, 0)
-        if listed is None:
-            rings = shape(name, {"exterior": exterior, "holes": holes})
-            if not inside:
-                rings = self.frame + [points[::-1] for points in rings]
-            own = [[e] for e in solid(name, rings, cut, self.work)] if self.valid else [rings]
-            return Body(name, [(e, 0) for e in own], error, inside)
-        need(exterior is cut is None and inside, f"{name}: an exterior beside its pieces")
-        pieces = list[tuple[list[Ring], Rational]]()
-        for k, entry in enumerate(items(name, listed)):
-            found, radius = fields(f"{name}, piece {k}", entry, "points radius")
-            points = read_points(name, found)
-            right = is_convex(points) if len(points) > 2 else len({*points}) == len(points) > 0
-            need(right, f"{name}, piece {k}: neither a point nor a segment nor convex")
-            pieces.append(([points], number(name, radius, 0)))
-        need(pieces, f"{name}: no pieces")
-        return Body(name, pieces, error, inside)
+    def read_body(self, name: str, item: Any, cut: Any, around: Any, more: str) -> Body:
+        """Read a shape with an error, for a container what is around it in the frame."""
+        exterior, holes, error = fields(name, item, "exterior", f"holes error {more}")[:3]
+        rings = shape(name, {"exterior": exterior, "holes": holes})
+        if around is not None:
+            rings = around + [points[::-1] for points in rings]
+        if self.valid:
+            rings = [move(e, *STILL) for e in solid(name, rings, cut, self.work)]
+        need(rings or around, f"{name}: no pieces")
+        return Body(name, rings, number(f"{name}, error", error, 0), int(around is None))
 
     def read_placement(self, name: str, item: Any, rational: Any) -> None:
         """Read a placement, and put its part there."""
         key, by, turn, flag = fields(name, item, "part move", "turn mirrored")
         need(type(key) is str and key in self.parts, f"{name}: of no part")
         need(flag is None or type(flag) is bool, f"{name}, mirrored: neither true nor false")
-        body, *_, used = self.parts[key]
         asked, to = read_rotation(name, turn), read_rotation(name, items(name, rational))
-        points, error = [p for rings, _ in body.pieces for p in chain(*rings)], body.error
-        self.work.spend(10 + 4 * len(points))
+        (_, rings, error, _), _, used = self.parts[key]
+        self.work.spend(10 + 4 * sum(map(len, rings)))
         if asked != to:
             need(type(asked) is not tuple, f"{name}: its entry of turns is another rotation")
-            error += max(sum(map(abs, place(p))) for p in points) * rotation_error(to, asked)
-        used.append((asked, bool(flag)))
-        (move_by,) = read_points(name, [by])
-        pieces = [
-            ([move(e, to, bool(flag), move_by) for e in rings], r) for rings, r in body.pieces
-        ]
-        self.bodies.append(Body(f"{name} of {key[:40]!a}", pieces, error, 1))
+            far = max(sum(map(abs, place(p))) for p in chain(*rings))
+            error += far * rotation_error(to, asked)
+        used.append((asked, flag is True))
+        rings = [move(e, to, flag is True, *read_points(name, [by])) for e in rings]
+        self.bodies.append(Body(f"{name} of {key[:40]!a}", rings, error, 1))
 
-    def find_broken(self) -> Iterator[tuple[str, str]]:
+    def find_broken(self) -> Iterator[str]:
         """List the rules that are broken, each with the id of a part."""
-        for key, (_, demand, turns, may, used) in self.parts.items():
+        for key, (_, (demand, turns, may), used) in self.parts.items():
             name = f"part {key[:40]!a}"
             need(may is None or type(may) is bool, f"{name}, mirrored: neither true nor false")
             asked = len(used) if demand is None else integer(f"{name}, demand", demand, 0, 10**9)
-            yield from [("missing", key)] * (len(used) < asked)
-            yield from [("surplus", key)] * (len(used) > asked)
-            yield from [("mirror", key)] * (may is False and any(flag for _, flag in used))
+            yield from [f"missing {key}"] * (len(used) < asked)
+            yield from [f"surplus {key}"] * (len(used) > asked)
+            yield from [f"mirror {key}"] * (may is False and any(flag for _, flag in used))
             if turns is not None:
                 allowed = {read_rotation(name, turn) for turn in items(name, turns)}
-                yield from [("turn", key)] * any(turn not in allowed for turn, _ in used)
+                yield from [f"turn {key}"] * any(turn not in allowed for turn, _ in used)
 
     def prove_valid(self) -> None:
         """Prove that parts are in the frame, and apart from each other and from obstacles."""
         normals, boxes, reach = dict[Any, Any](), [], max(self.spacing, self.margin) / Fraction(2)
+        least = self.count - len(self.bodies)
         for n, entry in enumerate(items("apart", self.normals)):
             *key, x, y = items(f"apart[{n}]", entry, 6)
-            a, i, b, j = (integer(f"apart[{n}]", k, -len(self.bodies), 10**9) for k in key)
+            a, i, b, j = (integer(f"apart[{n}]", k, min(least, -1), 10**9) for k in key)
             need((a, i, b, j) not in normals, f"apart[{n}]: another normal for the same pieces")
             normals[a, i, b, j] = read_points(f"apart[{n}]", [[x, y]])[0][:2]
         for one in self.bodies[: self.count]:
-            for (p, way), ((points,), r) in product(zip(chain(*self.frame), AXES), one.pieces):
-                distance = self.margin + r + one.error + self.bodies[-1].error
-                need(gap([p], points, way, distance), f"{one.name}: not in the frame", points[0])
-        scale = scale_of(p for one in self.bodies for (points,), _ in one.pieces for p in points)
-        for a in range(self.count - len(self.bodies), self.count):
-            for i, ((points,), r) in enumerate(self.bodies[a].pieces):
-                boxes.append((box(points, scale, reach + self.bodies[a].error + r), (a, i)))
+            for (p, way), points in product(zip(*self.frame, AXES, strict=True), one.rings):
+                is_within = gap([p], points, way, self.margin + one.error + self.bodies[-1].error)
+                need(is_within, f"{one.name}: not in the frame", points[0])
+        scale = scale_of(p for one in self.bodies for points in one.rings for p in points)
+        for a in range(least, self.count):
+            for i, points in enumerate(self.bodies[a].rings):
+                boxes.append((box(points, scale, reach + self.bodies[a].error), (a, i)))
         at = tree(boxes)
         for (a, i), (b, j), _ in near(self.work, at, at, NOWHERE):
             if a < b and b >= 0:
-                self.prove_apart(a, i, b, j, normals.get((a, i, b, j), normals.get((a, -1, b, -1))))
+                one, other = self.bodies[a], self.bodies[b]
+                self.work.spend(len(one.rings[i]) + len(other.rings[j]))
+                distance = (self.margin if a < 0 else self.spacing) + one.error + other.error
+                known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1))
+                ways = [known] if known else AXES
+                is_apart = any(gap(one.rings[i], other.rings[j], n, distance) for n in ways)
+                reason = f"{one.name}, piece {i}: not apart from {other.name}, piece {j}"
+                need(is_apart, reason, other.rings[j][0])
 
-    def prove_apart(self, a: int, i: int, b: int, j: int, normal: Any) -> None:
-        """Prove that piece i of body a and piece j of body b are apart."""
-        one, other = self.bodies[a], self.bodies[b]
-        ((points,), r), ((others,), q) = one.pieces[i], other.pieces[j]
-        self.work.spend(len(points) + len(others))
-        distance = (self.margin if a < 0 else self.spacing) + one.error + other.error + r + q
-        is_apart = any(gap(points, others, n, distance) for n in ([normal] if normal else AXES))
-        need(is_apart, f"{one.name}, piece {i}: not apart from {other.name}, piece {j}", points[0])
-
-    def prove_fault(self, name: str, fault: Any, broken: set[tuple[str, str]]) -> Any:
+    def prove_fault(self, name: str, fault: Any, broken: set[str]) -> Any:
         """Prove one fault; return what has it."""
-        kind, key, on, defect, at = fields(name, fault, "kind", "part placements defect point")
+        kind, key, on, at = fields(name, fault, "kind", "part placements point")
         points = [] if at is None else read_points(name, [at])
         if on is None:
-            need(type(key) is str and key in self.parts and defect is None, f"{name}: of no part")
-            (rings, _), *others = self.parts[key][0].pieces
-            self.work.spend(sum(map(len, rings)))
-            is_shape = kind == "shape" and points and not others
-            around = [*chain(*map(edges, rings))] if is_shape else []
-            is_so = winding(around, points[0]) not in (0, 1) if is_shape else (kind, key) in broken
+            need(type(key) is str and key in self.parts, f"{name}: of no part")
+            around = [*chain(*map(edges, self.parts[key][0].rings if points else []))]
+            self.work.spend(len(around))
+            is_wound = kind == "shape" and points and winding(around, points[0]) not in (0, 1)
             need(
-                is_so and bool(points) == bool(is_shape),
-                f"{name}: {key[:40]!a} does not have it",
-                *points,
+                is_wound or f"{kind} {key}" in broken, f"{name}: the part does not have it", *points
             )
-            return kind, key
-        a, *others = (integer(name, k, 0, self.count) for k in items(name, on))
-        others = others or [
-            -1
-            if defect is None
-            else -2 - integer(name, defect, 0, len(self.bodies) - self.count - 1)
-        ]
-        b, is_close = others[0], kind == "too close"
-        right = (
-            len(others) == 1 == len(points) and a != b and key is None and (defect is None or b < 0)
-        )
+            return f"{kind} {key}"
+        least, is_close = self.count - len(self.bodies), kind == "too close"
+        a, b = (integer(name, k, least, self.count) for k in items(name, on, 2))
+        right = is_close or kind == ("outside" if b < 0 else "overlap")
         need(
-            right and (is_close or kind == ("outside" if b < 0 else "overlap")),
-            f"{name}: not of this form",
+            right and key is None and a >= 0 and a != b and points, f"{name}: no fault of this form"
         )
         both = self.bodies[a], self.bodies[b]
-        room = both[0].error + both[1].error - (self.margin if b < 0 else self.spacing)
-        need(room < 0 or not is_close, f"{name}: the errors are too large")
+        room = (self.margin if b < 0 else self.spacing) - both[0].error - both[1].error
+        need(room > 0 or not is_close, f"{name}: the errors leave no room")
         for one in both:
-            self.work.spend(20 * sum(len(points) for rings, _ in one.pieces for points in rings))
-            depth = room / Fraction(2) if is_close else one.error
-            need(is_inside(one, points[0], depth), f"{name}: not deep in {one.name}", *points)
+            self.work.spend(20 * sum(map(len, one.rings)))
+            is_there = is_inside(one, points[0], -room / 2 if is_close else one.error)
+            need(is_there, f"{name}: not inside or near enough to {one.name}", *points)
         return frozenset((a, b))
 
 
