@@ -77,12 +77,11 @@ NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
 NULL = dict.fromkeys(("turn", "error", "spacing", "margin"), "0") | {"holes": [], "defects": []}
 AXES, NOWHERE = ((1, 0), (0, 1), (-1, 0), (0, -1)), ((0, 0, 0, 0), -1, 0)
 STILL = AXES[0], False, (0, 0, 1)
-PI = (
-    "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534"
-)
+PI = "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348"
 
 Rational = int | Fraction
-Point = Line = tuple[int, int, int]
+Point = tuple[int, int, int]
+Line = Point
 Ring = list[Point]
 Edge = tuple[Point, Point, Line]
 Span = tuple[Rational, Rational, bool]
@@ -251,8 +250,8 @@ def winding(around: Iterable[Edge], z: Point) -> int:
 
 def scale_of(points: Iterable[Point]) -> int:
     """Choose the unit of boxes around points: so many units are 1."""
-    xs, ys = zip((Fraction(0),) * 2, *map(place, points), strict=True)
-    return int(2**30 / (max(*xs, *ys) - min(*xs, *ys) or 1)) + 1
+    xs, ys = zip(*([*map(place, points)] or [(0, 0)]), strict=True)
+    return int(2**30 / (max(max(xs) - min(xs), max(ys) - min(ys)) or 1)) + 1
 
 
 def box(points: Sequence[Point], scale: int, reach: Rational = 0) -> tuple[int, ...]:
@@ -387,6 +386,7 @@ def loops(name: str, item: Any) -> list[Known]:
 def fits(name: str, item: Any) -> list[Known]:
     """Read a list of fits."""
     ends = [edges(read_points(name, fit, 2))[0] for fit in items(name, item)]
+    need(len({*ends}) == len(ends), f"{name}: one is there twice")
     return [Known(*e, "", f"{name}[{k}]") for k, e in enumerate(ends)]
 
 
@@ -469,16 +469,12 @@ def covers(spans: Iterable[Span | None]) -> bool:
 
 
 def distinct(one: Known, other: Known) -> bool:
-    """Return whether known edges meet in a point at most, and those of one loop in ends alone."""
-    if one.start == one.end:
-        one, other = other, one
-    if one.start == one.end:
-        return one.start != other.start
-    low, high, _ = share(one, other) or (2, 0, True)
+    """Return whether a known edge has at most a point on another: of its loop an end, of a fit none."""
+    span = share(one, other) if one.start != one.end else None
     may_meet = other.start != other.end
     if one.loop == other.loop != "":
         may_meet = one.end == other.start or one.start == other.end
-    return low > high or (may_meet and min(high, 1) <= max(low, 0))
+    return span is None or (may_meet and min(span[1], 1) <= max(span[0], 0))
 
 
 def boundary(name: str, sums: Sums, known: list[Known], listed: Any, around: list[Any]) -> None:
@@ -501,19 +497,18 @@ def boundary(name: str, sums: Sums, known: list[Known], listed: Any, around: lis
 
 def cover_sides(name: str, sums: Sums, known: list[Known], listed: Any, around: list[Any]) -> Any:
     """Prove (b); return intervals of each known edge, by number, with sums on its left or right."""
-    entries = [(f"around[{k}]", [sums.count + k, found]) for k, found in enumerate(around)]
-    own = [(f"{name}[{n}]", items(f"{name}[{n}]", e)) for n, e in enumerate(items(name, listed))]
-    for at, entry in own:
-        integer(at, entry[0] if entry else None, 0, sums.count)
-    entries, beside = own + entries, defaultdict[Any, list[Span | None]](list)
-    for at, (k, *chains) in entries:
+    entries = [*items(name, listed), *([sums.count + k, e] for k, e in enumerate(around))]
+    beside, count = defaultdict[Any, list[Span | None]](list), sums.count + len(around)
+    for n, entry in enumerate(entries):
+        integer(f"{name}[{n}]", [*items(f"{name}[{n}]", entry), None][0], 0, count)
+    for at, (k, *chains) in ((f"{name}[{n}]", entry) for n, entry in enumerate(entries)):
         sides = sums.get(k)[1]
         for one, found in zip(sides, items(at, chains, len(sides)), strict=True):
             spans = list[Span | None]()
             for n in [found] if type(found) is int else items(at, found):
                 sums.work.spend(5)
                 if integer(at, n, -len(known), len(entries)) >= 0:
-                    lines = sums.get(entries[n][1][0])[0]
+                    lines = sums.get(entries[n][0])[0]
                     sums.work.spend(len(lines) / 2)
                     spans.append(clip(lines, one[0], one[1]))
                     continue
@@ -685,29 +680,28 @@ class Layout:
             self.frame = [rectangle("frame", [number("frame", n) for n in items("frame", ends)])]
         self.parts, self.bodies = dict[str, tuple[Body, list[Any], list[Any]]](), list[Body]()
         for k, own in enumerate(items("pieces", cut, len(parts))):
-            names, more = "id exterior", "demand turns mirrored holes error"
-            key, _, *rules = fields(f"parts[{k}]", parts[k], names, more)[:5]
+            names, more = "id exterior", "holes error demand turns mirrored"
+            key, *form = fields(name := f"parts[{k}]", parts[k], names, more)
             is_new = type(key) is str and key not in self.parts
-            need(is_new, f"parts[{k}]: its id is no string of its own")
-            more = "id demand turns mirrored"
-            self.parts[key] = self.read_body(f"parts[{k}]", parts[k], own, None, more), rules, []
+            need(is_new, f"{name}: its id is no string of its own")
+            self.parts[key] = self.read_body(name, form, own, None), form[3:], []
         self.count = len(items("placements", placed))
         for k, to in enumerate(items("turns", turns, self.count)):
             self.read_placement(f"placements[{k}]", placed[k], to)
         for k, own in reversed([*enumerate(items("outside", outside, len(solids)))]):
             name, around = (f"defects[{k - 1}]", None) if k else ("container", self.frame)
-            self.bodies.append(self.read_body(name, solids[k], own, around, ""))
+            found = fields(name, solids[k], "exterior", "holes error")
+            self.bodies.append(self.read_body(name, found, own, around))
 
-    def read_body(self, name: str, item: Any, cut: Any, around: Any, more: str) -> Body:
-        """Read a shape with an error, for a container what is around it in the frame."""
-        exterior, holes, error = fields(name, item, "exterior", f"holes error {more}")[:3]
-        rings = shape(name, {"exterior": exterior, "holes": holes})
+    def read_body(self, name: str, found: list[Any], cut: Any, around: Any) -> Body:
+        """Read a shape with an error; of a container, what is outside it, in the frame if any."""
+        rings = shape(name, {"exterior": found[0], "holes": found[1]})
         if around is not None:
             rings = around + [points[::-1] for points in rings]
         if self.valid:
             rings = [move(e, *STILL) for e in solid(name, rings, cut, self.work)]
         need(rings or around, f"{name}: no pieces")
-        return Body(name, rings, number(f"{name}, error", error, 0), int(around is None))
+        return Body(name, rings, number(f"{name}, error", found[2], 0), int(around is None))
 
     def read_placement(self, name: str, item: Any, rational: Any) -> None:
         """Read a placement, and put its part there."""
@@ -725,18 +719,18 @@ class Layout:
         rings = [move(e, to, flag is True, *read_points(name, [by])) for e in rings]
         self.bodies.append(Body(f"{name} of {key[:40]!a}", rings, error, 1))
 
-    def find_broken(self) -> Iterator[str]:
+    def find_broken(self) -> Iterator[tuple[str, str]]:
         """List the rules that are broken, each with the id of a part."""
         for key, (_, (demand, turns, may), used) in self.parts.items():
             name = f"part {key[:40]!a}"
             need(may is None or type(may) is bool, f"{name}, mirrored: neither true nor false")
             asked = len(used) if demand is None else integer(f"{name}, demand", demand, 0, 10**9)
-            yield from [f"missing {key}"] * (len(used) < asked)
-            yield from [f"surplus {key}"] * (len(used) > asked)
-            yield from [f"mirror {key}"] * (may is False and any(flag for _, flag in used))
+            yield from [("missing", key)] * (len(used) < asked)
+            yield from [("surplus", key)] * (len(used) > asked)
+            yield from [("mirror", key)] * (may is False and any(flag for _, flag in used))
             if turns is not None:
                 allowed = {read_rotation(name, turn) for turn in items(name, turns)}
-                yield from [f"turn {key}"] * any(turn not in allowed for turn, _ in used)
+                yield from [("turn", key)] * any(turn not in allowed for turn, _ in used)
 
     def prove_valid(self) -> None:
         """Prove that parts are in the frame, and apart from each other and from obstacles."""
@@ -767,32 +761,28 @@ class Layout:
                 reason = f"{one.name}, piece {i}: not apart from {other.name}, piece {j}"
                 need(is_apart, reason, other.rings[j][0])
 
-    def prove_fault(self, name: str, fault: Any, broken: set[str]) -> Any:
+    def prove_fault(self, name: str, fault: Any, broken: set[tuple[str, str]]) -> Any:
         """Prove one fault; return what has it."""
         kind, key, on, at = fields(name, fault, "kind", "part placements point")
-        points = [] if at is None else read_points(name, [at])
+        points, least = read_points(name, [] if at is None else [at]), self.count - len(self.bodies)
+        need(type(kind) is str and (on is None) != (key is None), f"{name}: of what")
         if on is None:
             need(type(key) is str and key in self.parts, f"{name}: of no part")
             around = [*chain(*map(edges, self.parts[key][0].rings if points else []))]
             self.work.spend(len(around))
             is_wound = kind == "shape" and points and winding(around, points[0]) not in (0, 1)
-            need(
-                is_wound or f"{kind} {key}" in broken, f"{name}: the part does not have it", *points
-            )
-            return f"{kind} {key}"
-        least, is_close = self.count - len(self.bodies), kind == "too close"
+            need(is_wound or (kind, key) in broken, f"{name}: the part has no such fault", *points)
+            return kind, key
         a, b = (integer(name, k, least, self.count) for k in items(name, on, 2))
-        right = is_close or kind == ("outside" if b < 0 else "overlap")
-        need(
-            right and key is None and a >= 0 and a != b and points, f"{name}: no fault of this form"
-        )
-        both = self.bodies[a], self.bodies[b]
-        room = (self.margin if b < 0 else self.spacing) - both[0].error - both[1].error
-        need(room > 0 or not is_close, f"{name}: the errors leave no room")
-        for one in both:
-            self.work.spend(20 * sum(map(len, one.rings)))
-            is_there = is_inside(one, points[0], -room / 2 if is_close else one.error)
-            need(is_there, f"{name}: not inside or near enough to {one.name}", *points)
+        is_close, one, other = kind == "too close", self.bodies[a], self.bodies[b]
+        need(is_close or kind == ("outside" if b < 0 else "overlap"), f"{name}: no such fault")
+        need(a >= 0 and a != b and points, f"{name}: not two bodies and a point")
+        room = (self.margin if b < 0 else self.spacing) - one.error - other.error
+        for body in (one, other):
+            self.work.spend(20 * sum(map(len, body.rings)))
+            is_there = is_inside(body, points[0], -room / 2 if is_close else body.error)
+            need(is_there, f"{name}: not inside {body.name}, or not near enough", *points)
+        need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)
         return frozenset((a, b))
 
 
