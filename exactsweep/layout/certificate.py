@@ -8,18 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import accumulate, chain, combinations, pairwise
+from itertools import accumulate, chain, pairwise
 from typing import Any
 
 from exactsweep.evidence.certificate import HEADER
 from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.grid import IntVertex
-from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.turn import TURN_BITS
-from exactsweep.geometry.vectors import minus, turn
+from exactsweep.geometry.vectors import turn
 from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.layout import LayoutPart
+from exactsweep.layout.misfit import find_misfit
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
 from exactsweep.layout.pieces import bound_piece
@@ -55,7 +55,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
         raise LayoutError("nothing that is wrong with the layout has a proof: no certificate")
     certificate = {
         **HEADER,
-        "kind": "layout",
+        "claim": "layout",
         "layout": board.layout.to_json(),
         "valid": not faults,
         "turns": [placement.turn.near(bits)[:2] for placement in board.layout.placements],
@@ -73,7 +73,7 @@ def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
         apart.append(entry)
     return {
         "pieces": [_list_pieces(board, part) for part in board.layout.parts],
-        "outside": _list_outside(board),
+        "outside": [_list_outside(board)],
         "apart": apart,
         "faults": [],
     }
@@ -151,9 +151,9 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> dict[str,
                 proved.append(entry)
         elif fault.kind == "shape":
             assert fault.part is not None
-            edges = _find_clash(board.layout.part_by_id[fault.part])
-            if edges is not None:
-                proved.append({"kind": "shape", "part": fault.part, "edges": edges})
+            point = find_misfit(board.layout.part_by_id[fault.part])
+            if point is not None:
+                proved.append({"kind": "shape", "part": fault.part, "points": [point]})
         elif fault.kind != "undecided":
             witness = _find_proof(board, fault, bits)
             if witness is not None:
@@ -163,7 +163,7 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> dict[str,
                 return None
     walled = any(len(entry.get("placements", ())) == 1 for entry in proved)
     pieces = [_list_pieces(board, p) if p.id in parts else None for p in board.layout.parts]
-    outside = _list_outside(board) if walled else None
+    outside = [_list_outside(board) if walled else None]
     return {"pieces": pieces, "outside": outside, "apart": [], "faults": proved} if proved else None
 
 
@@ -201,35 +201,6 @@ def _find_piece(solid: Solid, point: Point) -> int:
         for k, piece in enumerate(solid.pieces)
         if all(turn(a, b, (x, y)) >= 0 for a, b in pairwise((*piece, piece[0])))
     )
-
-
-def _find_clash(part: LayoutPart) -> list[list[int]] | None:
-    """Find two edges of a ring that meet, or two edges of different rings that cross."""
-    rings = [
-        list(pairwise((*ring, ring[0])))
-        for ring in (
-            [p for k, p in enumerate(r) if p != r[k - 1]] for r in (part.exterior, *part.holes)
-        )
-        if len(ring) > 2
-    ]
-    if len(rings) <= len(part.holes):
-        return None
-    for r, edges in enumerate(rings):
-        for (i, one), (k, other) in combinations(enumerate(edges), 2):
-            if k - i in (1, len(edges) - 1):
-                (a, b), (_, c) = (one, other) if k - i == 1 else (other, one)
-                (ux, uy), (vx, vy) = minus(a, b), minus(c, b)
-                clash = ux * vy == uy * vx and ux * vx + uy * vy > 0
-            else:
-                clash = touch(*one, *other) != []
-            if clash:
-                return [[r, i], [r, k]]
-    for (r, edges), (s, others) in combinations(enumerate(rings), 2):
-        for i, (a, b) in enumerate(edges):
-            for k, (p, q) in enumerate(others):
-                if turn(a, b, p) * turn(a, b, q) < 0 and turn(p, q, a) * turn(p, q, b) < 0:
-                    return [[r, i], [s, k]]
-    return None
 
 
 def _list_pieces(board: Board, part: LayoutPart) -> list[list[Point]]:
