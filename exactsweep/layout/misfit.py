@@ -9,7 +9,6 @@ it is the number to the right of the edge. Each face has such an edge on its lef
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.geometry.canonical import find_doubled_area
@@ -31,6 +30,7 @@ def find_misfit(part: LayoutPart) -> Point | None:
 
     Cost: O(n) for each tried point, at most one for each edge and each two edges that meet.
 
+    >>> from fractions import Fraction
     >>> bow = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (2, 2), (2, 0), (0, 1))]
     >>> find_misfit(LayoutPart("bow", tuple(bow))) is None
     False
