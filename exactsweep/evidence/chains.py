@@ -8,7 +8,7 @@ Where no sum does there is a slit: a free position between two sums.
 from __future__ import annotations
 
 from bisect import insort
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -24,6 +24,7 @@ from exactsweep.evidence.sums import (
     find_touching,
     grow,
     intersect,
+    is_right,
     make_node,
     make_side,
 )
@@ -106,12 +107,15 @@ class _Finder:
 
     def list_beside(self, numbers: Iterable[int]) -> None:
         """List sums with sides along known edges; on the right of a loop there are none."""
+        wanted: list[list[tuple[int, Interval]]] = []
         for n in numbers:
             edge = self._known[n]
             p, q = edge[:2]
             if p == q:
-                touching = [k for k in self._near[n] if _is_on_border(self._sides(k), p)]
-                self._list_largest(touching)
+                span = Fraction(0), Fraction(1)
+                wanted.append(
+                    [(k, span) for k in self._near[n] if _is_on_border(self._sides(k), p)]
+                )
                 continue
             along: tuple[list[tuple[int, Interval]], ...] = [], []
             (dx, dy), (a, b, c) = edge.direction, edge.line
@@ -122,27 +126,27 @@ class _Finder:
                         x, y, w = side.start
                         if a * x + b * y + c * w == 0:
                             span = intersect(edge, side)
-                            if span:
+                            if span and span[0] < 1 and span[1] > 0:
                                 along[dx * ex + dy * ey > 0].append((k, span))
-            for spans in along:
-                reach = Fraction(0)
-                while reach < 1:
-                    on = {k: high for k, (low, high) in spans if low <= reach < high}
-                    if not on:
-                        break
-                    reach = on[self._list_largest(on)]
-
-    def _list_largest(self, numbers: Iterable[int]) -> int:
-        """List the largest of some sums, unless one is listed; return it."""
-        best = -1
-        for k in numbers:
-            if k in self._listed or k in self._beyond:
-                return k
-            if best < 0 or self._sums.measure(k) > self._sums.measure(best):
-                best = k
-        if best >= 0:
-            self._list(best)
-        return best
+            wanted += along
+        gain = Counter(k for spans in wanted for k, _ in spans)
+        for spans in wanted:
+            reach = Fraction(0)
+            while reach < 1:
+                on = {k: high for k, (low, high) in spans if low <= reach < high}
+                if not on:
+                    break
+                best = max(
+                    on,
+                    key=lambda k: (
+                        k in self._listed or k in self._beyond,
+                        gain[k],
+                        self._sums.measure(k) if k < self._sums.count else 0,
+                    ),
+                )
+                if best not in self._listed and best not in self._beyond:
+                    self._list(best)
+                reach = on[best]
 
     def _list(self, k: int) -> None:
         self._listed[k] = len(self._listed)
@@ -154,12 +158,15 @@ class _Finder:
 
     def cover(self) -> None:
         """Find a chain for each side of listed sums, which may list more."""
-        for k in self._beyond:
-            self._chains[k] = [self._cover(k, s, side) for s, side in enumerate(self._sides(k))]
-        numbers = [k for k in self._listed if k not in self._chains]
+        numbers = [k for k in (*self._beyond, *self._listed) if k not in self._chains]
         for k in numbers:
             before = len(self._listed)
-            self._chains[k] = [self._cover(k, s, side) for s, side in enumerate(self._sides(k))]
+            sides = self._sides(k)
+            known = [
+                n for n in self._edges[k] if not any(is_right(s, self._known[n]) for s in sides)
+            ]
+            self._last = -1
+            self._chains[k] = [self._cover(side, known, (k, s)) for s, side in enumerate(sides)]
             numbers += list(self._listed)[before:]
 
     def add(self, slits: Sequence[Side]) -> None:
@@ -169,13 +176,13 @@ class _Finder:
         self._index(range(first, len(self._known)))
         self.list_beside(range(first, len(self._known)))
         for k, s in list(self.gaps):
-            self._chains[k][s] = self._cover(k, s, self._sides(k)[s])
+            self._chains[k][s] = self._cover(self._sides(k)[s], self._edges[k], (k, s))
         self.cover()
 
-    def _cover(self, k: int, s: int, side: Side) -> list[int]:
+    def _cover(self, side: Side, edges: Sequence[int], at: tuple[int, int]) -> list[int]:
         """Cover a side: entries -1 - n for known edges, and numbers of sums."""
         a, b = side[:2]
-        known = [(span, n) for n in self._edges[k] if (span := intersect(side, self._known[n]))]
+        known = [(span, n) for n in edges if (span := intersect(side, self._known[n]))]
         gaps: list[tuple[Node, Node]] = []
         found: list[tuple[int, Fraction, bool]] = []
         reach, closed = Fraction(0), False
@@ -197,7 +204,7 @@ class _Finder:
             found.append((n, reach, closed))
             reach, closed = high, n < 0
         if gaps:
-            self.gaps[k, s] = gaps
+            self.gaps[at] = gaps
         return [n for n, *_ in found]
 
     def _find_next(
@@ -210,17 +217,24 @@ class _Finder:
             goes_on = span and span[1] > reach and _continues(span[0], k, reach, closed)
             return span if goes_on else None
 
-        grid = self._sums.grid
-        left, right, low, high = grid.box([between(a, b, reach)])
+        if self._last >= 0 and (span := clip_with(self._last)):
+            return span, self._last
+        found = self._search(between(a, b, reach), clip_with)
+        if found:
+            self._last = found[1]
+        return found
+
+    def _search(self, p: Node, clip_with: Any) -> tuple[Interval, int] | None:
+        left, right, low, high = box = self._sums.grid.box([p])
         for k in self._beyond:
             if span := clip_with(k):
                 return span, k
         for _, k, west, east, south, north in self._strips[(left - self._left) // self._width]:
-            if west <= right and left <= east and south <= high and low <= north:
-                if span := clip_with(k):
-                    return span, k
-        point = Tree((left, right, low, high), -1, 0)
-        near = [i * self._sums.columns + j for _, i, j in find_touching(point, *self._sums.trees)]
+            near = west <= right and left <= east and south <= high and low <= north
+            if near and (span := clip_with(k)):
+                return span, k
+        trees = self._sums.trees
+        near = [i * self._sums.columns + j for _, i, j in find_touching(Tree(box, -1, 0), *trees)]
         for k in sorted(near, key=self._sums.measure, reverse=True):
             if k not in self._listed and (span := clip_with(k)):
                 self._list(k)

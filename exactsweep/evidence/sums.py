@@ -39,7 +39,10 @@ def make_side(p: Node, q: Node) -> Side:
 
 def _side(p: Node, q: Node, direction: tuple[int, int]) -> Side:
     (x, y, w), (dx, dy) = p, direction
-    return Side(p, q, direction, (-dy * w, dx * w, dy * x - dx * y))
+    level = dy * x - dx * y
+    common = gcd(level, w)
+    w //= common
+    return Side(p, q, direction, (-dy * w, dx * w, level // common))
 
 
 def make_node(x: Fraction | int, y: Fraction | int) -> Node:
@@ -218,18 +221,25 @@ def intersect(side: Side, other: Side) -> Interval | None:
     Returns:
         Its ends, perhaps beyond those of the segment; None if both have no point in common.
     """
-    (a, b, _, (k, m, n)), (p, q, *_, (e, f, g)) = side, other
+    (a, b, (dx, dy), (k, m, n)), (p, q, *_, (e, f, g)) = side, other
     at_p, at_q = k * p[0] + m * p[1] + n * p[2], k * q[0] + m * q[1] + n * q[2]
-    if at_p * at_q > 0:
+    if (at_p > 0 and at_q > 0) or (at_p < 0 and at_q < 0):
         return None
     if at_p == at_q == 0:
-        axis = int(a[0] * b[2] == b[0] * a[2])
-        start, end, *ends = (Fraction(e[axis], e[2]) for e in (a, b, p, q))
-        low, high = sorted((at - start) / (end - start) for at in ends)
-        return (low, high) if low <= 1 and high >= 0 else None
+        at_a, at_b, at_p, at_q = (Fraction(dx * x + dy * y, w) for x, y, w in (a, b, p, q))
+        low, high = min(at_p, at_q), max(at_p, at_q)
+        if low > at_b or high < at_a:
+            return None
+        return (low - at_a) / (at_b - at_a), (high - at_a) / (at_b - at_a)
     at_a = (e * a[0] + f * a[1] + g * a[2]) * b[2]
     at_b = (e * b[0] + f * b[1] + g * b[2]) * a[2]
-    if at_a == at_b or at_a * at_b > 0:
+    if at_a == at_b or (at_a > 0 and at_b > 0) or (at_a < 0 and at_b < 0):
         return None
     at = Fraction(at_a, at_a - at_b)
     return at, at
+
+
+def is_right(side: Side, other: Side) -> bool:
+    """Return whether another segment is right of the line of a side, and does not touch it."""
+    (a, b, c), (x, y, w), (u, v, z) = side.line, other.start, other.end
+    return a * x + b * y + c * w < 0 and a * u + b * v + c * z < 0
