@@ -1,59 +1,50 @@
 """Checker of certificates, version 3: one file that needs the standard library alone, to be read.
 
-`python standalone.py FILE` prints "proved: ..." or "not proved: ..."; the exit code is 0 or 1. The
-page CERTIFICATES.md defines what is read. Points are homogeneous: integers (x, y, w), w > 0, are
-(x/w, y/w). A point is left of a line (a, b, c) if a x + b y + c w > 0. Sections 1 to 3 prove the
-claims on positions, 4 to 6; layouts, 7, need only 1 and 2.
+`python standalone.py FILE` prints "proved: ..." or "not proved: ..."; CERTIFICATES.md has the format.
+Points are homogeneous: integers (x, y, w), w > 0, for (x/w, y/w). Left of a line (a, b, c) is where
+a x + b y + c w > 0. Layouts, 7, need 1 and 2 alone; claims on positions, 4 to 6, need 1 to 3.
 
-1. Shapes. The winding number of rings at a point z is the number of edges strictly right of z, upward
-   ones as +1, downward ones as -1; an edge owns its lower end, but not its upper one. The number at
-   z is also that at z + (d, d^2) for all small d > 0. A shape is the set in which the winding number
-   of its rings is 1; so two shapes have a common point if and only if their interiors have one.
-2. Pieces are convex and counter-clockwise. They make up a shape if (`cancel`) on every line, at every
-   point, as many of their edges start less end as edges of the rings: then the numbers of edges right
-   of z agree, and the winding numbers of the pieces, their indicators, add up to that of the rings;
-   and if (`apart`) any two of them are on two sides of a line: then that sum is 0 or 1. So every
-   point of the shape is in exactly one piece. That is all we need: rings may even cross themselves.
-3. The lemma. O is the union of open convex polygons, the sums. L is the union of edges of closed loops
-   and of fits, which are segments or points. U is the union of some of the sums, which are listed. W
-   is the winding number of all loops together. Suppose (`boundary`) that
+1. Shapes. The winding number of rings at z is the number of edges strictly right of z, upward ones as
+   +1, downward ones as -1; an edge owns its lower end, not its upper one. At z + (d, d^2) it is the
+   same for all small d > 0. A shape is where the winding number of its rings is 1, holes clockwise.
+   So two shapes have a common point if and only if they overlap: their interiors have one.
+2. Pieces, convex and counter-clockwise, make up a shape if at every point of every line as many of
+   their edges start, less those that end, as of the edges of its rings (`cancel`): then right of any
+   z as many cross, and the indicators of the pieces add up to the winding number. If besides any two
+   of them are on two sides of a line (`apart`), it is 0 or 1: each point is in one piece at most.
+3. The lemma. Let O be a union of open convex polygons, the sums; U the union of some of them, which
+   are listed; L the edges of closed loops, walked with O on their left, and fits, which are segments
+   or points; W the winding number of all loops together. Suppose (`boundary`) that
    (a) no sum has a point of L;
-   (b) every side of a listed sum, with its ends, is contained in the union of U and L;
-   (c) every edge of a loop has listed sums along its left side, but for single points, and every fit
-       has them along both sides; a fit that is a point is on the boundary of a listed sum;
-   (d) W is 1 at one point of each sum;
-   (e) two edges of L have at most a point in common.
-   Then O = U; off L, W is 1 on O and 0 elsewhere; and L is the boundary of O.
-   Proof. By (a), W is constant on each sum, so by (d) it is 1 on O. Let t be neither in U nor on L.
-   Both are closed to small moves: by (b) the boundary of U is on L, so all points near t are in
-   neither. Move t a little, so that no end of a segment is level with t, and no two segments meet
-   where its level line does. Look right from t. If there is nothing of L, W is 0 at t. Else let y be
-   the first point of L, on the edge e. No point before y is in U: the leftmost point of a sum there
-   would be on one of its sides, hence by (b) in U or on L, farther left. If e is a fit or an upward
-   edge, by (c) a listed sum is along its left side, that from which we look: impossible. So e goes
-   down, and just behind y there is a listed sum, by (c), where W is 1. So W is 0 before y, and at t.
-   Hence no point off U and L is in O, where W is 1, and no point of L by (a): O = U. Points of L are
-   limits of O by (c), and are not in O; all other limits of U are in U, by (b).
-4. `no_fit`. D and G + t overlap if and only if t is in the interior of D_i + H_j for a piece D_i of D
-   and one H_j of H = -G: by 1 and 2 they overlap if and only if two pieces do. These are the sums.
-   For (d) one point is enough for pieces D_i connected by common vertices, and H_j likewise: if D_1
-   and D_2 have p in common, D_1 + H_j and D_2 + H_j have p + the interior of H_j, so W is the same.
-5. `sweep`. T is the exterior of the no-fit polygon. The points that G covers on its way along T are the
-   closure of the sums of an edge of T and a piece of G, and 3 serves again. T + the interior of G_j is
-   connected: (d) takes one point for each G_j. The fits are slits, segments between two sums whose
-   pieces have a cut parallel to an edge of T; they are no part of the answer.
-6. `inner_fit`. D is the frame, a rectangle, without the container, and B the rectangle of all t at which
-   G + t is in the frame. The open half-planes around B count as listed sums, with the edges of B for
-   sides, and L is in B. Loops are walked so that W is 0 on O, -1 elsewhere: use W + 1 in the proof,
-   in which t now sees a half-plane at least, and therefore a point of L before it.
-7. `layout`. A piece is the set of points no farther than a radius r from a convex polygon, r = 0 for
-   those of 2. Two pieces are at distance s or more, and do not overlap, if there is a normal n with
-   gap = min n.b - max n.a >= 0 and gap^2 >= (s + r_a + r_b)^2 |n|^2 over their vertices a and b. If
-   shapes are known up to errors e_a and e_b, add these to s. The complement of the container in a
-   frame, and every defect, are shapes, too. A rotation by an irrational angle is written as a rational
-   one; if that is off by d, it moves a point at distance r from the origin by no more than d r, which
-   is an error. Faults of a layout are proved by points: one that is in two shapes, deeper than their
-   errors; two that are too near; or one around which rings wind neither 0 times nor once.
+   (b) all sides of listed sums are in U or L, their ends included;
+   (c) along the left of each edge of a loop, and along both sides of each fit, there are sides of
+       listed sums, which are on that side; a fit of one point is on the side of a listed sum;
+   (d) W is 1 at one point of every sum;
+   (e) two edges or fits have at most one point in common.
+   Then O = U; L is the boundary of O; off L, W is 1 on O and 0 elsewhere.
+   Proof. By (a), W is constant on every sum, by (d) it is 1 on O. U and L together are closed, by (b).
+   So let t be in neither, and moved a little, so that its level meets no end of a segment and no two
+   segments in one point. Look right from t. If nothing of L is there, W is 0 at t. Else let y be the
+   first point of L, on e. Before y there is no point of U: the leftmost one of a sum there would be on
+   its side, so in L, or in another sum, which begins farther left. By (c), if e is a fit or goes up, a
+   sum is along its left, and t sees it before y. So e goes down, and at once behind y there is a sum,
+   where W is 1; hence W is 0 at t. As W is 1 on O, O is in U and L, so by (a) in U. Points of L are
+   limits of O by (c), not in O by (a); other limits of U are in U by (b).
+4. `no_fit`. By 1 and 2, D and G + t overlap if and only if t is in the interior of D_i + H_j, for a
+   piece D_i of D and H_j of H = -G: these are the sums. If D_1 and D_2 have a vertex p in common, W is
+   the same on D_1 + H_j and D_2 + H_j, which have p + H_j in common; so (d) is asked once for pieces
+   that vertices connect. In a sweep, T is the exterior; what G covers along T is the closure of the
+   sums of an edge of T and a piece G_j: 3 again, with fits that are no part of the answer. The sums of
+   one G_j are connected, for edges of T have ends in common.
+5. `inner_fit`. D is a frame without the container, B the rectangle of all t at which G + t is in the
+   frame. L is in B; the four half-planes around B count as listed sums, with edges of B for sides. In
+   the proof, W + 1 has the place of W, and every t sees a half-plane, hence L before it.
+6. `layout`. A normal n with gap = min n.b - max n.a >= 0 and gap^2 >= s^2 |n|^2, for all vertices a of
+   one piece and b of another, shows that they are s apart and do not overlap. Errors, up to which two
+   shapes are known, are added to s. What is outside the container, in a frame, and every defect are
+   shapes. A rotation that is off by d moves a point at distance r from the origin by at most d r. A
+   point in two shapes, deeper than their errors, shows that they overlap; one nearer to both than half
+   the spacing less errors that they are too close.
 """
 
 from __future__ import annotations
@@ -67,14 +58,17 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
 from itertools import chain, product
-from math import gcd, inf, lcm
+from math import gcd, lcm
 from pathlib import Path
 from typing import Any, NamedTuple
 
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
-MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**9, 5 * 10**7, 500
+MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 5 * 10**7, 500
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
-NULL = dict.fromkeys(("turn", "error", "spacing", "margin"), "0") | {"holes": [], "defects": []}
+NULL: dict[str, Any] = dict.fromkeys(("turn", "error", "spacing", "margin"), "0") | {
+    "holes": [],
+    "defects": [],
+}
 AXES, NOWHERE = ((1, 0), (0, 1), (-1, 0), (0, -1)), ((0, 0, 0, 0), -1, 0)
 STILL = AXES[0], False, (0, 0, 1)
 PI = "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348"
@@ -91,7 +85,7 @@ Span = tuple[Rational, Rational, bool]
 
 
 class Refused(Exception):  # noqa: N818
-    """The first reason why a certificate is not proved, and a point to see it by, if there is one."""
+    """The first reason why a certificate is not proved, and perhaps a point to see it by."""
 
     def __init__(self, reason: str, *points: Point) -> None:
         for x, y, w in points[:1] if max(map(abs, chain((0,), *points))) < 10**300 else ():
@@ -147,13 +141,13 @@ def integer(name: str, item: Any, low: int, end: int) -> int:
     return int(item)
 
 
-def number(name: str, item: Any, least: float = -inf) -> Rational:
+def number(name: str, item: Any, is_signed: bool = True) -> Rational:
     """Read a rational in lowest terms."""
     right = type(item) is str and len(item) <= MAX_DIGITS and NUMBER.fullmatch(item)
     need(right and item != "-0", f"{name}: no number in a string, such as -3 or 5/7")
     n, m = (int(Decimal(part)) for part in f"{item}/1".split("/")[:2])  # int takes 4,300 digits
     need("/" not in item or gcd(n, m) == 1 < m, f"{name}: not in lowest terms")
-    need(n >= least * m, f"{name}: below {least}")
+    need(is_signed or n >= 0, f"{name}: below 0")
     return n if m == 1 else Fraction(n, m)
 
 
@@ -238,7 +232,7 @@ def area(around: Iterable[Edge]) -> Fraction:
 
 
 def winding(around: Iterable[Edge], z: Point) -> int:
-    """Return how often edges of rings wind around a point: upward less downward ones, right of it."""
+    """Return the winding number: upward less downward edges, strictly right of a point."""
     found = 0
     for p, q, line in around:
         is_up, is_down = p[1] * z[2] <= z[1] * p[2], q[1] * z[2] <= z[1] * q[2]
@@ -250,7 +244,7 @@ def winding(around: Iterable[Edge], z: Point) -> int:
 
 def scale_of(points: Iterable[Point]) -> int:
     """Choose the unit of boxes around points: so many units are 1."""
-    xs, ys = zip(*([*map(place, points)] or [(0, 0)]), strict=True)
+    xs, ys = zip(*([*map(place, points)] or [(Fraction(0),) * 2]), strict=True)
     return int(2**30 / (max(max(xs) - min(xs), max(ys) - min(ys)) or 1)) + 1
 
 
@@ -263,7 +257,7 @@ def box(points: Sequence[Point], scale: int, reach: Rational = 0) -> tuple[int, 
 
 
 def tree(boxes: list[tuple[Any, Any]]) -> Any:
-    """Halve a list of boxes, with items, again and again: into (box, size, two trees or an item)."""
+    """Halve a list of boxes and items again and again: (box, size, two trees or an item)."""
     if len(boxes) < 2:
         return (boxes[0][0], -1, boxes[0][1]) if boxes else None
     lefts, rights, lows, highs = zip(*(found for found, _ in boxes), strict=True)
@@ -367,7 +361,7 @@ class Known(NamedTuple):
 
 
 def loop(name: str, item: Any, step: int = 1) -> list[Known]:
-    """Read a loop: counter-clockwise, no straight angle, least point first; -1 walks it clockwise."""
+    """Read a loop: counter-clockwise, no straight angle, least point first; walk it, -1 back."""
     points = read_points(name, item)
     need(len({*points}) == len(points) > 2, f"{name}: a repeated point, or too few", *points[:1])
     around = edges(points[::step])
@@ -443,7 +437,7 @@ def clip(lines: list[Line], a: Point, b: Point) -> Span | None:
 
 
 def share(one: Sequence[Any], other: Sequence[Any]) -> Span | None:
-    """Return the interval of a segment, 0 at its start and 1 at its end, on another one, or None."""
+    """Return the interval of a segment, 0 at its start and 1 at its end, on another, or None."""
     (a, b, on), (p, q, of) = one[:3], other[:3]
     at_p, at_q = side(on, p), side(on, q)
     if at_p == at_q == 0:
@@ -460,16 +454,16 @@ def share(one: Sequence[Any], other: Sequence[Any]) -> Span | None:
 
 def covers(spans: Iterable[Span | None]) -> bool:
     """Return whether intervals, open ones and closed ones, cover all from 0 to 1."""
-    reach, is_closed = (0, False)
-    known = [span for span in spans if span]
-    for low, high, closed in sorted(known, key=lambda span: (span[0], not span[2])):
+    reach: Rational = 0
+    is_closed = False
+    for low, high, closed in sorted(filter(None, spans), key=lambda span: (span[0], not span[2])):
         if low < reach or (low == reach and (closed or is_closed)):
             reach, is_closed = max((reach, is_closed), (high, closed))
     return reach > 1 or (reach == 1 and is_closed)
 
 
 def distinct(one: Known, other: Known) -> bool:
-    """Return whether a known edge has at most a point on another: of its loop an end, of a fit none."""
+    """Return whether an edge has a point on another at most: an end in a loop, no fit of one point."""
     span = share(one, other) if one.start != one.end else None
     may_meet = other.start != other.end
     if one.loop == other.loop != "":
@@ -662,7 +656,7 @@ def is_inside(body: Body, p: Point, depth: Rational) -> bool:
 
 
 class Layout:
-    """A layout as its certificate has it: parts by id; bodies are placements, and obstacles last."""
+    """A layout and its evidence: parts by id, and bodies: placements, and obstacles last."""
 
     def __init__(self, c: Any, work: Work) -> None:
         self.work, self.valid = work, c.get("valid")
@@ -671,7 +665,7 @@ class Layout:
         given, turns, _, self.evidence = fields("certificate", c, names)[:4]
         names, more = "parts placements container", "defects spacing margin"
         parts, placed, container, defects, *gaps = fields("layout", given, names, more)
-        self.spacing, self.margin = (number("spacing, margin", n, 0) for n in gaps)
+        self.spacing, self.margin = (number("spacing, margin", n, False) for n in gaps)
         solids, self.frame = [container, *items("defects", defects)], list[Ring]()
         cut, outside = [None] * len(items("parts", parts)), [None] * len(solids)
         if self.valid:
@@ -701,7 +695,7 @@ class Layout:
         if self.valid:
             rings = [move(e, *STILL) for e in solid(name, rings, cut, self.work)]
         need(rings or around, f"{name}: no pieces")
-        return Body(name, rings, number(f"{name}, error", found[2], 0), int(around is None))
+        return Body(name, rings, number(f"{name}, error", found[2], False), int(around is None))
 
     def read_placement(self, name: str, item: Any, rational: Any) -> None:
         """Read a placement, and put its part there."""
@@ -780,7 +774,7 @@ class Layout:
         room = (self.margin if b < 0 else self.spacing) - one.error - other.error
         for body in (one, other):
             self.work.spend(20 * sum(map(len, body.rings)))
-            is_there = is_inside(body, points[0], -room / 2 if is_close else body.error)
+            is_there = is_inside(body, points[0], -room / Fraction(2) if is_close else body.error)
             need(is_there, f"{name}: not inside {body.name}, or not near enough", *points)
         need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)
         return frozenset((a, b))
@@ -810,7 +804,7 @@ def prove(certificate: Any, max_steps: float | None = None) -> str:
     """Prove a certificate, as `load` gives it, and describe what is proved; or raise Refused."""
     need(type(certificate) is dict, "not an object")
     form, version, claim = (certificate.get(key) for key in HEAD.split())
-    need(form == FORMAT, f"format: not {FORMAT!r}")
+    need(type(form) is str and form == FORMAT, f"format: not {FORMAT!r}")
     need(type(version) is int and version == VERSION, f"version: not {VERSION}")
     need(type(claim) is str and claim in PROVERS, f"claim: none of {', '.join(PROVERS)}")
     return PROVERS[claim](certificate, Work({**certificate, "area": None}, max_steps))
