@@ -1,20 +1,23 @@
 """Checker of certificates, version 3: one file that needs the standard library alone, to be read.
 
-`python standalone.py FILE` prints "proved: ..." or "not proved: ..."; CERTIFICATES.md has the format.
-Points are homogeneous: integers (x, y, w), w > 0, for (x/w, y/w). Left of a line (a, b, c) is where
-a x + b y + c w > 0. Layouts, 7, need 1 and 2 alone; claims on positions, 4 to 6, need 1 to 3.
+`python standalone.py FILE` prints "proved: ..." or "not proved: ..."; CERTIFICATES.md has the
+format. Points are homogeneous: integers (x, y, w), w > 0, for (x/w, y/w). Left of a line (a, b, c)
+is where a x + b y + c w > 0. Layouts, 7, need 1 and 2 alone; claims on positions, 4 to 6, need 1 to
+3.
 
-1. Shapes. The winding number of rings at z is the number of edges strictly right of z, upward ones as
-   +1, downward ones as -1; an edge owns its lower end, not its upper one. At z + (d, d^2) it is the
-   same for all small d > 0. A shape is where the winding number of its rings is 1, holes clockwise.
-   So two shapes have a common point if and only if they overlap: their interiors have one.
+1. Shapes. The winding number of rings at z is the number of edges strictly right of z, upward ones
+   as +1, downward ones as -1; an edge owns its lower end, not its upper one. At z + (d, d^2) it is
+   the same for all small d > 0. A shape is where the winding number of its rings is 1, holes
+   clockwise. So two shapes have a common point if and only if they overlap: their interiors have
+   one.
 2. Pieces, convex and counter-clockwise, make up a shape if at every point of every line as many of
-   their edges start, less those that end, as of the edges of its rings (`cancel`): then right of any
-   z as many cross, and the indicators of the pieces add up to the winding number. If besides any two
-   of them are on two sides of a line (`apart`), it is 0 or 1: each point is in one piece at most.
+   their edges start, less those that end, as of the edges of its rings (`cancel`): then right of
+   any z as many cross, and the indicators of the pieces add up to the winding number. If besides
+   any two of them are on two sides of a line (`apart`), it is 0 or 1: each point is in one piece at
+   most.
 3. The lemma. Let O be a union of open convex polygons, the sums; U the union of some of them, which
-   are listed; L the edges of closed loops, walked with O on their left, and fits, which are segments
-   or points; W the winding number of all loops together. Suppose (`boundary`) that
+   are listed; L the edges of closed loops, walked with O on their left, and fits, which are
+   segments or points; W the winding number of all loops together. Suppose (`boundary`) that
    (a) no sum has a point of L;
    (b) all sides of listed sums are in U or L, their ends included;
    (c) along the left of each edge of a loop, and along both sides of each fit, there are sides of
@@ -22,29 +25,29 @@ a x + b y + c w > 0. Layouts, 7, need 1 and 2 alone; claims on positions, 4 to 6
    (d) W is 1 at one point of every sum;
    (e) two edges or fits have at most one point in common.
    Then O = U; L is the boundary of O; off L, W is 1 on O and 0 elsewhere.
-   Proof. By (a), W is constant on every sum, by (d) it is 1 on O. U and L together are closed, by (b).
-   So let t be in neither, and moved a little, so that its level meets no end of a segment and no two
-   segments in one point. Look right from t. If nothing of L is there, W is 0 at t. Else let y be the
-   first point of L, on e. Before y there is no point of U: the leftmost one of a sum there would be on
-   its side, so in L, or in another sum, which begins farther left. By (c), if e is a fit or goes up, a
-   sum is along its left, and t sees it before y. So e goes down, and at once behind y there is a sum,
-   where W is 1; hence W is 0 at t. As W is 1 on O, O is in U and L, so by (a) in U. Points of L are
-   limits of O by (c), not in O by (a); other limits of U are in U by (b).
+   Proof. By (a), W is constant on every sum, by (d) it is 1 on O. U and L together are closed, by
+   (b). So let t be in neither, and moved a little, so that its level meets no end of a segment and
+   no two segments in one point. Look right from t. If nothing of L is there, W is 0 at t. Else let
+   y be the first point of L, on e. Before y there is no point of U: the leftmost one of a sum there
+   would be on its side, so in L, or in another sum, which begins farther left. By (c), if e is a
+   fit or goes up, a sum is along its left, and t sees it before y. So e goes down, and at once
+   behind y there is a sum, where W is 1; hence W is 0 at t. As W is 1 on O, O is in U and L, so by
+   (a) in U. Points of L are limits of O by (c), not in O by (a); other limits of U are in U by (b).
 4. `no_fit`. By 1 and 2, D and G + t overlap if and only if t is in the interior of D_i + H_j, for a
-   piece D_i of D and H_j of H = -G: these are the sums. If D_1 and D_2 have a vertex p in common, W is
-   the same on D_1 + H_j and D_2 + H_j, which have p + H_j in common; so (d) is asked once for pieces
-   that vertices connect. In a sweep, T is the exterior; what G covers along T is the closure of the
-   sums of an edge of T and a piece G_j: 3 again, with fits that are no part of the answer. The sums of
-   one G_j are connected, for edges of T have ends in common.
-5. `inner_fit`. D is a frame without the container, B the rectangle of all t at which G + t is in the
-   frame. L is in B; the four half-planes around B count as listed sums, with edges of B for sides. In
-   the proof, W + 1 has the place of W, and every t sees a half-plane, hence L before it.
-6. `layout`. A normal n with gap = min n.b - max n.a >= 0 and gap^2 >= s^2 |n|^2, for all vertices a of
-   one piece and b of another, shows that they are s apart and do not overlap. Errors, up to which two
-   shapes are known, are added to s. What is outside the container, in a frame, and every defect are
-   shapes. A rotation that is off by d moves a point at distance r from the origin by at most d r. A
-   point in two shapes, deeper than their errors, shows that they overlap; one nearer to both than half
-   the spacing less errors that they are too close.
+   piece D_i of D and H_j of H = -G: these are the sums. If D_1 and D_2 have a vertex p in common, W
+   is the same on D_1 + H_j and D_2 + H_j, which have p + H_j in common; so (d) is asked once for
+   pieces that vertices connect. In a sweep, T is the exterior; what G covers along T is the closure
+   of the sums of an edge of T and a piece G_j: 3 again, with fits that are no part of the answer.
+   The sums of one G_j are connected, for edges of T have ends in common.
+5. `inner_fit`. D is a frame without the container, B the rectangle of all t at which G + t is in
+   the frame. L is in B; the four half-planes around B count as listed sums, with edges of B for
+   sides. In the proof, W + 1 has the place of W, and every t sees a half-plane, hence L before it.
+6. `layout`. A normal n with gap = min n.b - max n.a >= 0 and gap^2 >= s^2 |n|^2, for all vertices a
+   of one piece and b of another, shows that they are s apart and do not overlap. Errors, up to
+   which two shapes are known, are added to s. What is outside the container, in a frame, and every
+   defect are shapes. A rotation that is off by d moves a point at distance r from the origin by at
+   most d r. A point in two shapes, deeper than their errors, shows that they overlap; one nearer to
+   both than half the spacing less errors that they are too close.
 """
 
 from __future__ import annotations
@@ -463,7 +466,7 @@ def covers(spans: Iterable[Span | None]) -> bool:
 
 
 def distinct(one: Known, other: Known) -> bool:
-    """Return whether an edge has a point on another at most: an end in a loop, no fit of one point."""
+    """Return whether an edge has at most a point on another: in a loop an end, of a fit none."""
     span = share(one, other) if one.start != one.end else None
     may_meet = other.start != other.end
     if one.loop == other.loop != "":
@@ -652,7 +655,7 @@ def is_inside(body: Body, p: Point, depth: Rational) -> bool:
         at = min(along / (u * u + v * v), Fraction(1)) if along > 0 else 0
         squared.append((a + at * u - x) ** 2 + (b + at * v - y) ** 2)
     sign = 1 if winding(around, p) == body.inside else -1
-    return sign * min(squared) > depth * abs(depth)
+    return sign * min(squared) > (depth**2 if depth > 0 else -(depth**2))
 
 
 class Layout:
