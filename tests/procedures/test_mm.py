@@ -9,7 +9,7 @@ from hypothesis import given
 from tiers import examples
 
 from exactsweep import Polygon, sweep
-from exactsweep.check.definition import reference_loops
+from exactsweep.paper.definition import reference_loops
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.kernel import (
     find_convex_parts,
