@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
-from itertools import chain, islice, pairwise
+from itertools import chain
 from typing import Any, ClassVar
 
 from exactsweep.evidence.certificate import claim_no_fit, claim_sweep
@@ -16,9 +16,8 @@ from exactsweep.evidence.contact import (
     list_edges,
     number_as_given,
 )
-from exactsweep.evidence.drawn import DrawnEdge, find_drawn_edges
 from exactsweep.evidence.shown import Shown
-from exactsweep.evidence.undercut import Undercut, find_closing_positions
+from exactsweep.evidence.undercut import Closer, Undercut
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.polygon import Polygon
@@ -27,7 +26,7 @@ from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import tells_arguments
-from exactsweep.numbers.number import Edge, Fit, Point, Vertex
+from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.any_shape import ShapeSolution
 from exactsweep.procedures.monotone import MonotoneSolution
 from exactsweep.procedures.solution import made_once, place_fits, place_loop
@@ -230,30 +229,17 @@ class Sweep(Shown):
 
         Holes of D are not undercuts.
         """
-        pockets = self.solution.pockets
-        edges = [edge for bottom, _ in pockets for edge in pairwise(bottom)]
-        drawn = iter(self._find_drawn_edges(edges))
-        return tuple(
-            self._undercut(bottom, back, list(islice(drawn, len(bottom) - 1)))
-            for bottom, back in pockets
-        )
-
-    def _undercut(
-        self, bottom: list[Vertex], back: list[Vertex], drawn: list[DrawnEdge]
-    ) -> Undercut:
-        """Make the undercut of a bottom chain and the vertices of D on the way back."""
-        closing = find_closing_positions(drawn)
-        intersection, positions = closing
+        closer = Closer(self._route, self._boundaries[0])
         frame = self.solution.frame
-        points = frame.leave(bottom + back)
-        chain = tuple(points[: len(bottom)])
-        return Undercut(
-            Polygon(points),
-            (chain[0], chain[-1]),
-            chain,
-            intersection,
-            tuple(frame.leave(positions, self.reference)),
-        )
+        found = []
+        for bottom, back in self.solution.pockets:
+            intersection, positions = closer.find_positions(bottom)
+            points = frame.leave(bottom + back)
+            chain = tuple(points[: len(bottom)])
+            placed = tuple(frame.leave(positions, self.reference))
+            extremes = chain[0], chain[-1]
+            found.append(Undercut(Polygon(points), extremes, chain, intersection, placed))
+        return tuple(found)
 
     def _claim(self) -> dict[str, Any]:
         found = self.solution
@@ -265,11 +251,6 @@ class Sweep(Shown):
             found.fits,
         )
         return claim_sweep(no_fit, self.inner, self.outer, self.unswept, self.area)
-
-    def _find_drawn_edges(self, edges: list[Edge]) -> list[DrawnEdge]:
-        if not edges:
-            return []
-        return find_drawn_edges(edges, self._route, self._boundaries[0])
 
     def __str__(self) -> str:
         names = "trajectory", "inner", "outer"
