@@ -17,7 +17,7 @@ from exactsweep.evidence.contact import (
     number_as_given,
 )
 from exactsweep.evidence.shown import Shown
-from exactsweep.evidence.undercut import Closer, Undercut
+from exactsweep.evidence.undercut import Tracer, Undercut, find_closing_positions
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.polygon import Polygon
@@ -229,11 +229,11 @@ class Sweep(Shown):
 
         Holes of D are not undercuts.
         """
-        closer = Closer(self._route, self._boundaries[0])
+        tracer = Tracer(self._route, self._boundaries[0])
         frame = self.solution.frame
         found = []
         for bottom, back in self.solution.pockets:
-            intersection, positions = closer.find_positions(bottom)
+            intersection, positions = find_closing_positions(bottom, tracer)
             points = frame.leave(bottom + back)
             chain = tuple(points[: len(bottom)])
             placed = tuple(frame.leave(positions, self.reference))

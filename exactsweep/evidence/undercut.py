@@ -71,8 +71,8 @@ class Drawing(NamedTuple):
         return self.piece.low <= whole.low and whole.high <= self.piece.high
 
 
-class Closer:
-    """A search for the positions at which G closes undercuts.
+class Tracer:
+    """The features of G and of T by lines, for look-ups of those that draw an edge.
 
     Args:
         path: the trajectory of G's origin.
@@ -90,27 +90,7 @@ class Closer:
         self._pens: dict[Vector, dict[Rational, list[Segment]]] = {}
         self._stops: dict[Vector, dict[Rational, list[tuple[Rational, Vertex]]]] = {}
 
-    def find_positions(self, bottom: Sequence[Vertex]) -> tuple[Intersection, list[Vertex]]:
-        """Find `intersection` and `positions` of an undercut from its bottom chain.
-
-        Cost: O(t + n) for each direction of an edge, for t edges of T and n of G, and the drawings
-        on the lines of the edges.
-        """
-        edges = [(edge, make_segment(edge)) for edge in pairwise(bottom)]
-        (first, whole), *others = edges
-        # Inside an edge of T only a parallel edge of G draws. So G closes a bent chain at a vertex
-        # of T, where a vertex of G is at each bend.
-        if not others and (closing := self._find_slide(whole)):
-            return "point" if len(closing) == 1 else "segment", closing
-        found = self._draw_from_ends(whole, first[1:]) if others else self._draw_at_stops(whole)
-        for drawing in found:
-            t = drawing.positions[0]
-            if drawing.covers(whole) and all(self._covers_at(t, edge) for _, edge in others):
-                return "point", [t]
-        positions = (t for edge in edges for one in self._choose(*edge) for t in one.positions)
-        return "point", list(dict.fromkeys(positions))
-
-    def _find_slide(self, whole: Segment) -> list[Vertex]:
+    def find_slide(self, whole: Segment) -> list[Vertex]:
         """Find where on an edge of T an edge of G covers an edge of the chain.
 
         Returns the two ends of the first piece of positive length; if there is none, the first
@@ -127,7 +107,7 @@ class Closer:
                     single = single or [slide.point(first)]
         return single
 
-    def _choose(self, edge: Edge, whole: Segment) -> list[Drawing]:
+    def choose(self, edge: Edge, whole: Segment) -> list[Drawing]:
         """Choose few drawings that together cover an edge.
 
         The search tries, in this order, until it has covered the edge: edges of G with an end in
@@ -137,9 +117,9 @@ class Closer:
         """
         tried: list[Drawing] = []
         for source in (
-            self._draw_from_ends(whole, edge),
-            self._draw_along(whole),
-            self._draw_at_stops(whole),
+            self.draw_from_ends(whole, edge),
+            self.draw_along(whole),
+            self.draw_at_stops(whole),
         ):
             for drawing in source:
                 if drawing.covers(whole):
@@ -151,7 +131,7 @@ class Closer:
                 return [tried[k] for k in chosen]
         raise ExactSweepError("no feature of the generatrix draws this edge")
 
-    def _draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[Drawing]:
+    def draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[Drawing]:
         """Draw by edges of G that end, at a vertex of T, in one of some points."""
         for i, own in self._edges[whole.direction]:
             for p in ends:
@@ -159,7 +139,7 @@ class Closer:
                     if minus(p, q) in self.path.numbers:
                         yield _draw_at(minus(p, q), own)
 
-    def _draw_along(self, whole: Segment) -> Iterator[Drawing]:
+    def draw_along(self, whole: Segment) -> Iterator[Drawing]:
         """Draw by vertices and edges of G along edges of T."""
         pens = self._find_pens(whole.direction)
         for k, slide in self._slides[whole.direction]:
@@ -177,7 +157,7 @@ class Closer:
             self._pens[u] = pens
         return self._pens[u]
 
-    def _draw_at_stops(self, whole: Segment) -> Iterator[Drawing]:
+    def draw_at_stops(self, whole: Segment) -> Iterator[Drawing]:
         """Draw by edges of G at vertices of T."""
         for _, own in self._edges[whole.direction]:
             low, high = whole.low - own.high, whole.high - own.low
@@ -194,10 +174,35 @@ class Closer:
             self._stops[u] = stops
         return self._stops[u]
 
-    def _covers_at(self, t: Vertex, whole: Segment) -> bool:
+    def covers_at(self, t: Vertex, whole: Segment) -> bool:
         """Decide whether an edge of G covers an edge of the chain at a vertex of T."""
         drawn = (_draw_at(t, own) for _, own in self._edges[whole.direction])
         return any(d.piece.offset == whole.offset and d.covers(whole) for d in drawn)
+
+
+def find_closing_positions(
+    bottom: Sequence[Vertex], tracer: Tracer
+) -> tuple[Intersection, list[Vertex]]:
+    """Find `intersection` and `positions` of an undercut from its bottom chain, in the frame.
+
+    Raises ExactSweepError if G does not draw the chain, because it does not belong to the sweep.
+
+    Cost: O(t + n) for each direction of an edge, for t edges of T and n of G, and the drawings on
+    the lines of the edges.
+    """
+    edges = [(edge, make_segment(edge)) for edge in pairwise(bottom)]
+    (first, whole), *others = edges
+    # Inside an edge of T only a parallel edge of G draws. So G closes a bent chain at a vertex of
+    # T, where a vertex of G is at each bend.
+    if not others and (closing := tracer.find_slide(whole)):
+        return "point" if len(closing) == 1 else "segment", closing
+    found = tracer.draw_from_ends(whole, first[1:]) if others else tracer.draw_at_stops(whole)
+    for drawing in found:
+        t = drawing.positions[0]
+        if drawing.covers(whole) and all(tracer.covers_at(t, edge) for _, edge in others):
+            return "point", [t]
+    positions = (t for edge in edges for one in tracer.choose(*edge) for t in one.positions)
+    return "point", list(dict.fromkeys(positions))
 
 
 def _draw_at(t: Vertex, own: Segment) -> Drawing:

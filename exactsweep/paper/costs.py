@@ -121,7 +121,7 @@ _BOTH: dict[str, tuple[Procedure, Procedure]] = {
     "SweepI_CM": (lambda c: kernel.sweep_inner_cm(*c[::2]), kernel.find_inner),
     "SweepO_CM": (lambda c: kernel.sweep_outer_cm(*c), kernel.find_outer),
     "Trajectory_MM": (lambda c: kernel.trajectory_mm(*c[::2]), kernel.find_trajectory),
-    "Trajectory_MM to the letter": (kernel.find_trajectory, kernel.find_trajectory),
+    "Trajectory_MM to the letter": (kernel.merge_sub_trajectories, kernel.find_trajectory),
     "Sweep_MM, outer loop": (lambda c: kernel.sweep_mm(*c)[1], kernel.find_outer),
     "Sweep_MM, inner loop": (lambda c: kernel.sweep_mm(*c)[0], kernel.find_inner),
 }

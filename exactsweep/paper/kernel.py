@@ -1,14 +1,13 @@
 """The kernel's procedures on lists of vertices, and plain compositions of these.
 
 As in the paper, G_t runs from right to left; all other chains run from left to right. The
-compositions follow Section 5 to the letter: no pairs of parts are pruned, and both loops are whole
-trajectories of I(G).
+compositions prune no pairs of parts, and both loops are whole trajectories of I(G).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Vertex
@@ -117,13 +116,20 @@ def list_sub_trajectories(chains: Chains) -> list[Graph]:
     return [cm.trajectory_cm(Chain.of(part), Chain.of(chains.directrix)) for part in parts]
 
 
+def merge_sub_trajectories(chains: Chains) -> Graph:
+    """Run Trajectory_MM to the letter: all calls of Trajectory_CM, and LowerEnvelope_MM."""
+    return graph.lower_envelope_mm(list_sub_trajectories(chains))
+
+
 def find_trajectory(chains: Chains) -> Points:
-    """Find the trajectory of a pair of any class, by Trajectory_MM to the letter."""
-    return list(graph.lower_envelope_mm(list_sub_trajectories(chains)))
+    """Find the trajectory of a pair of any class: the lowest of all sums of two convex parts."""
+    parts = find_convex_parts(inverse(chains.top)), find_convex_parts(chains.directrix)
+    sums = [trajectory_cc(inverse(one), other) for one, other in product(*parts)]
+    return list(graph.lower_envelope_mm(list(map(to_graph, sums))))
 
 
 def find_outer(chains: Chains) -> Points:
-    """Find the outer boundary of a pair of any class, by Sweep_MM to the letter."""
+    """Find the outer boundary of a pair of any class, as Sweep_MM does."""
     return find_trajectory(Chains(inverse(chains.bottom), [], find_trajectory(chains)))
 
 

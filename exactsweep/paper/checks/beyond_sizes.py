@@ -66,7 +66,7 @@ def sum_by_parts(pair: SweepPair) -> int:
     """Count the operations of the sum of the trajectory and G by convex parts, to the letter."""
     chains = count_chains(pair)
     path = make_counted(kernel.find_trajectory(pair.chains))
-    return count_operations(kernel.find_trajectory, Chains(inverse(chains.bottom), [], path))
+    return count_operations(kernel.merge_sub_trajectories, Chains(inverse(chains.bottom), [], path))
 
 
 def sweep_by_parts(pair: SweepPair) -> int:

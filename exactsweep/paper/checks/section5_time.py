@@ -131,7 +131,7 @@ def _sub_trajectories(chains: Chains) -> list[Graph]:
 def inner_again(chains: Chains, trajectory: Graph) -> list[Vertex]:
     """The inner boundary to the letter: Trajectory_MM along all of T's inside."""
     bottom, path = inverse(chains.top), list(trajectory)
-    found = kernel.slide_inside(bottom, path, kernel.find_trajectory)
+    found = kernel.slide_inside(bottom, path, kernel.merge_sub_trajectories)
     return clip_to(found, chains.directrix)
 
 
