@@ -4,16 +4,32 @@ A piece of D bounds an undercut on one side. Its bottom chain, a piece of the in
 on the other. The two meet in the extreme contact points. For a convex G the bottom chain is a piece
 of G in one position (Figure 7a), or a piece of one edge of G that can slide along itself while it
 touches both points (Figure 7b). A monotone G may need several positions.
+
+G draws the bottom chain as it moves along the trajectory T. An edge of the chain is a piece of an
+edge of G at a vertex of T, or of the path of a vertex or an edge of G along a parallel edge of T.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from exactsweep.evidence.drawn import DrawnEdge
+from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.number import Point, Vertex
+from exactsweep.geometry.segment import (
+    Segment,
+    choose_cover,
+    find_offset,
+    lay_point,
+    make_segment,
+    measure_along,
+)
+from exactsweep.geometry.vectors import minus
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 Intersection = Literal["point", "segment"]
 
@@ -26,7 +42,7 @@ class Undercut(NamedTuple):
         extremes: the two extreme contact points, the ends of the bottom chain.
         bottom: the bottom chain, a tuple of Point; the region lies left of it as it runs.
         intersection: "segment" if one edge of G touches both extreme points while it slides along
-            itself, so that the sub-trajectories share a segment; else "point".
+            itself, so that the subtrajectories share a segment; else "point".
         positions: tuple of Point on the trajectory, at which G closes the undercut: one for a point
             intersection, the two ends for a segment. If no single position closes all of it, there
             are more, in the order of the bottom chain.
@@ -39,31 +55,158 @@ class Undercut(NamedTuple):
     positions: tuple[Point, ...]
 
 
-def find_closing_positions(bottom: Sequence[DrawnEdge]) -> tuple[Intersection, list[Vertex]]:
-    """Find the positions at which G closes an undercut, and the kind of their intersection.
+class Drawing(NamedTuple):
+    """A piece of a line that an edge or a vertex of G draws at a vertex or along an edge of T.
+
+    Attributes:
+        positions: the vertex of T, or both ends of the edge.
+        piece: the drawn piece.
+    """
+
+    positions: tuple[Vertex, ...]
+    piece: Segment
+
+    def covers(self, whole: Segment) -> bool:
+        """Decide whether the piece holds all of a segment on its line."""
+        return self.piece.low <= whole.low and whole.high <= self.piece.high
+
+
+class Tracer:
+    """The features of G and of T by lines, for look-ups of those that draw an edge.
 
     Args:
-        bottom: the edges of the bottom chain.
-
-    Returns:
-        `intersection` and `positions` of `Undercut`, with positions on the lattice.
+        path: the trajectory of G's origin.
+        generatrix: the features of G.
     """
-    first, *others = bottom
-    whole, tracer = first.whole, first.tracer
-    # At an inner point of an edge of the trajectory, only a parallel edge of G draws. So G closes a
-    # bent chain at a vertex of the trajectory, where a vertex of G is at each bend.
-    if others:
-        found = tracer.from_ends(whole, first.edge[1:])
-    else:
-        closing = tracer.find_slide(whole)
-        if closing:
-            return "point" if len(closing) == 1 else "segment", closing
-        found = tracer.at_vertices(whole)
-    for (_, k), *_ in filter(first.covers, found):
-        if all(tracer.is_covered_at(edge.whole, k) for edge in others):
-            return "point", [tracer.path.vertices[k]]
-    positions: dict[Vertex, None] = {}
-    for edge in bottom:
-        for (kind, k), *_ in edge.choose():
-            positions.update(dict.fromkeys(tracer.path.edge(k)[: 1 + (kind == "edge")]))
-    return "point", list(positions)
+
+    def __init__(self, path: Outline, generatrix: Outline) -> None:
+        self.path, self.generatrix = path, generatrix
+        self._edges: defaultdict[Vector, list[tuple[int, Segment]]] = defaultdict(list)
+        for i, own in enumerate(generatrix.pieces):
+            self._edges[own.direction].append((i, own))
+        self._slides: defaultdict[Vector, list[tuple[int, Segment]]] = defaultdict(list)
+        for k, slide in sorted(enumerate(path.pieces), key=lambda item: item[1].low):
+            self._slides[slide.direction].append((k, slide))
+        self._pens: dict[Vector, dict[Rational, list[Segment]]] = {}
+        self._stops: dict[Vector, dict[Rational, list[tuple[Rational, Vertex]]]] = {}
+
+    def find_slide(self, whole: Segment) -> list[Vertex]:
+        """Find where on an edge of T an edge of G covers an edge of the chain.
+
+        Returns the two ends of the first piece of positive length; if there is none, the first
+        single position, if any.
+        """
+        single: list[Vertex] = []
+        for _, own in self._edges[whole.direction]:
+            low, high = whole.high - own.high, whole.low - own.low
+            for _, slide in self._slides[whole.direction]:
+                first, last = max(low, slide.low), min(high, slide.high)
+                if slide.offset == whole.offset - own.offset and first <= last:
+                    if first < last:
+                        return [slide.point(first), slide.point(last)]
+                    single = single or [slide.point(first)]
+        return single
+
+    def choose(self, edge: Edge, whole: Segment) -> list[Drawing]:
+        """Choose few drawings that together cover an edge.
+
+        The search tries, in this order, until it has covered the edge: edges of G with an end in
+        common; vertices and edges of G along edges of T; other edges of G.
+
+        Raises ExactSweepError if nothing draws the edge, because it does not belong to the sweep.
+        """
+        tried: list[Drawing] = []
+        for source in (
+            self.draw_from_ends(whole, edge),
+            self.draw_along(whole),
+            self.draw_at_stops(whole),
+        ):
+            for drawing in source:
+                if drawing.covers(whole):
+                    return [drawing]
+                if drawing.piece.shares_piece(whole):
+                    tried.append(drawing)
+            chosen = choose_cover(whole, [(d.piece, k) for k, d in enumerate(tried)])
+            if chosen is not None:
+                return [tried[k] for k in chosen]
+        raise ExactSweepError("no feature of the generatrix draws this edge")
+
+    def draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[Drawing]:
+        """Draw by edges of G that end, at a vertex of T, in one of some points."""
+        for i, own in self._edges[whole.direction]:
+            for p in ends:
+                for q in self.generatrix.edge(i):
+                    if minus(p, q) in self.path.numbers:
+                        yield _draw_at(minus(p, q), own)
+
+    def draw_along(self, whole: Segment) -> Iterator[Drawing]:
+        """Draw by vertices and edges of G along edges of T."""
+        pens = self._find_pens(whole.direction)
+        for k, slide in self._slides[whole.direction]:
+            for pen in pens.get(whole.offset - slide.offset, ()):
+                low, high = slide.low + pen.low, slide.high + pen.high
+                yield Drawing(self.path.edge(k), whole._replace(low=low, high=high))
+
+    def _find_pens(self, u: Vector) -> dict[Rational, list[Segment]]:
+        """Group the vertices of G by lines of a direction; an edge stands for its first vertex."""
+        if u not in self._pens:
+            edges, pens = dict(self._edges[u]), defaultdict(list)
+            for i, vertex in enumerate(self.generatrix.vertices):
+                pen = edges.get(i) or lay_point(vertex, u)
+                pens[pen.offset].append(pen)
+            self._pens[u] = pens
+        return self._pens[u]
+
+    def draw_at_stops(self, whole: Segment) -> Iterator[Drawing]:
+        """Draw by edges of G at vertices of T."""
+        for _, own in self._edges[whole.direction]:
+            low, high = whole.low - own.high, whole.high - own.low
+            for along, t in self._find_stops(whole.direction).get(whole.offset - own.offset, ()):
+                if low < along < high:
+                    yield _draw_at(t, own)
+
+    def _find_stops(self, u: Vector) -> dict[Rational, list[tuple[Rational, Vertex]]]:
+        """Group the vertices of T by lines of a direction."""
+        if u not in self._stops:
+            stops = defaultdict(list)
+            for t in sorted(self.path.vertices, key=lambda t: measure_along(u, t)):
+                stops[find_offset(u, t)].append((measure_along(u, t), t))
+            self._stops[u] = stops
+        return self._stops[u]
+
+    def covers_at(self, t: Vertex, whole: Segment) -> bool:
+        """Decide whether an edge of G covers an edge of the chain at a vertex of T."""
+        drawn = (_draw_at(t, own) for _, own in self._edges[whole.direction])
+        return any(d.piece.offset == whole.offset and d.covers(whole) for d in drawn)
+
+
+def find_closing_positions(
+    bottom: Sequence[Vertex], tracer: Tracer
+) -> tuple[Intersection, list[Vertex]]:
+    """Find `intersection` and `positions` of an undercut from its bottom chain, in the frame.
+
+    Raises ExactSweepError if G does not draw the chain, because it does not belong to the sweep.
+
+    Cost: O(t + n) for each direction of an edge, for t edges of T and n of G, and the drawings on
+    the lines of the edges.
+    """
+    edges = [(edge, make_segment(edge)) for edge in pairwise(bottom)]
+    (first, whole), *others = edges
+    # Inside an edge of T only a parallel edge of G draws. So G closes a bent chain at a vertex of
+    # T, where a vertex of G is at each bend.
+    if not others and (closing := tracer.find_slide(whole)):
+        return "point" if len(closing) == 1 else "segment", closing
+    found = tracer.draw_from_ends(whole, first[1:]) if others else tracer.draw_at_stops(whole)
+    for drawing in found:
+        t = drawing.positions[0]
+        if drawing.covers(whole) and all(tracer.covers_at(t, edge) for _, edge in others):
+            return "point", [t]
+    positions = (t for edge in edges for one in tracer.choose(*edge) for t in one.positions)
+    return "point", list(dict.fromkeys(positions))
+
+
+def _draw_at(t: Vertex, own: Segment) -> Drawing:
+    """Draw an edge of G at a vertex of T."""
+    place = lay_point(t, own.direction)
+    offset, along = own.offset + place.offset, place.low
+    return Drawing((t,), Segment(own.direction, offset, own.low + along, own.high + along))

@@ -10,17 +10,17 @@ from itertools import pairwise
 from operator import itemgetter
 from typing import Any, TypeVar
 
-from exactsweep.check import ReferenceLoops, reference_loops, reference_no_fit
+from exactsweep.check import verify
+from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Fit, Vertex
+from exactsweep.paper.definition import ReferenceLoops, reference_loops
+from exactsweep.paper.kernel import find_convex_parts, sweep_outer_cc, trajectory_cc
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import find_convex_parts, inverse, split, take_corners
-from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures.chain import split, take_corners
 from exactsweep.sweep import Sweep, no_fit_polygon
 
 P = TypeVar("P", bound=tuple[Any, Any])
@@ -28,7 +28,7 @@ P = TypeVar("P", bound=tuple[Any, Any])
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
     """A chain with corners only, so that equal chains are equal lists."""
-    return take_corners([(Fraction(x), Fraction(y)) for x, y in chain])
+    return [(x, y) for x, y, _ in take_corners((Fraction(x), Fraction(y), 1) for x, y in chain)]
 
 
 def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
@@ -71,7 +71,7 @@ def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> lis
 def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Vertex]:
     """The part of a chain over a closed x-range at whose ends it does not jump."""
     inside = [(x, y) for x, y in chain if left < x < right]
-    return take_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
+    return keep_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
 
 def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
@@ -81,7 +81,7 @@ def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
 
 def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
     """The bottom chain of a canonical loop, without vertical edges at the ends."""
-    return take_corners(split([(x, y) for x, y in loop])[0])
+    return keep_corners(split([(x, y) for x, y in loop])[0])
 
 
 def look_up(pair: SweepPair) -> ReferenceLoops:
@@ -137,12 +137,6 @@ def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vert
     return paths, [sweep_outer_cc(top, bottom, part) for part in parts]
 
 
-def list_sub_trajectories(pair: SweepPair) -> list[Envelope]:
-    """The trajectories of the convex parts of G_t, of which that of G is the lower envelope."""
-    top, _, directrix = pair.chains
-    return [trajectory_cm(inverse(part), directrix) for part in find_convex_parts(inverse(top))]
-
-
 def lower_undercuts(s: Sweep) -> list[Undercut]:
     """The undercuts of the lower sweep."""
     return [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
@@ -150,13 +144,13 @@ def lower_undercuts(s: Sweep) -> list[Undercut]:
 
 def no_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
     """The no-fit polygon has the exterior, the holes and the exact fits of the definition."""
-    found, expected = no_fit_polygon(*pair[::-1]), reference_no_fit(*pair[::-1])
-    holes = tuple(hole.vertices for hole in found.holes)
-    if found.exterior.vertices != expected.exterior:
-        yield "the exterior is not that of the definition"
-    if holes != expected.holes:
-        yield f"{len(holes)} holes, not the {len(expected.holes)} of the definition"
-    yield tell_fits(found.exact_fits, expected.exact_fits)
+    yield tell_unproved(no_fit_polygon(*pair[::-1]))
+
+
+def tell_unproved(answer: Sweep | NoFitPolygon | InnerFit) -> str:
+    """Report an answer whose certificate is not proved by the checker; empty if it is."""
+    verdict = verify(answer.certificate())
+    return "" if verdict.proved else f"not the definition: {verdict.reason}"
 
 
 def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
@@ -165,13 +159,6 @@ def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
     (left, low), (right, high) = shape.bounding_box
     left, low, right, high = left - room, low - room, right + room, high + room
     return Region([(left, low), (right, low), (right, high), (left, high)], [shape])
-
-
-def tell_fits(found: Sequence[Fit], expected: Sequence[Fit]) -> str:
-    """Say that exact fits are not those of the definition; empty if they are."""
-    if found == expected:
-        return ""
-    return f"exact fits {show_fits(found)}, and {show_fits(expected)} by the definition"
 
 
 def show_fits(fits: Iterable[Fit]) -> str:

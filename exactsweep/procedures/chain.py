@@ -1,9 +1,11 @@
-"""X-monotone chains, their convex parts, and the reverse and inverse operators.
+"""X-monotone chains and their convex parts (Sections 2 to 4, Definitions 3.1, 5.1 and 5.2).
 
-Sections 1 and 3, Definitions 3.1 and 5.1. A polygon that is monotone to the X axis falls into
-a bottom chain and a top chain (Figure 2). Both run counter-clockwise, as in the paper: a bottom
-chain from left to right, a top chain from right to left. Vertical edges may stand anywhere in a
-chain (weak monotonicity).
+A polygon that is monotone to the X axis has a bottom chain and a top chain (Figure 2). The inverse
+of a top chain is a bottom chain. So every `Chain` runs from left to right and bounds a region above
+it. Vertical edges may stand anywhere (weak monotonicity).
+
+All numbers are ints, unless the common denominator of a polygon is too long (`Polygon.lattice`).
+Homogeneous coordinates and undivided breaks keep crossings in ints, too.
 
 Errata. The paper calls a chain convex if a straight edge closes it to a convex polygon. This holds
 for chains that bulge to either side, but Lemma 3.1 needs one side. Here a convex chain turns left
@@ -12,65 +14,119 @@ at every vertex. The paper measures slopes "clockwise" and means counter-clockwi
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from itertools import chain as link
-from itertools import pairwise
-from typing import Any, TypeVar
+from itertools import groupby, pairwise
+from math import gcd, inf
+from typing import NamedTuple, TypeVar
 
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Edge, Rational, Vertex, divide_exactly, negate
-from exactsweep.procedures.solution import made_once
+from exactsweep.numbers.number import Rational, Vertex, divide_exactly, negate, ratio
 
 T = TypeVar("T")
 
-SlopedPart = tuple[list[Vertex], list[Rational], list[Vertex]]
-"""A convex part: its points, and of each edge its slope and the vector (dx, dy)."""
+Break = tuple[Rational, Rational]
+"""(x, w): the abscissa x/w, w > 0; not reduced."""
+
+Line = tuple[Rational, Rational, Rational]
+"""(dx, dy, c): the points with y = (dy x + c) / dx, dx > 0."""
+
+Homogeneous = tuple[Rational, Rational, Rational]
+"""(x, y, w): the point (x/w, y/w), w > 0."""
+
+SlopedEdge = tuple[Rational, int, Rational, Rational, Rational]
+"""(slope, 0 for D_b or 1 for reversed G_t, dx, dy, c): an edge with its line, sorted by slope."""
+
+Bound = tuple[Rational | float, ...]
+"""(slope,), before all edges of that slope, or (slope, infinity), after them."""
 
 
 class ChainError(ExactSweepError):
     """A sequence of points that is not an X-monotone chain."""
 
 
-class KeptChain(list[Vertex]):
-    """A chain with a cache, for polygons that are swept many times.
-
-    The chain must not change. `inverse`, `measure_width` and `split_chain` of `convex_part` compute
-    their results for it once.
+class Chain:
+    """An X-monotone chain, from left to right. Iteration yields its points.
 
     Attributes:
-        parts: the unit of the slopes, and the parts of the last split.
+        vertices: the vertices, in homogeneous coordinates.
+        lines: item k is the line of edge k, from vertex k to vertex k + 1; None if the edge is
+            vertical.
+
+    Example:
+        >>> list(Chain.of([(0, 0), (1, -1), (2, 0)]).turn())
+        [(-2, 0), (-1, 1), (0, 0)]
     """
 
-    parts: tuple[Rational | None, list[Any]] | None = None
+    __slots__ = ("_lines", "_parts", "vertices")
 
-    @made_once
-    def inverted(self) -> KeptChain:
-        """The inverse of the chain."""
-        return KeptChain(inverse(list(self)))
+    def __init__(self, vertices: list[Homogeneous], lines: list[Line | None] | None = None) -> None:
+        self.vertices, self._lines = vertices, lines
+        self._parts: dict[tuple[int, Rational], list[Part]] = {}
 
-    @made_once
-    def width(self) -> Rational | None:
-        """The width of the chain, as `measure_width` returns it."""
-        return measure_width(list(self))
+    @classmethod
+    def of(cls, points: Sequence[Vertex]) -> Chain:
+        """Make a chain of points, from left to right; repeated points count once.
+
+        Raises ChainError if x decreases, or never increases. Cost: O(n).
+        """
+        if not all(issubclass(kind, int) for kind in {*map(type, link.from_iterable(points))}):
+            points = [(Fraction(x), Fraction(y)) for x, y in points]
+        points = [point for point, _ in groupby(points)]
+        lines: list[Line | None] = []
+        for (px, py), (qx, qy) in pairwise(points):
+            dx, dy = qx - px, qy - py
+            if dx < 0:
+                raise ChainError(f"({qx}, {qy}) lies left of ({px}, {py}): not an X-monotone chain")
+            lines.append((dx, dy, py * dx - px * dy) if dx else None)
+        if not any(lines):
+            raise ChainError("a chain of no width: all of its edges are vertical")
+        return cls([(x, y, 1) for x, y in points], lines)
+
+    @property
+    def lines(self) -> list[Line | None]:
+        """The lines of the edges, computed on first access if the maker left them out."""
+        if self._lines is None:
+            self._lines = [_join(p, q) for p, q in pairwise(self.vertices)]
+        return self._lines
+
+    @property
+    def points(self) -> list[Vertex]:
+        """The vertices as pairs of rational numbers."""
+        return [(x, y) if w == 1 else (ratio(x, w), ratio(y, w)) for x, y, w in self.vertices]
+
+    def __iter__(self) -> Iterator[Vertex]:
+        return iter(self.points)
+
+    def turn(self) -> Chain:
+        """Return the complement of the chain (Definition 5.2) after a half turn. Cost: O(n)."""
+        return Chain(
+            [(-x, -y, w) for x, y, w in reversed(self.vertices)],
+            [line and (line[0], line[1], -line[2]) for line in reversed(self.lines)],
+        )
 
 
-def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
-    """Mirror a chain about the origin, in the same order (Definition 5.1).
+def _join(p: Homogeneous, q: Homogeneous) -> Line | None:
+    (px, py, pw), (qx, qy, qw) = p, q
+    dx = qx * pw - px * qw
+    return (dx, qy * pw - py * qw, py * qx - px * qy) if dx else None
 
-    The bottom chain of a polygon becomes the top chain of its inverse, and the other way round;
-    both keep running counter-clockwise. Cost: O(n).
+
+def inverse(points: Iterable[Vertex]) -> list[Vertex]:
+    """Mirror points about the origin, in the same order (Definition 5.1). Cost: O(n).
+
+    The bottom chain of a polygon becomes the top chain of its inverse, and the other way round.
 
     >>> inverse([(2, 0), (1, 3), (0, 0)])
     [(-2, 0), (-1, -3), (0, 0)]
     """
-    if type(chain) is KeptChain:
-        return chain.inverted
     return [
-        (-x, -y) if type(x) is int and type(y) is int else (negate(x), negate(y)) for x, y in chain
+        (-x, -y) if type(x) is int and type(y) is int else (negate(x), negate(y)) for x, y in points
     ]
 
 
-def reverse(edges: Sequence[tuple[T, T]]) -> list[tuple[T, T]]:
+def reverse(edges: Iterable[tuple[T, T]]) -> list[tuple[T, T]]:
     """Reverse every directed edge and keep the order of the edges (Definition 3.1).
 
     Laid end to end, the reversed edges of a chain are the edges of its `inverse`. Cost: O(n).
@@ -81,183 +137,16 @@ def reverse(edges: Sequence[tuple[T, T]]) -> list[tuple[T, T]]:
     return [(end, start) for start, end in edges]
 
 
-def complement(chain: Sequence[Vertex]) -> list[Vertex]:
-    """Return the same chain as the boundary of the other side (Definition 5.2).
+def complement(points: Sequence[T]) -> list[T]:
+    """Return the same chain as the boundary of the other side (Definition 5.2). Cost: O(n).
 
-    The interior of a polygon lies left of its boundary; the complement's lies left of the boundary
-    walked the other way. Cost: O(n).
+    The interior of a polygon lies left of its boundary; that of its complement lies left of the
+    boundary traversed backwards.
 
     >>> complement([(0, 0), (1, -1), (2, 0)])
     [(2, 0), (1, -1), (0, 0)]
     """
-    return list(reversed(chain))
-
-
-def measure_width(chain: Sequence[Vertex]) -> Rational | None:
-    """Return the width of a chain from left to right, if all coordinates are ints. Cost: O(n).
-
-    >>> measure_width([(0, 0), (2, 1), (3, 0)])
-    3
-    """
-    if type(chain) is KeptChain:
-        return chain.width
-    if chain and all(issubclass(kind, int) for kind in set(map(type, link.from_iterable(chain)))):
-        return chain[-1][0] - chain[0][0]
-    return None
-
-
-def split_by_slope(chain: Sequence[Vertex], unit: Rational | None) -> list[SlopedPart]:
-    """Split a bottom chain at its reflex vertices into convex parts, with the slopes of edges.
-
-    The parts are those of `find_convex_parts`. Two different slopes of edges no wider than w differ
-    by at least 1 / w^2. So slopes rounded down to multiples of 1 / w^2 keep their order, and are
-    equal only if the slopes are. They are stored as ints, in that unit.
-
-    Args:
-        chain: points from left to right; x must not decrease.
-        unit: the number of units in slope 1: w^2 if all coordinates are ints; or None, for slopes
-            that are Fractions.
-
-    Raises:
-        ChainError: x decreases, or never increases.
-
-    Cost: O(m).
-
-    >>> split_by_slope([(0, 0), (1, -2), (2, -1)], 4)
-    [([(0, 0), (1, -2), (2, -1)], [-8, 4], [(1, -2), (1, 1)])]
-    """
-    if not chain:
-        raise ChainError("a chain without points")
-    parts: list[SlopedPart] = []
-    points: list[Vertex] = [chain[0]]
-    slopes: list[Rational] = []
-    edges: list[Vertex] = []
-    px, py = chain[0]
-    for vertex in chain:
-        x, y = vertex
-        dx, dy = x - px, y - py
-        if dx <= 0:
-            if dx < 0:
-                index = next(k for k in range(1, len(chain)) if chain[k][0] < chain[k - 1][0])
-                raise ChainError(
-                    f"point {index} lies left of point {index - 1}: not an X-monotone chain"
-                )
-            if dy == 0:
-                continue
-            # A vertical edge bounds its neighbours from the side only. As functions of x they
-            # jump there, and their closed ends determine the contacts with the edge.
-            if edges:
-                parts.append((points, slopes, edges))
-            points, slopes, edges = [vertex], [], []
-            px, py = vertex
-            continue
-        slope = divide_exactly(dy, dx) if unit is None else dy * unit // dx
-        if slopes and slope <= slopes[-1]:
-            if slope == slopes[-1]:
-                slopes.pop()
-                points.pop()
-                along, rise = edges.pop()
-                dx, dy = dx + along, dy + rise
-            else:
-                parts.append((points, slopes, edges))
-                points, slopes, edges = [points[-1]], [], []
-        slopes.append(slope)
-        edges.append((dx, dy))
-        points.append(vertex)
-        px, py = x, y
-    if edges:
-        parts.append((points, slopes, edges))
-    if not parts:
-        raise ChainError("a chain of no width: all of its edges are vertical")
-    return parts
-
-
-def find_convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
-    """Split a bottom chain at its reflex vertices into convex chains without vertical edges.
-
-    Adjacent parts share the reflex vertex (Section 4, step 1). Collinear edges become one edge, and
-    repeated points become one point.
-
-    Args:
-        chain: Points from left to right; x must not decrease.
-
-    Returns:
-        list of lists of points, each strictly convex and strictly increasing in x.
-
-    Raises:
-        ChainError: x decreases, or never increases.
-
-    Cost: O(m).
-
-    >>> find_convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
-    [[(0, 0), (1, -2), (2, -1)], [(2, -1), (3, -3)], [(3, -4), (5, -4)]]
-    """
-    width = measure_width(chain)
-    return [points for points, _, _ in split_by_slope(chain, width and width * width)]
-
-
-def require_convex(chain: Sequence[Vertex]) -> list[Vertex]:
-    """Return the corners of a convex bottom chain.
-
-    Raises ChainError if the chain is not convex or has a vertical edge inside. Cost: O(n).
-
-    >>> require_convex([(0, 0), (1, -1), (2, -2), (3, 0)])
-    [(0, 0), (2, -2), (3, 0)]
-    """
-    parts = find_convex_parts(chain)
-    if len(parts) > 1:
-        x, y = parts[1][0]
-        raise ChainError(f"the chain is not convex: it is reflex, or has a wall, at ({x}, {y})")
-    return parts[0]
-
-
-def list_graph_edges(chain: Sequence[Vertex]) -> list[Edge]:
-    """List the edges of a chain that are not vertical. Cost: O(n).
-
-    >>> list_graph_edges([(0, 0), (1, 0), (1, 2), (2, 2)])
-    [((0, 0), (1, 0)), ((1, 2), (2, 2))]
-    """
-    return [(p, q) for p, q in pairwise(chain) if p[0] != q[0]]
-
-
-def take_corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> list[Vertex]:
-    """Drop repeated points, and points on the segment between their neighbours.
-
-    Args:
-        chain: points in order; the line never turns back on itself.
-        suspects: the indices of points that may have to be dropped, or that may repeat the point
-            before; all points by default.
-
-    Cost: O(n).
-
-    >>> take_corners([(0, 0), (1, 1), (1, 1), (2, 2), (3, 0)])
-    [(0, 0), (2, 2), (3, 0)]
-    """
-    kept: list[Vertex] = []
-    before = False
-    for k, point in enumerate(chain):
-        suspect = suspects is None or k in suspects
-        if kept and (before or suspect) and kept[-1] == point:
-            before = True
-            continue
-        if before and len(kept) > 1 and _straight(kept[-2], kept[-1], point):
-            kept.pop()
-        kept.append(point)
-        before = suspect
-    return kept
-
-
-def _straight(p: Vertex, q: Vertex, r: Vertex) -> bool:
-    """Decide whether three points are collinear, without differences of Fractions."""
-    if all(type(c) is int for c in (*p, *q, *r)):
-        return (q[0] - p[0]) * (r[1] - q[1]) == (q[1] - p[1]) * (r[0] - q[0])
-    (px, pd), (qx, qd), (rx, rd) = (x.as_integer_ratio() for x, _ in (p, q, r))
-    (py, pe), (qy, qe), (ry, re) = (y.as_integer_ratio() for _, y in (p, q, r))
-    first, second = (
-        (qx * pd - px * qd) * (ry * qe - qy * re),
-        (qy * pe - py * qe) * (rx * qd - qx * rd),
-    )
-    return first * pe * rd == second * pd * re
+    return list(reversed(points))
 
 
 def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
@@ -271,24 +160,140 @@ def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
     Returns:
         (bottom, left to right; top, right to left).
 
-    Raises:
-        ChainError: the polygon is not monotone to the X axis.
-
     Cost: O(n).
 
     >>> split([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
     ([(0, 0), (2, 0)], [(2, 1), (1, 2), (0, 1)])
     """
-    start, highest = loop.index(min(loop)), max(loop)
-    ring = [*loop[start:], *loop[:start]]
-    end = ring.index(highest)
+    first, greatest = loop.index(min(loop)), max(loop)
+    ring = [*loop[first:], *loop[:first]]
+    last = ring.index(greatest)
     # The bottom chain runs to the greatest vertex, the upper end of a vertical edge on the right.
-    bottom, top = ring[: end + 1], ring[end:]
-    while bottom[-2][0] == highest[0]:
+    bottom, top = ring[: last + 1], ring[last:]
+    while bottom[-2][0] == greatest[0]:
         bottom.pop()
     if top[-1][0] != bottom[0][0]:
         top.append(ring[0])
-    forth, back = [x for x, _ in bottom], [x for x, _ in top]
-    if forth != sorted(forth) or back != sorted(back, reverse=True):
-        raise ChainError("the polygon is not monotone to the X axis")
     return bottom, top
+
+
+def precedes(first: Break, second: Break) -> bool:
+    """Decide whether a break lies left of another one."""
+    return first[0] * second[1] < second[0] * first[1]
+
+
+def find_point(line: Line, at: Break) -> Homogeneous:
+    """Find the point of a line at a break, reduced."""
+    (dx, dy, c), (x, w) = line, at
+    if not dx:
+        raise ChainError("the envelope has a gap: its graphs do not overlap in x")
+    x, y, w = x * dx, dy * x + c * w, dx * w
+    try:
+        common = gcd(x, y, w)  # type: ignore[arg-type]
+    except TypeError:
+        return ratio(x, w), ratio(y, w), 1
+    return x // common, y // common, w // common
+
+
+def take_corners(vertices: Iterable[Homogeneous]) -> list[Homogeneous]:
+    """Drop repeated vertices, and vertices on the segment between their neighbours. Cost: O(n).
+
+    >>> take_corners([(0, 0, 1), (1, 1, 1), (1, 1, 1), (5, 5, 2), (3, 0, 1)])
+    [(0, 0, 1), (5, 5, 2), (3, 0, 1)]
+    """
+    kept: list[Homogeneous] = []
+    for vertex, _ in groupby(vertices):
+        if len(kept) > 1 and _are_collinear(kept[-2], kept[-1], vertex):
+            kept.pop()
+        kept.append(vertex)
+    return kept
+
+
+def _are_collinear(p: Homogeneous, q: Homogeneous, r: Homogeneous) -> bool:
+    (px, py, pw), (qx, qy, qw), (rx, ry, rw) = p, q, r
+    return px * (qy * rw - ry * qw) + py * (qw * rx - rw * qx) + pw * (qx * ry - rx * qy) == 0
+
+
+class Part(NamedTuple):
+    """A convex part of a chain, between two reflex vertices, vertical edges or ends of the chain.
+
+    If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of D_b only
+    edges of G with slopes between those of the part are relevant, and the other way round. At an
+    end of the chain, and at a vertical edge to a higher neighbour, G may leave the part: there all
+    slopes beyond those of the part are relevant, too.
+
+    Attributes:
+        vertices: the vertices of the whole chain.
+        first: the number of the first vertex of the part.
+        edges: the edges of the part, in order of slope.
+        flattest: a lower bound of all relevant edges.
+        steepest: an upper bound of all relevant edges.
+    """
+
+    vertices: list[Homogeneous]
+    first: int
+    edges: list[SlopedEdge]
+    flattest: Bound
+    steepest: Bound
+
+
+def measure_unit(*chains: Chain) -> Rational:
+    """Return the number of units in slope 1 that tells all slopes of some chains apart.
+
+    Slopes of edges of width at most w differ by at least 1 / w^2. So slopes that are rounded down
+    to multiples of a unit of at most 1 / w^2 keep their order, and equal ints are equal slopes. If
+    coordinates are Fractions, there is no such number: 0, for exact slopes.
+    """
+    ends = [(chain.vertices[0], chain.vertices[-1]) for chain in chains]
+    if not all(isinstance(left, int) for (left, _, _), _ in ends):
+        return 0
+    width = max(-(-right // v) - left // w for (left, _, w), (right, _, v) in ends)
+    return 1 << 2 * width.bit_length()
+
+
+def partition(generatrix: Chain, directrix: Chain) -> tuple[list[Part], list[Part]]:
+    """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM).
+
+    Cost: O(m + n).
+    """
+    unit = measure_unit(generatrix, directrix)
+    return find_convex_parts(generatrix, 1, unit), find_convex_parts(directrix, 0, unit)
+
+
+def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None) -> list[Part]:
+    """Cut a chain at its reflex vertices and vertical edges into convex parts. Cost: O(n).
+
+    The chain caches them, for nesting sweeps each polygon around many others.
+
+    Args:
+        chain: the chain.
+        whose: the second item of each `SlopedEdge`.
+        unit: that of the slopes; by default that of the chain alone.
+
+    >>> parts = find_convex_parts(Chain.of([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)]))
+    >>> [(part.first, len(part.edges)) for part in parts]
+    [(0, 2), (2, 1), (4, 1)]
+    """
+    unit = measure_unit(chain) if unit is None else unit
+    if known := chain._parts.get((whose, unit)):
+        return known
+    edges = [
+        line and (line[1] * unit // line[0] if unit else divide_exactly(*line[1::-1]), whose, *line)
+        for line in chain.lines
+    ]
+    # A part begins after a vertical edge, and where the slope decreases.
+    starts = [k for k, (d, e) in enumerate(pairwise([None, *edges])) if e and (not d or e[0] < d[0])]
+    heights: list[Break] = [(y, w) for _, y, w in chain.vertices]
+    parts: list[Part] = []
+    for first, end in pairwise([*starts, len(edges)]):
+        own = [edge for edge in edges[first:end] if edge]
+        last = first + len(own)
+        flattest: Bound = (own[0][0],)
+        steepest: Bound = (own[-1][0], inf)
+        if first == 0 or (not edges[first - 1] and precedes(heights[first], heights[first - 1])):
+            flattest = (-inf,)
+        if last == len(edges) or (not edges[last] and precedes(heights[last], heights[last + 1])):
+            steepest = (inf,)
+        parts.append(Part(chain.vertices, first, own, flattest, steepest))
+    chain._parts[whose, unit] = parts
+    return parts

@@ -1,169 +1,174 @@
-"""The CM sweep: convex generatrix, monotone directrix (Section 4).
+"""The CM sweep: convex generatrix, monotone directrix (Section 4, Appendix).
 
-The reflex vertices split D_b into convex chains D_1, ..., D_k. Each chain gives a CC sweep. The
+The reflex vertices split D_b into convex chains D_1, ..., D_k. Each gives a CC sweep. The
 trajectory and the outer boundary are the lower envelopes of the results (Lemma 4.1). The inner
 boundary is D_b with its undercuts closed (Figure 7). Time and space are O(m n), which is optimal
 (Corollaries 4.5 and 4.6).
 
 Lemma A.3, one crossing at most, also holds for degenerate input. T(G_t, D_i) is the minimum over a
-in D_i of D_b(a) + h(x - a) for one convex h. For convex h, the difference of two sub-trajectories,
+in D_i of D_b(a) + h(x - a) for one convex h. For convex h, the difference of two subtrajectories,
 the left one minus the right one, never decreases along x. This holds for every D_b, with jumps and
 parallel edges. So the difference is zero in one point, on one segment, or nowhere.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable
 from functools import reduce
+from itertools import pairwise
+from typing import NamedTuple
 
-from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.cc import merge_by_slope
-from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, take_corners
-from exactsweep.procedures.convex_part import find_touched, measure_unit, split_parts, take_whole
-from exactsweep.procedures.envelope import (
+from exactsweep.procedures.chain import (
     Break,
-    Envelope,
+    Chain,
+    Homogeneous,
     find_point,
-    find_point_on,
-    height,
+    partition,
+    precedes,
+    take_corners,
 )
-from exactsweep.procedures.lower_envelope import lower_envelope_cm
+from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, subtract
+from exactsweep.procedures.sums import subtrajectory
 
 
-def trajectory_cm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
+def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
     """Trajectory T(G_t, D_b) of a convex top chain along a monotone bottom chain.
 
     Procedure Trajectory_CM.
 
     Args:
-        generatrix: G_t: points from right to left, strictly convex, no vertical edge.
-        directrix: D_b: points from left to right, vertical edges allowed; or an envelope.
+        generatrix: reversed G_t, convex.
+        directrix: D_b.
 
     Returns:
-        the path of G's origin as an envelope; `sources` numbers the D_i.
-
-    Raises:
-        ChainError: when the directrix is not X-monotone.
+        The path of G's origin, each piece with its event.
 
     Cost: O(m n).
 
-    >>> print(trajectory_cm([(1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
-    (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
+    >>> list(trajectory_cm(Chain.of([(-1, 0), (0, 0)]), Chain.of([(0, 0), (2, 2), (4, 0)])))
+    [(-1, 0), (0, 0), (Fraction(3, 2), Fraction(3, 2)), (3, 0), (4, 0)]
     """
-    return sweep_parts(inverse(generatrix), directrix)
+    # Step 1: partition D_b into convex chains D_1, ..., D_k.
+    (convex,), parts = partition(generatrix, directrix)
+    # Step 2: compute the subtrajectories T(G_t, D_i) and their lower envelope.
+    subtrajectories = (subtrajectory(convex, part) for part in parts)
+    # Step 3: return the lower envelope.
+    return reduce(lower_envelope_cm, filter(None, subtrajectories))
 
 
-def sweep_outer_cm(
-    generatrix_top: Sequence[Vertex],
-    generatrix_bottom: Sequence[Vertex],
-    directrix: Sequence[Vertex] | Envelope,
-) -> Envelope:
+def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
     """Outer boundary of the sweep of a convex G along a monotone D_b.
 
-    Procedure SweepO_CM. Arguments as for `sweep_outer_cc` and `trajectory_cm`.
-
-    Raises ChainError if the directrix is not X-monotone. Cost: O(m n).
-
-    >>> print(sweep_outer_cm([(1, 0), (0, 0)], [(0, 0), (1, 0)], [(0, 0), (2, 2), (4, 0)]))
-    (-1, 0) (1, 0) (2, 1) (3, 0) (5, 0)
-    """
-    top, bottom = require_convex(inverse(generatrix_top)), require_convex(generatrix_bottom)
-    return sweep_parts(merge_by_slope(top, bottom), directrix)
-
-
-def sweep_parts(edges: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
-    """Step 2: solve the CC sweep of each convex part and take the lower envelope.
-
-    One convex chain has the edges of reversed G_t (or of reversed G_t and G_b).
-
-    >>> print(sweep_parts([(-1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
-    (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
-    """
-    unit = measure_unit(edges, directrix)
-    chain = take_whole(edges, unit)
-    pieces = (part.sweep(chain, k) for k, part in enumerate(split_parts(directrix, unit)))
-    return reduce(lower_envelope_cm, filter(None, pieces))
-
-
-def sweep_inner_cm(
-    generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Envelope | None = None
-) -> list[Vertex]:
-    """Inner boundary of the sweep of a convex G_t along a monotone D_b.
-
-    Procedure SweepI_CM. Where two sub-trajectories meet, G touches D_b in two places. The part of
-    G_t between them replaces D_b there: it is the bottom chain of an undercut (Figure 7a). Where
-    the sub-trajectories share a segment, both places are on one edge of G_t (Figure 7b), and all
-    points of the segment give the same bottom chain. At a step of the envelope the higher position
-    closes the undercut.
+    Procedure SweepO_CM: as Trajectory_CM, with SweepO_CC in the place of Trajectory_CC. A sub-outer
+    chain is a subtrajectory of the merged edges of reversed G_t and G_b.
 
     Args:
-        generatrix: G_t: points from right to left, strictly convex, no vertical edge.
-        directrix: D_b: points from left to right, vertical edges allowed.
-        trajectory: the result of `trajectory_cm` for the same chains, if the caller has it.
-
-    Returns:
-        points from left to right, vertical edges included, no three collinear.
-
-    Raises:
-        ChainError: when the directrix is not X-monotone.
+        generatrix: reversed G_t, convex.
+        bottom: G_b, convex.
+        directrix: D_b.
 
     Cost: O(m n).
 
-    >>> sweep_inner_cm([(1, 1), (0, 1)], [(0, 0), (1, 1), (2, 0)])
+    >>> bar, lid = Chain.of([(0, 0), (1, 0)]), Chain.of([(-1, 0), (0, 0)])
+    >>> list(sweep_outer_cm(lid, bar, Chain.of([(0, 0), (2, 2), (4, 0)])))
+    [(-1, 0), (1, 0), (2, 1), (3, 0), (5, 0)]
+    """
+    return trajectory_cm(merge_by_slope(generatrix, bottom), directrix)
+
+
+def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None = None) -> Chain:
+    """Inner boundary of the sweep of a convex G_t along a monotone D_b.
+
+    Procedure SweepI_CM. Where two subtrajectories meet, G touches D_b in two places. The part of
+    G_t between them is the bottom chain of an undercut (Figure 7a). Where the subtrajectories share
+    a segment, both places are on one edge of G_t (Figure 7b), and all points of the segment give
+    the same bottom chain. At a step of the trajectory the higher position closes the undercut.
+
+    Args:
+        generatrix: reversed G_t, convex.
+        directrix: D_b.
+        trajectory: the result of `trajectory_cm`, if the caller has it.
+
+    Returns:
+        The boundary, vertical edges included, no three vertices collinear.
+
+    Cost: O(m n).
+
+    >>> sweep_inner_cm(Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, 1), (2, 0)])).points
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]
     """
-    # From left to right, as D_b.
-    top = inverse(require_convex(inverse(generatrix)))[::-1]
-    parts = find_convex_parts(directrix)
+    # Step 2: compute T(G_t, D_b).
     if trajectory is None:
         trajectory = trajectory_cm(generatrix, directrix)
-    pieces, sources = trajectory.pieces, trajectory.sources
-    inner: list[Vertex] = []
-    joints: set[int] = set()
-    done = 0
-    for k in range(1, len(pieces)):
-        if sources[k] == sources[k - 1]:
+    # Step 3: for each intersection of subtrajectories, find the undercut.
+    gs = generatrix.vertices
+    closings: list[Closing] = []
+    joints = zip(pairwise(trajectory.pieces), trajectory.breaks[1:-1], strict=True)
+    for (before, after), at in joints:
+        if before[4] == after[3]:
             continue
-        at = trajectory.breaks[k]
-        before, after = parts[sources[k - 1]], parts[sources[k]]
-        i, (_, left) = find_touched(before, trajectory, k - 1)
-        j, (right, _) = find_touched(after, trajectory, k)
-        # At a step of the envelope the higher position closes the undercut.
-        step = height(pieces[k - 1], pieces[k], at)
-        position = find_point(pieces[k if step < 0 else k - 1], at)
-        leaving, arriving = (before[i], before[i + 1]), (after[j], after[j + 1])
-        # Without a step, a contact inside an edge of D_b is a vertex of G, and a corner. Others may
-        # be collinear with their neighbours, or repeat them.
-        inner += before[done : i + 1]
-        inner.append(find_point_on(leaving, left))
-        if step or inner[-1] in leaving:
-            joints.add(len(inner) - 1)
-        inner += _place(top, position, at, left, right, touching=step != 0)
-        inner.append(find_point_on(arriving, right))
-        if step or inner[-1] in arriving:
-            joints.add(len(inner) - 1)
-        done = j + 1
-    inner += parts[sources[-1]][done:]
-    return take_corners(inner, joints)
+        _, left = find_touched(generatrix, directrix, before, at, at)
+        right, _ = find_touched(generatrix, directrix, after, at, at)
+        (x, w), (a, b) = at, subtract(before, after)
+        px, py, pw = find_point((after if a * x + b * w < 0 else before)[:3], at)
+        # The vertices of G_t between both contacts, and those in them.
+        (_, _, j), (_, _, j_end), (_, _, k), (_, _, k_end) = *before[3:], *after[3:]
+        last = j if precedes((x - gs[j_end][0] * w, w), left) else j_end
+        first = k_end if precedes(right, (x - gs[k][0] * w, w)) else k
+        bottom = [(px - gx * pw, py - gy * pw, pw) for gx, gy, _ in reversed(gs[first : last + 1])]
+        closings.append(Closing(before, left, after, right, bottom))
+    # Step 4: return D_b with the undercuts closed.
+    return close(directrix, closings)
 
 
-def _place(
-    top: Sequence[Vertex],
-    position: Vertex,
-    at: Break,
-    left: Break,
-    right: Break,
-    *,
-    touching: bool,
-) -> list[Vertex]:
-    """List the vertices of G_t between two breaks, for a position of G at a break.
+class Closing(NamedTuple):
+    """An x-range of D_b that G does not touch, and the boundary there.
 
-    `touching` includes vertices at the two breaks. Cost: O(log n + vertices returned).
+    Attributes:
+        before: a piece of the trajectory along which G touches D_b at `left`.
+        left: the left end of the range.
+        after: a piece along which G touches D_b at `right`.
+        right: the right end.
+        bottom: the vertices of the inner boundary between both ends: the bottom chain.
     """
-    (n, d), (low, e), (high, f) = at, left, right
-    before, after = (bisect_left, bisect_right) if touching else (bisect_right, bisect_left)
-    first = before(top, low * d - n * e, key=lambda v: v[0] * d * e)
-    last = after(top, high * d - n * f, key=lambda v: v[0] * d * f)
-    x, y = position
-    return [(x + u, y + v) for u, v in top[first:last]]
+
+    before: Piece
+    left: Break
+    after: Piece
+    right: Break
+    bottom: list[Homogeneous]
+
+
+def find_touched(
+    generatrix: Chain, directrix: Chain, piece: Piece, start: Break, end: Break
+) -> tuple[Break, Break]:
+    """Find both ends of the x-range of D_b that G touches between two breaks of a piece (Table 1).
+
+    Between vertices i and i_end of D_b, vertices j to j_end of reversed G_t are in contact.
+    """
+    (x, w), (u, v), (_, i, j), (_, i_end, j_end) = start, end, *piece[3:]
+    gs, ds = generatrix.vertices, directrix.vertices
+    if i == i_end:
+        # EV.
+        return (ds[i][0], 1), (ds[i][0], 1)
+    first, last = x - gs[j_end][0] * w, u - gs[j][0] * v
+    return (max(first, ds[i][0] * w), w), (min(last, ds[i_end][0] * v), v)
+
+
+def close(directrix: Chain, closings: Iterable[Closing]) -> Chain:
+    """Replace the top chains of undercuts, pieces of D_b, by their bottom chains (Figure 7).
+
+    Cost: O(m + size of the result).
+    """
+    inner: list[Homogeneous] = []
+    done = 0
+    for before, left, after, right, bottom in closings:
+        (_, i, _), (_, i_end, _), (_, k, _), (_, k_end, _) = *before[3:], *after[3:]
+        inner += directrix.vertices[done : i + 1]
+        leaving, arriving = directrix.lines[i:i_end], directrix.lines[k:k_end]
+        inner += [find_point(line, left) for line in leaving if line]
+        inner += bottom
+        inner += [find_point(line, right) for line in arriving if line] or [directrix.vertices[k]]
+        done = k_end
+    return Chain(take_corners(inner + directrix.vertices[done:]))

@@ -18,20 +18,19 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
-from exactsweep.numbers.number import Edge, Rational, Vertex
-from exactsweep.procedures.chain import list_graph_edges
-from exactsweep.procedures.envelope import find_point_on
+from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
+from exactsweep.procedures.chain import Chain, inverse
 
 
 def find_exact_fits(
-    generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Sequence[Vertex]
+    generatrix: Chain, directrix: Chain, trajectory: Chain
 ) -> list[tuple[Vertex, Vertex]]:
     """Find the exact fits of G_t from below in D_b.
 
     Args:
-        generatrix: G_t, points from right to left.
-        directrix: D_b, points from left to right.
-        trajectory: T(G_t, D_b), points from left to right.
+        generatrix: reversed G_t.
+        directrix: D_b.
+        trajectory: T(G_t, D_b).
 
     Returns:
         Pairs (the end on the trajectory, the end inside the slot), by x.
@@ -40,31 +39,46 @@ def find_exact_fits(
     the edges of D_b and of G_t over each other).
 
     Example:
-        >>> slot = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)]
-        >>> lid = [(1, 0), (0, 0)]
         >>> from exactsweep.procedures.cm import trajectory_cm
-        >>> find_exact_fits(lid, slot, list(trajectory_cm(lid, slot)))
+        >>> slot = Chain.of([(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)])
+        >>> lid = Chain.of([(-1, 0), (0, 0)])
+        >>> find_exact_fits(lid, slot, trajectory_cm(lid, slot).chain())
         [((1, 0), (1, 2))]
     """
-    meetings = Counter(
-        d - g for d in _discontinuities(directrix) for g in _discontinuities(generatrix)
-    )
-    top, bottom = list_graph_edges(generatrix[::-1]), list_graph_edges(directrix)
+    g, d = inverse(generatrix)[::-1], directrix.points
+    shifts = Counter(p - q for p in _discontinuities(d) for q in _discontinuities(g))
+    meetings = sorted(x for x, count in shifts.items() if count > 1)
+    if not meetings:
+        return []
+    path, top, bottom = trajectory.points, list_edges(g), list_edges(d)
     fits: list[tuple[Vertex, Vertex]] = []
-    for x, count in sorted(meetings.items()):
-        if count > 1:
-            hanging = _find_greatest(trajectory, x)
-            limit = _least_height(top, bottom, x)
-            if limit > hanging:
-                fits.append(((x, hanging), (x, limit)))
+    for x in meetings:
+        hanging, limit = _find_greatest(path, x), _least_height(top, bottom, x)
+        if limit > hanging:
+            fits.append(((x, hanging), (x, limit)))
     return fits
+
+
+def list_edges(chain: Sequence[Vertex]) -> list[Edge]:
+    """List the edges of a chain that are not vertical. Cost: O(n).
+
+    >>> list_edges([(0, 0), (1, 0), (1, 2), (2, 2)])
+    [((0, 0), (1, 0)), ((1, 2), (2, 2))]
+    """
+    return [(p, q) for p, q in pairwise(chain) if p[0] != q[0]]
+
+
+def evaluate(edge: Edge, x: Rational) -> Rational:
+    """Return the height of an edge at x."""
+    (px, py), (qx, qy) = edge
+    return py if x == px else qy if x == qx else py + ratio((qy - py) * (x - px), qx - px)
 
 
 def _find_greatest(chain: Sequence[Vertex], x: Rational) -> Rational:
     """The greater limit of a chain from the left and from the right. Cost: O(log n)."""
     first, after = (side(chain, x, key=_abscissa) for side in (bisect_left, bisect_right))
     if first == after:
-        return _value((chain[first - 1], chain[first]), x)
+        return evaluate((chain[first - 1], chain[first]), x)
     return max(chain[first][1], chain[after - 1][1])
 
 
@@ -86,7 +100,7 @@ def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) 
         (gp, gq), (dp, dq) = top[i], bottom[j]
         low, high = max(gp[0] + shift, dp[0]), min(gq[0] + shift, dq[0])
         for x in low, high:
-            heights.append(_value(bottom[j], x) - _value(top[i], x - shift))
+            heights.append(evaluate(bottom[j], x) - evaluate(top[i], x - shift))
         i += gq[0] + shift == high
         j += dq[0] == high
     return min(heights)
@@ -98,7 +112,3 @@ def _abscissa(vertex: Vertex) -> Rational:
 
 def _right(edge: Edge) -> Rational:
     return edge[1][0]
-
-
-def _value(edge: Edge, x: Rational) -> Rational:
-    return find_point_on(edge, x.as_integer_ratio())[1]

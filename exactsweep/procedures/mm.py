@@ -5,208 +5,167 @@ envelope of the results (Lemma 5.1). Both loops are trajectories of the inverse 
 the two sides of the first trajectory (Lemma 5.3).
 
 Errata. Lemma 5.3: along the inner side, I(G) must stay inside T, and the x-range of I(G) within
-that of T. So the boundary extends over D's x-range only. Trajectory_MM also adds pieces beyond both
-ends, where the x-range of I(G) reaches beyond T's; they are cut off. Lemma 5.2: the size is O(m n
+that of T. So the boundary extends over D's x-range only. Lemma 5.2: the size is O(m n
 alpha(min(m, n))), alpha the inverse Ackermann function (E. Oks and M. Sharir, "Minkowski sums of
 monotone and general simple polygons", Discrete & Computational Geometry 35, 2006), since the
-envelope of N segments can have more than a constant times N pieces (A. Wiernik and M. Sharir 1988,
-see `lower_envelope`). Lemma 5.5: the inner boundary can have order m n^2 edges, not O(m n): near a
-needle of D_b it has a corner for every pair of a peak and a valley of G_t.
-
-For the inner boundary the directrix is the complement of the lower trajectory's upper side, turned
-by half a turn. Its convex parts are the concave runs of T. Their vertices are usually crossings,
-not on the lattice. But a sweep of a part moves its edges, pieces of lattice edges, by vertices of
-G, and G's edges by the vertices of the part. So integer lines and breaks n/d suffice.
-
-Where G touches D_b the inner loop is D_b itself, and the trajectory shows where G touches D_b. Let
-an edge of the trajectory come from part i of G_t and part j of D_b. If D_j has an edge of the same
-slope, a vertex of G slides along that edge, or an edge of G lies on it, and G touches all points
-passed. Otherwise an edge of G slides over the vertex of D_j between whose edges its slope lies
-(Table 1: VE, EE, EV).
+envelope of N segments can have more than a constant times N pieces (see `graph`). Lemma 5.5: the
+inner boundary can have order m n^2 edges, not O(m n): near a needle of D_b it has a corner for
+every pair of a peak and a valley of G_t.
 
 The inner boundary R(x) = max over u of T(u) + G_t(x - u) (Lemma 5.3) is nowhere above D_b, since
 T(u) <= D_b(x) - G_t(x - u). It equals D_b(x) where this holds with equality, that is, where G
-touches D. So only the gaps between touched points need a computation of R.
+touches D_b. So only the undercuts need a computation of R.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from itertools import chain, pairwise
+from functools import reduce
+from itertools import pairwise
 
-from exactsweep.numbers.number import Vertex
-from exactsweep.procedures.chain import complement, find_convex_parts, inverse, take_corners
-from exactsweep.procedures.convex_part import (
-    find_touched,
-    measure_unit,
-    split_chain,
-    split_parts,
-)
-from exactsweep.procedures.envelope import (
-    Break,
-    Envelope,
-    Span,
-    precedes,
-    value,
-)
-from exactsweep.procedures.part_pairs import sweep_pairs
+from exactsweep.numbers.number import ratio
+
+# The pruning step. Without it: from exactsweep.procedures.sums import subtrajectories
+from exactsweep.procedures.ceiling import subtrajectories
+from exactsweep.procedures.chain import Break, Chain, partition, precedes
+from exactsweep.procedures.cm import Closing, close, find_touched
+from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, lower_envelope_mm
+from exactsweep.procedures.sums import Ranges
+
+# A row, the subtrajectories of one part, has relevant edges only, and lacks what is pruned. Let E
+# be the envelope of all pairs, P the partial trajectory, s_k the whole sum of the part and D_k.
+#
+#     (1)  P is on E wherever one of its members is on E.
+#
+# Let LowerEnvelope_CM put s_k in the place of P right of x, where P is not below s_k: there s_k is
+# on E where P was. So P may lose all of it, also where the edges of s_k are irrelevant, so that s_k
+# is not on E. Left of x, some whole sum s_j, j < k, is nowhere above s_k (Lemma A.3). Where s_k is
+# on E there, s_j is, too, and by (1) so is P. So the lowest of all rows is E.
 
 
-def trajectory_mm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
+def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = None) -> Graph:
     """Trajectory T(G_t, D_b) of a monotone top chain along a monotone bottom chain.
 
-    Procedure Trajectory_MM.
+    Procedure Trajectory_MM. Sums are symmetric, so the rows are the parts of the shorter list.
 
     Args:
-        generatrix: G_t: points from right to left, vertical edges allowed.
-        directrix: D_b: points from left to right, vertical edges allowed; or an envelope.
+        generatrix: reversed G_t.
+        directrix: D_b.
+        ranges: disjoint x-ranges; the result is valid over these only. By default all.
 
     Returns:
-        the path of G's origin as an envelope; with k convex parts in D_b, `sources` is
-        i * k + j where part i of G_t slides along part j of D_b.
-
-    Raises:
-        ChainError: when a chain is not X-monotone.
+        The path of G's origin, each piece with its event.
 
     Cost: O(m n log n).
 
-    >>> print(trajectory_mm([(2, 1), (1, 0), (0, 1)], [(0, 0), (1, 1), (2, 0)]))
-    (-2, -1) (-1, 0) (0, -1) (1, 0) (2, -1)
+    >>> peak = Chain.of([(0, 0), (1, 1), (2, 0)])
+    >>> list(trajectory_mm(Chain.of([(-2, -1), (-1, 0), (0, -1)]), peak))
+    [(-2, -1), (-1, 0), (0, -1), (1, 0), (2, -1)]
     """
-    unit = measure_unit(inverted := inverse(generatrix), directrix)
-    return sweep_pairs(split_chain(inverted, unit), split_parts(directrix, unit))
+    # Step 1: partition G_t into convex chains G_1, ..., G_l (and D_b for Trajectory_CM).
+    generatrix_parts, directrix_parts = partition(generatrix, directrix)
+    # Step 2: compute the subtrajectories T(G_i, D_b) for all i by Trajectory_CM.
+    exchanged = len(directrix_parts) < len(generatrix_parts)
+    rows: dict[int, list[Graph]] = {}
+    for i, j, graph in subtrajectories(generatrix_parts, directrix_parts, ranges):
+        rows.setdefault(j if exchanged else i, []).append(graph)
+    envelopes = [reduce(lower_envelope_cm, row) for row in rows.values()]
+    # Steps 3 and 4: compute and return their lower envelope.
+    return lower_envelope_mm(envelopes)
 
 
 def sweep_mm(
-    generatrix_top: Sequence[Vertex],
-    generatrix_bottom: Sequence[Vertex],
-    directrix: Sequence[Vertex],
-    trajectory: Envelope | None = None,
-) -> tuple[list[Vertex], list[Vertex]]:
+    generatrix: Chain, bottom: Chain, directrix: Chain, trajectory: Graph | None = None
+) -> tuple[Chain, Chain]:
     """Inner and outer boundary of the sweep of a monotone G along a monotone D_b.
 
-    Procedure Sweep_MM: `inner_mm` and `outer_mm` for T(G_t, D_b).
+    Procedure Sweep_MM: `sweep_inner_mm` and `sweep_outer_mm` for T(G_t, D_b).
 
     Args:
-        generatrix_top: G_t: points from right to left.
-        generatrix_bottom: G_b: points from left to right.
-        directrix: D_b: points from left to right.
-        trajectory: the result of `trajectory_mm` for G_t and D_b, if the caller has it.
+        generatrix: reversed G_t.
+        bottom: G_b.
+        directrix: D_b.
+        trajectory: the result of `trajectory_mm`, if the caller has it.
 
     Returns:
-        (inner, outer), each from left to right, vertical edges included, no three collinear.
-
-    Raises:
-        ChainError: when a chain is not X-monotone.
+        (inner, outer), vertical edges included, no three vertices collinear.
 
     Cost: O(m n^2 log n).
 
-    >>> inner, outer = sweep_mm([(1, 1), (0, 1)], [(0, 0), (1, 0)], [(0, 0), (2, 0)])
-    >>> inner == [(0, 0), (2, 0)], outer
-    (True, [(-1, -1), (3, -1)])
+    >>> lid, bar, flat = [(-1, -1), (0, -1)], [(0, 0), (1, 0)], [(0, 0), (2, 0)]
+    >>> inner, outer = sweep_mm(*map(Chain.of, (lid, bar, flat)))
+    >>> inner.points, outer.points
+    ([(0, 0), (2, 0)], [(-1, -1), (3, -1)])
     """
+    # Step 1: compute the trajectory T(G, D).
     if trajectory is None:
-        trajectory = trajectory_mm(generatrix_top, directrix)
-    return (
-        inner_mm(generatrix_top, trajectory, directrix),
-        list(outer_mm(generatrix_bottom, trajectory)),
-    )
+        trajectory = trajectory_mm(generatrix, directrix)
+    # Step 2: j_i(G, D) <- T(I(G), -T(G, D)) and j_o(G, D) <- T(I(G), T(G, D)).
+    inner = sweep_inner_mm(generatrix, directrix, trajectory)
+    return inner, sweep_outer_mm(bottom, trajectory.chain()).chain()
 
 
-def outer_mm(generatrix_bottom: Sequence[Vertex], trajectory: Envelope) -> Envelope:
-    """Outer boundary: I(G) slides along the outside of T (Lemma 5.3).
-
-    Cost: O(t n log n) for t edges of T.
-
-    >>> print(outer_mm([(0, 0), (1, 0)], trajectory_mm([(1, 1), (0, 1)], [(0, 0), (2, 0)])))
-    (-1, -1) (3, -1)
-    """
-    return trajectory_mm(inverse(generatrix_bottom), trajectory)
-
-
-def _take_inside(trajectory: Envelope) -> Envelope:
-    """Return the inverse of the complement of a lower trajectory, edges as lines. Cost: O(t)."""
-    return Envelope(
-        [(-n, d) for n, d in reversed(trajectory.breaks)],
-        [(dx, dy, -c, None, source) for dx, dy, c, _, source in reversed(trajectory.pieces)],
-    )
-
-
-def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[Span]:
-    """Find the x-ranges of D_b between points that G touches, left to right.
+def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
+    """Outer boundary T(I(G), T): I(G) slides along the outside of T (Lemma 5.3).
 
     Args:
-        trajectory: T(G_t, D_b), `sources` as `trajectory_mm` numbers them.
-        parts: the convex parts of D_b.
+        bottom: G_b, which is reversed the top chain of I(G).
+        path: T(G_t, D_b).
+
+    Cost: O(t n log n) for t edges of T.
+    """
+    return trajectory_mm(bottom, path)
+
+
+def sweep_inner_mm(
+    generatrix: Chain, directrix: Chain, trajectory: Graph, path: Chain | None = None
+) -> Chain:
+    """Inner boundary T(I(G), -T): I(G) slides along the inside of T (Lemma 5.3).
+
+    After a half turn, G_t slides along the complement of T. Where G touches D_b the boundary is
+    D_b, so only the undercuts are computed. This is the faster algorithm that the paper mentions
+    after Corollary 5.8.
+
+    Args:
+        generatrix: reversed G_t.
+        directrix: D_b.
+        trajectory: T(G_t, D_b).
+        path: the same as a chain, if the caller has it.
+
+    Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' edges of T along which G
+    is over an undercut; all t of them at worst.
+    """
+    undercuts = find_untouched(generatrix, directrix, trajectory)
+    if not undercuts:
+        return directrix
+    path = path or trajectory.chain()
+    ranges = [((-x, w), (-u, v)) for _, (u, v), _, (x, w) in reversed(undercuts)]
+    inside = trajectory_mm(generatrix, path.turn(), ranges)
+    bottoms = [inside.clip(*span).chain().turn().vertices for span in reversed(ranges)]
+    return close(directrix, [Closing(*u, b) for u, b in zip(undercuts, bottoms, strict=True)])
+
+
+def find_untouched(
+    generatrix: Chain, directrix: Chain, trajectory: Graph
+) -> list[tuple[Piece, Break, Piece, Break]]:
+    """Find x-ranges of D_b that hold all that G does not touch, from left to right.
+
+    They are the undercuts, and what G touches only while another piece of T hides it.
 
     Returns:
-        list of open x-ranges, none of them empty.
+        The first four items of a `Closing` for each.
 
-    Cost: O(t log m + m) for t edges of T, and a sort of the touched ranges of each edge of D_b.
-
-    >>> from exactsweep.procedures.mm import trajectory_mm
-    >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
-    >>> trajectory = trajectory_mm([(1, 0), (0, 0)], notch)
-    >>> (left, right), = find_gaps(trajectory, find_convex_parts(notch))
-    >>> value(left), value(right)
-    (Fraction(5, 2), Fraction(7, 2))
+    Cost: O(t log t) for t pieces of T.
     """
-    touched: list[list[list[Span]]] = [[[] for _ in part[1:]] for part in parts]
-    last = edge = -1
-    for k, source in enumerate(trajectory.sources):
-        part = source % len(parts)
-        # Pieces from one source become steeper.
-        first = edge if source == last else 0
-        edge, span = find_touched(parts[part], trajectory, k, first)
-        touched[part][edge].append(span)
-        last = source
-    found: list[Span] = []
-    reach: Break = (parts[0][0][0], 1)
-    for of_edge in chain.from_iterable(touched):
-        if len(of_edge) > 1 and any(precedes(b[0], a[0]) for a, b in pairwise(of_edge)):
-            of_edge.sort(key=lambda span: value(span[0]))
-        for begin, end in of_edge:
-            (n, d), (m, e), (o, f) = reach, begin, end
-            if n * e < m * d:
-                found.append((reach, begin))
-            if n * f < o * d:
-                reach = end
+    touched = [
+        (*find_touched(generatrix, directrix, piece, start, end), piece)
+        for piece, (start, end) in zip(trajectory.pieces, pairwise(trajectory.breaks), strict=True)
+    ]
+    touched.sort(key=lambda contact: ratio(*contact[0]))
+    found = []
+    _, reach, before = touched[0]
+    for first, last, piece in touched:
+        if precedes(reach, first):
+            found.append((before, reach, piece, first))
+        if precedes(reach, last):
+            reach, before = last, piece
     return found
-
-
-def _close_gaps(floor: Envelope, closed: Envelope, gaps: Iterable[Span]) -> Envelope:
-    """Replace an envelope by another one over gaps, which ascend. Cost: O(n)."""
-    joined = Envelope([floor.breaks[0]], [])
-    for left, right in gaps:
-        joined.take_between(floor, joined.breaks[-1], left)
-        joined.take_between(closed, left, right)
-    joined.take_between(floor, joined.breaks[-1], floor.breaks[-1])
-    return joined
-
-
-def inner_mm(
-    generatrix_top: Sequence[Vertex], trajectory: Envelope, directrix: Sequence[Vertex]
-) -> list[Vertex]:
-    """Inner boundary: I(G) slides along the inside of T (Lemma 5.3).
-
-    After half a turn, G_t slides along the bottom chain of the inverse of T's complement. Where G
-    touches D_b the boundary is D_b itself, so the function sweeps the gaps only (see `find_gaps`).
-    This is the faster algorithm that the paper mentions after Corollary 5.8.
-
-    Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
-    overlaps a gap; all t of them at worst.
-
-    >>> notch, flat = [(0, 0), (2, 0), (2, 2), (3, 2), (3, 0), (6, 0)], [(2, 0), (0, 0)]
-    >>> inner_mm(flat, trajectory_mm(flat, notch), notch)
-    [(0, 0), (6, 0)]
-    """
-    parts = find_convex_parts(directrix)
-    open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(find_gaps(trajectory, parts))]
-    if not open_spans:
-        return take_corners(directrix)
-    inside, reversed_top = _take_inside(trajectory), inverse(generatrix_top)
-    unit = measure_unit(reversed_top, inside)
-    chains, slots = split_chain(reversed_top, unit), split_parts(inside, unit)
-    floor = Envelope.of(inverse(complement(directrix)))
-    closed = sweep_pairs(chains, slots, open_spans)
-    return inverse(complement(list(_close_gaps(floor, closed, open_spans))))

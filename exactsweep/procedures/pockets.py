@@ -9,14 +9,14 @@ piece, since D is connected.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.geometry.overlap import touch
 from exactsweep.numbers.number import Edge, Rational, Vertex
-from exactsweep.procedures.chain import list_graph_edges, take_corners
-from exactsweep.procedures.envelope import find_point_on
+from exactsweep.procedures.chain import take_corners
+from exactsweep.procedures.exact_fit import evaluate, list_edges
 
 
 class Pocket(NamedTuple):
@@ -45,7 +45,7 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
     """
     found: list[Pocket] = []
     ends: list[tuple[Vertex, Vertex, Vertex]] = []
-    low, high = list_graph_edges(inner), list_graph_edges(directrix)
+    low, high = list_edges(inner), list_edges(directrix)
     i = j = 0
     b1 = a1 = directrix[0]
     while i < len(low):
@@ -73,14 +73,14 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
         i += below[1][0] == right
         j += above[1][0] == right
     return [
-        Pocket(_close([*bottom, b1, end]), _close([*top, a1, end]))
+        Pocket(keep_corners([*bottom, b1, end]), keep_corners([*top, a1, end]))
         for (bottom, top), (b1, a1, end) in zip(found, ends, strict=True)
     ]
 
 
-def _close(chain: list[Vertex]) -> list[Vertex]:
-    """Drop points that are not corners from a chain whose cut ends may repeat a point."""
-    return take_corners(chain, {0, 1, len(chain) - 2, len(chain) - 1})
+def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
+    """Drop repeated points, and points on the segment between their neighbours."""
+    return [(x, y) for x, y, _ in take_corners((x, y, 1) for x, y in chain)]
 
 
 def _contact_height(below: Vertex, above: Vertex, outside: Vertex | None) -> Rational:
@@ -98,7 +98,7 @@ def _point(edge: Edge, x: Rational) -> Vertex:
     for end in edge:
         if end[0] == x:
             return end
-    return find_point_on(edge, x.as_integer_ratio())
+    return x, evaluate(edge, x)
 
 
 def find_mouths(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket]:
@@ -140,7 +140,7 @@ def find_mouths(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Poc
     ]
     leaving = {q: p for p, q in pieces[1]}
     return [
-        Pocket(take_corners(bottom), take_corners(_way(bottom, leaving)[::-1]))
+        Pocket(keep_corners(bottom), keep_corners(_way(bottom, leaving)[::-1]))
         for bottom in _chains(pieces[0], {p for edge in others for p in edge}, shared[1])
     ]
 

@@ -14,6 +14,8 @@ from tiers import examples
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import reference_exact_fits
 from exactsweep.paper.counting import make_counted, watch_operations
+from exactsweep.paper.kernel import reverse_top
+from exactsweep.procedures.chain import Chain
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.mm import trajectory_mm
 
@@ -76,8 +78,11 @@ def test_to_lift_a_long_comb_takes_what_lies_over_it() -> None:
     tongue = [(-3, 0), (0, 0), (0, -9), (2, -9), (2, 0), (5, 0)]
     found = []
     for teeth in (50, 100):
-        generatrix, directrix = make_counted(comb(teeth)), make_counted(tongue)
-        trajectory = list(trajectory_mm(generatrix, directrix))
+        generatrix, directrix = (
+            reverse_top(make_counted(comb(teeth))),
+            Chain.of(make_counted(tongue)),
+        )
+        trajectory = trajectory_mm(generatrix, directrix).chain()
         with watch_operations() as tally:
             fits = find_exact_fits(generatrix, directrix, trajectory)
         assert len(fits) == teeth - 1
@@ -103,7 +108,9 @@ def test_how_far_a_lid_goes_up_a_slot(
     slot = [("0", 0), ("1", 0), ("1", 9), *ceiling, ("2", 9), ("2", rim), ("4", rim)]
     bottom = [(Fraction(x), y) for x, y in slot]
     hanging, inside = fit
-    fits = find_exact_fits(top, bottom, list(trajectory_mm(top, bottom)))
+    generatrix, directrix = reverse_top(top), Chain.of(bottom)
+    trajectory = trajectory_mm(generatrix, directrix).chain()
+    fits = find_exact_fits(generatrix, directrix, trajectory)
     assert fits == [((1, hanging), (1, inside))]
 
 
@@ -113,8 +120,9 @@ def test_chains_without_walls_have_but_their_ends_to_compare() -> None:
 
     found = []
     for size in (50, 100):
-        generatrix, directrix = make_counted(zigzag(size)[::-1]), make_counted(zigzag(size))
-        trajectory = list(trajectory_mm(generatrix, directrix))
+        generatrix = reverse_top(make_counted(zigzag(size)[::-1]))
+        directrix = Chain.of(make_counted(zigzag(size)))
+        trajectory = trajectory_mm(generatrix, directrix).chain()
         with watch_operations() as tally:
             assert find_exact_fits(generatrix, directrix, trajectory) == []
         found.append(tally.total)

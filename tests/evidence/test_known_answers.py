@@ -16,7 +16,7 @@ from strategies import points
 from exactsweep import Polygon, sweep
 from exactsweep.corpus import find_case
 from exactsweep.numbers.number import Vertex
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
+from exactsweep.paper.kernel import sweep_mm, trajectory_mm
 
 Corners = list[tuple[Any, Any]]
 

@@ -6,16 +6,16 @@ import families
 import pytest
 
 from exactsweep.numbers.number import Vertex
-from exactsweep.procedures.chain import split, take_corners
-from exactsweep.procedures.mm import inner_mm, trajectory_mm
-from exactsweep.procedures.pockets import Pocket, find_mouths, find_pockets
+from exactsweep.paper.kernel import sweep_inner_mm, trajectory_mm
+from exactsweep.procedures.chain import split
+from exactsweep.procedures.pockets import Pocket, find_mouths, find_pockets, keep_corners
 
 Chain = list[Vertex]
 
 
 def under_lid(chain: Chain) -> Chain:
     """Return the region between a chain and a lid above it, as a loop."""
-    return take_corners([*chain, (chain[-1][0], 10**6), (chain[0][0], 10**6)])
+    return keep_corners([*chain, (chain[-1][0], 10**6), (chain[0][0], 10**6)])
 
 
 @pytest.mark.parametrize("family", ["walled", "rectilinear", "teeth", "jagged"])
@@ -25,8 +25,8 @@ def test_pockets_are_the_undercuts_of_a_shape(family: str) -> None:
     shape = getattr(families, family)
     found = 0
     for _ in range(100):
-        directrix, top = take_corners(split(shape(rng))[0]), take_corners(split(shape(rng))[1])
-        inner = inner_mm(top, trajectory_mm(top, directrix), directrix)
+        directrix, top = keep_corners(split(shape(rng))[0]), keep_corners(split(shape(rng))[1])
+        inner = sweep_inner_mm(top, directrix, trajectory_mm(top, directrix))
         mouths = find_mouths(under_lid(inner), under_lid(directrix))
         pockets = find_pockets(inner, directrix)
         assert pockets == mouths

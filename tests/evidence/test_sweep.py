@@ -22,7 +22,9 @@ from exactsweep import (
 )
 from exactsweep.check import classify, point_in_polygon, reference_loops
 from exactsweep.geometry.direction import find_monotone_directions
-from exactsweep.procedures.chain import find_convex_parts, inverse, list_graph_edges, split
+from exactsweep.paper.kernel import find_convex_parts
+from exactsweep.procedures.chain import inverse, split
+from exactsweep.procedures.exact_fit import list_edges
 
 Pair = tuple[Polygon, Polygon]
 Loops = tuple[Polygon, Polygon, Polygon]
@@ -258,7 +260,7 @@ def test_sizes_of_sweeps_with_a_convex_generatrix(pair: Pair) -> None:
     for of_g, of_d, of_t, of_inner, of_outer in zip(
         *map(chains, (g, d, s.trajectory, s.inner, s.outer)), strict=True
     ):
-        m, n, other = len(list_graph_edges(of_d[0])), len(of_g[1]) - 1, len(of_g[0]) - 1
+        m, n, other = len(list_edges(of_d[0])), len(of_g[1]) - 1, len(of_g[0]) - 1
         k = len(find_convex_parts(of_d[0]))
         assert len(of_t[0]) - 1 <= m + k * n + k - 1
         assert len(of_outer[0]) - 1 <= m + k * (n + other) + k - 1

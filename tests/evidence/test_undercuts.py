@@ -14,8 +14,7 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.evidence.drawn import Feature, find_drawn_edges
-from exactsweep.evidence.undercut import Undercut, find_closing_positions
+from exactsweep.evidence.undercut import Tracer, Undercut, find_closing_positions
 from exactsweep.geometry.outline import Outline
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Vertex
@@ -221,13 +220,12 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
             [Point(factor * x, factor * y) for x, y in u.positions] for u in near.undercuts
         ]
         assert [[*u.positions] for u in far.undercuts] == positions
-        for name in ("contacts", "inner_drawn", "outer_drawn"):
-            assert far.certificate()[name] == near.certificate()[name], (seed, name)
+        assert far._numbered_contacts == near._numbered_contacts, seed
 
 
 def close(chain: list[Vertex], path: Outline, g: Outline) -> Any:
     """Find what closes a chain on the inner loop of a trajectory."""
-    return find_closing_positions(find_drawn_edges([*pairwise(chain)], path, g))
+    return find_closing_positions(chain, Tracer(path, g))
 
 
 def test_a_chain_may_be_covered_from_the_middle_of_an_edge_but_not_beyond_g() -> None:
@@ -275,7 +273,5 @@ def test_an_edge_of_several_positions_is_drawn_at_vertices_of_the_trajectory(
     square = Outline([turn((0, 0), (1, 0), (1, 2), (0, 2))])
     zigzag = Outline([turn((8, 2), (3, 4), (4, 3), (3, 2), (4, 1), (3, 0))])
     start, end = turn((3, 5), (3, 1))
-    (drawn,) = find_drawn_edges([(start, end)], zigzag, square)
-    found = drawn.choose()
-    assert {drawn.position for drawn in found} == {Feature("vertex", k) for k in (1, 3, 5)}
-    assert {drawn.feature for drawn in found} == {Feature("edge", 3)}
+    intersection, found = close([start, end], zigzag, square)
+    assert (intersection, {*found}) == ("point", {zigzag.vertices[k] for k in (1, 3, 5)})

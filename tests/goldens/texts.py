@@ -67,11 +67,10 @@ from exactsweep.paper.data import as_json
 from exactsweep.paper.figures.drawing import draw_figure
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import BOUNDS, Growth, Size
+from exactsweep.paper.kernel import find_convex_parts, trajectory_cc, trajectory_cm
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.paper.pairs import LARGE, draw_pairs
-from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import find_convex_parts, split
-from exactsweep.procedures.cm import trajectory_cm
+from exactsweep.procedures.chain import split
 from exactsweep.view.data import gather_page_data, gather_positions
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]

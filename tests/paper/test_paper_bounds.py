@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from exactsweep import Polygon
-from exactsweep.check.contact_segments import find_contacts
+from exactsweep.paper.contact_segments import find_contacts
 from exactsweep.corpus.generator.growing import edges_over_needles, undercuts_under_ceilings
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks import (
@@ -29,8 +29,9 @@ from exactsweep.paper.checks import (
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
 from exactsweep.paper.costs import COSTS, Cost, measure_costs
 from exactsweep.paper.counting import CountedList, peak, seconds, watch_operations
-from exactsweep.paper.functions import list_sub_trajectories, look_up_bottom
+from exactsweep.paper.functions import look_up_bottom
 from exactsweep.paper.growth import Growth, Size
+from exactsweep.paper.kernel import list_sub_trajectories
 from exactsweep.paper.pairs import SweepPair, draw_pairs
 
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]
@@ -201,10 +202,9 @@ def test_counts_are_compared_with_what_they_say() -> None:
     domed = [(x, -x * x) for x in range(20, -21, -1)]
     assert slips.calls(SweepPair(domed, TEETH.directrix))[0] > 2 * 40
     for pair in draw_pairs(Effort(), "MM", 5):
-        chains = list_sub_trajectories(pair)
+        chains = list_sub_trajectories(pair.chains)
         size = sum(len(chain.pieces) for chain in chains)
-        for merge in (section5_time.merge_by_halves, section5_time.merge_to_the_letter):
-            assert merge(pair)[1] == size * max(1, log2(len(chains)))
+        assert section5_time.merge_by_halves(pair)[1] == size * max(1, log2(len(chains)))
     # Both parts of the trajectory have four edges, of which the last of the first is cut off.
     handed_in, kept = 8, len(look_up_bottom(TEETH, "trajectory")) - 1
     assert appendix.envelope(TEETH)[1] == handed_in + handed_in - kept

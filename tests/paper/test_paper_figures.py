@@ -21,7 +21,7 @@ from exactsweep import Point
 from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.draw import save
-from exactsweep.paper import plots
+from exactsweep.paper import kernel, plots
 from exactsweep.paper.claim import Effort, reproduce
 from exactsweep.paper.figures import procedures
 from exactsweep.paper.figures.drawing import draw_figure
@@ -30,7 +30,6 @@ from exactsweep.paper.figures.sheet import Extent, lay_out
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.paper.pairs import draw_pair
 from exactsweep.paper.report import write_figures
-from exactsweep.procedures import cc, cm, mm
 
 IDS = [f"Figure {number}" for number in range(1, 14)]
 OURS = "Undercuts under ceilings"
@@ -89,12 +88,13 @@ def calls_made() -> set[tuple[str, str]]:
     for kind in ("CC", "CM", "MM"):
         for number in range(20):
             top, bottom, directrix = draw_pair(Prng(str(number)), kind).chains
-            calls: list[Callable[[], object]] = [partial(mm.sweep_mm, top, bottom, directrix)]
+            calls: list[Callable[[], object]] = [partial(kernel.sweep_mm, top, bottom, directrix)]
             if kind != "MM":
-                calls.append(partial(cm.sweep_inner_cm, top, directrix))
-                calls.append(partial(cm.sweep_outer_cm, top, bottom, directrix))
+                calls.append(partial(kernel.sweep_inner_cm, top, directrix))
+                calls.append(partial(kernel.sweep_outer_cm, top, bottom, directrix))
             if kind == "CC":
-                calls.append(partial(cc.sweep_outer_cc, top, bottom, directrix))
+                calls.append(partial(kernel.trajectory_cc, top, directrix))
+                calls.append(partial(kernel.sweep_outer_cc, top, bottom, directrix))
             found |= procedures.watch_calls(names, *calls)
     return found
 

@@ -4,20 +4,23 @@ from fractions import Fraction
 from itertools import pairwise
 from math import inf
 
-import pytest
 import strategies as own
 from hypothesis import example, given
 from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.numbers.number import Rational, Vertex
-from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import ChainError, inverse, split
-from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.convex_part import ConvexPart, CrossingPart, measure_unit, take_whole
-from exactsweep.procedures.envelope import Envelope
-from exactsweep.procedures.mm import trajectory_mm
+from exactsweep.numbers.number import Vertex
+from exactsweep.paper.kernel import (
+    sweep_inner_cc,
+    sweep_outer_cc,
+    trajectory_cc,
+    trajectory_cm,
+    trajectory_mm,
+)
+from exactsweep.procedures.cc import merge_by_slope
+from exactsweep.procedures.chain import Chain, inverse, partition, split
+from exactsweep.procedures.sums import subtrajectory
 
 Pair = tuple[Polygon, Polygon]
 usually = examples(100)
@@ -59,7 +62,8 @@ def test_outer_boundary_is_three_chains_in_order_of_slope(pair: Pair) -> None:
     found = sweep_outer_cc(g_top, g_bottom, bottom)
     assert steps(found) == steps(inverse(g_top), g_bottom, bottom)
     assert found[0] == plus(plus(bottom[0], inverse(g_top)[0]), g_bottom[0])
-    assert found == merge_by_slope(g_bottom, trajectory_cc(g_top, bottom))
+    path = Chain.of(trajectory_cc(g_top, bottom))
+    assert found == merge_by_slope(Chain.of(g_bottom), path).points
 
 
 @given(own.pairs("CC"))
@@ -72,68 +76,57 @@ def test_inner_boundary_is_the_directrix(pair: Pair) -> None:
 
 @given(own.pairs("CC"))
 @usually
-def test_merging_is_commutative_and_inverse_to_nothing(pair: Pair) -> None:
-    one, other = (split(polygon.vertices)[0] for polygon in pair)
-    assert merge_by_slope(one, other) == merge_by_slope(other, one)
-    assert merge_by_slope(one, [(0, 0)]) == one
-    assert merge_by_slope([(1, 2)], one) == [plus(v, (1, 2)) for v in one]
-
-
-def take_with_ends(
-    chain: list[Vertex], unit: Rational | None, turns_left: bool, turns_right: bool
-) -> ConvexPart:
-    """A convex chain, at whose ends the other polygon has to turn, or not."""
-    part = take_whole(chain, unit)
-    return part._replace(
-        flattest=-inf if turns_left else part.slopes[0],
-        steepest=inf if turns_right else part.slopes[-1],
-    )
+def test_merging_is_commutative_and_associative(pair: Pair) -> None:
+    one, other = (Chain.of(split(polygon.vertices)[0]) for polygon in pair)
+    assert list(merge_by_slope(one, other)) == list(merge_by_slope(other, one))
+    together = list(merge_by_slope(one, other, one))
+    assert together == list(merge_by_slope(one, merge_by_slope(other, one)))
+    assert list(merge_by_slope(one)) == list(one)
 
 
 @given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
 @usually
-def test_a_cut_end_leaves_out_the_other_chains_edges_beyond_it(
+def test_a_sum_of_parts_has_their_relevant_edges_only(
     pair: Pair, cut: tuple[bool, bool, bool, bool]
 ) -> None:
-    one, other = (split(polygon.vertices)[0] for polygon in pair)
-    unit = measure_unit(one, other)
-    first, second = (
-        take_with_ends(chain, unit, not left, not right)
-        for chain, left, right in ((one, *cut[:2]), (other, *cut[2:]))
-    )
-    swept = second.sweep(first, 0)
+    """At a cut end of one chain, edges of the other one beyond it are irrelevant."""
+    one, other = (split(polygon.lattice()[1])[0] for polygon in pair)
+    parts = []
+    for (part,), left, right in zip(
+        partition(Chain.of(one), Chain.of(other)), cut[::2], cut[1::2], strict=True
+    ):
+        flattest = (part.edges[0][0],) if left else part.flattest
+        steepest = (part.edges[-1][0], inf) if right else part.steepest
+        parts.append(part._replace(flattest=flattest, steepest=steepest))
+    swept = subtrajectory(*parts)
     found = list(swept) if swept else []
-    slopes = [[y / x for x, y in steps(chain)] for chain in (one, other)]
+    slopes = [[Fraction(y) / x for x, y in steps(chain)] for chain in (one, other)]
     ends = [s[k] for s in slopes for k in (0, -1)]
     low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)
     high = min((e for e, c in zip(ends[1::2], cut[1::2], strict=True) if c), default=None)
     kept = [
         (x, y)
         for x, y in steps(one, other)
-        if (low is None or y / x >= low) and (high is None or y / x <= high)
+        if (low is None or Fraction(y) / x >= low) and (high is None or Fraction(y) / x <= high)
     ]
     assert [(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(found)] == kept
-    assert not kept or set(found) <= set(merge_by_slope(one, other))
+    assert not kept or set(found) <= set(merge_by_slope(Chain.of(one), Chain.of(other)))
 
 
-@given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
+@given(own.pairs("CC"))
 @usually
-def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
-    pair: Pair, turns: tuple[bool, bool, bool, bool]
-) -> None:
-    one, other = (split(polygon.vertices)[0] for polygon in pair)
-    unit = measure_unit(one, other)
-    chain, part = (
-        take_with_ends(points, unit, left, right)
-        for points, left, right in ((one, *turns[:2]), (other, *turns[2:]))
-    )
-    whole = Envelope.of(other)
-    same = CrossingPart(whole.pieces, whole.breaks, part.flattest, part.steepest, part.slopes)
-    found, again = part.sweep(chain, 0), same.sweep(chain, 0)
-    assert (found is None) == (again is None)
-    if found and again:
-        assert len(found.pieces) == len(again.pieces)
-        assert list(found) == list(again)
+def test_pieces_carry_the_events_of_table_1(pair: Pair) -> None:
+    """At both ends of a piece a vertex of D_b meets one of reversed G_t, and one or both move."""
+    one, other = (split(polygon.lattice()[1])[0] for polygon in pair)
+    (g,), (d,) = partition(Chain.of(one), Chain.of(other))
+    swept = subtrajectory(g, d)
+    assert swept
+    for dx, dy, c, start, end in swept.pieces:
+        for (x, y, w), i, j in (start, end):
+            assert (x, y, w) == (*plus(one[j], other[i]), 1)
+            assert y * dx == dy * x + c
+        assert (end[1] - start[1], end[2] - start[2]) in ((0, 1), (1, 0), (1, 1))
+    assert all(p[4] == q[3] for p, q in pairwise(swept.pieces))
 
 
 @st.composite
@@ -153,10 +146,10 @@ def nearly_parallel(draw: st.DrawFn) -> list[Vertex]:
 @example([(0, 0), (1, 0)], [(0, 0), (1, -1), (41, 0)])
 @usually
 def test_slopes_however_close_are_told_apart(one: list[Vertex], other: list[Vertex]) -> None:
-    """By products here, by ints in a unit there, of chains and of an envelope's edges."""
     merged = trajectory_cc(inverse(one), other)
+    assert steps(merged) == steps(one, other)
     assert list(trajectory_cm(inverse(one), other)) == merged
-    assert list(trajectory_mm(inverse(one), Envelope.of(other))) == merged
+    assert list(trajectory_mm(inverse(one), other)) == merged
 
 
 def test_slopes_of_ints_over_fractions_are_told_apart() -> None:
@@ -164,10 +157,5 @@ def test_slopes_of_ints_over_fractions_are_told_apart() -> None:
     one: list[Vertex] = [(0, 0), (1, 0)]
     other: list[Vertex] = [(0, 0), (1, Fraction(-1, 9)), (2, Fraction(-1, 9) + Fraction(1, 50))]
     merged = trajectory_cc(inverse(one), other)
+    assert steps(merged) == steps(one, other)
     assert list(trajectory_mm(inverse(one), other)) == merged
-    assert list(trajectory_mm(inverse(one), Envelope.of(other))) == merged
-
-
-def test_a_chain_that_is_not_convex_is_refused() -> None:
-    with pytest.raises(ChainError, match="convex"):
-        take_whole([(0, 0), (1, 2), (2, 0)], 4)

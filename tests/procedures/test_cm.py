@@ -10,8 +10,8 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.numbers.number import Vertex
+from exactsweep.paper.kernel import sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.chain import split
-from exactsweep.procedures.cm import sweep_outer_cm, trajectory_cm
 
 Pair = tuple[Polygon, Polygon]
 usually = examples(100)
@@ -34,7 +34,8 @@ def test_collinear_runs_and_repeated_points_change_nothing(pair: Pair, data: st.
 
 @given(own.pairs("CM"))
 @usually
-def test_sources_number_the_convex_parts_from_left_to_right(pair: Pair) -> None:
+def test_contacts_move_from_left_to_right(pair: Pair) -> None:
+    """Lemma A.2."""
     (_, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    sources = trajectory_cm(g_top, bottom).sources
-    assert sources == sorted(sources)
+    numbers = [i for piece in trajectory_cm(g_top, bottom).pieces for _, i, _ in piece[3:]]
+    assert numbers == sorted(numbers)

@@ -11,10 +11,17 @@ from tiers import examples
 
 from exactsweep import Polygon, sweep
 from exactsweep.numbers.number import Vertex
-from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.paper.kernel import (
+    sweep_inner_cc,
+    sweep_inner_cm,
+    sweep_mm,
+    sweep_outer_cc,
+    sweep_outer_cm,
+    trajectory_cc,
+    trajectory_cm,
+    trajectory_mm,
+)
 from exactsweep.procedures.chain import inverse, split
-from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 Half = list[Vertex]
 Trajectory = Callable[[Half, Half], Half]

@@ -8,11 +8,18 @@ import pytest
 
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.number import Rational, Vertex
-from exactsweep.procedures import part_pairs
-from exactsweep.procedures.chain import find_convex_parts, list_graph_edges, split
-from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm
-from exactsweep.procedures.envelope import value
-from exactsweep.procedures.mm import find_gaps, sweep_mm, trajectory_mm
+from exactsweep.paper.kernel import (
+    reverse_top,
+    sweep_inner_cm,
+    sweep_mm,
+    sweep_outer_cm,
+    trajectory_mm,
+)
+from exactsweep.procedures import ceiling
+from exactsweep.procedures.chain import Chain, split
+from exactsweep.procedures.exact_fit import list_edges
+from exactsweep.procedures.mm import find_untouched
+from exactsweep.procedures.pockets import keep_corners
 
 Choice = Callable[[list[Fraction]], Fraction]  # min or max
 
@@ -21,7 +28,7 @@ class Function:
     """A chain, left to right, as a function of x; at a wall or an end its limits from within."""
 
     def __init__(self, chain: Sequence[Vertex]) -> None:
-        self._edges = list_graph_edges(chain)
+        self._edges = list_edges(chain)
         self.xs = {x for edge in self._edges for x, _ in edge}
         self.range = min(self.xs), max(self.xs)
 
@@ -39,31 +46,31 @@ def combine(f: Function, g: Function, x: Fraction, choose: Choice) -> Fraction:
     return choose([a + b for w in arguments for a in f.limits(x - w) for b in g.limits(w)])
 
 
-def draw_chain(rng: Random, edges: int) -> list[tuple[int, int]]:
+def draw_chain(rng: Random, edges: int) -> list[Vertex]:
     """Steps on a small grid, some of them walls, none of which is at an end."""
     steepest = rng.choice([1, 2, 6])
-    chain = [(0, rng.randint(-steepest, steepest))]
+    chain: list[Vertex] = [(0, rng.randint(-steepest, steepest))]
     for k in range(edges):
         x, y = chain[-1]
         if 0 < k < edges - 1 and chain[-2][0] < x and rng.random() < 0.2:
             chain.append((x, y + rng.choice([-2, -1, 1, 2])))
         else:
             chain.append((x + rng.randint(1, 3), y + rng.randint(-steepest, steepest)))
-    return chain
+    return keep_corners(chain)
 
 
 @pytest.mark.parametrize(
-    ("seed", "few"), [(0, 0), (30, part_pairs.FEW_PAIRS), (60, 0), (90, part_pairs.FEW_PAIRS)]
+    ("seed", "strips"), [(0, 1), (30, ceiling.STRIPS), (60, 1), (90, ceiling.STRIPS)]
 )
 def test_it_is_the_least_or_the_greatest_sum(
-    seed: int, few: int, monkeypatch: pytest.MonkeyPatch
+    seed: int, strips: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(part_pairs, "FEW_PAIRS", few)
+    monkeypatch.setattr(ceiling, "STRIPS", strips)
     for number in range(seed, seed + 30):
         rng = Random(number)
         bottom, top = draw_chain(rng, rng.randint(2, 9)), draw_chain(rng, rng.randint(2, 7))
         lowest = min(y for _, y in top) - 1
-        below: list[Vertex] = [(x, lowest - rng.randint(0, 3)) for x in range(top[-1][0] + 1)]
+        below: list[Vertex] = [(x, lowest - rng.randint(0, 3)) for x in range(int(top[-1][0]) + 1)]
         check(rng, bottom, top, below)
         lid, floor = find_half(top, 1)[::-1], find_half(below, 0)
         check(rng, bottom, lid, floor)
@@ -95,10 +102,11 @@ def check(rng: Random, d: Sequence[Vertex], top: Sequence[Vertex], below: Sequen
             x = left + (right - left) * Fraction(rng.randrange(1, 9973), 9973)
             (height,) = found.limits(x)
             assert height == combine(f, g, x, choose), (d, top, below, x)
-    gaps = find_gaps(envelope, find_convex_parts(d))
+    untouched = find_untouched(reverse_top(top[::-1]), Chain.of(d), envelope)
+    gaps = [(Fraction(*left), Fraction(*right)) for _, left, _, right in untouched]
     closed = Function(inner)
-    ranges = [(d[0][0], d[-1][0])] * 4 + [(value(left), value(right)) for left, right in gaps]
+    ranges: list[tuple[Rational, Rational]] = [*[(d[0][0], d[-1][0])] * 4, *gaps]
     for left, right in ranges:
         x = left + (right - left) * Fraction(rng.randrange(1, 9973), 9973)
-        is_touched = not any(value(begin) < x < value(end) for begin, end in gaps)
-        assert is_touched == (closed.limits(x) == directrix.limits(x)), (d, top, x)
+        is_touched = not any(begin < x < end for begin, end in gaps)
+        assert not is_touched or closed.limits(x) == directrix.limits(x), (d, top, x)

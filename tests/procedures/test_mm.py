@@ -9,14 +9,18 @@ from hypothesis import given
 from tiers import examples
 
 from exactsweep import Polygon, sweep
-from exactsweep.check.definition import reference_loops
+from exactsweep.paper.definition import reference_loops
 from exactsweep.numbers.number import Vertex
-from exactsweep.procedures import part_pairs
-from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
-from exactsweep.procedures.envelope import Envelope
-from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
+from exactsweep.paper.kernel import (
+    find_convex_parts,
+    sweep_mm,
+    to_graph,
+    trajectory_cc,
+    trajectory_mm,
+)
+from exactsweep.procedures import ceiling
+from exactsweep.procedures.chain import complement, inverse, split
+from exactsweep.procedures.graph import lower_envelope_mm
 
 Pair = tuple[Polygon, Polygon]
 usually = examples(100)
@@ -29,17 +33,17 @@ def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Verte
         for part in find_convex_parts(inverse(top))
         for other in find_convex_parts(bottom)
     ]
-    return list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
+    return list(lower_envelope_mm([to_graph(chain) for chain in chains]))
 
 
-@pytest.mark.parametrize("few", [0, part_pairs.FEW_PAIRS])
+@pytest.mark.parametrize("strips", [1, ceiling.STRIPS])
 @pytest.mark.parametrize("first", range(0, 40, 20))
 @pytest.mark.long
 def test_no_pair_of_convex_parts_is_missed(
-    first: int, few: int, monkeypatch: pytest.MonkeyPatch
+    first: int, strips: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Lemma 5.1, thrice: pairs that are not swept would not have reached the envelope."""
-    monkeypatch.setattr(part_pairs, "FEW_PAIRS", few)
+    monkeypatch.setattr(ceiling, "STRIPS", strips)
     for number in range(first, first + 20):
         rng = random.Random(f"all pairs:{number}")
         (g_bottom, g_top), (bottom, _) = (

@@ -1,90 +1,83 @@
 """Sabotages of the paper's procedures that give wrong answers."""
 
 from itertools import pairwise
+from math import inf
 from typing import Any
 
 from sabotage import Procedure, sabotage
 
-from exactsweep.procedures import (
-    cc,
-    chain,
-    cm,
-    convex_part,
-    lower_envelope,
-    mm,
-    part_pairs,
-)
-from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures import cc, ceiling, chain, cm, graph, mm
+from exactsweep.procedures.chain import Chain
+from exactsweep.procedures.graph import Graph
 
 
 @sabotage("Trajectory_CC: edges laid end to end, not merged", cc.trajectory_cc)
 def lay_end_to_end(right: Procedure) -> Procedure:
     def trajectory_cc(generatrix: Any, directrix: Any) -> Any:
-        laid = list(directrix)
-        path = chain.inverse(generatrix)
+        laid, path = list(directrix), list(generatrix)
         (x, y), (dx, dy) = laid[-1], path[0]
-        return [(a + dx, b + dy) for a, b in laid] + [(x + a, y + b) for a, b in path[1:]]
+        moved = [(a + dx, b + dy) for a, b in laid]
+        return Chain.of(moved + [(x + a, y + b) for a, b in path[1:]])
 
     return trajectory_cc
 
 
 @sabotage("SweepI_CC: D_b cut short by a straight edge", cc.sweep_inner_cc)
 def straighten(right: Procedure) -> Procedure:
-    return lambda generatrix, directrix: [directrix[0], directrix[-1]]
+    return lambda generatrix, directrix: Chain.of([*directrix][:: len([*directrix]) - 1])
 
 
 @sabotage("SweepO_CC: the edges of G_b forgotten", cc.sweep_outer_cc)
 def forget_bottom(right: Procedure) -> Procedure:
-    return lambda top, bottom, directrix: cc.trajectory_cc(top, directrix)
+    return lambda generatrix, bottom, directrix: cc.trajectory_cc(generatrix, directrix)
 
 
-@sabotage("Trajectory_CM, step 2: only the first convex part of D_b", convex_part.split_parts)
+@sabotage("Trajectory_CM, step 2: only the first convex part of D_b", chain.partition)
 def take_first_part(right: Procedure) -> Procedure:
-    return lambda directrix, unit: right(directrix, unit)[:1]
+    def partition(*chains: Any) -> Any:
+        generatrix_parts, directrix_parts = right(*chains)
+        return generatrix_parts, directrix_parts[:1]
+
+    return partition
 
 
 @sabotage("SweepI_CM: undercuts left open", cm.sweep_inner_cm)
 def leave_undercuts_open(right: Procedure) -> Procedure:
-    return lambda generatrix, directrix, trajectory=None: chain.take_corners(directrix)
+    return lambda generatrix, directrix, trajectory=None: directrix
 
 
 @sabotage("SweepO_CM: the edges of G_b forgotten", cm.sweep_outer_cm)
 def forget_bottom_cm(right: Procedure) -> Procedure:
-    return lambda top, bottom, directrix: cm.trajectory_cm(top, directrix)
-
-
-@sabotage("Trajectory_MM, steps 2 and 3: only the first convex part of G_t", part_pairs.sweep_pairs)
-def take_first_chain(right: Procedure) -> Procedure:
-    return lambda chains, *more, **options: right(chains[:1], *more, **options)
-
-
-@sabotage("Sweep_MM, outer loop: G mirrored in an axis instead of inverted", mm.outer_mm)
-def mirror_instead(right: Procedure) -> Procedure:
-    def outer_mm(bottom: Any, trajectory: Any) -> Any:
-        mirrored = [(-x, y) for x, y in bottom]
-        return mm.trajectory_mm(mirrored[::-1], trajectory)
-
-    return outer_mm
-
-
-@sabotage("Sweep_MM, inner loop: D_b returned", mm.inner_mm)
-def return_directrix(right: Procedure) -> Procedure:
-    return lambda top, trajectory, directrix: chain.take_corners(directrix)
+    return lambda generatrix, bottom, directrix: cm.trajectory_cm(generatrix, directrix)
 
 
 @sabotage(
-    "LowerEnvelope_CM: the new piece always taken from its start", lower_envelope.lower_envelope_cm
+    "Trajectory_MM, steps 2 and 3: only the first convex part of G_t", ceiling.subtrajectories
 )
+def take_first_chain(right: Procedure) -> Procedure:
+    return lambda parts, *more: right(parts[:1], *more)
+
+
+@sabotage("Sweep_MM, outer loop: G mirrored in an axis instead of inverted", mm.sweep_outer_mm)
+def mirror_instead(right: Procedure) -> Procedure:
+    def sweep_outer_mm(bottom: Any, path: Any) -> Any:
+        return mm.trajectory_mm(Chain.of([(x, -y) for x, y in bottom]), path)
+
+    return sweep_outer_mm
+
+
+@sabotage("Sweep_MM, inner loop: D_b returned", mm.sweep_inner_mm)
+def return_directrix(right: Procedure) -> Procedure:
+    return lambda generatrix, directrix, *more: directrix
+
+
+@sabotage("LowerEnvelope_CM: the new piece always taken from its start", graph.lower_envelope_cm)
 def always_take_over(right: Procedure) -> Procedure:
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
-        k = partial.edge_before(piece.breaks[0]) if len(partial.pieces) > 1 else 0
-        cut = Envelope(
-            [*partial.breaks[: k + 1], piece.breaks[0]],
-            partial.pieces[: k + 1],
-        )
-        cut.pieces += piece.pieces
-        cut.breaks += piece.breaks[1:]
-        return cut
+        k = max(0, graph.find_piece(partial, piece.breaks[0]))
+        k -= k == len(partial.pieces)
+        breaks = [*partial.breaks[: k + 1], *piece.breaks]
+        return Graph(breaks, [*partial.pieces[: k + 1], *piece.pieces])
 
     return lower_envelope_cm
 
@@ -94,23 +87,24 @@ def draw_straight(right: Procedure) -> Procedure:
     def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
         inner = right(generatrix, directrix, trajectory)
         known = set(directrix)
-        return chain.take_corners([p for k, p in enumerate(inner) if p in known or k % 2])
+        return Chain.of([p for k, p in enumerate(inner) if p in known or k % 2])
 
     return sweep_inner_cm
 
 
-@sabotage("step 1: chains not split at reflex vertices", chain.split_by_slope)
+@sabotage("step 1: chains not split at reflex vertices", chain.find_convex_parts)
 def never_split(right: Procedure) -> Procedure:
-    def split_by_slope(points: Any, unit: Any) -> Any:
-        columns = zip(*right(points, unit), strict=True)
-        return [tuple([item for part in column for item in part] for column in columns)]
+    def find_convex_parts(*arguments: Any) -> Any:
+        first, *others = right(*arguments)
+        edges = [edge for part in (first, *others) for edge in part.edges]
+        return [first._replace(edges=edges, flattest=(-inf,), steepest=(inf,))]
 
-    return split_by_slope
+    return find_convex_parts
 
 
-@sabotage("LowerEnvelope_MM: the last sub-trajectory left out", lower_envelope.lower_envelope_mm)
+@sabotage("LowerEnvelope_MM: the last sub-trajectory left out", graph.lower_envelope_mm)
 def leave_out_last(right: Procedure) -> Procedure:
-    return lambda envelopes: right(list(envelopes)[:-1] or envelopes)
+    return lambda graphs: right(list(graphs)[:-1] or graphs)
 
 
 @sabotage("inverse: mirrored in the Y axis, not in a point", chain.inverse)
@@ -118,12 +112,7 @@ def mirror_in_an_axis(right: Procedure) -> Procedure:
     return lambda points: [(-x, y) for x, y in points]
 
 
-@sabotage("complement: walked the same way", chain.complement)
-def leave_as_it_is(right: Procedure) -> Procedure:
-    return lambda points: list(points)
-
-
-@sabotage("Sweep_MM, inner loop: the last gap that G leaves is forgotten", mm.find_gaps)
+@sabotage("Sweep_MM, inner loop: the last gap that G leaves is forgotten", mm.find_untouched)
 def forget_last_gap(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[:-1]
 
@@ -132,43 +121,45 @@ def forget_last_gap(right: Procedure) -> Procedure:
 def lose_vertex(right: Procedure) -> Procedure:
     def sweep_inner_cc(generatrix: Any, directrix: Any) -> Any:
         found = right(generatrix, directrix)
-        return [*found[:3], *found[4:]] if len(found) > 6 else found
+        points = [*found]
+        return Chain.of([*points[:3], *points[4:]]) if len(points) > 6 else found
 
     return sweep_inner_cc
 
 
 @sabotage("Trajectory_MM: a corner of large trajectories is lost", mm.trajectory_mm)
 def lose_corner(right: Procedure) -> Procedure:
-    def trajectory_mm(generatrix: Any, directrix: Any) -> Any:
-        found = right(generatrix, directrix)
-        corners = list(found)
-        if len(generatrix) <= 12 or len(corners) <= 40:
+    def trajectory_mm(generatrix: Any, directrix: Any, *ranges: Any) -> Any:
+        found = right(generatrix, directrix, *ranges)
+        if ranges or len(generatrix.vertices) <= 12 or len(found.pieces) <= 40:
             return found
-        return Envelope.of([*corners[:20], *corners[21:]])
+        return Graph(
+            [*found.breaks[:20], *found.breaks[21:]], [*found.pieces[:20], *found.pieces[21:]]
+        )
 
     return trajectory_mm
 
 
-@sabotage("Trajectory_MM: a ceiling drops a pair that it should sweep", part_pairs.Ceiling)
+@sabotage("Trajectory_MM: a ceiling drops a pair that it should sweep", ceiling.subtrajectories)
 def drop_pair(right: Procedure) -> Procedure:
-    class Leaky(right):  # type: ignore[misc, valid-type]
-        def find_reaching(self, *arguments: Any) -> Any:
-            return super().find_reaching(*arguments)[1:]
+    def subtrajectories(*arguments: Any) -> Any:
+        first, *others = right(*arguments)
+        return others or [first]
 
-    return Leaky
+    return subtrajectories
 
 
 @sabotage("Trajectory_CC: parallel edges are left as two", cc.merge_by_slope)
 def leave_in_two(right: Procedure) -> Procedure:
-    def merge_by_slope(first: Any, second: Any) -> Any:
-        found = list(right(first, second))
-        steps = {(q[0] - p[0], q[1] - p[1]) for c in (first, second) for p, q in pairwise(c)}
+    def merge_by_slope(*chains: Any) -> Any:
+        found = list(right(*chains))
+        steps = {(q[0] - p[0], q[1] - p[1]) for c in chains for p, q in pairwise(c)}
         for k, (p, q) in enumerate(pairwise(found)):
             halves = [(a, b) for a, b in steps if (p[0] + a, p[1] + b) != q and a < q[0] - p[0]]
             for a, b in halves:
                 if a * (q[1] - p[1]) == b * (q[0] - p[0]):
-                    return [*found[: k + 1], (p[0] + a, p[1] + b), *found[k + 1 :]]
-        return found
+                    return Chain.of([*found[: k + 1], (p[0] + a, p[1] + b), *found[k + 1 :]])
+        return Chain.of(found)
 
     return merge_by_slope
 
@@ -180,3 +171,8 @@ def split_late(right: Procedure) -> Procedure:
         return [*bottom, *top[1:2]], top[1:]
 
     return split
+
+
+@sabotage("complement: walked the same way", chain.complement)
+def leave_as_it_is(right: Procedure) -> Procedure:
+    return lambda points: list(points)

@@ -7,9 +7,9 @@ from typing import Any
 
 from sabotage import Procedure, Sabotage, sabotage
 
-from exactsweep.paper import literal
-from exactsweep.procedures import cc, chain, cm, lower_envelope, mm
-from exactsweep.procedures.envelope import Envelope, precedes
+from exactsweep.procedures import cc, chain, cm, graph, mm
+from exactsweep.procedures.chain import Chain, precedes
+from exactsweep.procedures.graph import Graph
 
 Waste = Callable[..., object]
 
@@ -48,7 +48,7 @@ def repeated(times: Callable[[int], int]) -> Sabotage:
 
     def wrong(right: Procedure) -> Procedure:
         def procedure(*arguments: Any) -> Any:
-            for _ in range(times(len(arguments[0])) - 1):
+            for _ in range(times(len(arguments[0].vertices)) - 1):
                 right(*arguments)
             return right(*arguments)
 
@@ -61,8 +61,9 @@ def begin_anew(right: Procedure) -> Procedure:
     """Run for the beginnings of the last argument, too."""
 
     def procedure(*arguments: Any) -> Any:
-        for end in range(2, len(arguments[-1])):
-            right(*arguments[:-1], arguments[-1][:end])
+        points = [*arguments[-1]]
+        for end in range(2, len(points)):
+            right(*arguments[:-1], Chain.of(points[:end]))
         return right(*arguments)
 
     return procedure
@@ -73,6 +74,11 @@ def compare_all(first: Any, second: Any) -> None:
     for x, _ in first:
         for other, _ in second:
             x < other  # noqa: B015
+
+
+def measure(chains: Any) -> int:
+    """Count the vertices of some chains."""
+    return sum(len(c.vertices) for c in chains)
 
 
 def compare_log_times(numbers: Any, size: int) -> None:
@@ -91,15 +97,17 @@ def compare_in_parts(chain_of: Callable[[Any, Any], Any]) -> Waste:
     """Compare all vertices of each convex part of a chain with one another."""
 
     def waste(generatrix: Any, directrix: Any) -> None:
-        for part in chain.find_convex_parts(chain_of(generatrix, directrix)):
-            compare_all(part, part)
+        points = [*chain_of(generatrix, directrix)]
+        for part in chain.find_convex_parts(Chain.of(points)):
+            own = points[part.first : part.first + len(part.edges) + 1]
+            compare_all(own, own)
 
     return waste
 
 
 def keep_table(*arguments: Any) -> object:
-    """Keep a table of all pairs of vertices of D_b."""
-    return list(product(range(len(list(arguments[-1]))), repeat=2))
+    """Keep a table of all pairs of vertices of D, which has about twice as many as D_b."""
+    return list(product(range(2 * len(list(arguments[-1]))), repeat=2))
 
 
 def concatenate(found: Any, *arguments: Any) -> None:
@@ -127,37 +135,41 @@ def keep_each(right: Procedure) -> Procedure:
 
 
 def copy(right: Procedure) -> Procedure:
-    return lambda partial, piece: right(Envelope(partial.breaks[:], partial.pieces[:]), piece)
+    return lambda partial, piece: right(Graph(partial.breaks[:], partial.pieces[:]), piece)
 
 
 BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
     cc.merge_by_slope: {
-        "Trajectory_CC: right, but in quadratic time": before(compare_all),
+        "Trajectory_CC: right, but in quadratic time": before(
+            lambda *chains: compare_all(*chains[:2])
+        ),
         "Trajectory_CC: right, but with (m + n)^1.5 additions": before(
-            lambda first, second: [
-                x + x for x, _ in first for _ in range(int((len(first) + len(second)) ** 0.5))
+            lambda *chains: [
+                x + x for x, _ in chains[0] for _ in range(int(measure(chains) ** 0.5))
             ]
         ),
         "Trajectory_CC: right, but (m + n)^1.4 slots of a list are kept": before(
-            lambda first, second: [None] * int((len(first) + len(second)) ** 1.4)
+            lambda *chains: [None] * int(measure(chains) ** 1.4)
         ),
-        "Trajectory_CC: right, but each third vertex is compared log(m + n) times": after(
-            lambda found, *chains: compare_log_times((x for x, _ in found[::3]), len(found))
+        "Trajectory_CC: right, but each vertex is compared log(m + n) times": after(
+            lambda found, *chains: compare_log_times([x for x, _ in found], measure(chains))
         ),
     },
     cc.trajectory_cc: {"Trajectory_CC: right, but a table of m² is kept": before(keep_table)},
     cc.sweep_outer_cc: {
-        "SweepO_CC: right, but sorted by comparisons": after(
-            lambda found, *chains: sorted(x * 7919 % 104729 for x, _ in found)
+        "SweepO_CC: right, but sorted twice by comparisons": after(
+            lambda found, *chains: [
+                sorted(x * step % 104729 for x, _ in found) for step in (7919, 1299709)
+            ]
         )
     },
-    lower_envelope.lower_envelope_cm: {
+    graph.lower_envelope_cm: {
         "LowerEnvelope_CM: right, but all of the partial trajectory is walked each time": before(
             lambda partial, piece: [precedes(at, piece.breaks[0]) for at in partial.breaks]
         ),
         "LowerEnvelope_CM: right, but all of the partial trajectory is copied each time": copy,
         "LowerEnvelope_CM: replaced by LowerEnvelope_MM": lambda right: (
-            lambda partial, piece: lower_envelope.lower_envelope_mm([partial, piece])
+            lambda partial, piece: graph.lower_envelope_mm([partial, piece])
         ),
         "LowerEnvelope_CM: right, but every partial trajectory is kept": keep_each,
     },
@@ -165,6 +177,7 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
         "Trajectory_CM: right, but with m² + n² comparisons more": before(
             lambda *chains: [*map(compare_all, chains, chains)]
         ),
+        "Trajectory_CM: right, but begun anew for each vertex of D_b": begin_anew,
         "Trajectory_CM: right, but quadratic in the edges of a convex part of D_b": before(
             compare_in_parts(lambda generatrix, directrix: list(directrix))
         ),
@@ -180,17 +193,17 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
         "Trajectory_MM: right, but run log n times": repeated(int.bit_length),
         "Trajectory_MM: right, but a table of m² is kept": before(keep_table),
         "Trajectory_MM: right, but quadratic in the edges of a convex part of G_t": before(
-            compare_in_parts(lambda generatrix, directrix: chain.inverse(generatrix))
+            compare_in_parts(lambda generatrix, directrix: generatrix)
         ),
     },
-    mm.inner_mm: {
+    mm.sweep_inner_mm: {
         "Sweep_MM, inner loop: right, but all of T's inside is swept": before(
-            lambda top, trajectory, directrix: literal.trajectory_mm(
-                top, chain.inverse(chain.complement(list(trajectory)))
+            lambda generatrix, directrix, trajectory, *path: mm.trajectory_mm(
+                generatrix, trajectory.chain().turn()
             )
         )
     },
-    mm.outer_mm: {
+    mm.sweep_outer_mm: {
         "Sweep_MM, outer loop: right, but every vertex of it compared with every one of T": after(
             lambda found, bottom, trajectory: compare_all(found, trajectory)
         )
@@ -199,12 +212,12 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
         "Sweep_MM: right, but a table of m² is kept": before(keep_table),
         "Sweep_MM: right, but found anew √n times": repeated(lambda n: int(n**0.5)),
     },
-    lower_envelope.lower_envelope_mm: {
+    graph.lower_envelope_mm: {
         "LowerEnvelope_MM: right, but one chain after the other": lambda right: (
-            lambda envelopes: reduce(lower_envelope.merge, envelopes)
+            lambda graphs: reduce(graph.merge, graphs)
         )
     },
-    lower_envelope.merge: {
+    graph.merge: {
         "merge: right, but all vertices of one chain are compared with all of the other": before(
             compare_all
         ),
@@ -213,14 +226,6 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
                 (n for n, _ in found.breaks), len(found.breaks)
             )
         ),
-    },
-    literal.lower_envelope_mm: {
-        "LowerEnvelope_MM to the letter: right, but one chain after the other": lambda right: (
-            lambda chains: reduce(literal.merge, chains)
-        )
-    },
-    literal.trajectory_cm: {
-        "Trajectory_CM to the letter: right, but begun anew for each vertex of D_b": begin_anew
     },
 }
 for procedure, faults in BY_FAULT.items():

@@ -1,26 +1,26 @@
 """Sabotages of the paper's procedures that show at large sizes or in rare places alone."""
 
-from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 from sabotage import Procedure, sabotage
 
 from exactsweep.procedures import cc, cm, mm
-from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures.chain import Chain
+from exactsweep.procedures.graph import Graph
 
 
 @sabotage("Trajectory_CC: of two equal edges one is lost", cc.merge_by_slope)
 def lose_equal_edge(right: Procedure) -> Procedure:
-    def merge_by_slope(first: Any, second: Any) -> Any:
+    def merge_by_slope(one: Any, second: Any, *others: Any) -> Any:
+        first = [*one]
         steps = {(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(second)}
         for k, (p, q) in enumerate(pairwise(first)):
             x, y = q[0] - p[0], q[1] - p[1]
             if (x, y) in steps and len(first) > 2:
-                return right(
-                    [*first[: k + 1], *((a - x, b - y) for a, b in first[k + 2 :])], second
-                )
-        return right(first, second)
+                moved = [(a - x, b - y) for a, b in first[k + 2 :]]
+                return right(Chain.of([*first[: k + 1], *moved]), second, *others)
+        return right(one, second, *others)
 
     return merge_by_slope
 
@@ -30,8 +30,14 @@ def lose_middle(points: Any, fewest: int = 0) -> Any:
     corners = list(points)
     if len(corners) < fewest:
         return points
+    if isinstance(points, Graph):
+        k = len(points.pieces) // 2
+        return Graph(
+            [*points.breaks[:k], *points.breaks[k + 1 :]],
+            [*points.pieces[:k], *points.pieces[k + 1 :]],
+        )
     del corners[len(corners) // 2]
-    return Envelope.of(corners) if isinstance(points, Envelope) else corners
+    return Chain.of(corners)
 
 
 def lose_corner_of_large(right: Procedure) -> Procedure:
@@ -52,53 +58,56 @@ for fault, procedure in (
 def lose_corner_of_undercut(right: Procedure) -> Procedure:
     def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
         found = right(generatrix, directrix, trajectory)
-        known, run = set(directrix), 0
-        for k, point in enumerate(found):
+        known, points, run = set(directrix), [*found], 0
+        for k, point in enumerate(points):
             run = 0 if point in known else run + 1
             if run > 8:
-                return [*found[:k], *found[k + 1 :]]
+                return Chain.of([*points[:k], *points[k + 1 :]])
         return found
 
     return sweep_inner_cm
 
 
-@sabotage("Sweep_MM, outer loop: the ninth corner of G_b is forgotten", mm.outer_mm)
+@sabotage("Sweep_MM, outer loop: the ninth corner of G_b is forgotten", mm.sweep_outer_mm)
 def forget_ninth(right: Procedure) -> Procedure:
-    return lambda bottom, trajectory: right(
-        bottom if len(bottom) < 12 else [*bottom[:8], *bottom[9:]], trajectory
-    )
+    def sweep_outer_mm(bottom: Any, path: Any) -> Any:
+        points = [*bottom]
+        kept = bottom if len(points) < 12 else Chain.of([*points[:8], *points[9:]])
+        return right(kept, path)
+
+    return sweep_outer_mm
 
 
-@sabotage("Sweep_MM, inner loop: narrow gaps are taken for touched", mm.find_gaps)
+@sabotage("Sweep_MM, inner loop: narrow gaps are taken for touched", mm.find_untouched)
 def skip_narrow(right: Procedure) -> Procedure:
-    def find_gaps(trajectory: Any, parts: Any) -> Any:
-        width = parts[-1][-1][0] - parts[0][0][0]
+    def find_untouched(generatrix: Any, directrix: Any, trajectory: Any) -> Any:
+        width = directrix.vertices[-1][0] - directrix.vertices[0][0]
         return [
-            ((n, d), (k, e))
-            for (n, d), (k, e) in right(trajectory, parts)
+            (before, (n, d), after, (k, e))
+            for before, (n, d), after, (k, e) in right(generatrix, directrix, trajectory)
             if 100 * (k * d - n * e) > width * d * e
         ]
 
-    return find_gaps
+    return find_untouched
 
 
-@sabotage("Sweep_MM, inner loop: gaps after the fifth are taken for touched", mm.find_gaps)
+@sabotage("Sweep_MM, inner loop: gaps after the fifth are taken for touched", mm.find_untouched)
 def stop_at_fifth(right: Procedure) -> Procedure:
     return lambda *arguments: right(*arguments)[:5]
 
 
-@sabotage("Sweep_MM, inner loop: a corner is lost where there are 60 or more", mm.inner_mm)
+@sabotage("Sweep_MM, inner loop: a corner is lost where there are 60 or more", mm.sweep_inner_mm)
 def lose_inner_corner(right: Procedure) -> Procedure:
     return lambda *arguments: lose_middle(right(*arguments), 60)
 
 
 @sabotage("Trajectory_MM: heights beyond 2^60 are rounded to doubles", mm.trajectory_mm)
 def round_large(right: Procedure) -> Procedure:
-    def trajectory_mm(generatrix: Any, directrix: Any) -> Any:
-        found = right(generatrix, directrix)
-        corners = [(Fraction(x), Fraction(y)) for x, y in found]
-        if max(abs(y) for _, y in corners) < 2**60:
+    def trajectory_mm(generatrix: Any, directrix: Any, *ranges: Any) -> Any:
+        found = right(generatrix, directrix, *ranges)
+        if ranges or max(abs(c) for _, _, c, _, _ in found.pieces) < 2**60:
             return found
-        return Envelope.of([(x, Fraction(float(y))) for x, y in corners])
+        pieces = [(dx, dy, int(float(c)), *ends) for dx, dy, c, *ends in found.pieces]
+        return Graph(found.breaks, pieces)
 
     return trajectory_mm

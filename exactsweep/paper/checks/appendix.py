@@ -21,7 +21,7 @@ from exactsweep.paper.checks.touching import (
     touches_are_right,
 )
 from exactsweep.paper.claim import Effort, Evidence, Observation
-from exactsweep.paper.counting import CountedList, make_counted, watch_operations
+from exactsweep.paper.counting import CountedList, count_chains, watch_operations
 from exactsweep.paper.functions import (
     clip,
     evaluate,
@@ -33,12 +33,11 @@ from exactsweep.paper.functions import (
     reaches,
     tell_difference,
 )
+from exactsweep.paper.kernel import find_convex_parts, to_graph, trajectory_cc
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
-from exactsweep.procedures.cc import merge_by_slope
-from exactsweep.procedures.chain import find_convex_parts, inverse, split
-from exactsweep.procedures.envelope import Envelope
-from exactsweep.procedures.lower_envelope import lower_envelope_cm
+from exactsweep.procedures.chain import split
+from exactsweep.procedures.graph import Graph, lower_envelope_cm
 
 # A random pair, made smaller.
 AT_A_WALL = SweepPair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
@@ -163,14 +162,14 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
 def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> Iterator[str]:
     """The envelope of the first parts meets the next sub-chain in a point or one segment."""
     first, *chains = list_sub_chains(pair)[outer]
-    partial = Envelope.of(first)
+    partial = to_graph(first)
     for chain in chains:
         if strict:
             failure, met = meetings(list(partial), chain)
             yield failure or ("" if met else "the partial trajectory and the next do not meet")
         else:
             yield from crosses_once(list(partial), chain)
-        partial = lower_envelope_cm(partial, Envelope.of(chain))
+        partial = lower_envelope_cm(partial, to_graph(chain))
     expected = look_up_bottom(pair, "outer" if outer else "trajectory")
     yield tell_difference("the last envelope", partial, expected)
 
@@ -222,29 +221,25 @@ def note_chains_apart(effort: Effort) -> Iterator[Observation]:
 def lower_envelope_cm_is_right(pair: SweepPair) -> Iterator[str]:
     """LowerEnvelope_CM returns the lower envelope of all sub-trajectories so far."""
     chains, _ = list_sub_chains(pair)
-    partial = reduce(lower_envelope_cm, map(Envelope.of, chains))
+    partial = reduce(lower_envelope_cm, map(to_graph, chains))
     yield lowest("sub-trajectory", chains, list(partial))
     yield tell_difference("the lower envelope", partial, look_up_bottom(pair, "trajectory"))
 
 
-def _watch_slots(partial: Envelope) -> Envelope:
+def watch_slots(partial: Graph) -> Graph:
     """Return the same envelope with lists that count slots; this call reads all slots once."""
-    return Envelope(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
+    return Graph(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
 
 
 def envelope(pair: SweepPair) -> tuple[int, float]:
     """Count the operations of LowerEnvelope_CM, slots of the partial trajectory read among them."""
-    top, _, directrix = pair.chains
-    edges = make_counted(inverse(top))
+    top, _, directrix = count_chains(pair)
     with watch_operations() as tally:
-        pieces = [
-            Envelope.of(merge_by_slope(edges, part))
-            for part in find_convex_parts(make_counted(directrix))
-        ]
+        pieces = [to_graph(trajectory_cc(top, part)) for part in find_convex_parts(directrix)]
         handed_in = sum(len(piece.pieces) for piece in pieces)
-        partial, before = _watch_slots(pieces[0]), tally.total
+        partial, before = watch_slots(pieces[0]), tally.total
         for piece in pieces[1:]:
             grown = lower_envelope_cm(partial, piece)
             # Trimmed in place; where it is not, the new lists were copied.
-            partial = grown if grown.breaks is partial.breaks else _watch_slots(grown)
+            partial = grown if grown.breaks is partial.breaks else watch_slots(grown)
     return tally.total - before, 2 * handed_in - len(partial.pieces)

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from exactsweep import no_fit_polygon
 from exactsweep.corpus.generator.growing import cm_hard, forks
-from exactsweep.paper import literal
+from exactsweep.paper import kernel
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
 from exactsweep.paper.counting import count_chains, count_operations, grow, make_counted
 from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import no_fit_is_the_definition, tell_difference
 from exactsweep.paper.growth import BOUNDS
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import find_contact_stretches
 
@@ -65,22 +65,22 @@ def convolution(pair: SweepPair) -> int:
 def sum_by_parts(pair: SweepPair) -> int:
     """Count the operations of the sum of the trajectory and G by convex parts, to the letter."""
     chains = count_chains(pair)
-    path = make_counted(literal.find_trajectory(pair.chains))
-    return count_operations(literal.trajectory_mm, inverse(chains.bottom), path)
+    path = make_counted(kernel.find_trajectory(pair.chains))
+    return count_operations(kernel.merge_sub_trajectories, Chains(inverse(chains.bottom), [], path))
 
 
 def sweep_by_parts(pair: SweepPair) -> int:
     """Count the operations of SweepO_CM to the letter."""
-    return count_operations(literal.sweep_outer_cm, *count_chains(pair))
+    return count_operations(kernel.sweep_outer_cm, *count_chains(pair))
 
 
 def count_convolution(effort: Effort) -> Iterator[Observation]:
     """Run a Minkowski sum algorithm for G and the trajectory, and count what another one cuts."""
-    yield Evidence("Counts; both to the letter.")
+    yield Evidence("Counts.")
     summed, swept, *_ = growth = list(count_all("Minkowski sum algorithms", effort))
     yield from growth
     chains = SweepPair(*cm_hard(32, 32)).chains
-    found, expected = literal.find_outer(chains), literal.sweep_outer_cm(*chains)
+    found, expected = kernel.find_outer(chains), kernel.sweep_outer_cm(*chains)
     yield tell_difference("the sum of T and G", found, expected)
     last, beside = summed.points[-1], swept.points[-1]
     yield Counterexample(

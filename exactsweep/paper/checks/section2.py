@@ -8,10 +8,10 @@ from contextlib import suppress
 from itertools import chain, pairwise, product
 
 from exactsweep import Polygon, sweep
-from exactsweep.check import reference_swept
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import explain
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.direction import X_AXIS
 from exactsweep.geometry.outline import number_features
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.paper.checks.touching import contacts_are_right, touches_are_right
@@ -24,11 +24,12 @@ from exactsweep.paper.functions import (
     take_bottom,
     tell_boundaries,
     tell_loops,
+    tell_unproved,
 )
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.paper.tiny import expect_none, search, search_grid
 from exactsweep.procedures.chain import split
-from exactsweep.procedures.monotone import LowerSweep
+from exactsweep.procedures.monotone import MonotoneSolution
 
 KINDS = ("CC", "CM", "MM")
 
@@ -73,18 +74,12 @@ def _side(shape: AnyPolygon, letter: str, index: int) -> str:
 
 def swept_area_is_the_definition(pair: SweepPair) -> Iterator[str]:
     """The outer loop, the inner one and all others are those of the definition."""
-    s, expected = sweep(*pair), reference_swept(*pair[::-1])
-    found = s.outer.vertices, s.inner.vertices, tuple(loop.vertices for loop in s.unswept)
-    for name, one, other in zip(
-        ("outer loop", "inner loop", "other loops"), found, expected, strict=True
-    ):
-        if one != other:
-            yield f"the {name} are not those of the definition"
+    yield tell_unproved(sweep(*pair))
 
 
 def is_annulus(pair: SweepPair) -> Iterator[str]:
     """The swept area has the outer and the inner loop of the definition, and there is no other."""
-    if loops := reference_swept(*pair[::-1]).unswept:
+    if loops := sweep(*pair).unswept:
         yield f"{len(loops)} more loops"
     yield from swept_area_is_the_definition(pair)
 
@@ -96,7 +91,7 @@ def find_void(effort: Effort) -> Iterator[Observation]:
     pairs = [SweepPair([(k * x, k * y) for x, y in CAVE.generatrix], directrix) for k in sizes]
     yield Evidence("A cave.")
     yield from chain.from_iterable(map(swept_area_is_the_definition, pairs))
-    if all(len(reference_swept(*pair[::-1]).unswept) == 1 for pair in pairs):
+    if all(len(sweep(*pair).unswept) == 1 for pair in pairs):
         yield Counterexample(
             "the swept area leaves 3 parts of the plane free, not 2: G goes in and out of the cave "
             "along its walls, and passes by its middle"
@@ -108,7 +103,8 @@ def find_void(effort: Effort) -> Iterator[Observation]:
 
 def boundaries_are_bottom_chains(pair: SweepPair) -> Iterator[str]:
     """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
-    half = LowerSweep(sweep(*pair).kind, *pair.chains)
+    g, d = map(Polygon, pair)
+    half, _ = MonotoneSolution(g, d, X_AXIS).halves
     yield from tell_boundaries(pair, inner=half.inner, outer=half.outer)
 
 

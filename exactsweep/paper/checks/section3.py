@@ -22,10 +22,10 @@ from exactsweep.paper.functions import (
     tell_loops,
     write_chain,
 )
+from exactsweep.paper.kernel import find_convex_parts, require_convex, sweep_inner_cc
 from exactsweep.paper.laws import Law
 from exactsweep.paper.pairs import SweepPair, draw_pairs
-from exactsweep.procedures.cc import sweep_inner_cc
-from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, reverse
+from exactsweep.procedures.chain import inverse, reverse
 
 
 def returns(

@@ -24,8 +24,8 @@ from exactsweep.paper.functions import (
     sample_between,
     tell_loops,
 )
+from exactsweep.paper.kernel import find_convex_parts
 from exactsweep.paper.pairs import SweepPair, draw_pairs
-from exactsweep.procedures.chain import find_convex_parts
 
 
 def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:

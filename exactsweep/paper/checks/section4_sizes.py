@@ -9,8 +9,8 @@ from exactsweep.paper.checks.section4 import sub_trajectories_suffice
 from exactsweep.paper.claim import Counterexample, Effort, Observation, Table
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import keep_corners, list_sub_chains, look_up_bottom
+from exactsweep.paper.kernel import find_convex_parts
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.chain import find_convex_parts
 
 
 def sizes_are_bounded(pair: SweepPair) -> Iterator[str]:

@@ -12,7 +12,6 @@ from exactsweep.check import point_in_polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.numbers.number import Edge, Rational, Vertex
-from exactsweep.paper import literal
 from exactsweep.paper.checks.section3 import returns, slope
 from exactsweep.paper.checks.section4 import MONOTONE, is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Observation, find_first_failure
@@ -20,7 +19,6 @@ from exactsweep.paper.functions import (
     clip_to,
     keep_corners,
     list_edges,
-    list_sub_trajectories,
     look_up,
     look_up_bottom,
     tell_boundaries,
@@ -28,11 +26,19 @@ from exactsweep.paper.functions import (
     tell_loops,
     write_chain,
 )
+from exactsweep.paper.kernel import (
+    find_inner,
+    find_outer,
+    find_trajectory,
+    list_sub_trajectories,
+    slide_inside,
+    sweep_mm,
+    trajectory_mm,
+)
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import complement, inverse, split
-from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 # A pair of which G draws parallel edges of both loops 11 apart, where it is 16 wide.
 NARROW = SweepPair(
@@ -47,7 +53,7 @@ mm_trajectory_is_monotone = returns("", is_monotone, trajectory="Trajectory_MM")
 
 def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
     """The trajectory is the lower envelope of those of the convex parts of G_t."""
-    chains = [list(chain) for chain in list_sub_trajectories(pair)]
+    chains = [list(chain) for chain in list_sub_trajectories(pair.chains)]
     yield lowest("sub-trajectory", chains, look_up_bottom(pair, "trajectory"))
 
 
@@ -83,7 +89,7 @@ def complement_has_the_outside_left(pair: SweepPair) -> Iterator[str]:
 
 def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
     """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
-    inner, outer = literal.sweep_mm(*pair.chains)
+    inner, outer = find_inner(pair.chains), find_outer(pair.chains)
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != look_up(pair).outer:
         yield "the trajectory of I(G) around T is not the outer loop"
@@ -92,7 +98,7 @@ def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
 
 def inner_to_the_letter(pair: SweepPair) -> Iterator[str]:
     """Show that the output of Trajectory_MM along the inside is not the inner boundary."""
-    inner = keep_corners(literal.sweep_mm(*pair.chains)[0])
+    inner = keep_corners(find_inner(pair.chains))
     expected = look_up_bottom(pair, "inner")
     if inner != expected:
         yield (
@@ -205,19 +211,19 @@ def outside_of_the_inner_loop(pair: SweepPair) -> Iterator[str]:
 def inside_of_the_outer_loop(pair: SweepPair) -> Iterator[str]:
     """The lowest path of G inside the outer loop, where it is not the trajectory."""
     path, outer = look_up_bottom(pair, "trajectory"), look_up_bottom(pair, "outer")
-    found = clip_to(literal.slide_inside(pair.chains.bottom, outer, trajectory_mm), path)
+    found = clip_to(slide_inside(pair.chains.bottom, outer, lambda c: trajectory_mm(*c[::2])), path)
     if found != path:
         chains = write_chain(found), write_chain(path)
         yield f"inside the outer loop G's path is {chains[0]}, the trajectory {chains[1]}"
 
 
-def kernel_is_literal(pair: SweepPair) -> Iterator[str]:
-    """The kernel's trajectory and outer boundary are those of the procedures to the letter."""
+def shortcuts_change_nothing(pair: SweepPair) -> Iterator[str]:
+    """Pruning, and sweeping the undercuts alone, leave trajectory and boundaries as they are."""
     top, bottom, directrix = pair.chains
-    inner, outer = literal.sweep_mm(top, bottom, directrix)
+    inner, outer = find_inner(pair.chains), find_outer(pair.chains)
     path, found = trajectory_mm(top, directrix), sweep_mm(top, bottom, directrix)
     for name, chain, literally in (
-        ("trajectory", path, literal.trajectory_mm(top, directrix)),
+        ("trajectory", path, find_trajectory(pair.chains)),
         ("outer boundary", found[1], outer),
         ("inner boundary", found[0], clip_to(inner, directrix)),
     ):

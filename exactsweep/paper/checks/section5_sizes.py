@@ -21,13 +21,11 @@ from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
     keep_corners,
-    list_sub_trajectories,
     look_up_bottom,
     tell_difference,
 )
+from exactsweep.paper.kernel import list_sub_trajectories, trajectory_mm
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.procedures.mm import trajectory_mm
-from exactsweep.procedures.monotone import LowerSweep
 
 # The pair that the search of Lemma 5.2 finds.
 OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
@@ -35,7 +33,7 @@ OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0)
 
 def outgrows_its_parts(pair: SweepPair) -> Iterator[str]:
     """The trajectory has more edges than the sub-trajectories of which it is the envelope."""
-    sizes = [len(keep_corners(chain)) - 1 for chain in list_sub_trajectories(pair)]
+    sizes = [len(keep_corners(chain)) - 1 for chain in list_sub_trajectories(pair.chains)]
     found = len(keep_corners(trajectory_mm(*pair.chains[::2]))) - 1
     if found > sum(sizes):
         yield (
@@ -140,7 +138,7 @@ def fill_windows_of_windows(effort: Effort) -> Iterator[Observation]:
     )
 
 
-def sizes_of(half: Chains | LowerSweep) -> tuple[int, int, int]:
+def sizes_of(half: Chains) -> tuple[int, int, int]:
     """m_b, n_t and n_b of a lower sweep."""
     return len(half.directrix) - 1, len(half.top) - 1, len(half.bottom) - 1
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
-from itertools import pairwise, product
+from itertools import chain, pairwise, product
 from math import log2
 
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper import literal
+from exactsweep.paper import kernel
+from exactsweep.paper.checks.appendix import watch_slots
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.section5_sizes import OUTGROWING, find_beyond_mn2, outgrows_its_parts
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
@@ -24,40 +25,35 @@ from exactsweep.paper.counting import (
 from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import (
     clip_to,
-    keep_corners,
-    list_sub_trajectories,
     look_up_bottom,
     tell_difference,
 )
 from exactsweep.paper.growth import M_PLUS_N, Growth, double
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.procedures.chain import find_convex_parts, inverse
-from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.envelope import Envelope
-from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm import inner_mm, trajectory_mm
+from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.graph import Graph, lower_envelope_mm, merge
 
-Inner = Callable[[Chains, Envelope], list[Vertex]]
+Inner = Callable[[Chains, Graph], list[Vertex]]
 
 
 def count_one_merge(effort: Effort) -> Iterator[Observation]:
     """Count the operations of one merge, and merge all tiny chains."""
 
-    def merge(*chains: Sequence[Vertex]) -> Envelope:
-        return lower_envelope_mm(list(map(Envelope.of, chains)))
+    def run(*chains: Sequence[Vertex]) -> Graph:
+        return lower_envelope_mm(list(map(kernel.to_graph, chains)))
 
     def zigzags(m: int, n: int) -> tuple[Ring, Ring]:
         return [(2 * k, k % 2 * 10) for k in range(m)], [(2 * k, 6 - k % 2) for k in range(n)]
 
     def count(chains: SweepPair) -> int:
-        return count_operations(merge, *map(make_counted, chains))
+        return count_operations(run, *map(make_counted, chains))
 
     pairs = list(product(_tiny_chains(), repeat=2))
     tried = f"All {len(pairs)} pairs of chains of one or two edges on the 3 by 3 grid; counts."
     yield Evidence(tried, searched=len(pairs))
     # Nothing but the ends keeps the counts from being in proportion.
     yield grow("operations of one merge", zigzags, M_PLUS_N, double(64, 4), count, limit=1.005)
-    yield from (lowest("chain", chains, list(merge(*chains))) for chains in pairs)
+    yield from (lowest("chain", chains, list(run(*chains))) for chains in pairs)
 
 
 def _tiny_chains() -> list[list[Vertex]]:
@@ -69,28 +65,18 @@ def _tiny_chains() -> list[list[Vertex]]:
     return straight + bends
 
 
-def merge_by_halves(pair: SweepPair, *, to_the_letter: bool = False) -> tuple[int, float]:
+def merge_by_halves(pair: SweepPair) -> tuple[int, float]:
     """Count the operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
-    top, _, directrix = pair.chains
-    chains = [
-        trajectory_cm(make_counted(inverse(part)), make_counted(directrix))
-        for part in find_convex_parts(inverse(top))
-    ]
-    size, paths = sum(len(chain.pieces) for chain in chains), list(map(list, chains))
-    merged: Iterable[Vertex]
+    graphs = kernel.list_sub_trajectories(count_chains(pair))
+    size = sum(len(graph.pieces) for graph in graphs)
     with watch_operations() as tally:
-        merged = literal.lower_envelope_mm(paths) if to_the_letter else lower_envelope_mm(chains)
-    return tally.total + sum(1 for _ in merged), size * max(1.0, log2(len(chains)))
-
-
-def merge_to_the_letter(pair: SweepPair) -> tuple[int, float]:
-    """Count the same to the letter."""
-    return merge_by_halves(pair, to_the_letter=True)
+        merged = lower_envelope_mm(graphs)
+    return tally.total + sum(1 for _ in merged), size * max(1.0, log2(len(graphs)))
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
     """LowerEnvelope_MM returns the lowest chain over every x."""
-    chains = list_sub_trajectories(pair)
+    chains = kernel.list_sub_trajectories(pair.chains)
     found = lower_envelope_mm(chains)
     yield lowest("sub-trajectory", [list(chain) for chain in chains], list(found))
     yield tell_difference("the lower envelope", found, look_up_bottom(pair, "trajectory"))
@@ -108,54 +94,56 @@ def find_large_loop(effort: Effort) -> Iterator[Observation]:
 
 
 def step_2(pair: SweepPair) -> int:
-    """Count the operations of all calls of Trajectory_CM to the letter."""
-
-    def run(chains: Chains) -> list[Vertex]:
-        parts = literal.split_at_reflex(inverse(chains.top))
-        return [p for top in parts for p in literal.trajectory_cm(inverse(top), chains.directrix)]
-
-    return operations(run, pair.chains)
+    """Count the operations of all calls of Trajectory_CM."""
+    return operations(lambda c: chain.from_iterable(kernel.list_sub_trajectories(c)), pair.chains)
 
 
 def merge_parts_by_turns(pair: SweepPair) -> int:
-    """Count the operations of merging one sub-trajectory after the other."""
-    return operations(lambda c: reduce(literal.merge, _sub_trajectories(c)), pair.chains)
+    """Count the operations of merging one sub-trajectory after the other, and slots copied."""
+    graphs = _sub_trajectories(count_chains(pair))
+    with watch_operations() as tally:
+        merged = reduce(lambda partial, graph: merge(watch_slots(partial), graph), graphs)
+    return tally.total + len(merged.pieces)
 
 
 def merge_parts_by_halves(pair: SweepPair) -> int:
     """Count the operations of merging sub-trajectories by halves."""
-    return operations(lambda c: literal.lower_envelope_mm(_sub_trajectories(c)), pair.chains)
+    graphs = _sub_trajectories(count_chains(pair))
+    with watch_operations() as tally:
+        merged = lower_envelope_mm(graphs)
+    return tally.total + len(merged.pieces)
 
 
 def count_glance(effort: Effort) -> Iterator[Observation]:
     """Count the operations of merging one sub-trajectory after the other, and by halves."""
     growth = list(count_all("Envelopes at first glance", effort))
-    yield Evidence("Counts to the letter.")
+    yield Evidence("Counts.")
     yield from growth
     if growth[0].exponent() < 1.7:
         yield "merging by turns takes less than order m²"
 
 
-def _sub_trajectories(chains: Chains) -> list[list[Vertex]]:
-    parts = literal.split_at_reflex(chains.directrix)
-    return [literal.trajectory_cc(chains.top, part) for part in parts]
+def _sub_trajectories(chains: Chains) -> list[Graph]:
+    parts = kernel.find_convex_parts(chains.directrix)
+    return [kernel.to_graph(kernel.trajectory_cc(chains.top, part)) for part in parts]
 
 
-def inner_again(chains: Chains, trajectory: Envelope) -> list[Vertex]:
+def inner_again(chains: Chains, trajectory: Graph) -> list[Vertex]:
     """The inner boundary to the letter: Trajectory_MM along all of T's inside."""
-    bottom, path = inverse(chains.top), keep_corners(trajectory)
-    return clip_to(literal.slide_inside(bottom, path, literal.trajectory_mm), chains.directrix)
+    bottom, path = inverse(chains.top), list(trajectory)
+    found = kernel.slide_inside(bottom, path, kernel.merge_sub_trajectories)
+    return clip_to(found, chains.directrix)
 
 
-def inner_by_gaps(chains: Chains, trajectory: Envelope) -> list[Vertex]:
-    """The inner boundary as the kernel has it: only what G does not touch of D_b is swept."""
-    return inner_mm(chains.top, trajectory, chains.directrix)
+def inner_by_gaps(chains: Chains, trajectory: Graph) -> list[Vertex]:
+    """The inner boundary as the kernel computes it: in the undercuts alone."""
+    return kernel.sweep_inner_mm(chains.top, chains.directrix, trajectory)
 
 
 def sweep_again(pair: SweepPair, inner: Inner = inner_again) -> int:
     """Count the operations beyond the trajectory, if all of T's inside is swept."""
     chains = count_chains(pair)
-    return count_operations(inner, chains, trajectory_mm(*chains[::2]))
+    return count_operations(inner, chains, kernel.trajectory_mm(*chains[::2]))
 
 
 def sweep_gaps(pair: SweepPair) -> int:
@@ -166,7 +154,7 @@ def sweep_gaps(pair: SweepPair) -> int:
 def gaps_give_the_same(pair: SweepPair) -> Iterator[str]:
     """Sweeping the gaps alone gives the inner boundary of Sweep_MM."""
     chains = pair.chains
-    trajectory = trajectory_mm(*chains[::2])
+    trajectory = kernel.trajectory_mm(*chains[::2])
     found, expected = inner_by_gaps(chains, trajectory), inner_again(chains, trajectory)
     yield tell_difference("the inner boundary", found, expected)
 

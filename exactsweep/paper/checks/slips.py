@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
 from exactsweep.paper.counting import count_chains, count_operations, watch_operations
@@ -17,20 +16,24 @@ from exactsweep.paper.functions import (
     take_bottom,
     write_chain,
 )
-from exactsweep.paper.literal import split_at_reflex
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.kernel import (
+    find_convex_parts,
+    find_trajectory,
+    sweep_inner_cm,
+    trajectory_cc,
+    trajectory_cm,
+)
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 
 
 def partial_meets_whole(pair: SweepPair) -> Iterator[str]:
     """The partial trajectory meets all of T(G_t, D_b) in a point or a segment."""
     top, _, directrix = pair.chains
-    parts = split_at_reflex(directrix)
-    partial = literal.trajectory_cm(
-        top, [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
-    )
+    parts = find_convex_parts(directrix)
+    first = [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
+    partial = list(trajectory_cm(top, first))
     whole = look_up_bottom(pair, "trajectory")
     if failure := meetings(partial, whole)[0]:
         yield f"T_(i-1) and T(G_t, D_b): {failure}"
@@ -38,7 +41,7 @@ def partial_meets_whole(pair: SweepPair) -> Iterator[str]:
 
 def output_is_closed(pair: SweepPair) -> Iterator[str]:
     """Trajectory_CC returns T(G, D)."""
-    found = keep_corners(literal.trajectory_cc(pair.chains.top, pair.chains.directrix))
+    found = keep_corners(trajectory_cc(pair.chains.top, pair.chains.directrix))
     whole = look_up(pair).trajectory
     if len(found) - 1 != len(whole):
         yield f"a chain of {len(found) - 1} edges comes out, and T(G, D) has {len(whole)}"
@@ -77,9 +80,9 @@ def find_loops_apart(effort: Effort) -> Iterator[Observation]:
 
 def generatrix_sweeps_again(pair: SweepPair) -> Iterator[str]:
     """T(G_b, T(G_t, D_b)) is the outer boundary, wherever it lies."""
-    top, bottom, directrix = pair.chains
-    path = literal.trajectory_mm(top, directrix)
-    found = keep_corners(literal.trajectory_mm(bottom[::-1], path))
+    bottom = pair.chains.bottom
+    path = find_trajectory(pair.chains)
+    found = keep_corners(find_trajectory(Chains(bottom[::-1], [], path)))
     if _shape(found) != _shape(look_up_bottom(pair, "outer")):
         yield f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, and not the outer boundary, moved"
 
@@ -92,7 +95,7 @@ def _shape(chain: Sequence[Vertex]) -> list[Vertex]:
 def parts_have_numbers(pair: SweepPair) -> Iterator[str]:
     """There is a G_i for each D_i."""
     top, _, directrix = pair.chains
-    parts, others = len(split_at_reflex(directrix)), len(split_at_reflex(inverse(top)))
+    parts, others = len(find_convex_parts(directrix)), len(find_convex_parts(inverse(top)))
     if parts > others:
         yield f"D_b has {parts} convex parts, G_t {others}: no G_2"
 
@@ -109,8 +112,8 @@ def calls(pair: SweepPair) -> tuple[int, float]:
     chains = count_chains(pair)
     edges = len(keep_corners(trajectory_cm(*chains[::2]))) - 1
     with watch_operations() as tally:
-        for part in split_at_reflex(chains.directrix):
-            literal.trajectory_cc(chains.top, part)
+        for part in find_convex_parts(chains.directrix):
+            trajectory_cc(chains.top, part)
     return tally.total, edges
 
 
@@ -118,7 +121,7 @@ def count_calls(effort: Effort) -> Iterator[Observation]:
     """Count the operations of all calls of Trajectory_CC, which outgrow the trajectory."""
     (growth,) = count_all("Corollary 4.3 cited for a time", effort)
     last = growth.points[-1]
-    yield Evidence("Counts to the letter.", growth=(growth,))
+    yield Evidence("Counts.", growth=(growth,))
     yield Counterexample(
         f"for m = {last.m} and n = {last.n} the calls take {last.count:,} operations, and the "
         f"trajectory has {last.bound:.0f} edges: its size does not bound the time",

@@ -22,8 +22,8 @@ from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import list_edges, lower_undercuts
+from exactsweep.paper.kernel import sweep_mm
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.mm import sweep_mm
 from exactsweep.procedures.pockets import find_pockets
 
 

@@ -10,9 +10,14 @@ from exactsweep.paper.figures.figure import (
     write_list,
 )
 from exactsweep.paper.functions import keep_corners, take_bottom
-from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import find_convex_parts, split
-from exactsweep.procedures.cm import sweep_outer_cm, trajectory_cm
+from exactsweep.paper.kernel import (
+    find_convex_parts,
+    sweep_outer_cc,
+    sweep_outer_cm,
+    trajectory_cc,
+    trajectory_cm,
+)
+from exactsweep.procedures.chain import split
 from exactsweep.sweep import sweep
 
 GENERATRIX = [(0, 0), (1, -2), (4, -1), (5, 0), (3, 3), (1, 2)]

@@ -16,8 +16,8 @@ from exactsweep.draw import place_generatrix
 from exactsweep.numbers.number import Loop, Point, Vertex
 from exactsweep.paper.claim import Observation, Table
 from exactsweep.paper.functions import tell_loops
+from exactsweep.paper.pairs import Chains
 from exactsweep.procedures.chain import split
-from exactsweep.procedures.monotone import LowerSweep
 from exactsweep.sweep import Sweep
 
 
@@ -99,10 +99,10 @@ def _compare_positions(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
             yield f"at ({x}, {y}) G is {found}"
 
 
-def take_half(s: Sweep) -> LowerSweep:
-    """The lower half of a sweep."""
+def take_half(s: Sweep) -> Chains:
+    """The chains of the lower half of a sweep."""
     bottom, top = split(s.generatrix.vertices)
-    return LowerSweep(s.kind, top, bottom, split(s.directrix.vertices)[0])
+    return Chains(top, bottom, split(s.directrix.vertices)[0])
 
 
 def place(s: Sweep, positions: Iterable[Point]) -> list[Loop]:

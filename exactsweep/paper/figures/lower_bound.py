@@ -16,6 +16,7 @@ from exactsweep.paper.figures.figure import (
     take_half,
 )
 from exactsweep.paper.functions import take_bottom
+from exactsweep.paper.kernel import sweep_mm
 from exactsweep.sweep import Sweep, sweep
 
 # Two peaks above a round tip of four edges between steep flanks, in units of 1/4 and 1/20.
@@ -74,7 +75,7 @@ def compute() -> PaperFigure:
         s, printed = sweep(*bumps(*size)), printed_count(*size)
         found = len(take_bottom(s.outer.vertices)) - 1
         facts.append((f"family, {size}: edges, formula of the paper", f"{found}, {printed}"))
-        laws.append((f"edges for {size}", found, len(take_half(s).outer) - 1))
+        laws.append((f"edges for {size}", found, len(sweep_mm(*take_half(s))[1]) - 1))
         laws.append((f"edges for {size}", found, edges_of_bumps(*size)))
         cells += [str(size), str(printed), str(found)]
     rows = range(1, len(SIZES) + 1)

@@ -20,7 +20,7 @@ from exactsweep.paper.figures.slopes import (
     sweep_example,
     write_slope,
 )
-from exactsweep.procedures.cc import sweep_outer_cc
+from exactsweep.paper.kernel import sweep_outer_cc
 
 
 def compute() -> PaperFigure:

@@ -14,7 +14,6 @@ from typing import Any
 
 from exactsweep.corpus.generator import growing
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper import literal
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.figures.figure import PaperFigure, join_panels
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
@@ -31,8 +30,6 @@ KERNEL: dict[str, tuple[Callable[..., Any], Vertex]] = {
     name: (resolve_name(code), (x, y)) for name, (code, x, y) in _DATA["kernel"].items()
 }
 """Functions of the kernel by their names, and the middles of their boxes."""
-LITERAL: dict[str, str] = _DATA["literal"]
-"""Functions of `literal` by the names of procedures."""
 MADE: list[tuple[str, str]] = [(one, other) for one, other in _DATA["made"]]
 """The calls among these."""
 HIGH = 16
@@ -68,21 +65,13 @@ def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> s
     return found
 
 
-def watch_literal() -> set[tuple[str, str]]:
-    """The calls that the procedures to the letter make, for a pair of which all are needed."""
-    words = {getattr(literal, code).__code__: name for name, code in LITERAL.items()}
-    chains = SweepPair(GENERATRIX, DIRECTRIX).chains
-    runs = partial(literal.sweep_mm, *chains), partial(literal.sweep_outer_cm, *chains)
-    return watch_calls(words, *runs)
-
-
 def watch_kernel() -> set[tuple[str, str]]:
     """The calls that the kernel makes, for a pair of each class."""
     words = {function.__code__: name for name, (function, _) in KERNEL.items()}
     example = SweepPair(GENERATRIX, DIRECTRIX)
     convex, toothed = SweepPair(*growing.cc(8, 8)), SweepPair(*growing.cm_undercut(16, 8))
     runs = {"Sweep_MM, outer loop": example, "SweepI_CM": toothed, "SweepO_CM": toothed}
-    runs |= {"SweepI_CC": convex, "SweepO_CC": convex}
+    runs |= {"Trajectory_CC": convex, "SweepI_CC": convex, "SweepO_CC": convex}
     return watch_calls(words, *(partial(RUNS[name], pair.chains) for name, pair in runs.items()))
 
 
@@ -100,10 +89,8 @@ def _show(
 def compute() -> PaperFigure:
     """Compute the figure."""
     called = {name for call in PRINTED for name in call}
-    to_the_letter = set(PRINTED) - {("SweepI_CM", "Trajectory_CM")}
     whole = PaperFigure(
         laws=[
-            ("calls to the letter", watch_literal(), to_the_letter),
             ("procedures that neither call nor are called", {*PLACES} - called, {"SweepI_CC"}),
             ("calls of the kernel", watch_kernel(), set(MADE)),
         ]

@@ -18,7 +18,7 @@ from exactsweep.paper.figures.figure import (
     shift,
     take_half,
 )
-from exactsweep.procedures.cc import trajectory_cc
+from exactsweep.paper.kernel import trajectory_cc
 from exactsweep.procedures.chain import inverse
 from exactsweep.sweep import Sweep, sweep
 

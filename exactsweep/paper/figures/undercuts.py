@@ -12,8 +12,7 @@ from exactsweep.paper.figures.figure import (
     take_half,
 )
 from exactsweep.paper.functions import take_bottom
-from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import find_convex_parts
+from exactsweep.paper.kernel import find_convex_parts, trajectory_cc
 from exactsweep.sweep import Sweep, sweep
 
 DIRECTRIX = [(0, 4), (3, 0), (6, 5), (9, 1), (12, 5), (6, 8)]

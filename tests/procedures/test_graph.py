@@ -12,11 +12,10 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.numbers.number import Rational, Vertex
-from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
-from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.envelope import GAP, Envelope, find_point, value
-from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
+from exactsweep.paper.kernel import find_convex_parts, to_graph, trajectory_cc, trajectory_cm
+from exactsweep.procedures.chain import Break, ChainError, split
+from exactsweep.procedures.graph import GAP, find_piece, lower_envelope_cm, lower_envelope_mm
+from exactsweep.procedures.pockets import keep_corners
 
 Chain = list[Vertex]
 usually = examples(100)
@@ -26,7 +25,11 @@ usually = examples(100)
 def graphs(draw: st.DrawFn) -> Chain:
     """Chains without walls, on a grid, over x-ranges that all hold the interval from 4 to 5."""
     xs = {*draw(st.sets(own.tiny(0, 9), max_size=4)), draw(own.tiny(0, 4)), draw(own.tiny(5, 9))}
-    return take_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+    return keep_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+
+
+def value(at: Break) -> Fraction:
+    return Fraction(*at)
 
 
 def height(chain: Chain, x: Fraction) -> Fraction | None:
@@ -40,7 +43,7 @@ def height(chain: Chain, x: Fraction) -> Fraction | None:
 @given(st.lists(graphs(), min_size=1, max_size=6))
 @usually
 def test_envelope_is_the_least_of_all_chains(chains: list[Chain]) -> None:
-    found = list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
+    found = list(lower_envelope_mm([to_graph(chain) for chain in chains]))
     corners = {x for x, _ in found}
     for k in range(9 * 7):
         # No x of a grid point; where chains cross, the envelope has a corner.
@@ -54,13 +57,13 @@ def test_envelope_is_the_least_of_all_chains(chains: list[Chain]) -> None:
 def graphs_anywhere(draw: st.DrawFn) -> Chain:
     """Chains without walls, on a grid, over any x-ranges."""
     xs = draw(st.sets(own.tiny(0, 9), min_size=2, max_size=4))
-    return take_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+    return keep_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
 
 
 @given(st.lists(graphs_anywhere(), min_size=1, max_size=6))
 @usually
 def test_where_there_is_no_chain_there_is_a_hole(chains: list[Chain]) -> None:
-    found = lower_envelope_mm([Envelope.of(chain) for chain in chains])
+    found = lower_envelope_mm([to_graph(chain) for chain in chains])
     start, end = found.breaks[0], found.breaks[-1]
     assert value(start) == min(chain[0][0] for chain in chains)
     assert value(end) == max(chain[-1][0] for chain in chains)
@@ -68,42 +71,27 @@ def test_where_there_is_no_chain_there_is_a_hole(chains: list[Chain]) -> None:
         x = Fraction(k, 7) + Fraction(1, 97)
         if not value(start) < x < value(end):
             continue
-        at = x.as_integer_ratio()
-        k = found.edge_before(at)
+        dx, dy, c, _, _ = piece = found.pieces[find_piece(found, x.as_integer_ratio())]
         heights = [y for chain in chains if (y := height(chain, x)) is not None]
-        low = None if found.pieces[k] == GAP else find_point(found.pieces[k], at)[1]
+        low = None if piece == GAP else (dy * x + c) / dx
         assert low == min(heights, default=None)
 
 
 @given(st.lists(graphs(), min_size=1, max_size=6), st.randoms())
 @usually
 def test_order_does_not_matter(chains: list[Chain], rng: Random) -> None:
-    found = list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
+    found = list(lower_envelope_mm([to_graph(chain) for chain in chains]))
     rng.shuffle(chains)
-    assert list(lower_envelope_mm([Envelope.of(chain) for chain in chains])) == found
-    twice = [Envelope.of(chain) for chain in (*chains, *chains)]
+    assert list(lower_envelope_mm([to_graph(chain) for chain in chains])) == found
+    twice = [to_graph(chain) for chain in (*chains, *chains)]
     assert list(lower_envelope_mm(twice)) == found
 
 
 @given(st.lists(graphs(), min_size=1, max_size=6))
 @usually
-def test_sources_say_which_chain_an_edge_is_of(chains: list[Chain]) -> None:
-    found = lower_envelope_mm([Envelope.of(chain, k) for k, chain in enumerate(chains)])
-    assert len(found.sources) == len(found.pieces) == len(found.breaks) - 1
-    for k, (dx, dy, _, start, source) in enumerate(found.pieces):
-        assert start is not None
-        assert (start, (start[0] + dx, start[1] + dy)) in [*pairwise(chains[source])]
-        (a, b), (c, d) = found.breaks[k : k + 2]
-        x = (Fraction(a) / b + Fraction(c) / d) / 2
-        heights = [y for chain in chains if (y := height(chain, x)) is not None]
-        assert not heights or height(chains[source], x) in (None, min(heights))
-
-
-@given(st.lists(graphs(), min_size=1, max_size=6))
-@usually
 def test_no_three_vertices_are_collinear(chains: list[Chain]) -> None:
-    v = list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
-    assert take_corners(v) == v
+    v = list(lower_envelope_mm([to_graph(chain) for chain in chains]))
+    assert keep_corners(v) == v
 
 
 @given(own.pairs("CM"))
@@ -112,10 +100,10 @@ def test_cm_walk_gives_the_mm_envelope(pair: tuple[Polygon, Polygon]) -> None:
     """Lemmas A.3 and 5.1: sub-trajectories of a convex G meet as LowerEnvelope_CM needs it."""
     (_, top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
     pieces = [trajectory_cc(top, part) for part in find_convex_parts(bottom)]
-    partial = Envelope.of(pieces[0], 0)
-    for k, piece in enumerate(pieces[1:], 1):
-        assert lower_envelope_cm(partial, Envelope.of(piece, k)) is partial
-    whole = lower_envelope_mm([Envelope.of(piece, k) for k, piece in enumerate(pieces)])
+    partial = to_graph(pieces[0])
+    for piece in pieces[1:]:
+        assert lower_envelope_cm(partial, to_graph(piece)) is partial
+    whole = lower_envelope_mm([to_graph(piece) for piece in pieces])
     assert list(partial) == list(whole)
 
 
@@ -127,7 +115,7 @@ def walled(draw: st.DrawFn) -> Chain:
     for width in draw(st.lists(own.tiny(0, 2), min_size=1, max_size=6)):
         x, y = x + width, draw(own.tiny(0, 4))
         chain.append((x, y))
-    return take_corners([(-1, draw(own.tiny(0, 4))), *chain, (x + 1, draw(own.tiny(0, 4)))])
+    return keep_corners([(-1, draw(own.tiny(0, 4))), *chain, (x + 1, draw(own.tiny(0, 4)))])
 
 
 def list_borders(*chains: Chain) -> list[Fraction]:
@@ -156,17 +144,16 @@ def limits(chain: Chain, x: Fraction) -> list[Fraction]:
 def test_a_piece_takes_over_where_it_is_lower_for_good(
     partial: Chain, drawn: Chain, spelled: tuple[Rational, int]
 ) -> None:
-    """In any unit, and with breaks not in lowest terms."""
+    """In any unit, and with breaks not in lowest terms; all of the partial envelope right of it."""
     unit, times = spelled
     piece: Chain = [(x - 1, y) for x, y in drawn]
-    given = [Envelope.of([(unit * x, unit * y) for x, y in chain]) for chain in (partial, piece)]
-    for envelope in given:
-        envelope.breaks[:] = [(times * n, times * d) for n, d in envelope.breaks]
-    if piece[0][0] > partial[-1][0]:
-        with pytest.raises(ChainError, match="does not start over the partial trajectory"):
-            lower_envelope_cm(*given)
-        return
+    given = [to_graph([(unit * x, unit * y) for x, y in chain]) for chain in (partial, piece)]
+    for graph in given:
+        graph.breaks[:] = [(times * n, times * d) for n, d in graph.breaks]
     joined = lower_envelope_cm(*given)
+    if piece[0][0] > partial[-1][0]:
+        assert GAP in joined.pieces
+        return
     found: Chain = [(Fraction(x) / unit, Fraction(y) / unit) for x, y in joined]
     borders = list_borders(partial, piece)
     (start, _), (end, _) = piece[0], piece[-1]
@@ -174,8 +161,8 @@ def test_a_piece_takes_over_where_it_is_lower_for_good(
         x
         for x in borders
         if (below := limits(partial, x)) and (above := limits(piece, x))
-        # Where the piece ends, it counts from the left alone.
-        if min(below[:1] if x == end else below) <= above[0]
+        # At a step the limit from the left counts.
+        if below[0] <= above[0]
     ]
     last = max(touched, default=start)
     # A piece that ends first, and is not lower there, changes nothing.
@@ -186,39 +173,40 @@ def test_a_piece_takes_over_where_it_is_lower_for_good(
     assert (found[0][0], found[-1][0]) == (partial[0][0], max(last, end))
 
 
+def test_a_piece_that_starts_before_replaces_all_that_is_above_it() -> None:
+    partial = to_graph([(0, 0), (4, 2)])
+    assert list(lower_envelope_cm(partial, to_graph([(-1, -1), (6, -1)]))) == [(-1, -1), (6, -1)]
+    # Left of the crossing the sum of an earlier part is lower.
+    partial = to_graph([(0, 0), (4, 4)])
+    found = list(lower_envelope_cm(partial, to_graph([(-1, 2), (6, 2)])))
+    assert found == [(0, 0), (2, 2), (6, 2)]
+
+
 def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:
     """The walk goes on over a gap, and over what lies left of it, as long as the piece is lower."""
     for left, expected in (
         (-1, [(0, 0), (2, 0), (2, -1), (9, -1)]),
         (1, [(0, 0), (1, 0), (1, -1), (9, -1)]),
     ):
-        partial = Envelope.of([(0, 0), (2, 0)])
-        partial.take_all(Envelope.of([(4, 0), (6, 0)], 1))
+        partial = lower_envelope_cm(to_graph([(0, 0), (2, 0)]), to_graph([(4, 0), (6, 0)]))
         assert partial.pieces[1] == GAP
         piece: Chain = [(2, -1), (9, -1)] if left < 0 else [(left, -1), (9, -1)]
-        assert list(lower_envelope_cm(partial, Envelope.of(piece, 2))) == expected
-    partial = Envelope.of([(0, 0), (2, 0)])
-    partial.take_all(Envelope.of([(4, 1), (6, 1)], 1))
-    late = lower_envelope_cm(partial, Envelope.of([(3, 1), (5, -1), (9, -1)], 2))
-    assert late.pieces[1] == GAP
-    assert late.sources == [0, -1, 2, 2]
+        assert list(lower_envelope_cm(partial, to_graph(piece))) == expected
+    partial = lower_envelope_cm(to_graph([(0, 0), (2, 0)]), to_graph([(4, 1), (6, 1)]))
+    late = lower_envelope_cm(partial, to_graph([(3, 1), (5, -1), (9, -1)]))
+    assert [piece == GAP for piece in late.pieces] == [False, True, False, False]
     assert [value(at) for at in late.breaks] == [0, 2, 3, 5, 9]
 
 
-def test_a_piece_that_starts_before_is_refused() -> None:
-    with pytest.raises(ChainError, match="does not start over the partial trajectory"):
-        lower_envelope_cm(Envelope.of([(0, 0), (4, 2)]), Envelope.of([(-1, 2), (6, 2)]))
-
-
 def test_hole_between_chains_is_refused_when_it_is_read() -> None:
-    gapped = lower_envelope_mm([Envelope.of([(0, 0), (1, 0)]), Envelope.of([(2, 0), (3, 0)])])
+    gapped = lower_envelope_mm([to_graph([(0, 0), (1, 0)]), to_graph([(2, 0), (3, 0)])])
     with pytest.raises(ChainError, match="the envelope has a gap"):
         list(gapped)
 
 
 def test_equal_breaks_need_not_be_written_alike() -> None:
     """Once a crash: a piece from x = -12/6 on, joined to a partial envelope up to x = -2."""
-    partial, piece = Envelope.of([(-4, 0), (-2, -1)]), Envelope.of([(-3, 0), (-1, -2), (0, -2)])
+    partial, piece = to_graph([(-4, 0), (-2, -1)]), to_graph([(-3, 0), (-1, -2), (0, -2)])
     piece.breaks[0] = (-12, 6)
     assert list(lower_envelope_cm(partial, piece)) == [(-4, 0), (-2, -1), (-1, -2), (0, -2)]
 
@@ -226,10 +214,11 @@ def test_equal_breaks_need_not_be_written_alike() -> None:
 def test_chains_may_share_their_points() -> None:
     """Equal constants are one object; once, that hid the reflex vertex between two chains."""
     shared = (4, 2)
-    first, second = Envelope.of([(0, 2), (2, 0), shared]), Envelope.of([shared, (5, 1), (6, 1)])
+    first, second = to_graph([(0, 2), (2, 0), shared]), to_graph([shared, (5, 1), (6, 1)])
     joined = lower_envelope_cm(first, second)
     assert list(joined) == [(0, 2), (2, 0), (4, 2), (5, 1), (6, 1)]
     lid: Chain = [(2, 1), (1, 2), (0, 1)]
-    assert list(trajectory_cm(lid, joined)) == list(trajectory_cm(lid, list(joined)))
-    straight = lower_envelope_cm(Envelope.of([(0, 0), shared]), Envelope.of([shared, (8, 4)]))
+    again = trajectory_cm(lid, [(0, 2), (2, 0), (4, 2), (5, 1), (6, 1)])
+    assert list(trajectory_cm(lid, list(joined))) == list(again)
+    straight = lower_envelope_cm(to_graph([(0, 0), shared]), to_graph([shared, (8, 4)]))
     assert list(straight) == [(0, 0), (8, 4)]

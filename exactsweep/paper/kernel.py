@@ -1,0 +1,152 @@
+"""The kernel's procedures on lists of vertices, and plain compositions of these.
+
+As in the paper, G_t runs from right to left; all other chains run from left to right. The
+compositions prune no pairs of parts, and both loops are whole trajectories of I(G).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise, product
+
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import Vertex
+from exactsweep.paper.pairs import Chains
+from exactsweep.procedures import cc, chain, cm, graph, mm
+from exactsweep.procedures.chain import Chain, inverse
+from exactsweep.procedures.graph import Graph, Piece, VertexContact
+
+Points = list[Vertex]
+
+
+def reverse_top(top: Sequence[Vertex]) -> Chain:
+    """Make reversed G_t of G_t."""
+    return Chain.of(inverse(top))
+
+
+def trajectory_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Points:
+    """Run Trajectory_CC."""
+    return cc.trajectory_cc(reverse_top(top), Chain.of(directrix)).points
+
+
+def sweep_inner_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Points:
+    """Run SweepI_CC."""
+    return cc.sweep_inner_cc(reverse_top(top), Chain.of(directrix)).points
+
+
+def sweep_outer_cc(
+    top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
+) -> Points:
+    """Run SweepO_CC."""
+    return cc.sweep_outer_cc(reverse_top(top), Chain.of(bottom), Chain.of(directrix)).points
+
+
+def trajectory_cm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
+    """Run Trajectory_CM."""
+    return cm.trajectory_cm(reverse_top(top), Chain.of(directrix))
+
+
+def sweep_inner_cm(
+    top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph | None = None
+) -> Points:
+    """Run SweepI_CM."""
+    return cm.sweep_inner_cm(reverse_top(top), Chain.of(directrix), trajectory).points
+
+
+def sweep_outer_cm(
+    top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
+) -> Graph:
+    """Run SweepO_CM."""
+    return cm.sweep_outer_cm(reverse_top(top), Chain.of(bottom), Chain.of(directrix))
+
+
+def trajectory_mm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
+    """Run Trajectory_MM."""
+    return mm.trajectory_mm(reverse_top(top), Chain.of(directrix))
+
+
+def sweep_mm(
+    top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
+) -> tuple[Points, Points]:
+    """Run Sweep_MM."""
+    inner, outer = mm.sweep_mm(reverse_top(top), Chain.of(bottom), Chain.of(directrix))
+    return inner.points, outer.points
+
+
+def sweep_inner_mm(top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph) -> Points:
+    """Run the inner loop of Sweep_MM, in the undercuts alone."""
+    return mm.sweep_inner_mm(reverse_top(top), Chain.of(directrix), trajectory).points
+
+
+def find_convex_parts(points: Sequence[Vertex]) -> list[Points]:
+    """Split a bottom chain at its reflex vertices and vertical edges (Section 4, step 1).
+
+    >>> find_convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
+    [[(0, 0), (1, -2), (2, -1)], [(2, -1), (3, -3)], [(3, -4), (5, -4)]]
+    """
+    made = Chain.of(points)
+    return [
+        made.points[part.first : part.first + len(part.edges) + 1]
+        for part in chain.find_convex_parts(made)
+    ]
+
+
+def require_convex(points: Sequence[Vertex]) -> Points:
+    """Return a convex bottom chain; raise ExactSweepError if it is not convex."""
+    first, *others = find_convex_parts(points)
+    if others:
+        x, y = others[0][0]
+        raise ExactSweepError(f"the chain is not convex: it is reflex, or vertical, at ({x}, {y})")
+    return first
+
+
+def to_graph(points: Sequence[Vertex]) -> Graph:
+    """Make the graph of a bottom chain, as of the sum of one vertex of G and a part of D_b."""
+    made = Chain.of(points)
+    contacts: list[VertexContact] = [(v, k, 0) for k, v in enumerate(made.vertices)]
+    pieces: list[Piece] = [
+        (*line, *ends) for line, ends in zip(made.lines, pairwise(contacts), strict=True) if line
+    ]
+    return Graph([piece[3][0][::2] for piece in pieces] + [made.vertices[-1][::2]], pieces)
+
+
+def list_sub_trajectories(chains: Chains) -> list[Graph]:
+    """Run Trajectory_CM for each convex part of G_t (Trajectory_MM, step 2)."""
+    parts = find_convex_parts(inverse(chains.top))
+    return [cm.trajectory_cm(Chain.of(part), Chain.of(chains.directrix)) for part in parts]
+
+
+def merge_sub_trajectories(chains: Chains) -> Graph:
+    """Run Trajectory_MM to the letter: all calls of Trajectory_CM, and LowerEnvelope_MM."""
+    return graph.lower_envelope_mm(list_sub_trajectories(chains))
+
+
+def find_trajectory(chains: Chains) -> Points:
+    """Find the trajectory of a pair of any class: the lowest of all sums of two convex parts."""
+    parts = find_convex_parts(inverse(chains.top)), find_convex_parts(chains.directrix)
+    sums = [trajectory_cc(inverse(one), other) for one, other in product(*parts)]
+    return list(graph.lower_envelope_mm(list(map(to_graph, sums))))
+
+
+def find_outer(chains: Chains) -> Points:
+    """Find the outer boundary of a pair of any class, as Sweep_MM does."""
+    return find_trajectory(Chains(inverse(chains.bottom), [], find_trajectory(chains)))
+
+
+def find_inner(chains: Chains) -> Points:
+    """Find the inner boundary likewise; it reaches beyond D_b on both sides."""
+    return slide_inside(inverse(chains.top), find_trajectory(chains), find_trajectory)
+
+
+def slide_inside(
+    bottom: Sequence[Vertex],
+    container: Sequence[Vertex],
+    trajectory: Callable[[Chains], Iterable[Vertex]],
+) -> Points:
+    """Find the lowest path of a shape inside a bottom chain, its own bottom chain touching it.
+
+    After a half turn it slides along the complement of the chain, which is a bottom chain.
+    """
+    turned = chain.complement(inverse(container))
+    path = trajectory(Chains(inverse(bottom), [], turned))
+    return chain.complement(inverse(path))

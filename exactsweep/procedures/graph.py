@@ -1,0 +1,249 @@
+"""Piecewise linear functions of x as graphs, and their lower envelopes (Section 5.1, Appendix).
+
+Lemma A.3 lets the partial trajectory and the next subtrajectory meet in a point or in a segment.
+With vertical edges in D_b they may also pass each other without meeting, where one of them ends:
+the envelope then jumps, and its chain has a vertical edge there.
+
+Erratum. Section 5.1 claims that the envelope of N segments has O(N) pieces. It can have order
+N alpha(N) pieces, alpha the inverse Ackermann function: A. Wiernik and M. Sharir, "Planar
+realizations of nonlinear Davenport-Schinzel sequences by segments", Discrete & Computational
+Geometry 3 (1988). One merge takes linear time, but its result can be larger than its input.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+
+from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.procedures.chain import Break, Chain, Homogeneous, Line, find_point, precedes
+
+VertexContact = tuple[Homogeneous, int, int]
+"""(position, i, j): at this position of G vertex i of D_b meets vertex j of reversed G_t (VV)."""
+
+Piece = tuple[Rational, Rational, Rational, VertexContact, VertexContact]
+"""(dx, dy, c, start, end): a line, and the contacts at both ends of its edge (Table 1).
+
+    start (i, j), end (i + 1, j)      VE: vertex j of G slides along edge i of D_b
+    start (i, j), end (i, j + 1)      EV: edge j of G slides over vertex i of D_b
+    start (i, j), end (i + 1, j + 1)  EE: edge j of G slides along edge i of D_b
+
+An envelope may use only a part of the edge. Collinear edges count as one.
+"""
+
+_NOWHERE: VertexContact = (0, 0, 0), -1, -1
+
+GAP: Piece = (0, 0, 1, _NOWHERE, _NOWHERE)
+"""The piece between graphs that do not overlap in x: the line at infinity, above all others."""
+
+
+class Graph:
+    """A piecewise linear function of x. Iteration yields the points of its chain.
+
+    Attributes:
+        breaks: the breaks, ascending.
+        pieces: item k holds from break k to break k + 1. At a jump the lower limit counts.
+    """
+
+    __slots__ = ("breaks", "pieces")
+
+    def __init__(self, breaks: list[Break], pieces: list[Piece]) -> None:
+        self.breaks, self.pieces = breaks, pieces
+
+    def clip(self, start: Break, end: Break) -> Graph:
+        """Return the function between two breaks. Cost: O(log n + its size)."""
+        first, last = (
+            find_piece(self, start),
+            bisect_left(self.breaks, True, key=lambda at: not precedes(at, end)),
+        )
+        return Graph([start, *self.breaks[first + 1 : last], end], self.pieces[first:last])
+
+    def chain(self) -> Chain:
+        """Return the graph as a chain: vertical edges at jumps, no three vertices collinear.
+
+        Raises ChainError if the graph has a gap. Cost: O(n).
+        """
+        before = self.pieces[0]
+        line: Line = before[:3]
+        vertices, lines = [find_point(line, self.breaks[0])], list[Line | None]([line])
+        for piece, at in zip(self.pieces[1:], self.breaks[1:-1], strict=True):
+            line = piece[:3]
+            if before[4] is piece[3]:
+                # Successive edges of one sum: no arithmetic is needed.
+                vertices.append(piece[3][0])
+                lines.append(line)
+            else:
+                bend, shift = subtract(before, piece)
+                step = bend * at[0] + shift * at[1]
+                if step:
+                    vertices.append(find_point(before[:3], at))
+                    lines.append(None)
+                if step or bend:
+                    vertices.append(find_point(line, at))
+                    lines.append(line)
+            before = piece
+        vertices.append(find_point(before[:3], self.breaks[-1]))
+        return Chain(vertices, lines)
+
+    def __iter__(self) -> Iterator[Vertex]:
+        return iter(self.chain())
+
+
+def find_piece(graph: Graph, at: Break) -> int:
+    """Return the number of the piece that holds right of a break; -1 left of the graph."""
+    return bisect_left(graph.breaks, True, key=lambda other: precedes(at, other)) - 1
+
+
+def subtract(p: Piece, q: Piece) -> tuple[Rational, Rational]:
+    """Return (a, b): at x/w, the line of p is above that of q if a x + b w > 0."""
+    pdx, pdy, pc, _, _ = p
+    qdx, qdy, qc, _, _ = q
+    return pdy * qdx - qdy * pdx, pc * qdx - qc * pdx
+
+
+def find_crossing(a: Rational, b: Rational) -> Break:
+    """Return the break x/w with a x + b w = 0."""
+    return (-b, a) if a > 0 else (b, -a)
+
+
+# LowerEnvelope_CM. P is the partial trajectory with edges P_i, S the subtrajectory with edges S_j.
+# The walk goes from right to left, from the lesser right end of P and S. Before each round, with x
+# the lesser right end of P_i and S_j,
+#
+#     (1)  right of x, P is above S as far as both reach.
+#
+# Let x' be the greater left end of P_i and S_j.
+#
+#     (2)  P_i <= S_j at x: S takes over at x. P has a step there, or the walk has just begun.
+#     (3)  P_i < S_j at x': S takes over where the two lines cross.
+#     (4)  P_i >= S_j at x': (1) holds for x'. The edges that begin at x' are done with. If all of S
+#          is done with, S takes over at x'; if all of P is, S takes the place of P.
+#
+# If S ends at or left of the place where it takes over, P stays as it is. Otherwise P loses all
+# right of that place, even if S ends before P (see `mm`).
+
+
+def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
+    """Extend the partial trajectory T_{i-1} by the subtrajectory T(G_t, D_i) (Appendix).
+
+    Procedure LowerEnvelope_CM. "We traverse the subtrajectory from right to left. In the beginning,
+    T_{i-1} appears above T(G_t, D_i), and then the intersection is detected by a switch in this
+    vertical relationship."
+
+    Args:
+        partial: the envelope so far; it is changed in place.
+        piece: the sum of one convex part and the next; it crosses the partial trajectory at most
+            once, and is lower on the right (Lemma A.3).
+
+    Returns:
+        The graph `partial`.
+
+    Cost: O(edges of the piece + edges trimmed off), and O(log n) if the piece ends first.
+    """
+    edges, breaks, others, ends = partial.pieces, partial.breaks, piece.pieces, piece.breaks
+    x, w = end = breaks[-1]
+    if not precedes(ends[0], end):
+        gap = precedes(end, ends[0])
+        edges += [GAP] * gap + others
+        breaks += ends[1 - gap :]
+        return partial
+    i, j = len(edges) - 1, 0
+    if precedes(ends[-1], end):
+        x, w = end = ends[-1]
+        i, j = bisect_left(breaks, True, key=lambda at: not precedes(at, end)) - 1, len(others) - 1
+    while precedes(ends[j + 1], end):
+        j += 1
+    while i >= 0 and j >= 0:
+        a, b = subtract(edges[i], others[j])
+        if a * x + b * w <= 0:  # (2)
+            break
+        (x, w), (other_x, other_w) = breaks[i], ends[j]
+        order = x * other_w - other_x * w
+        if order < 0:
+            x, w = other_x, other_w
+        if a * x + b * w < 0:  # (3)
+            x, w = find_crossing(a, b)
+            break
+        i -= order >= 0  # (4)
+        j -= order <= 0
+    if i < 0:
+        j, (x, w) = 0, ends[0]
+    elif j < 0 or not precedes((x, w), ends[j + 1]):
+        j += 1
+    if j < len(others):
+        edges[i + 1 :] = others[j:]
+        breaks[i + 1 :] = [(x, w), *ends[j + 1 :]]
+    return partial
+
+
+def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
+    """Return the lower envelope of subtrajectories, by divide and conquer (Section 5.1).
+
+    Procedure LowerEnvelope_MM. Between graphs that do not overlap the envelope has a `GAP`.
+
+    Cost: O(N log k) for k graphs. N is the largest total size on a level of the recursion, at most
+    alpha(k) times the size of the input.
+    """
+    if len(graphs) == 1:
+        return graphs[0]
+    half = len(graphs) // 2
+    return merge(lower_envelope_mm(graphs[:half]), lower_envelope_mm(graphs[half:]))
+
+
+# The merge of P and Q, P beginning first, walks along both in vertical sync. Their breaks cut the
+# common x-range into intervals, over each of which both are lines. Before each round,
+#
+#     (1)  the envelope is complete left of x; its last piece ends at its last break, x.
+#
+# Let [x, end] be the next interval, and s and e the height of P above Q at x and at end.
+#
+#     (2)  s < 0, or s = 0 and e <= 0: P is the lower one right of x; else Q is. On one line,
+#          s = e = 0, and the choice does not matter.
+#     (3)  s and e have opposite signs: the lines cross in between, and the other one takes over.
+#     (4)  The last piece goes on if it is the lower one again.
+#     (5)  A gap is above all.
+#
+# Left of the common x-range the envelope is P, and right of it the one that goes on.
+
+
+def merge(first: Graph, second: Graph) -> Graph:
+    """Return the lower envelope of two graphs, by a walk along both in vertical sync.
+
+    Cost: O(size of first + size of second).
+    """
+    if precedes(second.breaks[0], first.breaks[0]):
+        first, second = second, first
+    breaks, pieces, ends, others = first.breaks, first.pieces, second.breaks, second.pieces
+    x, w = start = ends[0]
+    i, j = find_piece(first, start), 0
+    cut = i + precedes(breaks[i], start)
+    merged_breaks, merged = [*breaks[:cut], start], [*pieces, GAP][:cut]
+    while i < len(pieces) and j < len(others):
+        lower, upper = pieces[i], others[j]
+        (end, end_w), (other_end, other_w) = breaks[i + 1], ends[j + 1]
+        order = end * other_w - other_end * end_w
+        if order > 0:
+            end, end_w = other_end, other_w
+        i += order <= 0
+        j += order >= 0
+        s: Rational = (lower is GAP) - (upper is GAP)
+        e = s  # (5)
+        if not s:
+            a, b = subtract(lower, upper)
+            s, e = a * x + b * w, a * end + b * end_w
+        if s > 0 or s == 0 < e:  # (2)
+            lower, upper = upper, lower
+        if merged and merged[-1] is lower:  # (4)
+            merged_breaks.pop()
+        else:
+            merged.append(lower)
+        if s < 0 < e or e < 0 < s:  # (3)
+            merged_breaks.append(find_crossing(a, b))
+            merged.append(upper)
+        x, w = end, end_w
+        merged_breaks.append((x, w))
+    rest, rest_breaks = pieces[i:] or others[j:], breaks[i + 1 :] or ends[j + 1 :]
+    if rest and rest[0] is merged[-1]:
+        merged.pop()
+        merged_breaks.pop()
+    return Graph(merged_breaks + rest_breaks, merged + rest)
