@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
 from exactsweep.geometry.grid import IntVertex
-from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
+from exactsweep.geometry.overlap import Boundary, Relation, relate
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.number import Point
@@ -34,7 +34,7 @@ MatrixRows = tuple[int, int, int, int]
 """A linear map by its rows."""
 
 
-class LatticeForm(EdgeIndex):
+class LatticeForm(Boundary):
     """A shape on a lattice, its interior on the left of its rings; many solids share it.
 
     Args:
@@ -164,4 +164,4 @@ def meet(a: Solid, b: Solid) -> Relation:
 
     Cost: that of `relate`.
     """
-    return relate(a.form, b.form, b.x - a.x, b.y - a.y)[0]
+    return relate(a.form, b.form, b.x - a.x, b.y - a.y)
