@@ -200,7 +200,7 @@ def _simple(ring: Sequence[Point], name: str) -> Polygon:
 def _is_around(outer: Polygon, inner: Polygon, names: tuple[str, str]) -> bool:
     """Decide whether one of two rings lies inside the other."""
     _, (around, within) = common_lattice([outer, inner])
-    if relate(Boundary([around]), Boundary([within]), 0, 0) is not Relation.OVERLAP:
+    if relate(Boundary([around]), Boundary([within])) is not Relation.OVERLAP:
         return False
     if not contains([around], [within]):
         raise PolygonError(f"{names[0]} and {names[1]} cross")

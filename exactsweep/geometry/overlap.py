@@ -25,8 +25,8 @@ from itertools import chain, pairwise
 from typing import Any
 
 from exactsweep.geometry.near import BoxRows
-from exactsweep.geometry.vectors import cross, minus
-from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.geometry.vectors import cross, minus, turn
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings with the interior on the left."""
@@ -133,125 +133,154 @@ class Boundary:
                 is_inside ^= (side < 0) == up
         return is_inside
 
-    def _after(self, edge: BoxedEdge) -> Vertex:
+    def after(self, edge: BoxedEdge) -> Vertex:
         """Return the vertex after an edge."""
         ring = self.rings[edge[8]]
         return ring[(edge[9] + 2) % len(ring)]
 
 
-def relate(
-    shape: Boundary, part: Boundary, x: Rational, y: Rational, scale: int = 1
-) -> Relation:
-    """Find the relation of two shapes, the second one moved by (x / scale, y / scale).
-
-    All common points of the boundaries lie in the intersection of the two boxes. So only the edges
-    that meet it are examined.
+class Pair:
+    """Two shapes, the second one moved.
 
     Args:
         shape: a shape with a connected interior, or a path.
         part: another one; not both are paths.
-        x: the move in x.
-        y: the move in y.
-        scale: the divisor of the move.
-
-    Cost: that of `Boundary.near`, and of a search for the pairs of edges that meet.
-
-    >>> square = Boundary([[(0, 0), (2, 0), (2, 2), (0, 2)]])
-    >>> [relate(square, square, k, k, 1).value for k in (1, 2, 3)]
-    ['overlap', 'contact', 'apart']
     """
-    x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
-    (left, right, low, high), (west, east, south, north) = shape.box, part.box
-    left, right = max(left, west + x0), min(right, east + x1)
-    low, high = max(low, south + y0), min(high, north + y1)
-    if left > right or low > high:
+
+    def __init__(self, shape: Boundary, part: Boundary) -> None:
+        self._shape, self._part = shape, part
+        self._has_path = shape.is_path or part.is_path
+        # Edges that crossed last time are likely to cross again.
+        self._crossing: tuple[BoxedEdge, BoxedEdge] | None = None
+
+    def relate(self, x: Rational, y: Rational, scale: int = 1) -> Relation:
+        """Find the relation of the shapes, the second one moved by (x / scale, y / scale).
+
+        All common points of the boundaries lie in the intersection of the two boxes. So only the
+        edges that meet it are examined.
+
+        Cost: that of `Boundary.near`, and of a search for the pairs of edges that meet; O(1) if the
+        edges that crossed last time cross again.
+
+        >>> square = Boundary([[(0, 0), (2, 0), (2, 2), (0, 2)]])
+        >>> [Pair(square, square).relate(k, k).value for k in (1, 2, 3)]
+        ['overlap', 'contact', 'apart']
+        """
+        shape, part = self._shape, self._part
+        if self._crossing:
+            ours, other = self._crossing
+            if _cross(_move(ours, 0, 0, scale)[4:6], _move(other, x, y, scale)[4:6]):
+                return Relation.OVERLAP
+        x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
+        (left, right, low, high), (west, east, south, north) = shape.box, part.box
+        left, right = max(left, west + x0), min(right, east + x1)
+        low, high = max(low, south + y0), min(high, north + y1)
+        if left > right or low > high:
+            return Relation.APART
+        near = shape.near((left, right, low, high))
+        others = part.near((left - x1, right - x0, low - y1, high - y0)) if near else []
+        cones = self._find_cones(near if others else [], others, x, y, scale)
+        if cones is None:
+            return Relation.OVERLAP
+        if cones:
+            meet = any(_cones_meet(*around) for around in cones.values())
+            return Relation.OVERLAP if meet else Relation.CONTACT
+        for one, second, dx, dy in ((shape, part, x, y), (part, shape, -x, -y)):
+            for (px, py), *_ in second.rings:
+                if one.contains(px * scale + dx, py * scale + dy, scale):
+                    return Relation.OVERLAP
         return Relation.APART
-    ours = shape.near((left, right, low, high))
-    theirs = part.near((left - x1, right - x0, low - y1, high - y0)) if ours else []
-    cones = _find_cones(
-        [_move(edge, 0, 0, scale) for edge in ours] if theirs else [],
-        [_move(edge, x, y, scale) for edge in theirs],
-        (shape, part),
-        (x, y, scale),
-    )
-    if cones is None:
-        return Relation.OVERLAP
-    if cones:
-        meet = any(_cones_meet(*around) for around in cones.values())
-        return Relation.OVERLAP if meet else Relation.CONTACT
-    rings, others = part.rings, shape.rings
-    if any(shape.contains(r[0][0] * scale + x, r[0][1] * scale + y, scale) for r in rings) or any(
-        part.contains(r[0][0] * scale - x, r[0][1] * scale - y, scale) for r in others
-    ):
-        return Relation.OVERLAP
-    return Relation.APART
+
+    def _find_cones(
+        self,
+        near: Sequence[BoxedEdge],
+        others: Sequence[BoxedEdge],
+        x: Rational,
+        y: Rational,
+        scale: int,
+    ) -> Mapping[Vertex, tuple[set[_Cone], set[_Cone]]] | None:
+        """Find the cones of both shapes at the common points of their boundaries.
+
+        Returns:
+            The cones by points; None if edges cross, or run along each other in one direction.
+        """
+        cones: defaultdict[Vertex, tuple[set[_Cone], set[_Cone]]]
+        cones = defaultdict(lambda: (set(), set()))
+        along: list[tuple[Vertex, ...]] = []
+        theirs = [_move(edge, x, y, scale) for edge in others]
+        many = len(near) * len(theirs) > _FEW_PAIRS
+        rows = BoxRows([edge[:4] for edge in theirs]) if many else None
+        for edge in near:
+            left, right, low, high, p, q, _ = _move(edge, 0, 0, scale)
+            (px, py), (qx, qy) = p, q
+            dx, dy, c = qx - px, qy - py, qx * py - qy * px
+            meeting: Iterable[_MovedEdge] = theirs
+            if rows is not None:
+                meeting = [theirs[k] for k in rows.find((left, right, low, high))]
+            for west, east, south, north, a, b, other in meeting:
+                if west > right or east < left or south > high or north < low:
+                    continue
+                (ax, ay), (bx, by) = a, b
+                of_a, of_b = dx * ay - dy * ax - c, dx * by - dy * bx - c
+                if (of_a > 0 < of_b) or (of_a < 0 > of_b):
+                    continue
+                ex, ey = bx - ax, by - ay
+                of_p, of_q = ex * (py - ay) - ey * (px - ax), ex * (qy - ay) - ey * (qx - ax)
+                if (of_p > 0 < of_q) or (of_p < 0 > of_q):
+                    continue
+                if of_a and of_b and of_p and of_q:
+                    self._crossing = edge, other
+                    return None
+                if of_a == of_b == 0:
+                    first, last = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
+                    if first < last and (a < b) == (p < q) and not self._has_path:
+                        return None
+                    common = {first, last} if first <= last else set()
+                    along.append((first, last, p, q, a, b))
+                else:
+                    common = {a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q}
+                for z in common:
+                    mine, others_there = cones[z]
+                    if z != p:
+                        rx, ry = self._shape.after(edge)
+                        mine.add(_find_cone(z, p, q, (rx * scale, ry * scale)))
+                    if z != a:
+                        rx, ry = self._part.after(other)
+                        others_there.add(_find_cone(z, a, b, (rx * scale + x, ry * scale + y)))
+        # Where edges run along each other, another ring may touch one of them inside.
+        for first, last, p, q, a, b in along:
+            for z, (mine, others_there) in cones.items():
+                if first < z < last and cross(minus(q, p), minus(z, p)) == 0:
+                    mine.add(_find_cone(z, p, q, q))
+                    others_there.add(_find_cone(z, a, b, b))
+        return cones
+
+
+def relate(shape: Boundary, part: Boundary) -> Relation:
+    """Find the relation of two shapes where they are, as `Pair.relate` does."""
+    return Pair(shape, part).relate(0, 0)
 
 
 def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> _MovedEdge:
     """Return an edge times a scale, moved."""
     left, right, low, high, ax, ay, bx, by, _, _ = edge
-    box = left * scale + x, right * scale + x, low * scale + y, high * scale + y
-    return *box, (ax * scale + x, ay * scale + y), (bx * scale + x, by * scale + y), edge
+    return (
+        left * scale + x,
+        right * scale + x,
+        low * scale + y,
+        high * scale + y,
+        (ax * scale + x, ay * scale + y),
+        (bx * scale + x, by * scale + y),
+        edge,
+    )
 
 
-def _find_cones(
-    ours: Sequence[_MovedEdge],
-    theirs: Sequence[_MovedEdge],
-    shapes: tuple[Boundary, Boundary],
-    move: tuple[Rational, Rational, int],
-) -> dict[Vertex, tuple[set[_Cone], set[_Cone]]] | None:
-    """Find the cones of two shapes at the common points of their boundaries.
-
-    Returns:
-        The cones by points; None if edges cross, or run along each other in one direction.
-    """
-    shape, part = shapes
-    x, y, scale = move
-    cones: defaultdict[Vertex, tuple[set[_Cone], set[_Cone]]] = defaultdict(lambda: (set(), set()))
-    along: list[tuple[Vertex, Vertex, Vertex, Vertex, Vertex, Vertex]] = []
-    rows = BoxRows([e[:4] for e in theirs]) if len(ours) * len(theirs) > _FEW_PAIRS else None
-    for left, right, low, high, p, q, edge in ours:
-        (px, py), (qx, qy) = p, q
-        dx, dy, c = qx - px, qy - py, qx * py - qy * px
-        near: Iterable[_MovedEdge] = theirs
-        if rows is not None:
-            near = [theirs[k] for k in rows.find((left, right, low, high))]
-        for west, east, south, north, a, b, other in near:
-            if west > right or east < left or south > high or north < low:
-                continue
-            (ax, ay), (bx, by) = a, b
-            of_a, of_b = dx * ay - dy * ax - c, dx * by - dy * bx - c
-            if (of_a > 0 < of_b) or (of_a < 0 > of_b):
-                continue
-            ex, ey = bx - ax, by - ay
-            of_p, of_q = ex * (py - ay) - ey * (px - ax), ex * (qy - ay) - ey * (qx - ax)
-            if (of_p > 0 < of_q) or (of_p < 0 > of_q):
-                continue
-            if of_a and of_b and of_p and of_q:
-                return None
-            if of_a == of_b == 0:
-                first, last = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
-                if first < last and (a < b) == (p < q) and not (shape.is_path or part.is_path):
-                    return None
-                common = {first, last} if first <= last else set()
-                along.append((first, last, p, q, a, b))
-            else:
-                common = {a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q}
-            for z in common:
-                mine, others = cones[z]
-                if z != p:
-                    rx, ry = shape._after(edge)
-                    mine.add(_find_cone(z, p, q, (rx * scale, ry * scale)))
-                if z != a:
-                    rx, ry = part._after(other)
-                    others.add(_find_cone(z, a, b, (rx * scale + x, ry * scale + y)))
-    # Where edges run along each other, another ring may touch one of them inside.
-    for first, last, p, q, a, b in along:
-        for z, (mine, others) in cones.items():
-            if first < z < last and cross(minus(q, p), minus(z, p)) == 0:
-                mine.add(_find_cone(z, p, q, q))
-                others.add(_find_cone(z, a, b, b))
-    return cones
+def _cross(edge: Edge, other: Edge) -> bool:
+    """Decide whether two edges cross, each at a point inside the other one."""
+    (p, q), (a, b) = edge, other
+    return (turn(p, q, a) > 0 > turn(p, q, b) or turn(p, q, a) < 0 < turn(p, q, b)) and (
+        turn(a, b, p) > 0 > turn(a, b, q) or turn(a, b, p) < 0 < turn(a, b, q)
+    )
 
 
 def _find_cone(z: Vertex, p: Vertex, q: Vertex, r: Vertex) -> _Cone:
@@ -294,7 +323,7 @@ def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
 def contains(outer: Rings, inner: Rings) -> bool:
     """Decide whether a shape contains another one, boundaries included.
 
-    Cost: that of `relate` for each ring of the outer shape.
+    Cost: that of `Pair.relate` for each ring of the outer shape.
 
     >>> square, larger = ([[(0, 0), (k, 0), (k, k), (0, k)]] for k in (1, 2))
     >>> contains(larger, square), contains(square, larger), contains(square, square)
@@ -302,7 +331,7 @@ def contains(outer: Rings, inner: Rings) -> bool:
     """
     shape = Boundary(inner)
     others = [find_outside(outer[0], shape.box), *([hole[::-1]] for hole in outer[1:])]
-    return all(relate(Boundary(rings), shape, 0, 0) is not Relation.OVERLAP for rings in others)
+    return all(relate(Boundary(rings), shape) is not Relation.OVERLAP for rings in others)
 
 
 def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
 from exactsweep.geometry.grid import IntVertex
-from exactsweep.geometry.overlap import Boundary, Relation, relate
+from exactsweep.geometry.overlap import Boundary, Pair, Relation
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.number import Point
@@ -162,6 +162,6 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
 def meet(a: Solid, b: Solid) -> Relation:
     """Decide whether two solids of one lattice overlap, touch or are apart.
 
-    Cost: that of `relate`.
+    Cost: that of `Pair.relate`.
     """
-    return relate(a.form, b.form, b.x - a.x, b.y - a.y)
+    return Pair(a.form, b.form).relate(b.x - a.x, b.y - a.y)

@@ -100,7 +100,7 @@ class ShapeSolution:
         return next(
             loop
             for loop in self._inside
-            if relate(Boundary([loop]), shape, 0, 0) is Relation.OVERLAP
+            if relate(Boundary([loop]), shape) is Relation.OVERLAP
         )
 
     @made_once

@@ -19,8 +19,10 @@ from operator import or_
 from exactsweep.geometry.overlap import Rings
 from exactsweep.procedures.segments import Segment
 
-_FEW, _CROSSINGS = 500, 2
+_FEW, _CROSSINGS = 250, 0.8
 """The number of segments, and of their likely crossings with others, from which it saves time."""
+_SHARE = 8
+"""The part of the segments' bounds that squares must cover, as 1 / 8, to save time."""
 _MOST_COLUMNS = 400
 """A sum of squares takes time by the fourth power of this number."""
 
@@ -48,13 +50,15 @@ def leave_out_covered(
     if 2 * area < _CROSSINGS * len(segments) * width * height:
         return segments
     extent = max(map(_find_extent, obstacles)) + _find_extent(moving)
-    side = extent // min(isqrt(8 * len(segments)), _MOST_COLUMNS) + 1
+    side = max(1, extent // min(isqrt(8 * len(segments)), _MOST_COLUMNS))
     sums = [add_squares(rings, moving, side) for rings in obstacles]
     lowest = min(low for _, low, _ in sums)
     columns: defaultdict[int, int] = defaultdict(int)
     for left, low, squares in sums:
         for k, rows in enumerate(squares, left):
             columns[k] |= rows << low - lowest
+    if _SHARE * sum(map(int.bit_count, columns.values())) * side * side < width * height:
+        return segments
     return [piece for segment in segments for piece in split(segment, side, lowest, columns)]
 
 
@@ -100,18 +104,27 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
         if unit != 1:
             px, py, qx, qy = int(px * unit), int(py * unit), int(qx * unit), int(qy * unit)
         dx, dy, width = qx - px, qy - py, side * unit
-        for k in range(-(-px // width) - 1, qx // width + 1):
-            # The heights of the edge at both borders of the column, times `rise`.
-            start, end, rise = py, qy, width
-            if dx:
-                start, end = (
-                    py * dx + (x - px) * dy for x in (max(k * width, px), min((k + 1) * width, qx))
-                )
-                rise *= dx
-            top, bottom = max(start, end) // rise - low, -(-min(start, end) // rise) - 1 - low
+        first, last = -(-px // width) - 1, qx // width
+        if dx == 0:
+            bits = (2 << qy // width - low) - (1 << -(-py // width) - 1 - low)
+            for k in range(first, last + 1):
+                near[k - left] |= bits
+            continue
+        # The height of the edge at the left border of the column, times dx, and its row.
+        height, rise = py * dx, width * dx
+        row = height // rise - low
+        below = row - (height == (row + low) * rise)
+        for k in range(first, last + 1):
+            x = (k + 1) * width
+            height = qy * dx if x >= qx else py * dx + (x - px) * dy if x > px else py * dx
+            if px <= x - width < qx:
+                odd[k - left] ^= -1 << row + 1
+            next_row = height // rise - low
+            next_below = next_row - (height == (next_row + low) * rise)
+            top = row if row > next_row else next_row
+            bottom = below if below < next_below else next_below
             near[k - left] |= (2 << top) - (1 << bottom)
-            if px <= k * width < qx:
-                odd[k - left] ^= -1 << start // rise + 1 - low
+            row, below = next_row, next_below
     return left, low, near, odd
 
 

@@ -25,7 +25,7 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.overlap import Boundary, Relation, Rings, find_outside, relate
+from exactsweep.geometry.overlap import Boundary, Pair, Relation, Rings, find_outside, relate
 from exactsweep.numbers.number import Fit, Point, Rational, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cover import leave_out_covered
@@ -139,7 +139,7 @@ def find_inner_fit(
                 k
                 for k, exterior in enumerate(exteriors)
                 if find_doubled_area(exterior) > area
-                and relate(Boundary([exterior]), shape, 0, 0) is Relation.OVERLAP
+                and relate(Boundary([exterior]), shape) is Relation.OVERLAP
             )
         ].append(loop)
     return FreeRegions(list(zip(exteriors, inside, strict=True)), free.fits)
@@ -168,11 +168,11 @@ def _find_positions(
 ) -> Free:
     """Find the free positions whose boundary lies on contact segments."""
     segments = leave_out_covered(segments, obstacles, moving)
-    shapes, part = [Boundary(rings) for rings in obstacles], Boundary(reflect(moving))
+    part = Boundary(reflect(moving))
+    pairs = [Pair(Boundary(rings), part) for rings in obstacles]
 
     def overlaps(position: HomogeneousPoint) -> bool:
-        x, y, w = position
-        return any(relate(shape, part, x, y, w) is Relation.OVERLAP for shape in shapes)
+        return any(pair.relate(*position) is Relation.OVERLAP for pair in pairs)
 
     return find_free(cut(segments), overlaps, scale, least)
 

@@ -250,7 +250,7 @@ def find_fault(rings: Sequence[Loop], place: str) -> str | None:
         # Of two rings that overlap, both reach out of the other one, or none does if they are the
         # same, unless one is inside the other.
         one, other = shapes[j].rings, shapes[k].rings
-        if relate(shapes[j], shapes[k], 0, 0) is Relation.OVERLAP and (
+        if relate(shapes[j], shapes[k]) is Relation.OVERLAP and (
             contains(one, other) == contains(other, one)
         ):
             return f"{place}: rings {j} and {k} overlap"
