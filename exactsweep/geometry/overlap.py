@@ -49,8 +49,6 @@ _Cone = tuple[Vertex, Vertex]
 
 _FEW = 64
 """The number of edges up to which a search examines all of them."""
-_FEW_PAIRS = 1000
-"""The number of pairs of edges up to which all pairs are examined."""
 
 
 class Relation(Enum):
@@ -207,16 +205,16 @@ class Pair:
         cones: defaultdict[Vertex, tuple[set[_Cone], set[_Cone]]]
         cones = defaultdict(lambda: (set(), set()))
         along: list[tuple[Vertex, ...]] = []
-        theirs = [_move(edge, x, y, scale) for edge in others]
-        many = len(near) * len(theirs) > _FEW_PAIRS
-        rows = BoxRows([edge[:4] for edge in theirs]) if many else None
+        x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
+        many = len(others) > _FEW
+        meeting = [] if many else [_move(edge, x, y, scale) for edge in others]
         for edge in near:
             left, right, low, high, p, q, _ = _move(edge, 0, 0, scale)
             (px, py), (qx, qy) = p, q
             dx, dy, c = qx - px, qy - py, qx * py - qy * px
-            meeting: Iterable[_MovedEdge] = theirs
-            if rows is not None:
-                meeting = [theirs[k] for k in rows.find((left, right, low, high))]
+            if many:
+                box = edge[0] - x1, edge[1] - x0, edge[2] - y1, edge[3] - y0
+                meeting = [_move(other, x, y, scale) for other in self._part.near(box)]
             for west, east, south, north, a, b, other in meeting:
                 if west > right or east < left or south > high or north < low:
                     continue
@@ -248,7 +246,8 @@ class Pair:
                         rx, ry = self._part.after(other)
                         others_there.add(_find_cone(z, a, b, (rx * scale + x, ry * scale + y)))
         # Where edges run along each other, another ring may touch one of them inside.
-        for first, last, p, q, a, b in along:
+        single = len(self._shape.rings) == len(self._part.rings) == 1
+        for first, last, p, q, a, b in () if single else along:
             for z, (mine, others_there) in cones.items():
                 if first < z < last and cross(minus(q, p), minus(z, p)) == 0:
                     mine.add(_find_cone(z, p, q, q))

@@ -51,14 +51,12 @@ def cut(segments: Sequence[Segment]) -> Pieces:
     Cost: that of `find_near`, and O(c log c) for c crossings.
     """
     pieces = Pieces([], [], set())
-    longest = max((max(s.line[0], abs(s.line[1])) for s in segments), default=0)
-    at_ends = max((max(s.low[1], s.high[1]) for s in segments), default=0)
-    bits = 2 * max(2 * longest * longest, at_ends).bit_length()
+    bits = measure_keys(segments)
     for k, j in find_near([segment.box for segment in segments]):
         cross(segments[k], segments[j], bits)
     for segment in segments:
         dx, dy, _ = segment.line
-        for p, q in _find_left_over(segment, bits, pieces.meetings):
+        for p, q in _find_left_over(segment, pieces.meetings):
             if segment.sides == BOTH:
                 pieces.two_way.append((segment.line, p, q))
             elif segment.sides[0]:
@@ -68,13 +66,28 @@ def cut(segments: Sequence[Segment]) -> Pieces:
     return pieces
 
 
+def measure_keys(segments: Sequence[Segment]) -> int:
+    """Compute the keys of the ends of segments; return the bits of keys."""
+    longest = at_ends = 1
+    for segment in segments:
+        dx, dy, _ = segment.line
+        longest |= dx | abs(dy)
+        at_ends |= segment.low[1] | segment.high[1]
+    # Crossings have denominators of at most 2 longest^2.
+    bits = 2 * max(1 + 2 * longest.bit_length(), at_ends.bit_length())
+    for segment in segments:
+        (n, d), (m, e) = segment.low, segment.high
+        segment.keys = (n << bits) // d, (m << bits) // e
+    return bits
+
+
 def cross(first: Segment, second: Segment, bits: int) -> None:
     """Record in two segments where they cross, and on which sides overlap passes there.
 
     Args:
         first: a segment.
         second: another one. Parallel segments do not cross.
-        bits: the bits of keys.
+        bits: the bits of keys, as `measure_keys` returns them.
 
     Cost: O(1).
     """
@@ -90,33 +103,30 @@ def cross(first: Segment, second: Segment, bits: int) -> None:
     mirrored = d < 0
     if mirrored:
         n, m, d = -n, -m, -d
-    (low, below), (high, above) = first.low, first.high
-    past_low, to_high = n * below - low * d, high * d - n * above
-    if past_low < 0 or to_high < 0:
+    key, (low, high) = (n << bits) // d, first.keys
+    if key < low or key > high:
         return
-    (low, below), (high, above) = second.low, second.high
-    past_other, to_other = m * below - low * d, high * d - m * above
-    if past_other < 0 or to_other < 0:
+    other_key, (other_low, other_high) = (m << bits) // d, second.keys
+    if other_key < other_low or other_key > other_high:
         return
     a, b = first.sides, second.sides
-    if not (past_low and to_high):
-        a = first.high_sides if past_low else first.low_sides
-    if not (past_other and to_other):
-        b = second.high_sides if past_other else second.low_sides
+    if not low < key < high:
+        a = first.high_sides if low < key else first.low_sides
+    if not other_low < other_key < other_high:
+        b = second.high_sides if other_low < other_key else second.low_sides
     # The second segment goes from the right of the first to its left, unless mirrored.
     if mirrored:
         a, b = a[::-1], b[::-1]
-    first.cuts.append(((n << bits) // d, n, d, b[0], b[1], second.sides))
-    second.cuts.append(((m << bits) // d, m, d, a[1], a[0], first.sides))
+    first.cuts.append((key, n, d, b[0], b[1], second.sides))
+    second.cuts.append((other_key, m, d, a[1], a[0], first.sides))
 
 
 def _find_left_over(
-    segment: Segment, bits: int, meetings: set[HomogeneousPoint]
+    segment: Segment, meetings: set[HomogeneousPoint]
 ) -> list[tuple[HomogeneousPoint, HomogeneousPoint]]:
     """Return the ends of the pieces that (1) leaves, and add points to the meetings, by (3)."""
     line, is_two_way = segment.line, segment.sides == BOTH
-    start, (covered, end_covered) = segment.low, segment.covered
-    at = (start[0] << bits) // start[1]
+    start, (covered, end_covered), (at, end) = segment.low, segment.covered, segment.keys
     left: list[tuple[Parameter, Parameter]] = []
     # A piece waits, because more crossings at its end may prove that it is in O.
     waiting: tuple[Parameter, Parameter] | None = None
@@ -133,7 +143,7 @@ def _find_left_over(
         else:
             waiting = None if before else waiting
             covered = covered or after
-    if at < (segment.high[0] << bits) // segment.high[1]:
+    if at < end:
         if waiting:
             left.append(waiting)
         waiting = None if covered else (start, segment.high)

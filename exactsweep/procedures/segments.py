@@ -70,9 +70,20 @@ class Segment:
         covered: whether the segment was cut at its low end, and at its high end, with overlap just
             inside.
         cuts: the crossings with other segments; see `crossings`.
+        keys: the keys of the ends; see `crossings`.
     """
 
-    __slots__ = ("covered", "cuts", "high", "high_sides", "line", "low", "low_sides", "sides")
+    __slots__ = (
+        "covered",
+        "cuts",
+        "high",
+        "high_sides",
+        "keys",
+        "line",
+        "low",
+        "low_sides",
+        "sides",
+    )
 
     def __init__(
         self, line: Line, low: Parameter, high: Parameter, sides: Sides, low_sides: Sides = NEITHER
@@ -81,6 +92,7 @@ class Segment:
         self.sides, self.low_sides, self.high_sides = sides, low_sides, NEITHER
         self.covered = NEITHER
         self.cuts: list[Cut] = []
+        self.keys = 0, 0
 
     @property
     def box(self) -> tuple[int, int, int, int]:
@@ -121,9 +133,9 @@ def find_contact_segments(
     Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
 
     >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
-    >>> bottom, *_ = find_contact_segments(square, square)
-    >>> bottom.line, bottom.low, bottom.high, bottom.sides
-    ((1, 0, 0), (0, 1), (2, 1), (True, False))
+    >>> left, *_ = find_contact_segments(square, square)
+    >>> left.line, left.low, left.high, left.sides
+    ((0, 1, 0), (0, 1), (1, 1), (False, True))
     """
     shapes = [[_list_edges(ring) for ring in rings] for rings in (stationary, moving)]
     angle, turn = _measure_angles([edge for rings in shapes for ring in rings for edge in ring])
