@@ -14,7 +14,7 @@ from jinja2 import Environment
 from exactsweep.lessons import list_titles, read_notebook
 
 _PARTS = """
-geometry procedures procedures.cc procedures.cm procedures.mm procedures.ss
+geometry procedures procedures.cc procedures.cm procedures.mm procedures.positions
 procedures.lower_envelope evidence evidence.steps check layout text formats batch draw
 view lessons corpus conform conform.adapters paper
 """

@@ -48,7 +48,6 @@ def leave_out_overlapped(
         if type(low) is not int or type(high) is not int:
             beside_unit = lcm(*(c.denominator for c in beside))
             bx, by, ax, ay = (int(c * beside_unit) for c in beside)
-            low, high = -(-low // 1), high // 1
         for (px, py, qx, qy), (nx, ny), is_reflex, is_first in (
             (after, (bx, by), bx * uy < by * ux, True),
             (before, (ax, ay), ux * ay < uy * ax, False),
@@ -58,17 +57,17 @@ def leave_out_overlapped(
                 w = (qx * past + px * back) if dx else (qy * past + py * back)
                 reach = abs(w) // ((past + back) * unit) + 1
                 if w > 0:
-                    end = min(end, low + reach)
+                    end = min(end, -(-low // 1) + reach)
                 else:
-                    start = max(start, high - reach)
+                    start = max(start, high // 1 - reach)
             turn = px * ny - py * nx
             if is_reflex and past and turn > 0:
                 across = max(past * beside_unit, abs(dx * ny - dy * nx) * unit)
-                reach = turn * abs(dx or dy) // across - 1
+                reach = -(-turn * abs(dx or dy) // across) - 1
                 if is_first == ahead:
-                    start = max(start, low + reach)
+                    start = max(start, low // 1 + reach)
                 else:
-                    end = min(end, high - reach)
+                    end = min(end, -(-high // 1) - reach)
         if start < end:
             left.append((dx, dy, offset, start, end, ahead, beside))
     return left
