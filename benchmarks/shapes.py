@@ -12,7 +12,8 @@ from collections.abc import Iterator
 from benchmarks.clock import milliseconds
 from benchmarks.families import ANY_SHAPE
 from exactsweep import Polygon, no_fit_polygon
-from exactsweep.geometry.overlap import Boundary, Pair, Relation
+from exactsweep.geometry.edges import EdgeIndex
+from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.paper.growth import MN, MN_LOG, Growth, Size
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import HomogeneousPoint, cut
@@ -39,7 +40,7 @@ def count_steps(family: str, size: int) -> tuple[int, ...]:
     segments = find_contact_segments([directrix], moving, leave_out_overlapped)
     left = leave_out_covered(segments, [[directrix]], moving)
     pieces = cut(left)
-    pair, asked = Pair(Boundary([directrix]), Boundary([generatrix])), [0]
+    pair, asked = MovedPair(EdgeIndex([directrix]), EdgeIndex([generatrix])), [0]
 
     def overlaps(position: HomogeneousPoint) -> bool:
         asked[0] += 1

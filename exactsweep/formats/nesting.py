@@ -11,7 +11,8 @@ from functools import partial
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
-from exactsweep.geometry.overlap import Boundary, Relation, contains, relate
+from exactsweep.geometry.edges import EdgeIndex
+from exactsweep.geometry.overlap import Relation, contains, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import name_refusals, quote
@@ -200,7 +201,7 @@ def _simple(ring: Sequence[Point], name: str) -> Polygon:
 def _is_around(outer: Polygon, inner: Polygon, names: tuple[str, str]) -> bool:
     """Decide whether one of two rings lies inside the other."""
     _, (around, within) = common_lattice([outer, inner])
-    if relate(Boundary([around]), Boundary([within])) is not Relation.OVERLAP:
+    if relate(EdgeIndex([around]), EdgeIndex([within])) is not Relation.OVERLAP:
         return False
     if not contains([around], [within]):
         raise PolygonError(f"{names[0]} and {names[1]} cross")

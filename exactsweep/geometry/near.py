@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from exactsweep.numbers.number import Rational
 
-Box = tuple[Rational, Rational, Rational, Rational]
+Bounds = tuple[Rational, Rational, Rational, Rational]
 """The left, right, low and high end of a closed box."""
 
 _PER_ROW = 16
@@ -29,8 +29,10 @@ class BoxRows:
     Cost: O(n log n).
     """
 
-    def __init__(self, boxes: Sequence[Box], reach: int = 0) -> None:
+    def __init__(self, boxes: Sequence[Bounds], reach: int = 0) -> None:
         self._rows: list[list[_Entry]] = []
+        self._south: Rational = 0
+        self._height = 1
         if not boxes:
             return
         self._south = south = min(box[2] for box in boxes)
@@ -38,15 +40,16 @@ class BoxRows:
         mean = sum(box[3] - box[2] for box in boxes) // len(boxes)
         by_count = (north - south) * _PER_ROW // len(boxes)
         self._height = height = int(max(mean, by_count)) + 1
-        self._rows = rows = [[] for _ in range(int((north - south) // height) + 1)]
+        rows: list[list[_Entry]] = [[] for _ in range(int((north - south) // height) + 1)]
         for k, (left, right, low, high) in enumerate(boxes):
             entry = left, right + reach, low, high + reach, k
             for row in rows[(low - south) // height : (entry[3] - south) // height + 1]:
                 row.append(entry)
         for row in rows:
             row.sort()
+        self._rows = rows
 
-    def find(self, box: Box) -> Iterator[int]:
+    def find(self, box: Bounds) -> Iterator[int]:
         """Yield the numbers of the boxes that meet a box, each once.
 
         Cost: O(1) for each box that meets one of the rows of the box and does not begin beyond it.
@@ -64,8 +67,11 @@ class BoxRows:
             for west, east, south, north, k in row:
                 if west > right:
                     break
-                if east >= left and south <= high and north >= low and (
-                    south >= border or number == first + 1
+                if (
+                    east >= left
+                    and south <= high
+                    and north >= low
+                    and (south >= border or number == first + 1)
                 ):
                     yield k
             border = self._south + number * self._height
@@ -75,7 +81,6 @@ class BoxRows:
 
         Cost: O(1) for each two boxes whose x-ranges meet in a row.
         """
-        border = 0
         for number, row in enumerate(self._rows):
             border = self._south + number * self._height
             for i, (_, right, low, high, k) in enumerate(row, 1):
@@ -90,7 +95,7 @@ class BoxRows:
                         yield (k, j) if k < j else (j, k)
 
 
-def find_near(boxes: Sequence[Box], reach: int = 0) -> Iterator[tuple[int, int]]:
+def find_near(boxes: Sequence[Bounds], reach: int = 0) -> Iterator[tuple[int, int]]:
     """Find the pairs of boxes that meet, or are within reach in both coordinates.
 
     Args:

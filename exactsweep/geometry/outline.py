@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
-from exactsweep.geometry.overlap import Boundary
+from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
@@ -46,7 +46,7 @@ class Outline:
             self.after += [*range(first + 1, first + size), first]
             self.before += [first + size - 1, *range(first, first + size - 1)]
         self.numbers = {vertex: k for k, vertex in enumerate(self.vertices)}
-        self._index = Boundary(rings)
+        self._index = EdgeIndex(rings)
 
     def edge(self, k: int) -> Edge:
         """Return edge k."""
@@ -114,7 +114,7 @@ class Outline:
     def edges_through(self, point: Vertex, scale: int = 1) -> Iterator[int]:
         """Find the numbers of the edges with a point, multiplied by a scale, in their interior.
 
-        Cost: that of `Boundary.near`, and O(n log n) the first time.
+        Cost: that of `EdgeIndex.near`, and O(n log n) the first time.
         """
         x, y = point
         box = x // scale, -(-x // scale), y // scale, -(-y // scale)

@@ -9,8 +9,8 @@ from fractions import Fraction
 from itertools import accumulate, chain, permutations
 
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.edges import EdgeIndex, Places, find_points_between, is_inside, touch
 from exactsweep.geometry.near import find_near
-from exactsweep.geometry.overlap import Boundary, Places, find_points_between, is_inside, touch
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import lcm_within, read_interface, refuse_number
@@ -300,7 +300,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     scale, rings = common_lattice(polygons)
     places = [Places(set) for _ in rings]
     touching: defaultdict[Vertex, set[int]] = defaultdict(set)
-    edges = Boundary(rings).edges
+    edges = EdgeIndex(rings).edges
     for later, earlier in sorted((n, m) for m, n in find_near([edge[:4] for edge in edges])):
         (ax, ay, bx, by, k, i), (px, py, qx, qy, j, h) = edges[later][4:], edges[earlier][4:]
         if k == j:
@@ -319,7 +319,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     for k in range(1, len(rings)):
         if not all(is_inside(p, rings[:1]) for p in find_points_between({0: rings[k]}, places[k])):
             raise PolygonError(f"{names[k]} is not inside the exterior")
-    boxes = [Boundary([ring]).box for ring in rings[1:]]
+    boxes = [EdgeIndex([ring]).box for ring in rings[1:]]
     for k, j in chain.from_iterable(map(permutations, find_near(boxes))):
         (left, right, low, high), (west, east, south, north) = boxes[k], boxes[j]
         if west <= left and right <= east and south <= low and high <= north:

@@ -13,8 +13,8 @@ from typing import Any
 
 from exactsweep.evidence.certificate import HEADER
 from exactsweep.geometry.convex import ConvexRing
+from exactsweep.geometry.edges import touch
 from exactsweep.geometry.grid import IntVertex
-from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.board import Board

@@ -21,8 +21,9 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
+from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.grid import IntVertex
-from exactsweep.geometry.overlap import Boundary, Pair, Relation
+from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.number import Point
@@ -34,7 +35,7 @@ MatrixRows = tuple[int, int, int, int]
 """A linear map by its rows."""
 
 
-class LatticeForm(Boundary):
+class LatticeForm(EdgeIndex):
     """A shape on a lattice, its interior on the left of its rings; many solids share it.
 
     Args:
@@ -97,7 +98,8 @@ class Solid(NamedTuple):
     def box(self) -> LatticeBox:
         """The box of the solid at its place."""
         left, right, low, high = self.form.box
-        return left + self.x, right + self.x, low + self.y, high + self.y
+        box = left + self.x, right + self.x, low + self.y, high + self.y
+        return box  # type: ignore[return-value]
 
     def on(self, scale: int) -> Solid:
         """Return the solid on a finer lattice, whose scale is a multiple of this scale."""
@@ -162,6 +164,6 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
 def meet(a: Solid, b: Solid) -> Relation:
     """Decide whether two solids of one lattice overlap, touch or are apart.
 
-    Cost: that of `Pair.relate`.
+    Cost: that of `MovedPair.relate`.
     """
-    return Pair(a.form, b.form).relate(b.x - a.x, b.y - a.y)
+    return MovedPair(a.form, b.form).relate(b.x - a.x, b.y - a.y)

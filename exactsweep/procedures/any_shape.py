@@ -9,8 +9,9 @@ positions of I(G) around T. So `positions` solves one problem for each side of S
 from __future__ import annotations
 
 from exactsweep.geometry.direction import X_AXIS
+from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.overlap import Boundary, Relation, relate
+from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.pockets import find_mouths
@@ -95,12 +96,10 @@ class ShapeSolution:
     @made_once
     def inner(self) -> list[Point]:
         """The inner loop around D: D with its undercuts and holes closed."""
-        shape = Boundary([self._pair[1].exterior.vertices])
+        shape = EdgeIndex([self._pair[1].exterior.vertices])
         # D lies in one of these loops, and their interiors are disjoint.
         return next(
-            loop
-            for loop in self._inside
-            if relate(Boundary([loop]), shape) is Relation.OVERLAP
+            loop for loop in self._inside if relate(EdgeIndex([loop]), shape) is Relation.OVERLAP
         )
 
     @made_once

@@ -16,8 +16,8 @@ from itertools import chain, pairwise
 from math import isqrt, lcm
 from operator import or_
 
-from exactsweep.geometry.overlap import Rings
-from exactsweep.procedures.segments import Segment
+from exactsweep.geometry.edges import Rings
+from exactsweep.procedures.segments import ContactSegment
 
 _FEW, _CROSSINGS = 250, 0.8
 """The number of segments, and of their likely crossings with others, from which it saves time."""
@@ -28,8 +28,8 @@ _MOST_COLUMNS = 400
 
 
 def leave_out_covered(
-    segments: Sequence[Segment], obstacles: Sequence[Rings], moving: Rings
-) -> Sequence[Segment]:
+    segments: Sequence[ContactSegment], obstacles: Sequence[Rings], moving: Rings
+) -> Sequence[ContactSegment]:
     """Cut segments at the borders of columns of squares, and drop the pieces in covered squares.
 
     Args:
@@ -129,8 +129,8 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
 
 
 def split(
-    segment: Segment, side: int, lowest: int, columns: Mapping[int, int]
-) -> Iterator[Segment]:
+    segment: ContactSegment, side: int, lowest: int, columns: Mapping[int, int]
+) -> Iterator[ContactSegment]:
     """Yield the pieces of a segment that leave the covered squares.
 
     Args:

@@ -19,7 +19,7 @@ from math import gcd
 from typing import NamedTuple
 
 from exactsweep.geometry.near import find_near
-from exactsweep.procedures.segments import BOTH, Line, Parameter, Segment
+from exactsweep.procedures.segments import BOTH, ContactSegment, Line, Parameter
 
 HomogeneousPoint = tuple[int, int, int]
 """The point (x / w, y / w) as coprime ints (x, y, w), w > 0."""
@@ -45,7 +45,7 @@ class Pieces(NamedTuple):
     meetings: set[HomogeneousPoint]
 
 
-def cut(segments: Sequence[Segment]) -> Pieces:
+def cut(segments: Sequence[ContactSegment]) -> Pieces:
     """Cut segments at their crossings, and leave out pieces in O, by (1).
 
     Cost: that of `find_near`, and O(c log c) for c crossings.
@@ -66,7 +66,7 @@ def cut(segments: Sequence[Segment]) -> Pieces:
     return pieces
 
 
-def measure_keys(segments: Sequence[Segment]) -> int:
+def measure_keys(segments: Sequence[ContactSegment]) -> int:
     """Compute the keys of the ends of segments; return the bits of keys."""
     longest = at_ends = 1
     for segment in segments:
@@ -81,7 +81,7 @@ def measure_keys(segments: Sequence[Segment]) -> int:
     return bits
 
 
-def cross(first: Segment, second: Segment, bits: int) -> None:
+def cross(first: ContactSegment, second: ContactSegment, bits: int) -> None:
     """Record in two segments where they cross, and on which sides overlap passes there.
 
     Args:
@@ -122,7 +122,7 @@ def cross(first: Segment, second: Segment, bits: int) -> None:
 
 
 def _find_left_over(
-    segment: Segment, meetings: set[HomogeneousPoint]
+    segment: ContactSegment, meetings: set[HomogeneousPoint]
 ) -> list[tuple[HomogeneousPoint, HomogeneousPoint]]:
     """Return the ends of the pieces that (1) leaves, and add points to the meetings, by (3)."""
     line, is_two_way = segment.line, segment.sides == BOTH

@@ -18,8 +18,11 @@ from collections.abc import Sequence
 from math import lcm
 
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.number import Vertex
+from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures.segments import EdgeFeature
+
+_Vectors = tuple[int, int, int, int]
+"""Two vectors."""
 
 _FEW = 250
 """The product of facing edges and vertices up to which it is faster to keep all parts."""
@@ -48,10 +51,11 @@ def leave_out_overlapped(
         if type(low) is not int or type(high) is not int:
             beside_unit = lcm(*(c.denominator for c in beside))
             bx, by, ax, ay = (int(c * beside_unit) for c in beside)
-        for (px, py, qx, qy), (nx, ny), is_reflex, is_first in (
+        sides: tuple[tuple[_Vectors, Vertex, bool, bool], ...] = (
             (after, (bx, by), bx * uy < by * ux, True),
             (before, (ax, ay), ux * ay < uy * ax, False),
-        ):
+        )
+        for (px, py, qx, qy), (nx, ny), is_reflex, is_first in sides:
             past, back = ux * py - uy * px, uy * qx - ux * qy
             if past > 0 < back:
                 w = (qx * past + px * back) if dx else (qy * past + py * back)
@@ -62,7 +66,7 @@ def leave_out_overlapped(
                     start = max(start, high // 1 - reach)
             turn = px * ny - py * nx
             if is_reflex and past and turn > 0:
-                across = max(past * beside_unit, abs(dx * ny - dy * nx) * unit)
+                across: Rational = max(past * beside_unit, abs(dx * ny - dy * nx) * unit)
                 reach = -(-turn * abs(dx or dy) // across) - 1
                 if is_first == ahead:
                     start = max(start, low // 1 + reach)

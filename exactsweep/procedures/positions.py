@@ -25,13 +25,14 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.overlap import Boundary, Pair, Relation, Rings, find_outside, relate
+from exactsweep.geometry.edges import EdgeIndex, Rings
+from exactsweep.geometry.overlap import MovedPair, Relation, find_outside, relate
 from exactsweep.numbers.number import Fit, Point, Rational, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import HomogeneousPoint, cut
 from exactsweep.procedures.neighbours import leave_out_overlapped
-from exactsweep.procedures.segments import Segment, find_contact_segments
+from exactsweep.procedures.segments import ContactSegment, find_contact_segments
 from exactsweep.procedures.walk import Free, find_free
 
 
@@ -114,8 +115,8 @@ def find_inner_fit(
     >>> [tuple(int(c) for p in fit for c in p) for fit in find_inner_fit(square, unit).fits]
     [(0, 0, 2, 0)]
     """
-    (west, east, south, north) = Boundary(container).box
-    left, right, low, high = Boundary(part).box
+    (west, east, south, north) = EdgeIndex(container).box
+    left, right, low, high = EdgeIndex(part).box
     # The box of the part is in that of the container at positions in this room only.
     room = west - left, east - right, south - low, north - high
     if room[0] > room[1] or room[2] > room[3]:
@@ -133,13 +134,13 @@ def find_inner_fit(
     exteriors = sorted(free.within, key=find_doubled_area)
     for loop in free.around:
         # No exterior crosses another one or the loop. The smallest one around the loop holds it.
-        shape, area = Boundary([loop]), find_doubled_area(loop)
+        shape, area = EdgeIndex([loop]), find_doubled_area(loop)
         inside[
             next(
                 k
                 for k, exterior in enumerate(exteriors)
                 if find_doubled_area(exterior) > area
-                and relate(Boundary([exterior]), shape) is Relation.OVERLAP
+                and relate(EdgeIndex([exterior]), shape) is Relation.OVERLAP
             )
         ].append(loop)
     return FreeRegions(list(zip(exteriors, inside, strict=True)), free.fits)
@@ -160,7 +161,7 @@ def reflect(rings: Rings) -> list[list[Vertex]]:
 
 
 def _find_positions(
-    segments: Sequence[Segment],
+    segments: Sequence[ContactSegment],
     obstacles: Sequence[Rings],
     moving: Rings,
     scale: int,
@@ -168,8 +169,8 @@ def _find_positions(
 ) -> Free:
     """Find the free positions whose boundary lies on contact segments."""
     segments = leave_out_covered(segments, obstacles, moving)
-    part = Boundary(reflect(moving))
-    pairs = [Pair(Boundary(rings), part) for rings in obstacles]
+    part = EdgeIndex(reflect(moving))
+    pairs = [MovedPair(EdgeIndex(rings), part) for rings in obstacles]
 
     def overlaps(position: HomogeneousPoint) -> bool:
         return any(pair.relate(*position) is Relation.OVERLAP for pair in pairs)

@@ -29,7 +29,7 @@ from math import gcd, lcm
 from operator import itemgetter
 
 from exactsweep.geometry.direction import reduce_direction
-from exactsweep.geometry.overlap import Rings
+from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Rational, Vertex
 
 Line = tuple[int, int, int]
@@ -39,7 +39,7 @@ Parameter = tuple[int, int]
 """A parameter n / d of a line, d > 0: the value of x, or of y if the line is vertical."""
 
 Sides = tuple[bool, bool]
-"""Whether overlap lies on the left, and on the right, of the direction of a line."""
+"""The sides of a line with overlap: its left, and its right."""
 
 NEITHER: Sides = False, False
 BOTH: Sides = True, True
@@ -59,7 +59,7 @@ LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[Edg
 """A pruning step: of the edges that vertex k of a ring faces, it returns the parts to keep."""
 
 
-class Segment:
+class ContactSegment:
     """A piece of a line along which contact segments have the same directions.
 
     Attributes:
@@ -105,9 +105,9 @@ class Segment:
             n, d, m, e = m, e, n, d
         return left, right, (n * dy + c * d) // (dx * d), -((-m * dy - c * e) // (dx * e))
 
-    def between(self, low: int | None, high: int | None) -> Segment:
+    def between(self, low: int | None, high: int | None) -> ContactSegment:
         """Return a piece of the segment, cut at one end or both, with overlap beyond each cut."""
-        piece = Segment(self.line, self.low, self.high, self.sides, self.low_sides)
+        piece = ContactSegment(self.line, self.low, self.high, self.sides, self.low_sides)
         piece.high_sides = self.high_sides
         piece.covered = low is not None, high is not None
         if low is not None:
@@ -119,7 +119,7 @@ class Segment:
 
 def find_contact_segments(
     stationary: Rings, moving: Rings, leave_out: LeaveOut | None = None
-) -> list[Segment]:
+) -> list[ContactSegment]:
     """Find the contact segments of two shapes, joined along each line.
 
     Args:
@@ -220,16 +220,18 @@ def _find_convex_vertices(angles: Sequence[int], turn: int) -> Iterator[tuple[in
             yield k, first, last
 
 
-def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator[Segment]:
+def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator[ContactSegment]:
     """Yield the segments with constant sides that the contact segments of one line make up."""
     if len(pieces) == 1:
         ((low, high, ahead),) = pieces
-        yield Segment(line, low.as_integer_ratio(), high.as_integer_ratio(), (ahead, not ahead))
+        yield ContactSegment(
+            line, low.as_integer_ratio(), high.as_integer_ratio(), (ahead, not ahead)
+        )
         return
     ends = [(low, True, ahead) for low, _, ahead in pieces]
     ends += [(high, False, ahead) for _, high, ahead in pieces]
     count = [0, 0]
-    segment: Segment | None = None
+    segment: ContactSegment | None = None
     for place, group in groupby(sorted(ends), key=itemgetter(0)):
         # Segments end before others start. (2) does not hold at a place where none passes through.
         events = list(group)
@@ -245,4 +247,4 @@ def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator
             segment.high, segment.high_sides = place.as_integer_ratio(), through
             yield segment
         end = place.as_integer_ratio()
-        segment = Segment(line, end, end, sides, through) if any(sides) else None
+        segment = ContactSegment(line, end, end, sides, through) if any(sides) else None

@@ -22,7 +22,7 @@ from exactsweep.geometry.vectors import way_key as angle_key
 from exactsweep.numbers.number import Fit, Point, Vertex, divide_exactly
 from exactsweep.procedures.crossings import HomogeneousPoint, OneWayPiece, Pieces, TwoWayPiece
 
-Ring = Sequence[OneWayPiece]
+PieceRing = Sequence[OneWayPiece]
 Test = Callable[[HomogeneousPoint], bool]
 """Decides whether a position is in O; the position need not be reduced."""
 
@@ -78,7 +78,7 @@ def find_free(
 
 def _walk_rings(
     pieces: Sequence[OneWayPiece], overlaps: Test, least: HomogeneousPoint | None
-) -> Iterator[Ring]:
+) -> Iterator[PieceRing]:
     """Walk around free regions, by (1) and (2); yield simple rings of pieces."""
     leaving: defaultdict[HomogeneousPoint, list[OneWayPiece]] = defaultdict(list)
     for piece in pieces:
@@ -121,7 +121,7 @@ def _follow(
     return max(found, key=lambda other: angle_key(mirror(other)))
 
 
-def split_where_it_touches(ring: Iterable[OneWayPiece]) -> Iterator[Ring]:
+def split_where_it_touches(ring: Iterable[OneWayPiece]) -> Iterator[PieceRing]:
     """Split a ring where it returns to a point, as where the loops of two obstacles touch."""
     way: list[OneWayPiece] = []
     places: dict[HomogeneousPoint, int] = {}
@@ -136,7 +136,7 @@ def split_where_it_touches(ring: Iterable[OneWayPiece]) -> Iterator[Ring]:
     yield way
 
 
-def _make_canonical(ring: Ring, scale: int) -> tuple[list[Point], bool]:
+def _make_canonical(ring: PieceRing, scale: int) -> tuple[list[Point], bool]:
     """Return the canonical loop of a ring, and whether the ring runs counter-clockwise."""
     corners = [
         piece
@@ -177,8 +177,8 @@ def _join_fits(
 ) -> Iterator[tuple[HomogeneousPoint, HomogeneousPoint]]:
     """Join free pieces that continue each other on one line, unless a loop passes there."""
     for _, group in groupby(pieces, key=lambda piece: piece[0]):
-        _, start, end = next(group)
-        for _, p, q in group:
+        (_, start, end), *others = group
+        for _, p, q in others:
             if p != end or p in bounding:
                 yield start, end
                 start = p

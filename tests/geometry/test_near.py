@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep.geometry import near
-from exactsweep.geometry.near import Box, BoxRows, find_near
+from exactsweep.geometry.near import Bounds, BoxRows, find_near
 
 # On so small a grid many ends coincide with the borders of rows.
 ends = st.tuples(st.integers(-4, 9), st.integers(0, 3)).map(lambda end: (end[0], end[0] + end[1]))
@@ -16,13 +16,13 @@ box = st.builds(lambda x, y: (*x, *y), ends, ends)
 boxes = st.lists(box, max_size=30)
 
 
-def meet(one: Box, other: Box, reach: int = 0) -> bool:
+def meet(one: Bounds, other: Bounds, reach: int = 0) -> bool:
     return all(max(one[i], other[i]) <= min(one[i + 1], other[i + 1]) + reach for i in (0, 2))
 
 
 @examples(200)
 @given(boxes, st.integers(0, 2), st.integers(1, 4))
-def test_pairs_within_reach_are_found_once(given_boxes: list[Box], reach: int, few: int) -> None:
+def test_pairs_within_reach_are_found_once(given_boxes: list[Bounds], reach: int, few: int) -> None:
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(near, "_PER_ROW", few)
         found = sorted(find_near(given_boxes, reach))
@@ -36,7 +36,7 @@ def test_pairs_within_reach_are_found_once(given_boxes: list[Box], reach: int, f
 @examples(200)
 @given(boxes, box, st.integers(1, 4))
 def test_boxes_that_meet_another_one_are_found_once(
-    given_boxes: list[Box], other: Box, few: int
+    given_boxes: list[Bounds], other: Bounds, few: int
 ) -> None:
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(near, "_PER_ROW", few)
@@ -53,7 +53,7 @@ def test_boxes_far_away_are_found() -> None:
 
 
 def test_a_search_examines_few_of_many_boxes() -> None:
-    """In rows of a grid of 100 by 100 boxes, each pair of neighbours and few others are compared."""
+    """Each row of a grid of 100 by 100 boxes has about as many entries."""
     side = 100
     grid = [(2 * x, 2 * x + 1, 2 * y, 2 * y + 1) for x in range(side) for y in range(side)]
     rows = BoxRows(grid)

@@ -15,33 +15,25 @@ from polyominoes import Matrix
 from exactsweep import Point, Region
 from exactsweep.check import classify
 from exactsweep.corpus.generator.cells import Cell, grow
-from exactsweep.geometry import overlap
-from exactsweep.geometry.overlap import (
-    Boundary,
-    Pair,
-    Relation,
-    Rings,
-    contains,
-    find_outside,
-    is_inside,
-    touch,
-)
+from exactsweep.geometry import edges, overlap
+from exactsweep.geometry.edges import EdgeIndex, Rings, is_inside, touch
+from exactsweep.geometry.overlap import MovedPair, Relation, contains, find_outside
 from exactsweep.numbers.number import Rational, Vertex
 
 ORIGIN = Point(Fraction(0), Fraction(0))
 
 
-def overlaps(pair: Pair, t: Point) -> bool:
+def overlaps(pair: MovedPair, t: Point) -> bool:
     return relation(pair, t) is Relation.OVERLAP
 
 
-def relation(pair: Pair, t: Point) -> Relation:
+def relation(pair: MovedPair, t: Point) -> Relation:
     scale = lcm(t.x.denominator, t.y.denominator)
     return pair.relate(int(t.x * scale), int(t.y * scale), scale)
 
 
-def pair_of(stationary: Rings, orbiting: Rings) -> Pair:
-    return Pair(Boundary(stationary), Boundary(orbiting))
+def pair_of(stationary: Rings, orbiting: Rings) -> MovedPair:
+    return MovedPair(EdgeIndex(stationary), EdgeIndex(orbiting))
 
 
 AROUND = [*product(range(-1, 4), repeat=2)]
@@ -66,7 +58,8 @@ def test_interiors_meet_where_the_definition_says(
     few: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """At vertices on vertices and on the middles of edges, beside these, and one in the other."""
-    monkeypatch.setattr(overlap, "_FEW", few)
+    monkeypatch.setattr(overlap, "MANY_EDGES", few)
+    monkeypatch.setattr(edges, "MANY_EDGES", few)
     rng = Random(5 + few)
     found: Counter[bool] = Counter()
     for number in range(100):
@@ -93,7 +86,8 @@ def test_interiors_of_polyominoes_meet_where_squares_do(
     matrix: Matrix, few: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """On the grid, halfway between its places, and off them; with and without columns."""
-    monkeypatch.setattr(overlap, "_FEW", few)
+    monkeypatch.setattr(overlap, "MANY_EDGES", few)
+    monkeypatch.setattr(edges, "MANY_EDGES", few)
     rng = Random(matrix[1] + few)
     found: Counter[tuple[bool, bool]] = Counter()
     relations: Counter[Relation] = Counter()
@@ -213,7 +207,7 @@ def edge_of(rng: Random, shape: small_pairs.Shape) -> tuple[Vertex, Vertex]:
 def test_the_edges_near_a_place_are_found(far: int) -> None:
     """Of 800 edges side by side, those whose boxes meet the place, by their left ends."""
     low = [(3 * k + far, k % 2) for k in range(400)]
-    shape = Boundary([[*low, *((x, y + 5) for x, y in low[::-1])]])
+    shape = EdgeIndex([[*low, *((x, y + 5) for x, y in low[::-1])]])
     for x in range(far, far + 1197, 7):
         found = shape.near((x, x, 0, 6))
         assert found == [e for e in shape.edges if e[0] <= x <= e[1]]

@@ -14,11 +14,11 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.check import point_in_polygon
-from exactsweep.geometry.overlap import Rings
+from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures.cover import add_squares, find_squares, leave_out_covered, split
 from exactsweep.procedures.positions import reflect
-from exactsweep.procedures.segments import Segment, find_contact_segments
+from exactsweep.procedures.segments import ContactSegment, find_contact_segments
 
 MATRICES = st.sampled_from([(7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6, 5)])
 Squares = tuple[int, int, list[int]]
@@ -51,8 +51,10 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     assert 26 * 26 <= sum(map(int.bit_count, columns)) <= 30 * 30
     squares = defaultdict(int, enumerate(columns, left))
     for dx, dy in [(1, 0), (0, 1), (1, 1), (3, -2)]:
-        assert not [*split(Segment((dx, dy, 1), (-30, 1), (30, 1), (True, True)), 4, low, squares)]
-    (piece,) = split(Segment((1, 0, 0), (-64, 1), (30, 1), (True, True)), 4, low, squares)
+        assert not [
+            *split(ContactSegment((dx, dy, 1), (-30, 1), (30, 1), (True, True)), 4, low, squares)
+        ]
+    (piece,) = split(ContactSegment((1, 0, 0), (-64, 1), (30, 1), (True, True)), 4, low, squares)
     assert piece.low == (-64, 1)
     assert -60 <= piece.high[0] <= -52
     assert (piece.covered, piece.high_sides) == ((False, True), (True, True))
@@ -101,7 +103,7 @@ def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: 
     dx, dy, c = line
     for sign in (1, -1):
         begin, end = sorted((sign * low, sign * low + 20 * sign))
-        segment = Segment((dx, dy, sign * c), (begin, 1), (end, 1), (True, True))
+        segment = ContactSegment((dx, dy, sign * c), (begin, 1), (end, 1), (True, True))
         row = min(lowest, -300)
         squares = {k: bits << lowest - row for k, bits in enumerate(columns, left)}
         assert [*split(segment, 4, row, defaultdict(int, squares))] == [segment]

@@ -10,7 +10,7 @@ from exactsweep.geometry import near
 from exactsweep.numbers.number import Rational
 from exactsweep.procedures import crossings
 from exactsweep.procedures.crossings import cross, cut, find_point, measure_keys
-from exactsweep.procedures.segments import Cut, Segment, Sides
+from exactsweep.procedures.segments import ContactSegment, Cut, Sides
 
 BOTH: list[Sides] = [(False, False), (False, True), (True, False), (True, True)]
 DIRECTIONS = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (1, -2), (1, -1), (3, -1)]
@@ -18,18 +18,20 @@ DIRECTIONS = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (1, -2), (1, -1), (3, -1)]
 
 def through(
     x: Rational, y: Rational, direction: tuple[int, int], before: int, after: int
-) -> Segment:
+) -> ContactSegment:
     """From so many steps before a point to so many after it."""
     dx, dy = direction
     at, step = (x, dx) if dx else (y, dy)
     c, e = Fraction(dx * y - dy * x).as_integer_ratio()
     low, high = Fraction(at - before * step), Fraction(at + after * step)
     line = e * dx, e * dy, c
-    return Segment(line, low.as_integer_ratio(), high.as_integer_ratio(), (True, False))
+    return ContactSegment(line, low.as_integer_ratio(), high.as_integer_ratio(), (True, False))
 
 
-def expect(one: Segment, other: Segment, x: Rational, y: Rational) -> tuple[bool, bool, Sides]:
-    """Where overlap passes beside the other segment: before it, and after it; its sides."""
+def expect(
+    one: ContactSegment, other: ContactSegment, x: Rational, y: Rational
+) -> tuple[bool, bool, Sides]:
+    """Return what a cut notes: overlap before and after the other segment, and its sides."""
     place = Fraction(x if other.line[0] else y)
     left, right = other.sides
     if place == Fraction(*other.low):
@@ -79,11 +81,12 @@ def test_segments_that_end_before_they_meet_have_no_cuts() -> None:
 
 def test_parameters_that_nearly_agree_have_different_keys() -> None:
     """Two lines cross a third one at places that differ by about 2 / (u v)."""
-    third = Segment((1, 0, 0), (0, 1), (5, 1), (True, False))
+    third = ContactSegment((1, 0, 0), (0, 1), (5, 1), (True, False))
     for u, v in [(2**40, 2**40 + 1), (2**40 - 1, 2**40), (10**30, 10**30 + 1)]:
         third.cuts.clear()
         others = [
-            Segment((w, 2 * w + 1, -2 * w - 2), (0, 1), (5, 1), (True, False)) for w in (u, v)
+            ContactSegment((w, 2 * w + 1, -2 * w - 2), (0, 1), (5, 1), (True, False))
+            for w in (u, v)
         ]
         bits = measure_keys([third, *others])
         for other in others:
@@ -94,7 +97,7 @@ def test_parameters_that_nearly_agree_have_different_keys() -> None:
 
 
 def test_a_piece_of_a_segment_is_covered_where_it_was_cut() -> None:
-    whole = Segment((1, 0, 0), (2, 1), (9, 1), (True, False), (False, True))
+    whole = ContactSegment((1, 0, 0), (2, 1), (9, 1), (True, False), (False, True))
     whole.high_sides = False, True
     for low, high in product((None, 3), (None, 8)):
         piece = whole.between(low, high)
@@ -104,7 +107,7 @@ def test_a_piece_of_a_segment_is_covered_where_it_was_cut() -> None:
         assert piece.high_sides == ((True, False) if high else (False, True))
 
 
-def segments(shift: Rational) -> list[Segment]:
+def segments(shift: Rational) -> list[ContactSegment]:
     rng = Random(7)
     return [
         through(
@@ -120,9 +123,7 @@ def segments(shift: Rational) -> list[Segment]:
 
 @pytest.mark.parametrize("few", [1, 6, 1000])
 @pytest.mark.parametrize("shift", [0, Fraction(1, 3)])
-def test_all_that_cross_are_cut(
-    shift: Rational, few: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_all_that_cross_are_cut(shift: Rational, few: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """With ends and lines between the points of the grid, too."""
     monkeypatch.setattr(near, "_PER_ROW", few)
     found, expected = segments(shift), segments(shift)
@@ -150,7 +151,7 @@ def test_what_is_left_of_a_segment_is_what_no_cut_covers() -> None:
     """Of all places at which something may begin or end, each once."""
     rng = Random(1)
     for _ in range(600):
-        segment = Segment((1, 0, 0), (0, 1), (4, 1), rng.choice(BOTH[1:]))
+        segment = ContactSegment((1, 0, 0), (0, 1), (4, 1), rng.choice(BOTH[1:]))
         segment.covered = rng.random() < 0.2, rng.random() < 0.2
         segment.keys = 0, 4
         cuts: list[Cut] = [

@@ -6,13 +6,13 @@ from unittest.mock import patch
 import pytest
 from pruned import Overlaps
 
-from exactsweep.geometry.overlap import Rings
+from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures import neighbours
 from exactsweep.procedures.crossings import find_point
 from exactsweep.procedures.neighbours import leave_out_overlapped
 from exactsweep.procedures.positions import find_no_fit, reflect
-from exactsweep.procedures.segments import Segment, find_contact_segments
+from exactsweep.procedures.segments import ContactSegment, find_contact_segments
 
 
 def zigzag(size: int) -> list[Vertex]:
@@ -27,7 +27,7 @@ def saw(size: int) -> list[Vertex]:
     return [(0, 0), (size - 1, 0), *reversed(teeth)]
 
 
-def find_left(stationary: Rings, moving: Rings) -> list[Segment]:
+def find_left(stationary: Rings, moving: Rings) -> list[ContactSegment]:
     with patch.object(neighbours, "_FEW", 0):
         return find_contact_segments(stationary, moving, leave_out_overlapped)
 

@@ -1,4 +1,4 @@
-"""The two pruning steps save time and change no answer: pairs without each of them, and without both.
+"""The two pruning steps change no answer: pairs without each of them, and without both.
 
 Most pairs are too small for the steps, which are then forced.
 """

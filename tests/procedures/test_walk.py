@@ -13,8 +13,8 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.geometry.direction import find_monotone_directions
+from exactsweep.geometry.edges import Rings
 from exactsweep.geometry.frame import find_shared_direction
-from exactsweep.geometry.overlap import Rings
 from exactsweep.numbers.number import Point
 from exactsweep.procedures import crossings, walk
 from exactsweep.procedures.crossings import HomogeneousPoint, OneWayPiece, Pieces

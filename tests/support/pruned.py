@@ -8,7 +8,8 @@ from unittest.mock import patch
 
 from polyominoes import Cells, region
 
-from exactsweep.geometry.overlap import Boundary, Pair, Relation, Rings
+from exactsweep.geometry.edges import EdgeIndex, Rings
+from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures import cover, neighbours, positions
 from exactsweep.procedures.positions import FreeRegions, find_inner_fit, find_no_fit
@@ -53,18 +54,16 @@ def require_the_same_without_steps(stationary: Rings, orbiting: Rings) -> None:
     found: list[tuple[Free, FreeRegions]] = []
     for thin, wide in STEPS:
         with pruning(thin=thin, wide=wide):
-            found.append(
-                (find_no_fit(stationary, orbiting), find_inner_fit(container, orbiting))
-            )
+            found.append((find_no_fit(stationary, orbiting), find_inner_fit(container, orbiting)))
     plain = find_no_fit(stationary, orbiting), find_inner_fit(container, orbiting)
     assert all(answer == plain for answer in found)
 
 
 class Overlaps:
-    """Whether shapes overlap at a position of the second one."""
+    """A test of two shapes at a position of the second one."""
 
     def __init__(self, stationary: Rings, orbiting: Rings) -> None:
-        self._pair = Pair(Boundary(stationary), Boundary(orbiting))
+        self._pair = MovedPair(EdgeIndex(stationary), EdgeIndex(orbiting))
 
     def at(self, t: Point) -> bool:
         (x, b), (y, d) = Fraction(t.x).as_integer_ratio(), Fraction(t.y).as_integer_ratio()

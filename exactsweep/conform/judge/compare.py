@@ -53,8 +53,9 @@ from exactsweep.conform.judge.witness import (
 )
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.near import find_near
-from exactsweep.geometry.overlap import Boundary, Relation, contains, relate
+from exactsweep.geometry.overlap import Relation, contains, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import quote, tells_arguments
@@ -243,7 +244,7 @@ def find_fault(rings: Sequence[Loop], place: str) -> str | None:
         except PolygonError as error:
             return f"{place if len(rings) == 1 else f'{place}[{k}]'}: {error}"
     _, lattice = common_lattice(polygons)
-    shapes = [Boundary([ring]) for ring in lattice]
+    shapes = [EdgeIndex([ring]) for ring in lattice]
     for j, k in sorted(
         islice(find_near([one.box for one in shapes]), MOST_PAIRS), key=itemgetter(1, 0)
     ):
