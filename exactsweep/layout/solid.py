@@ -98,8 +98,8 @@ class Solid(NamedTuple):
     def box(self) -> LatticeBox:
         """The box of the solid at its place."""
         left, right, low, high = self.form.box
-        box = left + self.x, right + self.x, low + self.y, high + self.y
-        return box  # type: ignore[return-value]
+        x, y = self.x, self.y
+        return left + x, right + x, low + y, high + y  # type: ignore[return-value]
 
     def on(self, scale: int) -> Solid:
         """Return the solid on a finer lattice, whose scale is a multiple of this scale."""

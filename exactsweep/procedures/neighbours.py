@@ -18,7 +18,7 @@ from collections.abc import Sequence
 from math import lcm
 
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.segments import EdgeFeature
 
 _Vectors = tuple[int, int, int, int]
@@ -66,7 +66,8 @@ def leave_out_overlapped(
                     start = max(start, high // 1 - reach)
             turn = px * ny - py * nx
             if is_reflex and past and turn > 0:
-                across: Rational = max(past * beside_unit, abs(dx * ny - dy * nx) * unit)
+                across = unit * (dx * ny - dy * nx)
+                across = max(past * beside_unit, across, -across)
                 reach = -(-turn * abs(dx or dy) // across) - 1
                 if is_first == ahead:
                     start = max(start, low // 1 + reach)

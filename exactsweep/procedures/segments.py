@@ -224,21 +224,20 @@ def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator
     """Yield the segments with constant sides that the contact segments of one line make up."""
     if len(pieces) == 1:
         ((low, high, ahead),) = pieces
-        yield ContactSegment(
-            line, low.as_integer_ratio(), high.as_integer_ratio(), (ahead, not ahead)
-        )
+        ends = low.as_integer_ratio(), high.as_integer_ratio()
+        yield ContactSegment(line, *ends, (ahead, not ahead))
         return
-    ends = [(low, True, ahead) for low, _, ahead in pieces]
-    ends += [(high, False, ahead) for _, high, ahead in pieces]
+    events = [(low, True, ahead) for low, _, ahead in pieces]
+    events += [(high, False, ahead) for _, high, ahead in pieces]
     count = [0, 0]
     segment: ContactSegment | None = None
-    for place, group in groupby(sorted(ends), key=itemgetter(0)):
+    for place, group in groupby(sorted(events), key=itemgetter(0)):
         # Segments end before others start. (2) does not hold at a place where none passes through.
-        events = list(group)
-        for _, starts, ahead in events:
+        here = list(group)
+        for _, starts, ahead in here:
             count[ahead] -= not starts
         through = count[True] > 0, count[False] > 0
-        for _, starts, ahead in events:
+        for _, starts, ahead in here:
             count[ahead] += starts
         sides = count[True] > 0, count[False] > 0
         if segment:
