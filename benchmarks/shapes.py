@@ -1,8 +1,8 @@
 """The growth of no-fit polygons of any shape: counts of their steps, and seconds.
 
-The steps are those of `exactsweep.procedures.ss`. There are at most 2 m n contact segments; what
-lies in squares that are known to be overlapped is left out, and of the rest few pieces remain at
-which the overlap has to be asked for.
+The steps are those of `exactsweep.procedures.positions`. There are at most 2 m n contact segments;
+parts in squares that are known to be overlapped are left out, and few pieces of the rest need an
+overlap test.
 """
 
 from __future__ import annotations
@@ -12,21 +12,22 @@ from collections.abc import Iterator
 from benchmarks.clock import milliseconds
 from benchmarks.families import ANY_SHAPE
 from exactsweep import Polygon, no_fit_polygon
-from exactsweep.geometry.overlap import Overlap
-from exactsweep.numbers.number import Point
+from exactsweep.geometry.edges import EdgeIndex
+from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.paper.growth import MN, MN_LOG, Growth, Size
-from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
-from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import find_free_positions
+from exactsweep.procedures.crossings import HomogeneousPoint, cut
+from exactsweep.procedures.neighbours import leave_out_overlapped
+from exactsweep.procedures.positions import reflect
+from exactsweep.procedures.segments import find_contact_segments
+from exactsweep.procedures.walk import find_free
 
 SIZES = {"radial": (16, 32, 64, 128), "tangled": (12, 24, 48)}
 STEPS = (
-    "stretches of contact lines",
-    "stretches that leave the squares",
+    "contact segments",
+    "pieces that leave the squares",
     "crossings of these",
-    "questions of overlap",
+    "overlap tests",
 )
 _RISE = 0.3
 """By how much an exponent may be above that of the bound: one pair stands for each size."""
@@ -35,19 +36,19 @@ _RISE = 0.3
 def count_steps(family: str, size: int) -> tuple[int, ...]:
     """Count the STEPS on the pair of a family with m = n = size."""
     generatrix, directrix = ANY_SHAPE[family](size, size, 0)
-    moving = [inverse(generatrix)]
-    stretches = find_contact_stretches([directrix], moving)
-    left = leave_out_covered(stretches, [directrix], moving)
-    cut_at_crossings(left)
-    overlap, asked = Overlap([directrix], [generatrix]), [0]
+    moving = reflect([generatrix])
+    segments = find_contact_segments([directrix], moving, leave_out_overlapped)
+    left = leave_out_covered(segments, [[directrix]], moving)
+    pieces = cut(left)
+    pair, asked = MovedPair(EdgeIndex([directrix]), EdgeIndex([generatrix])), [0]
 
-    def ask(t: Point) -> bool:
+    def overlaps(position: HomogeneousPoint) -> bool:
         asked[0] += 1
-        return overlap.at(t)
+        return pair.relate(*position) is Relation.OVERLAP
 
-    find_free_positions(left, ask, 1)
-    crossings = sum(len(stretch.cuts) for stretch in left) // 2
-    return len(stretches), len(left), crossings, asked[0]
+    find_free(pieces, overlaps)
+    crossings = sum(len(segment.cuts) for segment in left) // 2
+    return len(segments), len(left), crossings, asked[0]
 
 
 def measure_shapes(*, quick: bool = False) -> Iterator[Growth]:

@@ -1,9 +1,12 @@
 """Exact planar sweeps: no-fit polygons of polygons of any shape."""
 
+from exactsweep.evidence.minkowski import minkowski_sum
+from exactsweep.evidence.overlap import Overlap, overlap
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.geometry.distance import distance_squared
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.polyline import Polyline
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import ExactSweepError, NumberError
 from exactsweep.numbers.limits import limits
@@ -24,16 +27,20 @@ __all__ = [
     "InnerFit",
     "NoFitPolygon",
     "NumberError",
+    "Overlap",
     "Point",
     "Polygon",
     "PolygonError",
+    "Polyline",
     "Region",
     "Sweep",
     "distance_squared",
     "free_positions",
     "inner_fit_polygon",
     "limits",
+    "minkowski_sum",
     "no_fit_polygon",
+    "overlap",
     "sweep",
 ]
 __version__ = "0.1.0"

@@ -17,7 +17,7 @@ from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import ORIGIN, Fit, Point
-from exactsweep.procedures import ss
+from exactsweep.procedures.positions import FreeRegions, find_inner_fit
 from exactsweep.procedures.solution import made_once, place_fits, place_loop
 from exactsweep.words import write_pair
 
@@ -142,10 +142,10 @@ class InnerFit(Shown):
         self.placed = tuple(placed)
 
     @made_once
-    def solution(self) -> ss.FreeRegions:
+    def solution(self) -> FreeRegions:
         """The positions of the part's origin."""
         scale, (container, part, *placed) = share_lattice([self.container, self.part, *self.placed])
-        return ss.inner_fit_ss(container, part, scale, placed)
+        return find_inner_fit(container, part, scale, placed)
 
     def __bool__(self) -> bool:
         return bool(self.regions or self.exact_fits)

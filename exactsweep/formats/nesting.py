@@ -11,11 +11,12 @@ from functools import partial
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
-from exactsweep.geometry.overlap import Overlap
+from exactsweep.geometry.edges import EdgeIndex
+from exactsweep.geometry.overlap import Relation, contains, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import name_refusals, quote
-from exactsweep.numbers.number import ORIGIN, Point
+from exactsweep.numbers.number import Point
 from exactsweep.words import suggest
 
 
@@ -200,9 +201,8 @@ def _simple(ring: Sequence[Point], name: str) -> Polygon:
 def _is_around(outer: Polygon, inner: Polygon, names: tuple[str, str]) -> bool:
     """Decide whether one of two rings lies inside the other."""
     _, (around, within) = common_lattice([outer, inner])
-    if not Overlap([around], [within]).at(ORIGIN):
+    if relate(EdgeIndex([around]), EdgeIndex([within])) is not Relation.OVERLAP:
         return False
-    # The complement of the outer one is what its ring, run through backward, leaves of the plane.
-    if Overlap([around[::-1]], [within], unbounded=True).at(ORIGIN):
+    if not contains([around], [within]):
         raise PolygonError(f"{names[0]} and {names[1]} cross")
     return True

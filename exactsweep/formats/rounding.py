@@ -28,14 +28,14 @@ from typing import Literal, NamedTuple
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.error import FormatError
+from exactsweep.geometry import overlap
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
-from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.geometry.vectors import cross, find_hull, minus, turn
 from exactsweep.numbers.error import quote, tells_arguments
-from exactsweep.numbers.number import ORIGIN, Edge, Fit, Point, Rational, Vertex, divide_exactly
+from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex, divide_exactly
 
 Side = Literal["closest", "outward", "inward"]
 # The greatest distance, in cells, of the search for a point of a right turn.
@@ -125,8 +125,8 @@ def round_regions(
 def round_fits(fits: Sequence[Fit], rounding: Rounding) -> tuple[list[Fit], int]:
     """Round exact fits, and count those that move; outward these are left out, as fits no longer.
 
-    >>> third = Point(Fraction(1, 3), Fraction(0))
-    >>> round_fits([(ORIGIN, third), (ORIGIN, ORIGIN)], Rounding(0, outward=True))[1]
+    >>> zero, third = (Point(Fraction(k, 3), Fraction(0)) for k in (0, 1))
+    >>> round_fits([(zero, third), (zero, zero)], Rounding(0, outward=True))[1]
     1
     """
     places, outward = rounding
@@ -201,10 +201,8 @@ def contains(outer: Region, inner: Region) -> bool:
         >>> contains(larger, square), contains(square, larger), contains(square, square)
         (True, False, True)
     """
-    _, (outside, inside) = share_lattice([outer, inner])
-    # The reversed rings bound the complement.
-    outside = [ring[::-1] for ring in outside]
-    return not Overlap(outside, inside, unbounded=True).at(ORIGIN)
+    _, (around, within) = share_lattice([outer, inner])
+    return overlap.contains(around, within)
 
 
 class _Moved(NamedTuple):

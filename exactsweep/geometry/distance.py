@@ -18,7 +18,7 @@ from fractions import Fraction
 from heapq import heappop, heappush
 from typing import NamedTuple
 
-from exactsweep.geometry.overlap import Rings, is_inside, touch
+from exactsweep.geometry.edges import Rings, is_inside, touch
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly

@@ -1,27 +1,101 @@
-"""A search for boxes that meet, without a test of all pairs.
+"""The search for boxes that meet: rows of boxes, each row in the order of the left ends.
 
-The search halves the plane recursively, along the axis that cuts fewer boxes. Each half gets the
-boxes that meet it. (1) The least common corner of two boxes is the greater of their left ends and
-of their low ends. It lies in one half only. So the search finds each pair once.
+(1) A row is at least as high as the mean box. So n boxes have at most 2 n entries in all rows.
+(2) The lower side of the common part of two boxes lies in one row. So each pair is found once.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import inf
 
 from exactsweep.numbers.number import Rational
 
-_FEW = 400
-"""The number of boxes up to which all pairs are compared."""
+Bounds = tuple[Rational, Rational, Rational, Rational]
+"""The left, right, low and high end of a closed box."""
 
-_Numbered = tuple[Rational, Rational, Rational, Rational, int]
-_Border = Rational | float
+_PER_ROW = 16
+"""The mean number of boxes in a row. Any number from 8 to 64 is as fast."""
+
+_Entry = tuple[Rational, Rational, Rational, Rational, int]
 
 
-def find_near(
-    boxes: Sequence[tuple[Rational, Rational, Rational, Rational]], reach: int = 0
-) -> Iterator[tuple[int, int]]:
+class BoxRows:
+    """Boxes, arranged for searches.
+
+    Args:
+        boxes: the boxes, on one lattice.
+        reach: the distance to the right and upwards by which the boxes are enlarged.
+
+    Cost: O(n log n).
+    """
+
+    def __init__(self, boxes: Sequence[Bounds], reach: int = 0) -> None:
+        self._rows: list[list[_Entry]] = []
+        self._south: Rational = 0
+        self._height = 1
+        if not boxes:
+            return
+        self._south = south = min(box[2] for box in boxes)
+        north = max(box[3] for box in boxes) + reach
+        mean = sum(box[3] - box[2] for box in boxes) // len(boxes)
+        by_count = (north - south) * _PER_ROW // len(boxes)
+        self._height = height = int(max(mean, by_count)) + 1
+        rows: list[list[_Entry]] = [[] for _ in range(int((north - south) // height) + 1)]
+        for k, (left, right, low, high) in enumerate(boxes):
+            entry = left, right + reach, low, high + reach, k
+            for row in rows[(low - south) // height : (entry[3] - south) // height + 1]:
+                row.append(entry)
+        for row in rows:
+            row.sort()
+        self._rows = rows
+
+    def find(self, box: Bounds) -> Iterator[int]:
+        """Yield the numbers of the boxes that meet a box, each once.
+
+        Cost: O(1) for each box that meets one of the rows of the box and does not begin beyond it.
+
+        >>> sorted(BoxRows([(0, 1, 0, 1), (1, 2, 1, 2), (3, 4, 0, 9)]).find((1, 2, 0, 1)))
+        [0, 1]
+        """
+        left, right, low, high = box
+        if not self._rows:
+            return
+        first = max((low - self._south) // self._height, 0)
+        last = max((high - self._south) // self._height, -1)
+        border = low
+        for number, row in enumerate(self._rows[first : last + 1], first + 1):
+            for west, east, south, north, k in row:
+                if west > right:
+                    break
+                if (
+                    east >= left
+                    and south <= high
+                    and north >= low
+                    and (south >= border or number == first + 1)
+                ):
+                    yield k
+            border = self._south + number * self._height
+
+    def find_pairs(self) -> Iterator[tuple[int, int]]:
+        """Yield the pairs of boxes that meet, the lesser number first, each pair once.
+
+        Cost: O(1) for each two boxes whose x-ranges meet in a row.
+        """
+        for number, row in enumerate(self._rows):
+            border = self._south + number * self._height
+            for i, (_, right, low, high, k) in enumerate(row, 1):
+                for left, _, other_low, other_high, j in row[i:]:
+                    if left > right:
+                        break
+                    if (
+                        low <= other_high
+                        and other_low <= high
+                        and (low >= border or other_low >= border)
+                    ):
+                        yield (k, j) if k < j else (j, k)
+
+
+def find_near(boxes: Sequence[Bounds], reach: int = 0) -> Iterator[tuple[int, int]]:
     """Find the pairs of boxes that meet, or are within reach in both coordinates.
 
     Args:
@@ -37,50 +111,4 @@ def find_near(
     >>> sorted(find_near([(0, 1, 0, 1), (1, 2, 1, 2), (3, 4, 0, 9), (3, 9, 2, 3)], 1))
     [(0, 1), (1, 2), (1, 3), (2, 3)]
     """
-    numbered = [
-        (left, right + reach, low, high + reach, k)
-        for k, (left, right, low, high) in enumerate(boxes)
-    ]
-    # Each pile has the west and the south border of its cell.
-    piles: list[tuple[list[_Numbered], _Border, _Border]] = [(numbered, -inf, -inf)]
-    while piles:
-        pile, west, south = piles.pop()
-        halves = _halve(pile) if len(pile) > _FEW else None
-        if halves is None:
-            yield from _compare(pile, west, south)
-            continue
-        axis, middle, lesser, greater = halves
-        piles.append((lesser, west, south))
-        piles.append((greater, middle, south) if axis == 0 else (greater, west, middle))
-
-
-def _halve(
-    pile: list[_Numbered],
-) -> tuple[int, Rational, list[_Numbered], list[_Numbered]] | None:
-    """Halve a pile in the better of two ways; None if neither makes it much smaller."""
-    best = None
-    least = 7 * len(pile) // 4
-    for axis in (0, 2):
-        middle = sorted(box[axis] for box in pile)[len(pile) // 2]
-        lesser = [box for box in pile if box[axis] < middle]
-        greater = [box for box in pile if box[axis + 1] >= middle]
-        size = len(lesser) + len(greater)
-        if size < least and len(lesser) < len(pile) > len(greater):
-            best, least = (axis, middle, lesser, greater), size
-    return best
-
-
-def _compare(pile: list[_Numbered], west: _Border, south: _Border) -> Iterator[tuple[int, int]]:
-    """Find the pairs of a pile that meet, with the least common corner in its cell."""
-    pile.sort()
-    for k, (_, right, low, high, number) in enumerate(pile, 1):
-        for left, _, other_low, other_high, other in pile[k:]:
-            if left > right:
-                break
-            if (
-                low <= other_high
-                and other_low <= high
-                and left >= west
-                and (low >= south or other_low >= south)
-            ):
-                yield (number, other) if number < other else (other, number)
+    return BoxRows(boxes, reach).find_pairs()

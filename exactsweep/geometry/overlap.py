@@ -1,50 +1,36 @@
-"""The exact test whether two shapes overlap when one of them is moved.
+"""The relation of two shapes when one of them is moved: overlap, contact, or apart.
 
-Let A and B be closed shapes with connected interiors. Their interiors meet if and only if
+Let D and G be shapes with connected interiors, the second one moved. At a vertex or inside an edge,
+the boundary of a shape has a *cone* on its left: from the ray that leaves to the ray that arrives,
+counter-clockwise. Where several rings touch, the shape is the intersection of their cones.
 
-(1) two of their edges cross, or run along each other in the same direction; or
-(2) some piece of one boundary, between two places at which the boundaries touch, lies in the
-    interior of the other shape.
+(1) Interiors meet if two edges cross; or if both shapes have a direction at a common point of the
+    boundaries: a ray of one shape lies inside all cones of the other, or two edges run along each
+    other in one direction. Otherwise, let the boundaries have a common point, on a ring R of G.
+    Then D stays on that side of R on which it touches R, and the interiors are disjoint.
+(2) If the boundaries are disjoint, interiors meet if and only if a ring of one shape lies inside
+    the other shape. One vertex of the ring decides that.
 
-Proof: if no boundary enters the other interior, the interior of A lies in that of B or is disjoint
-from it, and vice versa. So the interiors are disjoint or equal. If they are equal, the edges run
-along each other in the same direction.
-
-If no edges cross, boundaries touch only in vertices, or from vertex to vertex. So all places that
-the test examines are on the lattice, or halfway between two lattice points.
+A path is a ring that runs forth and back, or two such rings. Its cones are empty, because each of
+its rays leaves and arrives; its interior is the path itself.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
-from functools import cached_property
-from itertools import chain, pairwise
-from math import inf, lcm
-from operator import itemgetter
-from typing import Any
 
-from exactsweep.numbers.number import Point, Rational, Vertex
+from exactsweep.geometry.edges import MANY_EDGES, BoxedEdge, EdgeIndex, Rings
+from exactsweep.geometry.near import Bounds
+from exactsweep.geometry.vectors import cross, minus, turn
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
-Rings = Sequence[Sequence[Vertex]]
-"""The boundary of a shape: rings with the interior on the left."""
+_MovedEdge = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex, BoxedEdge]
+"""An edge on the lattice of a position: its box, its ends, and the edge itself."""
 
-Places = defaultdict[tuple[int, int], set[Vertex]]
-"""Points on an edge, by the number of the ring and of the edge in it."""
-
-Bounds = tuple[Any, Any, Any, Any]
-"""The left, right, low and high end of a box."""
-
-BoxedEdge = tuple[
-    Rational, Rational, Rational, Rational, Rational, Rational, Rational, Rational, int, int
-]
-"""An edge: its box, its ends (ax, ay) and (bx, by), the number of its ring, its number there."""
-
-_FEW = 24
-"""The number of edges up to which a search examines all of them."""
-_MOST_COLUMNS = 512
+_EdgeCone = tuple[Vertex, Vertex]
+"""The rays that leave and arrive at a point of a boundary."""
 
 
 class Relation(Enum):
@@ -55,342 +41,197 @@ class Relation(Enum):
     OVERLAP = "overlap"
 
 
-class EdgeIndex:
-    """The boundary of a shape, for look-ups of the edges near a place.
+class MovedPair:
+    """Two shapes, the second one moved.
 
     Args:
-        rings: the rings, with the interior on the left.
-        unbounded: whether the shape has all points outside the rings.
+        shape: a shape with a connected interior, or a path.
+        part: another one; not both are paths.
     """
 
-    def __init__(self, rings: Rings, *, unbounded: bool = False) -> None:
-        self.rings = rings
-        self.unbounded = unbounded
-
-    @cached_property
-    def box(self) -> Bounds:
-        """The bounds of the shape."""
-        if self.unbounded:
-            return -inf, inf, -inf, inf
-        xs, ys = zip(*chain.from_iterable(self.rings), strict=True)
-        return min(xs), max(xs), min(ys), max(ys)
-
-    @cached_property
-    def edges(self) -> list[BoxedEdge]:
-        """The edges, by the left ends of their boxes."""
-        found = []
-        for k, ring in enumerate(self.rings):
-            ax, ay = ring[-1]
-            for i, (bx, by) in enumerate(ring):
-                left, right = (ax, bx) if ax < bx else (bx, ax)
-                low, high = (ay, by) if ay < by else (by, ay)
-                number = (i or len(ring)) - 1
-                found.append((left, right, low, high, ax, ay, bx, by, k, number))
-                ax, ay = bx, by
-        found.sort()
-        return found
-
-    @cached_property
-    def _lefts(self) -> list[Rational]:
-        return [edge[0] for edge in self.edges]
-
-    @cached_property
-    def _columns(self) -> tuple[Rational, list[tuple[list[BoxedEdge], int]]]:
-        """The width of columns, and for each its edges, and the edges that start before its end."""
-        edges, lefts = self.edges, self._lefts
-        count = min(len(edges), _MOST_COLUMNS)
-        start = lefts[0]
-        width = (max(edge[1] for edge in edges) - start) // count + 1
-        columns: list[list[BoxedEdge]] = [[] for _ in range(count)]
-        for edge in edges:
-            first, last = (edge[0] - start) // width, (edge[1] - start) // width
-            for column in columns[first : last + 1]:
-                column.append(edge)
-        ends = (bisect_left(lefts, start + k * width) for k in range(1, count + 1))
-        return width, list(zip(columns, ends, strict=True))
-
-    def _between(self, left: Rational, right: Rational) -> list[BoxedEdge]:
-        """List edges by their left ends, all that meet an x-range among them."""
-        edges = self.edges
-        if len(edges) <= _FEW:
-            return edges
-        lefts, (width, columns) = self._lefts, self._columns
-        k = min(max((left - lefts[0]) // width, 0), len(columns) - 1)
-        column, end = columns[k]
-        return column + edges[end : bisect_right(lefts, right)]
-
-    def near(self, box: Bounds) -> list[BoxedEdge]:
-        """Return the edges whose boxes meet a box, by their left ends.
-
-        Cost: O(log n) and O(1) for each edge that meets the x-range or the column of its left end.
-        """
-        left, right, low, high = box
-        return [
-            edge
-            for edge in self._between(left, right)
-            if edge[0] <= right and edge[1] >= left and edge[2] <= high and edge[3] >= low
-        ]
-
-    def holds(self, x: Rational, y: Rational, factor: int) -> bool:
-        """Decide whether a point, multiplied by a factor, is inside and not on the boundary.
-
-        Cost: as for `near`.
-        """
-        if not self.unbounded:
-            left, right, low, high = self.box
-            if not (factor * left < x < factor * right and factor * low < y < factor * high):
-                return False
-        edges = self._between(x // factor, -(-x // factor))
-        return _is_between((edge[4:8] for edge in edges), x, y, factor, self.unbounded)
-
-
-_CrossingEdges = tuple[int, int, int, int]
-"""Two edges that cross, each by the number of its ring and its number there."""
-
-
-def relate(
-    a: EdgeIndex, b: EdgeIndex, x: Rational, y: Rational, scale: int = 1
-) -> tuple[Relation, _CrossingEdges | None]:
-    """Find the relation of two shapes, the second one moved by (x / scale, y / scale).
-
-    All crossings of edges, all places where boundaries touch, and all points of both interiors lie
-    in the intersection of the two boxes, the *window*. So the function examines the window only.
-
-    Args:
-        a: a shape; it may have several pieces, and it may be unbounded.
-        b: a bounded shape with a connected interior.
-        x: the move in x.
-        y: the move in y.
-        scale: the divisor of the move.
-
-    Returns:
-        The relation, and two edges that cross, if it found any.
-
-    Cost: O(k log k) for k edges that meet the window, O(1) for each two of them that meet along its
-    longer side, and that of `EdgeIndex.holds` for each place at which the boundaries touch.
-    """
-    x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
-    (left, right, low, high), (west, east, south, north) = a.box, b.box
-    west, east, south, north = west + x0, east + x1, south + y0, north + y1
-    left, right = left if left > west else west, right if right < east else east
-    low, high = low if low > south else south, high if high < north else north
-    if left > right or low > high:
-        return Relation.APART, None
-    window = left, right, low, high
-    ours = a.near(window)
-    theirs = b.near((left - x1, right - x0, low - y1, high - y0)) if ours else []
-    near, waiting, axis = ours, [], 2 if high - low > right - left else 0
-    if len(ours) > _FEW:
-        # A sweep along the longer side of the window.
-        start = itemgetter(axis)
-        theirs.sort(key=start)
-        near, waiting = [], sorted(ours, key=start, reverse=True)
-    on_a: Places = defaultdict(set)
-    on_b: Places = defaultdict(set)
-    # The middle of a common piece of both boundaries, times two, is inside neither.
-    middles: set[Vertex] = set()
-    for west, east, south, north, ax, ay, bx, by, ring, number in theirs:
-        west, east, south, north = west + x0, east + x1, south + y0, north + y1
-        if scale != 1:
-            ax, ay, bx, by = ax * scale, ay * scale, bx * scale, by * scale
-        ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
-        if near is not ours:
-            begin, end = (south, north) if axis else (west, east)
-            while waiting and waiting[-1][axis] <= end:
-                near.append(waiting.pop())
-            near = [edge for edge in near if edge[axis + 1] >= begin]
-        for left, right, low, high, px, py, qx, qy, k, i in near:
-            if left > east or right < west or low > north or high < south:
-                continue
-            if scale != 1:
-                px, py, qx, qy = px * scale, py * scale, qx * scale, qy * scale
-            # Most edges are on one side of the other edge.
-            dx, dy = qx - px, qy - py
-            of_a = dx * (ay - py) - dy * (ax - px)
-            of_b = dx * (by - py) - dy * (bx - px)
-            if (of_a > 0 < of_b) or (of_a < 0 > of_b):
-                continue
-            shared = touch((ax, ay), (bx, by), (px, py), (qx, qy))
-            if shared is None:
-                return Relation.OVERLAP, (k, i, ring, number)
-            if shared:
-                on_a[k, i].update(shared)
-                on_b[ring, number].update(shared)
-                middles.add((shared[0][0] + shared[-1][0], shared[0][1] + shared[-1][1]))
-    if not on_a and not a.unbounded and window != a.box and _leaves(b.box, a.box, x1, x0, y1, y0):
-        return Relation.APART, None
-    unit = 2 * scale
-    left, right, low, high = (unit * end for end in window)
-    for mine, others, edges, places, shift, back in (
-        (a, b, ours, on_a, (0, 0), (2 * x, 2 * y)),
-        (b, a, theirs, on_b, (x, y), (0, 0)),
-    ):
-        rings = {k: mine.rings[k] for k in {edge[8] for edge in edges} or {0}}
-        dx, dy = back
-        for px, py in find_points_between(rings, places, scale, shift):
-            if (
-                left <= px <= right
-                and low <= py <= high
-                and (px, py) not in middles
-                and others.holds(px - dx, py - dy, unit)
-            ):
-                return Relation.OVERLAP, None
-    return Relation.CONTACT if on_a else Relation.APART, None
-
-
-def _leaves(inner: Bounds, outer: Bounds, x1: int, x0: int, y1: int, y0: int) -> bool:
-    """Decide whether a box, moved by (x0, y0) to (x1, y1), is not inside another one."""
-    left, right, low, high = outer
-    west, east, south, north = inner
-    return bool(west + x1 < left or east + x0 > right or south + y1 < low or north + y0 > high)
-
-
-class Overlap:
-    """The test whether a shape overlaps another one moved by t.
-
-    Args:
-        stationary: the rings of D, the interior on the left. D may have several pieces. It may be
-            unbounded, with clockwise rings only.
-        orbiting: the rings of G.
-        unbounded: whether D is unbounded.
-    """
-
-    def __init__(self, stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> None:
-        self._shapes = EdgeIndex(stationary, unbounded=unbounded), EdgeIndex(orbiting)
+    def __init__(self, shape: EdgeIndex, part: EdgeIndex) -> None:
+        self._shape, self._part = shape, part
+        self._has_path = shape.is_path or part.is_path
         # Edges that crossed last time are likely to cross again.
-        self._last: _CrossingEdges | None = None
+        self._crossing: tuple[BoxedEdge, BoxedEdge] | None = None
 
-    def at(self, t: Point) -> bool:
-        """Decide whether the interiors of D and G + t meet.
+    def relate(self, x: Rational, y: Rational, scale: int = 1) -> Relation:
+        """Find the relation of the shapes, the second one moved by (x / scale, y / scale).
 
-        Cost: that of `relate`, or O(1) if the edges that crossed last time cross again.
+        All common points of the boundaries lie in the intersection of the two boxes. So only the
+        edges that meet it are examined.
 
-        >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
-        >>> overlap = Overlap(square, square)
-        >>> from fractions import Fraction
-        >>> [overlap.at(Point(Fraction(x), Fraction(y))) for x, y in [(0, 0), (1, 1), (2, 1)]]
-        [True, True, False]
+        Cost: that of `EdgeIndex.near`, and of a search for the pairs of edges that meet; O(1) if
+        the edges that crossed last time cross again.
+
+        >>> square = EdgeIndex([[(0, 0), (2, 0), (2, 2), (0, 2)]])
+        >>> [MovedPair(square, square).relate(k, k).value for k in (1, 2, 3)]
+        ['overlap', 'contact', 'apart']
         """
-        (n, d), (m, e) = t.x.as_integer_ratio(), t.y.as_integer_ratio()
-        scale = lcm(d, e)
-        x, y = n * (scale // d), m * (scale // e)
-        if self._last is not None:
-            k, i, j, h = self._last
-            fixed, moved = self._shapes[0].rings[k], self._shapes[1].rings[j]
-            edge = [(u * scale, v * scale) for u, v in (fixed[i], fixed[i + 1 - len(fixed)])]
-            other = moved[h], moved[h + 1 - len(moved)]
-            if touch(*edge, *((u * scale + x, v * scale + y) for u, v in other)) is None:
-                return True
-        relation, crossing = relate(*self._shapes, x, y, scale)
-        self._last = crossing or self._last
-        return relation is Relation.OVERLAP
+        shape, part = self._shape, self._part
+        if self._crossing:
+            ours, other = self._crossing
+            if _cross(_move(ours, 0, 0, scale)[4:6], _move(other, x, y, scale)[4:6]):
+                return Relation.OVERLAP
+        x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
+        (left, right, low, high), (west, east, south, north) = shape.box, part.box
+        left, right = max(left, west + x0), min(right, east + x1)
+        low, high = max(low, south + y0), min(high, north + y1)
+        if left > right or low > high:
+            return Relation.APART
+        near = shape.near((left, right, low, high))
+        others = part.near((left - x1, right - x0, low - y1, high - y0)) if near else []
+        cones = self._find_cones(near if others else [], others, x, y, scale)
+        if cones is None:
+            return Relation.OVERLAP
+        if cones:
+            meet = any(_cones_meet(*around) for around in cones.values())
+            return Relation.OVERLAP if meet else Relation.CONTACT
+        for one, second, dx, dy in ((shape, part, x, y), (part, shape, -x, -y)):
+            for (px, py), *_ in second.rings:
+                if one.contains(px * scale + dx, py * scale + dy, scale):
+                    return Relation.OVERLAP
+        return Relation.APART
+
+    def _find_cones(
+        self,
+        near: Sequence[BoxedEdge],
+        others: Sequence[BoxedEdge],
+        x: Rational,
+        y: Rational,
+        scale: int,
+    ) -> Mapping[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]] | None:
+        """Find the cones of both shapes at the common points of their boundaries.
+
+        Returns:
+            The cones by points; None if edges cross, or run along each other in one direction.
+        """
+        cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
+        cones = defaultdict(lambda: (set(), set()))
+        along: list[tuple[Vertex, ...]] = []
+        x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
+        many = len(others) > MANY_EDGES
+        meeting = [] if many else [_move(edge, x, y, scale) for edge in others]
+        for edge in near:
+            left, right, low, high, p, q, _ = _move(edge, 0, 0, scale)
+            (px, py), (qx, qy) = p, q
+            dx, dy, c = qx - px, qy - py, qx * py - qy * px
+            if many:
+                box = edge[0] - x1, edge[1] - x0, edge[2] - y1, edge[3] - y0
+                meeting = [_move(other, x, y, scale) for other in self._part.near(box)]
+            for west, east, south, north, a, b, other in meeting:
+                if west > right or east < left or south > high or north < low:
+                    continue
+                (ax, ay), (bx, by) = a, b
+                of_a, of_b = dx * ay - dy * ax - c, dx * by - dy * bx - c
+                if (of_a > 0 < of_b) or (of_a < 0 > of_b):
+                    continue
+                ex, ey = bx - ax, by - ay
+                of_p, of_q = ex * (py - ay) - ey * (px - ax), ex * (qy - ay) - ey * (qx - ax)
+                if (of_p > 0 < of_q) or (of_p < 0 > of_q):
+                    continue
+                if of_a and of_b and of_p and of_q:
+                    self._crossing = edge, other
+                    return None
+                if of_a == of_b == 0:
+                    first, last = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
+                    if first < last and (a < b) == (p < q) and not self._has_path:
+                        return None
+                    common = {first, last} if first <= last else set()
+                    along.append((first, last, p, q, a, b))
+                else:
+                    common = {a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q}
+                for z in common:
+                    mine, others_there = cones[z]
+                    if z != p:
+                        rx, ry = self._shape.after(edge)
+                        mine.add(_find_cone(z, p, q, (rx * scale, ry * scale)))
+                    if z != a:
+                        rx, ry = self._part.after(other)
+                        others_there.add(_find_cone(z, a, b, (rx * scale + x, ry * scale + y)))
+        # Where edges run along each other, another ring may touch one of them inside.
+        single = len(self._shape.rings) == len(self._part.rings) == 1
+        for first, last, p, q, a, b in () if single else along:
+            for z, (mine, others_there) in cones.items():
+                if first < z < last and cross(minus(q, p), minus(z, p)) == 0:
+                    mine.add(_find_cone(z, p, q, q))
+                    others_there.add(_find_cone(z, a, b, b))
+        return cones
 
 
-def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
-    """Return the ends of the common part of edges a b and p q, or None if their left sides meet.
+def relate(shape: EdgeIndex, part: EdgeIndex) -> Relation:
+    """Find the relation of two shapes where they are, as `MovedPair.relate` does."""
+    return MovedPair(shape, part).relate(0, 0)
 
-    Args:
-        a: start of an edge, the interior of its shape on the left.
-        b: its end.
-        p: start of the other edge.
-        q: its end.
 
-    Returns:
-        No point, one or two; None if the edges cross, or run along each other in one direction.
+def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> _MovedEdge:
+    """Return an edge times a scale, moved."""
+    left, right, low, high, ax, ay, bx, by, _, _ = edge
+    return (
+        left * scale + x,
+        right * scale + x,
+        low * scale + y,
+        high * scale + y,
+        (ax * scale + x, ay * scale + y),
+        (bx * scale + x, by * scale + y),
+        edge,
+    )
 
-    Cost: O(1).
 
-    >>> touch((0, 0), (2, 0), (1, 0), (1, 2)), touch((0, 0), (2, 0), (3, 0), (1, 0))
-    ([(1, 0)], [(1, 0), (2, 0)])
-    >>> touch((0, 0), (2, 0), (1, 0), (3, 0)) is None
-    True
+def _cross(edge: Edge, other: Edge) -> bool:
+    """Decide whether two edges cross, each at a point inside the other one."""
+    (p, q), (a, b) = edge, other
+    return (turn(p, q, a) > 0 > turn(p, q, b) or turn(p, q, a) < 0 < turn(p, q, b)) and (
+        turn(a, b, p) > 0 > turn(a, b, q) or turn(a, b, p) < 0 < turn(a, b, q)
+    )
+
+
+def _find_cone(z: Vertex, p: Vertex, q: Vertex, r: Vertex) -> _EdgeCone:
+    """Return the rays that leave and arrive at a point of the edge p q, which goes on to r."""
+    return minus(r if z == q else q, z), minus(p, z)
+
+
+def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:
+    """Decide whether two intersections of cones have a common direction, by (1)."""
+    return any(
+        all(_is_in_cone(ray, other) for other in opposite)
+        for cones, opposite in ((ours, others), (others, ours))
+        for cone in cones
+        for ray in cone
+    )
+
+
+def _is_in_cone(ray: Vertex, cone: _EdgeCone) -> bool:
+    """Decide whether a ray is strictly inside a cone."""
+    leaving, arriving = cone
+    after, before = cross(leaving, ray) > 0, cross(ray, arriving) > 0
+    return (after and before) if cross(leaving, arriving) >= 0 else (after or before)
+
+
+def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
+    """Return the outside of a ring, within a frame around the ring and a room.
+
+    A shape inside the room overlaps the outside of the ring if and only if it overlaps this shape.
+
+    >>> find_outside([(0, 0), (2, 0), (0, 2)], (0, 5, 0, 1))
+    [[(-1, -1), (6, -1), (6, 3), (-1, 3)], [(0, 2), (2, 0), (0, 0)]]
     """
-    (ax, ay), (bx, by), (px, py), (qx, qy) = a, b, p, q
-    dx, dy, ex, ey = bx - ax, by - ay, qx - px, qy - py
-    of_a = ex * (ay - py) - ey * (ax - px)
-    of_b = ex * (by - py) - ey * (bx - px)
-    if (of_a > 0 and of_b > 0) or (of_a < 0 and of_b < 0):
-        return []
-    of_p = dx * (py - ay) - dy * (px - ax)
-    of_q = dx * (qy - ay) - dy * (qx - ax)
-    if (of_p > 0 and of_q > 0) or (of_p < 0 and of_q < 0):
-        return []
-    if of_a == 0 == of_b:
-        low, high = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
-        if low > high:
-            return []
-        if low < high and (a < b) == (p < q):
-            return None
-        return [low, high]
-    if of_a and of_b and of_p and of_q:
-        return None
-    # The edges are not parallel and meet in one point, an end of one of them.
-    return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
+    (left, right, low, high), (west, east, south, north) = EdgeIndex([ring]).box, room
+    left, right, low, high = min(left, west), max(right, east), min(low, south), max(high, north)
+    frame = [(left - 1, low - 1), (right + 1, low - 1)]
+    frame += [(right + 1, high + 1), (left - 1, high + 1)]
+    return [frame, [*ring[::-1]]]
 
 
-def find_points_between(
-    rings: Mapping[int, Sequence[Vertex]],
-    places: Places,
-    scale: int = 1,
-    shift: Vertex = (0, 0),
-) -> Iterator[Vertex]:
-    """Yield a point, times two, of each piece of the rings between places, or one vertex.
+def contains(outer: Rings, inner: Rings) -> bool:
+    """Decide whether a shape contains another one, boundaries included.
 
-    The rings are first enlarged by the scale and then moved by the shift. The places are on the
-    moved rings. Pieces on edges without places belong to pieces on edges with places, so the
-    function examines the latter only. Without places it yields a vertex.
+    Cost: that of `MovedPair.relate` for each ring of the outer shape.
 
-    Cost: O(p log p + r) for p places and r rings.
+    >>> square, larger = ([[(0, 0), (k, 0), (k, k), (0, k)]] for k in (1, 2))
+    >>> contains(larger, square), contains(square, larger), contains(square, square)
+    (True, False, True)
     """
-    dx, dy = shift
-    found: set[int] = set()
-    for (k, i), on_edge in places.items():
-        if not on_edge:
-            continue
-        found.add(k)
-        ring = rings[k]
-        ends = {(x * scale + dx, y * scale + dy) for x, y in (ring[i], ring[(i + 1) % len(ring)])}
-        along = sorted(ends | on_edge)
-        yield from ((ax + bx, ay + by) for (ax, ay), (bx, by) in pairwise(along))
-    for k in rings.keys() - found:
-        x, y = rings[k][0]
-        yield 2 * (x * scale + dx), 2 * (y * scale + dy)
-
-
-def is_inside(doubled: Vertex, rings: Rings) -> bool:
-    """Decide whether a point, multiplied by two, is an inner point of a shape. Cost: O(n).
-
-    >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
-    >>> is_inside((1, 1), square), is_inside((4, 1), square)
-    (True, False)
-    """
-    edges = ((*p, *q) for ring in rings for p, q in pairwise((*ring, ring[0])))
-    return _is_between(edges, *doubled, 2, False)
-
-
-def _is_between(
-    edges: Iterable[tuple[Rational, Rational, Rational, Rational]],
-    x: Rational,
-    y: Rational,
-    factor: int,
-    inside: bool,
-) -> bool:
-    """Decide whether a point on no edge is inside, by the parity of the edges above it.
-
-    `inside` says whether points above all edges are inside. Each edge changes the side.
-    """
-    for px, py, qx, qy in edges:
-        ax, bx = px * factor - x, qx * factor - x
-        if (ax > 0) != (bx > 0):
-            ay, by = py * factor - y, qy * factor - y
-            turn = ax * by - ay * bx
-            if turn == 0:
-                return False
-            if (turn < 0) == (bx > ax):
-                inside = not inside
-        elif bx == 0:
-            # A vertex counts as the end of the edge before it.
-            ay, by = py * factor - y, qy * factor - y
-            if by == 0 or (ax == 0 and (ay < 0) != (by < 0)):
-                return False
-    return inside
+    shape = EdgeIndex(inner)
+    others = [find_outside(outer[0], shape.box), *([hole[::-1]] for hole in outer[1:])]
+    return all(relate(EdgeIndex(rings), shape) is not Relation.OVERLAP for rings in others)

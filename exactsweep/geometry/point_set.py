@@ -13,7 +13,7 @@ from fractions import Fraction
 from itertools import chain, pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, Self, overload
 
-from exactsweep.geometry.overlap import is_inside
+from exactsweep.geometry.edges import is_inside
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.geometry.vectors import is_on_segment

@@ -9,8 +9,8 @@ from fractions import Fraction
 from itertools import accumulate, chain, permutations
 
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.edges import EdgeIndex, Places, find_points_between, is_inside, touch
 from exactsweep.geometry.near import find_near
-from exactsweep.geometry.overlap import EdgeIndex, Places, find_points_between, is_inside, touch
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import lcm_within, read_interface, refuse_number

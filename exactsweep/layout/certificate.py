@@ -13,6 +13,7 @@ from typing import Any
 
 from exactsweep.evidence.certificate import HEADER
 from exactsweep.geometry.convex import ConvexRing
+from exactsweep.geometry.edges import touch
 from exactsweep.geometry.grid import IntVertex
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board

@@ -10,7 +10,7 @@ from fractions import Fraction
 from math import isqrt
 
 from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, measure_ends
-from exactsweep.geometry.overlap import BoxedEdge, touch
+from exactsweep.geometry.edges import BoxedEdge, touch
 from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.solid import Solid
 from exactsweep.numbers.number import Edge, Point, Rational

@@ -21,8 +21,9 @@ from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
+from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.grid import IntVertex
-from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
+from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.number import Point
@@ -97,7 +98,8 @@ class Solid(NamedTuple):
     def box(self) -> LatticeBox:
         """The box of the solid at its place."""
         left, right, low, high = self.form.box
-        return left + self.x, right + self.x, low + self.y, high + self.y
+        x, y = self.x, self.y
+        return left + x, right + x, low + y, high + y  # type: ignore[return-value]
 
     def on(self, scale: int) -> Solid:
         """Return the solid on a finer lattice, whose scale is a multiple of this scale."""
@@ -162,6 +164,6 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
 def meet(a: Solid, b: Solid) -> Relation:
     """Decide whether two solids of one lattice overlap, touch or are apart.
 
-    Cost: that of `relate`.
+    Cost: that of `MovedPair.relate`.
     """
-    return relate(a.form, b.form, b.x - a.x, b.y - a.y)[0]
+    return MovedPair(a.form, b.form).relate(b.x - a.x, b.y - a.y)

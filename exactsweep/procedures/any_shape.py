@@ -3,21 +3,21 @@
 G travels along the loop T, the exterior of the no-fit polygon, and covers S = T + G. A point p is
 not covered if and only if I(G) + p does not meet T, and so lies inside or outside T. The positions
 p with I(G) + p inside T are an inner fit of I(G) in T. Those with I(G) + p outside are the free
-positions of I(G) around T. So `ss` solves one problem for each side of S.
+positions of I(G) around T. So `positions` solves one problem for each side of S.
 """
 
 from __future__ import annotations
 
 from exactsweep.geometry.direction import X_AXIS
+from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region, share_lattice
-from exactsweep.numbers.number import ORIGIN, Fit, Point, Vertex
-from exactsweep.procedures import ss
-from exactsweep.procedures.free_positions import Free
+from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.pockets import find_mouths
+from exactsweep.procedures.positions import find_inner_fit, find_no_fit, find_sum, reflect
 from exactsweep.procedures.solution import Kind, made_once
+from exactsweep.procedures.walk import Free
 
 
 class ShapeSolution:
@@ -26,18 +26,16 @@ class ShapeSolution:
     Args:
         generatrix: G.
         directrix: D.
-        scale: the scale of their lattice; some vertices may be off the lattice.
     """
 
     kind: Kind = "SS"
 
-    def __init__(self, generatrix: Region, directrix: Region, scale: int | None = None) -> None:
+    def __init__(self, generatrix: Region, directrix: Region) -> None:
         self._pair = generatrix, directrix
-        self._scale = scale
 
     @made_once
     def _lattice(self) -> tuple[int, list[list[list[Vertex]]]]:
-        return share_lattice(self._pair, self._scale)
+        return share_lattice(self._pair)
 
     @made_once
     def frame(self) -> Frame:
@@ -56,7 +54,7 @@ class ShapeSolution:
 
     @made_once
     def _no_fit(self) -> Free:
-        return ss.no_fit_ss(self.directrix, self.generatrix, self.frame.scale)
+        return find_no_fit(self.directrix, self.generatrix, self.frame.scale)
 
     @made_once
     def trajectory(self) -> list[Point]:
@@ -74,35 +72,40 @@ class ShapeSolution:
         return self._no_fit.fits
 
     @made_once
-    def _around_path(self) -> ShapeSolution:
-        """The sweep of I(G) around T's inside, for the points that are not swept."""
-        path = Region(Polygon._trust(self.trajectory))
-        # A lattice with T's corners at crossings of contact segments would be huge.
-        return ShapeSolution(self._pair[0].reflected(), path, self.frame.scale)
+    def _path(self) -> list[list[Vertex]]:
+        """T's inside. A lattice with its vertices, which are crossings, would be huge."""
+        return [[self.frame.enter_point(vertex) for vertex in self.trajectory]]
+
+    @made_once
+    def _outside(self) -> Free:
+        """The positions p with I(G) + p outside T."""
+        return find_sum(self._path, self.generatrix, self.frame.scale)
 
     @made_once
     def _inside(self) -> list[list[Point]]:
-        found = self._around_path
-        regions = ss.inner_fit_ss(found.directrix, found.generatrix, found.frame.scale).regions
+        """The loops of positions p with I(G) + p inside T."""
+        part = reflect(self.generatrix)
+        regions = find_inner_fit(self._path, part, self.frame.scale).regions
         return [exterior for exterior, _ in regions]
 
     @made_once
     def outer(self) -> list[Point]:
         """The outer loop of the swept area."""
-        return self._around_path.trajectory
+        return self._outside.around[0]
 
     @made_once
     def inner(self) -> list[Point]:
         """The inner loop around D: D with its undercuts and holes closed."""
-        ring = self._pair[1].exterior.vertices
+        shape = EdgeIndex([self._pair[1].exterior.vertices])
         # D lies in one of these loops, and their interiors are disjoint.
-        return next(loop for loop in self._inside if Overlap([loop], [ring]).at(ORIGIN))
+        return next(
+            loop for loop in self._inside if relate(EdgeIndex([loop]), shape) is Relation.OVERLAP
+        )
 
     @made_once
     def unswept(self) -> list[list[Point]]:
         """The other holes of the swept area, sorted."""
-        others = [loop for loop in self._inside if loop is not self.inner]
-        return sorted(others + self._around_path.holes)
+        return sorted([loop for loop in self._inside if loop != self.inner] + self._outside.within)
 
     @made_once
     def pockets(self) -> list[list[list[Vertex]]]:

@@ -1,141 +1,164 @@
-"""Squares of a grid that lie in the overlap; pieces of contact segments in them are dropped.
+"""The pruning step for wide shapes: parts of segments that squares of a grid prove to be in O.
 
-Most of a contact segment runs inside O = int D + int H, the positions of overlap. A grid cuts the
-plane into squares of side h.
+(1) Let A be a block of two by two squares inside D, off its boundary, and let H have a point b in
+    a square B. Then A + b is in O = int D + int H, because b is a limit of inner points of H. For
+    any place of b in B, A + b holds the square in the middle of A + B.
 
-(1) A closed square lies in O if it lies in A + B, for the closed squares A in D and the grid points
-    B inside H. A point p of a square in A is a limit of inner points of D. So p + b = p' + b' for
-    an inner point p' of D near p, and an inner point b' of H near b.
-(2) Only the columns in which a stretch leaves the squares are relevant. The stretch is cut at
-    borders of columns, and just inside each cut there is overlap.
-
-Such squares fill wide shapes. In thin ones, `neighbours` has left out most before.
+A set of squares is a list of ints, one for each column. Their bits are rows.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import chain
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
+from itertools import chain, pairwise
+from math import isqrt, lcm
+from operator import or_
 
-from exactsweep.geometry.overlap import Rings
-from exactsweep.numbers.number import Rational, ratio
-from exactsweep.procedures.contact_lines import Stretch
-from exactsweep.procedures.squares import find_squares_of_sum
+from exactsweep.geometry.edges import Rings
+from exactsweep.procedures.segments import ContactSegment
 
-_FEW = 250
-_FEW_CROSSINGS = 2000
-"""The numbers of stretches and of their likely crossings below which a cover gains nothing. It
-gains nothing either if there are fewer likely crossings than stretches."""
-_SQUARES_PER_STRETCH = 2
-_MOST_COLUMNS = 384
-"""A sum of (1) takes time by the third power of their number."""
-_ONE_OF = 16
-"""One of this many stretches is in the sample for estimates."""
+_FEW, _CROSSINGS = 250, 0.8
+"""The number of segments, and of their likely crossings with others, from which it saves time."""
+_SHARE = 8
+"""The part of the segments' bounds that squares must cover, as 1 / 8, to save time."""
+_MOST_COLUMNS = 400
+"""A sum of squares takes time by the fourth power of this number."""
 
 
-def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings) -> list[Stretch]:
-    """Drop the parts of stretches that lie in covered squares, by (2).
+def leave_out_covered(
+    segments: Sequence[ContactSegment], obstacles: Sequence[Rings], moving: Rings
+) -> Sequence[ContactSegment]:
+    """Cut segments at the borders of columns of squares, and drop the pieces in covered squares.
 
     Args:
-        stretches: of the contact segments of D and H.
-        stationary: the rings of D, which is bounded.
+        segments: the contact segments of the obstacles and H.
+        obstacles: the rings of each of them.
         moving: the rings of H.
 
     Returns:
-        Stretches on the same lines, with marks at covered ends.
+        Segments on the same lines, in their order.
 
-    Cost: O(s) word operations for s squares, a fixed number of squares per stretch, and
-    O(k log s + x) for k stretches and x columns in which they are not covered.
+    Cost: O(1) for each column that a segment meets, and the sum of squares.
     """
-    if len(stretches) < _FEW:
-        return stretches
-    some = stretches[::_ONE_OF]
-    lefts, rights, lows, highs = zip(*(stretch.bound() for stretch in some), strict=True)
-    length = _ONE_OF * (sum(rights) - sum(lefts) + sum(highs) - sum(lows))
-    # Stretches in all directions and places cross about as often as the square of their length
-    # exceeds the area that they share.
-    few = max(_FEW_CROSSINGS, len(stretches))
-    if length**2 < few * (max(rights) - min(lefts)) * (max(highs) - min(lows)):
-        return stretches
-    columns = round((_SQUARES_PER_STRETCH * len(stretches)) ** 0.5)
-    cover = Cover(stationary, moving, min(columns, _MOST_COLUMNS))
-    return list(chain.from_iterable(map(cover.uncovered, stretches)))
+    if len(segments) < _FEW:
+        return segments
+    lefts, rights, lows, highs = zip(*(segment.box for segment in segments), strict=True)
+    width, height = max(rights) - min(lefts), max(highs) - min(lows)
+    area = (sum(rights) - sum(lefts)) * (sum(highs) - sum(lows))
+    if 2 * area < _CROSSINGS * len(segments) * width * height:
+        return segments
+    extent = max(map(_find_extent, obstacles)) + _find_extent(moving)
+    side = max(1, extent // min(isqrt(8 * len(segments)), _MOST_COLUMNS))
+    sums = [add_squares(rings, moving, side) for rings in obstacles]
+    lowest = min(low for _, low, _ in sums)
+    columns: defaultdict[int, int] = defaultdict(int)
+    for left, low, squares in sums:
+        for k, rows in enumerate(squares, left):
+            columns[k] |= rows << low - lowest
+    if _SHARE * sum(map(int.bit_count, columns.values())) * side * side < width * height:
+        return segments
+    return [piece for segment in segments for piece in split(segment, side, lowest, columns)]
 
 
-class Cover:
-    """The covered squares of a grid, by (1), for a given number of columns over each shape.
+def _find_extent(rings: Rings) -> int:
+    """Return the width or the height of a shape, whichever is greater, rounded down."""
+    columns = zip(*chain.from_iterable(rings), strict=True)
+    return int(max(max(values) - min(values) for values in columns))
 
-    Attributes:
-        side: the side of a square.
-        left, low: the first column and the first row.
-        columns: an int for each column, whose bits are the covered rows.
+
+def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, list[int]]:
+    """Return the squares that (1) finds for two shapes: first column, first row, columns."""
+    left, low, near, inside = find_squares(stationary, side)
+    squares = [a & ~b for a, b in zip(inside, near, strict=True)]
+    squares = [a & a >> 1 & b & b >> 1 for a, b in pairwise(squares)]
+    other_left, other_low, near, inside = find_squares(moving, side)
+    others = [a | b for a, b in zip(near, inside, strict=True)]
+    # All columns of a set are one int, with a stride between them.
+    stride = max(map(int.bit_length, squares)) + max(map(int.bit_length, others))
+    packed = sum(rows << k * stride for k, rows in enumerate(squares))
+    total = 0
+    for k, rows in enumerate(others):
+        bits = [r for r, bit in enumerate(reversed(f"{rows:b}")) if bit == "1"]
+        total |= reduce(or_, (packed << r for r in bits), 0) << k * stride
+    mask = (1 << stride) - 1
+    found = [total >> k * stride & mask for k in range(len(squares) + len(others))]
+    return left + other_left + 1, low + other_low + 1, found
+
+
+def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int]]:
+    """Return the first column and row, the squares that edges meet, and the squares inside.
+
+    Squares are closed. Those that edges meet may be among the squares inside or not.
     """
-
-    def __init__(self, stationary: Rings, moving: Rings, columns: int) -> None:
-        spans = [
-            int(max(p[k] for p in ring) - min(p[k] for p in ring))
-            for ring in (stationary[0], moving[0])
-            for k in (0, 1)
-        ]
-        self.side = max(1, max(spans) // columns)
-        self.left, self.low, self.columns = find_squares_of_sum(stationary, moving, self.side)
-        self._blocks = _list_blocks(self.columns)
-
-    def uncovered(self, stretch: Stretch) -> Iterator[Stretch]:
-        """Find the pieces of a stretch that leave the squares, cut at borders of columns."""
-        side, dx, dy, c, e = self.side, stretch.dx, stretch.dy, stretch.c, stretch.e
-        (low, below), (high, above) = stretch.low, stretch.high
-        start, end = low // (below * side), -(-high // (above * side))
+    xs, ys = zip(*chain.from_iterable(rings), strict=True)
+    left, low = int(min(xs) // side) - 1, int(min(ys) // side) - 1
+    near = [0] * (int(max(xs) // side) - left + 1)
+    odd = near[:]
+    for (px, py), (qx, qy) in (
+        sorted(edge) for ring in rings for edge in pairwise([ring[-1], *ring])
+    ):
+        # `unit` times the edge is on the lattice.
+        unit = lcm(px.denominator, py.denominator, qx.denominator, qy.denominator)
+        if unit != 1:
+            px, py, qx, qy = int(px * unit), int(py * unit), int(qx * unit), int(qy * unit)
+        dx, dy, width = qx - px, qy - py, side * unit
+        first, last = -(-px // width) - 1, qx // width
         if dx == 0:
-            row, last_row = start - self.low, high // (above * side) - self.low
-            if not self._covers(0, -c // (e * side) - self.left, row, last_row):
-                yield stretch
-            return
-        unit = dx * side * e
-        row = (low * dy * e + c * below) // (unit * below)
-        last_row = (high * dy * e + c * above) // (unit * above)
-        k, level, since = start, 0, end
-        while k < end:
-            # Blocks of columns begin at multiples of their width.
-            while level and ((k - self.left) & ((1 << level) - 1) or k + (1 << level) > end):
-                level -= 1
-            until = k + (1 << level)
-            next_row = last_row if until == end else (until * dy * side * e + c) // unit
-            first, last = (row, next_row) if dy >= 0 else (next_row, row)
-            block = (k - self.left) >> level
-            if self._covers(level, block, first - self.low, last - self.low):
-                if since < k:
-                    yield self._cut(stretch, since, k, start, end)
-                since, level = end, min(level + 1, len(self._blocks) - 1)
-            elif level:
-                level -= 1
-                continue
-            else:
-                since = min(since, k)
-            row, k = next_row, until
-        if since < end:
-            yield self._cut(stretch, since, end, start, end)
-
-    def _cut(self, stretch: Stretch, first: int, last: int, start: int, end: int) -> Stretch:
-        """Return the piece of a stretch in some of its columns."""
-        if (first, last) == (start, end):
-            return stretch
-        low: Rational = first * self.side if first > start else ratio(*stretch.low)
-        high: Rational = last * self.side if last < end else ratio(*stretch.high)
-        return stretch.between(low, high)
-
-    def _covers(self, level: int, block: int, first: int, last: int) -> bool:
-        blocks = self._blocks[level]
-        if not 0 <= block < len(blocks) or first < 0:
-            return False
-        rows = (1 << (last - first + 1)) - 1
-        return blocks[block] >> first & rows == rows
+            bits = (2 << qy // width - low) - (1 << -(-py // width) - 1 - low)
+            for k in range(first, last + 1):
+                near[k - left] |= bits
+            continue
+        # The height of the edge at the left border of the column, times dx, and its row.
+        height, rise = py * dx, width * dx
+        row = height // rise - low
+        below = row - (height == (row + low) * rise)
+        for k in range(first, last + 1):
+            x = (k + 1) * width
+            height = qy * dx if x >= qx else py * dx + (x - px) * dy if x > px else py * dx
+            if px <= x - width < qx:
+                odd[k - left] ^= -1 << row + 1
+            next_row = height // rise - low
+            next_below = next_row - (height == (next_row + low) * rise)
+            top = row if row > next_row else next_row
+            bottom = below if below < next_below else next_below
+            near[k - left] |= (2 << top) - (1 << bottom)
+            row, below = next_row, next_below
+    return left, low, near, odd
 
 
-def _list_blocks(columns: list[int]) -> list[list[int]]:
-    """List the rows common to each 1, 2, 4, ... neighbouring columns."""
-    blocks = [columns]
-    while len(blocks[-1]) > 1:
-        below = blocks[-1]
-        blocks.append([a & b for a, b in zip(below[::2], below[1::2], strict=False)])
-    return blocks
+def split(
+    segment: ContactSegment, side: int, lowest: int, columns: Mapping[int, int]
+) -> Iterator[ContactSegment]:
+    """Yield the pieces of a segment that leave the covered squares.
+
+    Args:
+        segment: a segment.
+        side: the side of the squares.
+        lowest: the row of the lowest bit.
+        columns: the covered squares by column.
+    """
+    (dx, dy, c), (n, d), (m, e) = segment.line, segment.low, segment.high
+    first, row = n // (d * side), (n * dy + c * d) // (dx * d * side) - lowest if dx else 0
+    if dx == 0:
+        bits = (2 << m // (e * side) - lowest) - (1 << first - lowest)
+        if columns[-c // (dy * side)] & bits != bits:
+            yield segment
+        return
+    last, since = -(-m // (e * side)) - 1, None
+    unit = dx * side
+    for k in range(first, last + 1):
+        if k < last:
+            next_row = ((k + 1) * side * dy + c) // unit - lowest
+        else:
+            next_row = (m * dy + c * e) // (unit * e) - lowest
+        bottom, top = (row, next_row) if row < next_row else (next_row, row)
+        bits, row = (2 << top) - (1 << bottom), next_row
+        if columns[k] & bits != bits:
+            since = k if since is None else since
+        elif since is not None:
+            yield segment.between(since * side if since > first else None, k * side)
+            since = None
+    if since is not None:
+        yield segment.between(since * side, None) if since > first else segment

@@ -1,67 +1,164 @@
-"""Crossings of stretches of contact lines, with the sides on which the stretches continue."""
+"""The crossings of contact segments, and the pieces that they leave.
+
+(1) A piece of a segment between two neighbouring crossings is free or in O as a whole. If overlap
+    passes through an end of the piece, on that side of another segment on which the piece lies, the
+    piece is in O, by (2) of `segments`.
+(2) Each piece that is left bounds a free region on its right; or it is an exact fit, if it has
+    overlap on both sides; or it is in O after all.
+(3) A single free position has overlap in all directions. So every direction lies left of some
+    contact segment through it: there are three lines or more, or two with segments both ways.
+
+The *key* of a parameter n / d is (n << bits) // d, with so many bits that different parameters of
+one line have different keys. So keys are in the order of the parameters.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import gcd
+from typing import NamedTuple
 
 from exactsweep.geometry.near import find_near
-from exactsweep.procedures.contact_lines import Stretch
+from exactsweep.procedures.segments import BOTH, ContactSegment, Line, Parameter
 
-_UNIT_BITS = 32
-_NEITHER = False, False
+HomogeneousPoint = tuple[int, int, int]
+"""The point (x / w, y / w) as coprime ints (x, y, w), w > 0."""
+
+OneWayPiece = tuple[HomogeneousPoint, HomogeneousPoint, int, int]
+"""A piece with overlap on its left: its start, its end, its direction."""
+
+TwoWayPiece = tuple[Line, HomogeneousPoint, HomogeneousPoint]
+"""A piece with overlap on both sides: its line, its lower and its upper end."""
 
 
-def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
-    """Record in all stretches their crossings and contacts with stretches of other lines.
+class Pieces(NamedTuple):
+    """The pieces that crossings leave, by (2).
 
-    Cost: that of `find_near`; O(k^2) at worst for k stretches.
+    Attributes:
+        one_way: the pieces with overlap on one side.
+        two_way: the pieces with overlap on both sides.
+        meetings: the points that may be single free positions, by (3).
     """
-    for k, j in find_near([stretch.bound() for stretch in stretches]):
-        cross(stretches[k], stretches[j])
+
+    one_way: list[OneWayPiece]
+    two_way: list[TwoWayPiece]
+    meetings: set[HomogeneousPoint]
 
 
-def cross(first: Stretch, second: Stretch) -> None:
-    """Record in two stretches where they meet, unless they are parallel. Cost: O(1)."""
-    adx, ady, ac = first.dx, first.dy, first.c
-    bdx, bdy, bc = second.dx, second.dy, second.c
-    turn = adx * bdy - ady * bdx
-    if turn == 0:
+def cut(segments: Sequence[ContactSegment]) -> Pieces:
+    """Cut segments at their crossings, and leave out pieces in O, by (1).
+
+    Cost: that of `find_near`, and O(c log c) for c crossings.
+    """
+    pieces = Pieces([], [], set())
+    bits = measure_keys(segments)
+    for k, j in find_near([segment.box for segment in segments]):
+        cross(segments[k], segments[j], bits)
+    for segment in segments:
+        dx, dy, _ = segment.line
+        for p, q in _find_left_over(segment, pieces.meetings):
+            if segment.sides == BOTH:
+                pieces.two_way.append((segment.line, p, q))
+            elif segment.sides[0]:
+                pieces.one_way.append((p, q, dx, dy))
+            else:
+                pieces.one_way.append((q, p, -dx, -dy))
+    return pieces
+
+
+def measure_keys(segments: Sequence[ContactSegment]) -> int:
+    """Compute the keys of the ends of segments; return the bits of keys."""
+    longest = at_ends = 1
+    for segment in segments:
+        dx, dy, _ = segment.line
+        longest |= dx | abs(dy)
+        at_ends |= segment.low[1] | segment.high[1]
+    # Crossings have denominators of at most 2 longest^2.
+    bits = 2 * max(1 + 2 * longest.bit_length(), at_ends.bit_length())
+    for segment in segments:
+        (n, d), (m, e) = segment.low, segment.high
+        segment.keys = (n << bits) // d, (m << bits) // e
+    return bits
+
+
+def cross(first: ContactSegment, second: ContactSegment, bits: int) -> None:
+    """Record in two segments where they cross, and on which sides overlap passes there.
+
+    Args:
+        first: a segment.
+        second: another one. Parallel segments do not cross.
+        bits: the bits of keys, as `measure_keys` returns them.
+
+    Cost: O(1).
+    """
+    (adx, ady, ac), (bdx, bdy, bc) = first.line, second.line
+    d = adx * bdy - ady * bdx
+    if d == 0:
         return
-    d = abs(turn)
-    if first.e != 1 or second.e != 1:
-        ac, bc, d = ac * second.e, bc * first.e, d * first.e * second.e
-    if adx and bdx:
-        n = m = ac * bdx - bc * adx if turn > 0 else bc * adx - ac * bdx
-    else:
-        # One of them is vertical, and its places are values of y.
-        x, y = ac * bdx - bc * adx, ac * bdy - bc * ady
-        n, m = x if adx else y, x if bdx else y
-        if turn < 0:
-            n, m = -n, -m
-    # The distances past the ends, times positive numbers.
-    (low, below), (high, above) = first.low, first.high
-    past_low, to_high = n * below - low * d, high * d - n * above
-    if past_low < 0 or to_high < 0:
+    n = m = ac * bdx - bc * adx
+    if adx == 0:
+        n = ac * bdy - bc * ady
+    elif bdx == 0:
+        m = ac * bdy - bc * ady
+    mirrored = d < 0
+    if mirrored:
+        n, m, d = -n, -m, -d
+    key, (low, high) = (n << bits) // d, first.keys
+    if key < low or key > high:
         return
-    (low, below), (high, above) = second.low, second.high
-    past_other_low, to_other_high = m * below - low * d, high * d - m * above
-    if past_other_low < 0 or to_other_high < 0:
+    other_key, (other_low, other_high) = (m << bits) // d, second.keys
+    if other_key < other_low or other_key > other_high:
         return
-    # A segment that runs through has overlap on its left, on both sides of the crossing.
-    a_left, a_right = first.left, first.right
-    if past_low == 0:
-        a_left, a_right = first.low_through or _NEITHER
-    elif to_high == 0:
-        a_left, a_right = first.high_through or _NEITHER
-    b_left, b_right = second.left, second.right
-    if past_other_low == 0:
-        b_left, b_right = second.low_through or _NEITHER
-    elif to_other_high == 0:
-        b_left, b_right = second.high_through or _NEITHER
-    if turn < 0:
-        # The first stretch goes from the right of the second to its left: exchange the sides.
-        a_left, a_right, b_left, b_right = a_right, a_left, b_right, b_left
-    twice = second.left and second.right
-    first.cuts.append(((n << _UNIT_BITS) // d, (n, d), b_left, b_right, twice))
-    twice = first.left and first.right
-    second.cuts.append(((m << _UNIT_BITS) // d, (m, d), a_right, a_left, twice))
+    a, b = first.sides, second.sides
+    if not low < key < high:
+        a = first.high_sides if low < key else first.low_sides
+    if not other_low < other_key < other_high:
+        b = second.high_sides if other_low < other_key else second.low_sides
+    # The second segment goes from the right of the first to its left, unless mirrored.
+    if mirrored:
+        a, b = a[::-1], b[::-1]
+    first.cuts.append((key, n, d, b[0], b[1], second.sides))
+    second.cuts.append((other_key, m, d, a[1], a[0], first.sides))
+
+
+def _find_left_over(
+    segment: ContactSegment, meetings: set[HomogeneousPoint]
+) -> list[tuple[HomogeneousPoint, HomogeneousPoint]]:
+    """Return the ends of the pieces that (1) leaves, and add points to the meetings, by (3)."""
+    line, is_two_way = segment.line, segment.sides == BOTH
+    start, (covered, end_covered), (at, end) = segment.low, segment.covered, segment.keys
+    left: list[tuple[Parameter, Parameter]] = []
+    # A piece waits, because more crossings at its end may prove that it is in O.
+    waiting: tuple[Parameter, Parameter] | None = None
+    last: int | None = None
+    for key, n, d, before, after, other_sides in sorted(segment.cuts):
+        if key == last or (is_two_way and other_sides == BOTH):
+            meetings.add(find_point(line, n, d))
+        last = key
+        if key > at:
+            if waiting:
+                left.append(waiting)
+            waiting = None if covered or before else (start, (n, d))
+            start, at, covered = (n, d), key, after
+        else:
+            waiting = None if before else waiting
+            covered = covered or after
+    if at < end:
+        if waiting:
+            left.append(waiting)
+        waiting = None if covered else (start, segment.high)
+    if waiting and not end_covered:
+        left.append(waiting)
+    return [(find_point(line, *p), find_point(line, *q)) for p, q in left]
+
+
+def find_point(line: Line, n: int, d: int) -> HomogeneousPoint:
+    """Return the point of a line at the parameter n / d.
+
+    >>> find_point((1, 1, 0), 2, 4), find_point((0, 2, -1), 3, 1)
+    ((1, 1, 2), (1, 6, 2))
+    """
+    dx, dy, c = line
+    x, y, w = (n * dx, n * dy + c * d, dx * d) if dx else (-c * d, n * dy, dy * d)
+    common = gcd(x, y, w)
+    return x // common, y // common, w // common

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.geometry.overlap import touch
+from exactsweep.geometry.edges import touch
 from exactsweep.numbers.number import Edge, Rational, Vertex
 from exactsweep.procedures.chain import take_corners
 from exactsweep.procedures.exact_fit import evaluate, list_edges

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tiers import examples
 
-from exactsweep import Point, Polygon, PolygonError, Region
+from exactsweep import Polygon, PolygonError, Region
 from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
     FormatError,
@@ -18,7 +18,8 @@ from exactsweep.formats import (
     parse_regions,
     to_shapely,
 )
-from exactsweep.geometry.overlap import Overlap
+from exactsweep.geometry.overlap import MovedPair, Relation
+from exactsweep.numbers.number import Rational
 
 OUTER, INNER = [(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 PLATE = Region(OUTER, [INNER])
@@ -39,14 +40,14 @@ def test_rings_in_rings_are_asked_about_once_each(
 ) -> None:
     """An earlier version compared each with all around it, and refused more than 100 of them."""
     asked = 0
-    at = Overlap.at
+    relate = MovedPair.relate
 
-    def count(self: Overlap, t: Point) -> bool:
+    def count(self: MovedPair, x: Rational, y: Rational, scale: int = 1) -> Relation:
         nonlocal asked
         asked += 1
-        return at(self, t)
+        return relate(self, x, y, scale)
 
-    monkeypatch.setattr(Overlap, "at", count)
+    monkeypatch.setattr(MovedPair, "relate", count)
     if form == "path":
         drawn = "".join(f"M{a} {a}H{b}V{b}H{a}z" for a, b in rings)
         text = f"<svg><path fill-rule='evenodd' d='{drawn}'/></svg>"

@@ -11,8 +11,8 @@ from tiers import examples
 
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
 from exactsweep.geometry.convex import IntRing, cut_to_convex
+from exactsweep.geometry.edges import touch
 from exactsweep.geometry.grid import WallGrid
-from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.vectors import turn
 
 POINTS = st.tuples(st.integers(-30, 30), st.integers(-9, 9))

@@ -12,8 +12,8 @@ from polyominoes import Cells, polyominoes, region, rings
 
 from exactsweep import Point, Polygon, PolygonError, Region
 from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.edges import touch
 from exactsweep.geometry.outline import number_features
-from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.region import share_lattice
 from exactsweep.numbers.number import Vertex
 

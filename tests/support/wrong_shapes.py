@@ -6,7 +6,7 @@ from typing import Any
 from sabotage import Procedure, Sabotage, sabotage
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.procedures import any_shape, contact_lines, cover, crossings, free_positions, ss
+from exactsweep.procedures import any_shape, cover, crossings, positions, segments, walk
 
 Change = Callable[[Any], Any]
 
@@ -62,25 +62,25 @@ INNER_FIT = {
     "regions after the second are lost": changing(regions=lambda regions: regions[:2]),
 }
 OTHERS: dict[str, tuple[Procedure, Sabotage]] = {
-    "loops: not parted where they come back to a point": (
-        free_positions._part_where_it_touches,
+    "loops: not split where they come back to a point": (
+        walk.split_where_it_touches,
         lambda right: lambda ring: iter([list(ring)]),
     ),
     "contact segments: those of G's vertices forgotten": (
-        contact_lines.find_contact_stretches,
-        giving(lambda stretches: stretches[::2]),
+        segments.find_contact_segments,
+        giving(lambda found: found[::2]),
     ),
     "contact segments: right, but each one many times": (
-        contact_lines.find_contact_stretches,
-        giving(lambda stretches: stretches * 12),
+        segments.find_contact_segments,
+        giving(lambda found: found * 12),
     ),
-    "squares that are known to be overlapped: one stretch too many is left out": (
+    "squares that are known to be overlapped: one segment too many is left out": (
         cover.leave_out_covered,
-        giving(lambda stretches: stretches[:-1]),
+        giving(lambda found: found[:-1]),
     ),
     "crossings: none is found": (
-        crossings.cut_at_crossings,
-        lambda right: lambda stretches: None,
+        crossings.cross,
+        lambda right: lambda first, second, bits: None,
     ),
     "swept area: of several places that are not swept only the first": (
         any_shape.ShapeSolution,
@@ -89,8 +89,8 @@ OTHERS: dict[str, tuple[Procedure, Sabotage]] = {
 }
 
 for fault, wrong in NO_FIT.items():
-    sabotage(f"no-fit polygon: {fault}", ss.no_fit_ss)(wrong)
+    sabotage(f"no-fit polygon: {fault}", positions.find_sum)(wrong)
 for fault, wrong in INNER_FIT.items():
-    sabotage(f"inner fit: {fault}", ss.inner_fit_ss)(wrong)
+    sabotage(f"inner fit: {fault}", positions.find_inner_fit)(wrong)
 for fault, (procedure, wrong) in OTHERS.items():
     sabotage(fault, procedure)(wrong)

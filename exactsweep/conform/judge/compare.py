@@ -53,8 +53,9 @@ from exactsweep.conform.judge.witness import (
 )
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.near import find_near
-from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
+from exactsweep.geometry.overlap import Relation, contains, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import quote, tells_arguments
@@ -243,20 +244,18 @@ def find_fault(rings: Sequence[Loop], place: str) -> str | None:
         except PolygonError as error:
             return f"{place if len(rings) == 1 else f'{place}[{k}]'}: {error}"
     _, lattice = common_lattice(polygons)
-    inner = [EdgeIndex([ring]) for ring in lattice]
-    outer = [EdgeIndex([ring[::-1]], unbounded=True) for ring in lattice]
+    shapes = [EdgeIndex([ring]) for ring in lattice]
     for j, k in sorted(
-        islice(find_near([one.box for one in inner]), MOST_PAIRS), key=itemgetter(1, 0)
+        islice(find_near([one.box for one in shapes]), MOST_PAIRS), key=itemgetter(1, 0)
     ):
         # Of two rings that overlap, both reach out of the other one, or none does if they are the
         # same, unless one is inside the other.
-        if _meet(inner[j], inner[k]) and _meet(outer[j], inner[k]) == _meet(outer[k], inner[j]):
+        one, other = shapes[j].rings, shapes[k].rings
+        if relate(shapes[j], shapes[k]) is Relation.OVERLAP and (
+            contains(one, other) == contains(other, one)
+        ):
             return f"{place}: rings {j} and {k} overlap"
     return None
-
-
-def _meet(one: EdgeIndex, other: EdgeIndex) -> bool:
-    return relate(one, other, 0, 0)[0] is Relation.OVERLAP
 
 
 def _match_rounded(

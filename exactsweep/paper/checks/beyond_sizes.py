@@ -14,7 +14,7 @@ from exactsweep.paper.functions import no_fit_is_the_definition, tell_difference
 from exactsweep.paper.growth import BOUNDS
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import find_contact_stretches
+from exactsweep.procedures.segments import find_contact_segments
 
 
 def holes(pair: SweepPair) -> int:
@@ -36,13 +36,13 @@ def count_holes(effort: Effort) -> Iterator[Observation]:
                 yield f"{p.count} holes for ({p.m}, {p.n}) are fewer than proved"
 
 
-def stretches(pair: SweepPair) -> int:
-    """Count the stretches of contact segments in the kernel."""
-    return len(find_contact_stretches([pair.directrix], [inverse(pair.generatrix)]))
+def segments(pair: SweepPair) -> int:
+    """Count the contact segments, those of one line joined."""
+    return len(find_contact_segments([pair.directrix], [inverse(pair.generatrix)]))
 
 
 def count_contact_segments(effort: Effort) -> Iterator[Observation]:
-    """Count the stretches of the kernel beside the number of contact segments that there can be."""
+    """Count contact segments beside the number of them that there can be."""
     yield Evidence("Counts.")
     for series in count_all("Contact segments", effort):
         yield series
@@ -56,10 +56,10 @@ def edges(pair: SweepPair) -> int:
 
 
 def convolution(pair: SweepPair) -> int:
-    """Count the stretches of contact segments of the trajectory and G."""
+    """Count the contact segments of the trajectory and G."""
     scale, path = no_fit_polygon(*pair[::-1]).exterior.lattice()
     moving = [(scale * x, scale * y) for x, y in pair.generatrix]
-    return len(find_contact_stretches([path], [moving]))
+    return len(find_contact_segments([path], [moving]))
 
 
 def sum_by_parts(pair: SweepPair) -> int:

@@ -15,9 +15,7 @@ from exactsweep.corpus import cases
 from exactsweep.corpus.generator.cells import connect
 from exactsweep.evidence.no_fit import NoFitPolygon
 from exactsweep.numbers.number import ORIGIN, Point, Vertex
-from exactsweep.procedures.contact_lines import Stretch
-from exactsweep.procedures.free_positions import _find_left_over, _part_where_it_touches
-from exactsweep.procedures.ss import no_fit_ss
+from exactsweep.procedures.positions import find_inner_fit, find_no_fit
 
 Ring = list[tuple[int, int]]
 Fits = tuple[tuple[Point, Point], ...]
@@ -50,7 +48,7 @@ def test_holes_come_in_order() -> None:
     rooms = [box(11, 1, 14, 4), box(1, 6, 4, 9), box(6, 1, 9, 4), box(1, 1, 4, 4)]
     plate: list[Sequence[Vertex]] = [box(0, 0, 15, 10)]
     plate += [room[::-1] for room in rooms]
-    corners = [(int(x), int(y)) for (x, y), *_ in no_fit_ss(plate, [UNIT]).within]
+    corners = [(int(x), int(y)) for (x, y), *_ in find_no_fit(plate, [UNIT]).within]
     assert corners == [(1, 1), (1, 6), (6, 1), (11, 1)]
 
 
@@ -209,15 +207,6 @@ def test_slopes_that_differ_by_less_than_a_unit_are_told_apart() -> None:
     assert computed(Region(d), Region(g)).exterior == sweep(g, d).trajectory
 
 
-@pytest.mark.parametrize("turns", [False, True])
-def test_cuts_of_one_key_are_told_apart(turns: bool) -> None:
-    """There is overlap between the two, whichever comes first."""
-    stretch = Stretch((1, 0, 0), 0, 10, True, False)
-    cuts = [(5, (2, 1), False, True, False), (5, (3, 1), True, False, False)]
-    stretch.cuts += cuts[::-1] if turns else cuts
-    assert _find_left_over(stretch, set()) == [((0, 1), (2, 1)), ((3, 1), (10, 1))]
-
-
 def test_numbers_on_no_lattice_of_use_change_no_answer() -> None:
     factor = 1 + Fraction(1, 3**5200)
     links = [(0, 0), (7, 0), (7, 5), (5, 5), (5, 4), (6, 4), (6, 1), (1, 1), (1, 4), (3, 4), (3, 5)]
@@ -232,10 +221,11 @@ def test_numbers_on_no_lattice_of_use_change_no_answer() -> None:
     assert [*far.exact_fits] == scaled
 
 
-def test_a_ring_is_parted_where_it_comes_back() -> None:
-    """Through B, C and B again; C, which was parted off, is then passed for the first time."""
-    a, b, c, d, e = ((k, 1, 0, 1) for k in range(5))
-    way = [a, b, c, b, d, e, c]
-    pieces = [(p, q, 1, 0) for p, q in zip(way, [*way[1:], a], strict=True)]
-    parts = [[piece[0] for piece in part] for part in _part_where_it_touches(pieces)]
-    assert parts == [[b, c], [a, b, d, e, c]]
+@pytest.mark.parametrize(
+    ("part", "fits"), [((7, 5), True), ((8, 1), False), ((1, 6), False), ((1, 1), True)]
+)
+def test_a_part_that_is_too_long_or_too_high_does_not_fit(
+    part: tuple[int, int], fits: bool
+) -> None:
+    found = find_inner_fit([box(0, 0, 7, 5)], [box(0, 0, *part)])
+    assert bool(found.regions or found.fits) is fits

@@ -1,0 +1,95 @@
+"""Minkowski sums of two shapes, or of a shape and a path.
+
+A + B is the no-fit polygon of A and -B, as a closed set: its exact fits are limits of positions of
+overlap, so they belong to the sum. The sum of a shape and a path is the set that the shape covers
+when its origin follows the path.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import chain
+
+from exactsweep.evidence.no_fit import NoFitPolygon
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.frame import find_shared_direction
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.polyline import Polyline
+from exactsweep.geometry.reading import lcm_within
+from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_shape
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import ORIGIN, Vertex, ratio
+from exactsweep.procedures.positions import find_sum, path_rings
+from exactsweep.procedures.solution import place_loop
+
+
+@tells_arguments
+def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyline) -> Region:
+    """Find the Minkowski sum of two shapes, or of a shape and a path: all sums of their points.
+
+    Args:
+        a: a Polygon, a Region or the vertices of a polygon; or a Polyline.
+        b: likewise; at most one of the two is a Polyline.
+
+    Returns:
+        The sum as a Region. It has a hole where points are enclosed that are no sums.
+
+    Raises:
+        PolygonError: a polygon is not simple; the message begins with "a" or "b"; or both are
+            paths, whose sum has no interior in general.
+        NumberError: a coordinate is not an exact number; likewise.
+
+    Cost: that of `no_fit_polygon`; O(m n log(m n) + c) for a shape and a path, c crossings of
+    contact segments.
+
+    Source: section 3 for two convex polygons; Behar and Lien 2011 for the others.
+
+    Example:
+        >>> from exactsweep import Polyline
+        >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+        >>> print(minkowski_sum(square, [(0, 0), (1, 0), (0, 1)]))
+        (0, 0) (3, 0) (3, 2) (2, 3) (0, 3)
+        >>> minkowski_sum(square, Polyline([(0, 0), (9, 0), (9, 9), (0, 9)], closed=True)).holes
+        (Polygon([(2, 2), (9, 2), (9, 9), (2, 9)]),)
+    """
+    if isinstance(a, Polyline):
+        if isinstance(b, Polyline):
+            raise PolygonError("a and b are paths: one of the two has to be a polygon")
+        return _add_path(to_region(b, "b"), a)
+    if isinstance(b, Polyline):
+        return _add_path(to_region(a, "a"), b)
+    first, second = to_shape(a, "a"), to_shape(b, "b")
+    found = find_no_fit_polygon(first, second.reflected())
+    return Region(found.exterior, found.holes)
+
+
+def find_no_fit_polygon(stationary: AnyPolygon, orbiting: AnyPolygon) -> NoFitPolygon:
+    """Find the no-fit polygon of two shapes, for positions of the origin.
+
+    Cost: that of `no_fit_polygon`.
+    """
+    direction: Vector | None = None
+    if not (stationary.holes or orbiting.holes):
+        direction = find_shared_direction(orbiting.exterior, stationary.exterior)
+    return NoFitPolygon(Region(stationary), Region(orbiting), direction, ORIGIN)
+
+
+def _add_path(shape: Region, path: Polyline) -> Region:
+    """Find the sum of a shape and a path."""
+    if len(path) == 1:
+        return shape.translated(path.points[0])
+    own, rings = shape.lattice()
+    points = path.points
+    common = lcm_within([own, *(c.denominator for c in chain.from_iterable(points))])
+    scale = common or own
+    times = scale // own
+
+    def enter(ring: Sequence[Vertex], by: int) -> list[Vertex]:
+        return [(ratio(x * by, 1), ratio(y * by, 1)) for x, y in ring]
+
+    walked = path_rings(enter(points, scale), closed=path.closed and len(path) > 2)
+    found = find_sum([enter(ring, times) for ring in rings], walked, scale)
+    (exterior,) = map(place_loop, found.around)
+    holes: list[Polygon] = [*map(place_loop, found.within)]
+    return Region(exterior, holes)

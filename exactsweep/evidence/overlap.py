@@ -1,0 +1,165 @@
+"""The overlap of two shapes where they are: verdict, area, witness, and the least move apart."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Literal
+
+from exactsweep.evidence.minkowski import find_no_fit_polygon
+from exactsweep.geometry.distance import (
+    SquaredDistance,
+    distance_squared,
+    find_foot,
+    measure_to_edge,
+)
+from exactsweep.geometry.edges import EdgeIndex, Rings
+from exactsweep.geometry.intersection import (
+    find_common_boundary,
+    find_common_point,
+    measure_common_area,
+)
+from exactsweep.geometry.overlap import Relation, relate
+from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
+from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import ORIGIN, Edge, Point
+from exactsweep.procedures.solution import made_once
+
+_Said = Literal["OVERLAP", "CONTACT", "FREE"]
+
+_VERDICTS: dict[Relation, _Said] = {
+    Relation.OVERLAP: "OVERLAP",
+    Relation.CONTACT: "CONTACT",
+    Relation.APART: "FREE",
+}
+
+
+class Overlap:
+    """The relation of two shapes where they are; made by `overlap`.
+
+    Each property is computed on first access, exactly. Two of them are equal if they are about
+    equal shapes.
+
+    Attributes:
+        a: a Region.
+        b: another Region.
+    """
+
+    def __init__(self, a: Region, b: Region) -> None:
+        self.a, self.b = a, b
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Overlap):
+            return NotImplemented
+        return (self.a, self.b) == (other.a, other.b)
+
+    def __hash__(self) -> int:
+        return hash((self.a, self.b))
+
+    @made_once
+    def _lattice(self) -> tuple[int, list[Rings]]:
+        scale, (first, second) = share_lattice([self.a, self.b])
+        return scale, [first, second]
+
+    @made_once
+    def verdict(self) -> _Said:
+        """Decide: "OVERLAP" if the interiors meet, "CONTACT" if the boundaries do, or "FREE"."""
+        first, second = self._lattice[1]
+        return _VERDICTS[relate(EdgeIndex(first), EdgeIndex(second))]
+
+    @made_once
+    def _boundary(self) -> list[Edge]:
+        """The boundary of the common part, on the lattice."""
+        return find_common_boundary(*self._lattice[1]) if self.verdict == "OVERLAP" else []
+
+    @made_once
+    def area(self) -> Fraction:
+        """The area of the common part."""
+        return measure_common_area(self._boundary) / self._lattice[0] ** 2
+
+    @made_once
+    def witness(self) -> Point | None:
+        """A point inside both shapes; of shapes in contact, a common point; None if free."""
+        if self.verdict == "FREE":
+            return None
+        if self.verdict == "CONTACT":
+            return self._distance.points[0]
+        scale, rings = self._lattice
+        x, y = find_common_point(self._boundary, *rings)
+        return Point(x / scale, y / scale)
+
+    @made_once
+    def _distance(self) -> SquaredDistance:
+        return distance_squared(self.a, self.b)
+
+    @property
+    def distance_squared(self) -> Fraction:
+        """The squared distance of the shapes, 0 if they have a common point."""
+        return Fraction(0) if self.verdict != "FREE" else self._distance.value
+
+    @property
+    def nearest(self) -> tuple[Point, Point]:
+        """Two nearest points, one of each shape; equal if the shapes have a common point."""
+        point = self.witness
+        return self._distance.points if point is None else (point, point)
+
+    @made_once
+    def move(self) -> Point:
+        """The least translation of b after which the shapes do not overlap.
+
+        It may lead into a hole or a cave of the other shape, or to an exact fit. If several are
+        least, it is the lexicographically least of them.
+        """
+        if self.verdict != "OVERLAP":
+            return ORIGIN
+        found = find_no_fit_polygon(self.a, self.b)
+        loops = [found.exterior, *found.holes]
+        edges = [edge for loop in loops for edge in _list_edges(loop.vertices)]
+        edges += found.exact_fits
+        squares = [Fraction(*measure_to_edge(ORIGIN, edge)) for edge in edges]
+        least = min(squares)
+        return min(
+            find_foot(ORIGIN, edge)
+            for edge, square in zip(edges, squares, strict=True)
+            if square == least
+        )
+
+    @property
+    def depth_squared(self) -> Fraction:
+        """The squared length of the least move, 0 if the shapes do not overlap."""
+        x, y = self.move
+        return x * x + y * y
+
+    def __repr__(self) -> str:
+        return f"<Overlap of {len(self.a)} and {len(self.b)} vertices: {self.verdict}>"
+
+
+def _list_edges(ring: tuple[Point, ...]) -> list[Edge]:
+    return [*zip(ring, (*ring[1:], ring[0]), strict=True)]
+
+
+@tells_arguments
+def overlap(a: Region | Vertices, b: Region | Vertices) -> Overlap:
+    """Decide whether two shapes overlap where they are, by how much, and how far b has to move.
+
+    Args:
+        a: a Polygon, a Region, the vertices of a polygon, or a polygon of shapely, with holes, too.
+        b: likewise.
+
+    Returns:
+        An Overlap with `verdict`, `area`, `witness`, `distance_squared`, `move` and
+        `depth_squared`, each computed on first access.
+
+    Raises:
+        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with "a"
+            or "b".
+        NumberError: a coordinate is not an exact number; likewise.
+
+    Cost: O((m + n) log(m + n)) for the verdict, where few edges are near each other; that of
+    `no_fit_polygon` for the least move.
+
+    Example:
+        >>> o = overlap([(0, 0), (4, 0), (4, 4), (0, 4)], [(2, 2), (6, 2), (6, 6), (2, 6)])
+        >>> o.verdict, o.area, o.move, o.depth_squared
+        ('OVERLAP', Fraction(4, 1), Point(x=Fraction(0, 1), y=Fraction(2, 1)), Fraction(4, 1))
+    """
+    return Overlap(to_region(a, "a"), to_region(b, "b"))

@@ -1,0 +1,139 @@
+"""The common part of two shapes: its boundary, its area, and a point inside.
+
+(1) Cut the edges of both shapes where they meet. Each piece is inside the other shape, outside, or
+    runs along an edge of it, as a whole.
+(2) The boundary of the common part consists of the pieces of each that are inside the other, and of
+    those that run along each other in one direction, counted once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import chain, pairwise
+from typing import NamedTuple
+
+from exactsweep.geometry.edges import EdgeIndex, Rings
+from exactsweep.geometry.vectors import cross, minus
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
+
+
+class _Cuts(NamedTuple):
+    """Common points of an edge and the other boundary, by parameters from 0 to 1.
+
+    Attributes:
+        places: the parameters of common points.
+        along: the ranges in which an edge of the other shape runs along it, and whether in the same
+            direction.
+    """
+
+    places: set[Rational]
+    along: list[tuple[Rational, Rational, bool]]
+
+
+def find_common_boundary(first: Rings, second: Rings) -> list[Edge]:
+    """Return the boundary of the common part as pieces of edges, interior on the left, by (2).
+
+    Cost: O((m + n + c) log(m + n)) for c common points, if few edges are near each other.
+
+    >>> square, other = ([[(k, k), (k + 2, k), (k + 2, k + 2), (k, k + 2)]] for k in (0, 1))
+    >>> sorted((*map(int, p), *map(int, q)) for p, q in find_common_boundary(square, other))
+    [(1, 1, 2, 1), (1, 2, 1, 1), (2, 1, 2, 2), (2, 2, 1, 2)]
+    """
+    shapes = EdgeIndex(first), EdgeIndex(second)
+    return [
+        *_find_pieces(*shapes, keeps_shared=True),
+        *_find_pieces(*shapes[::-1], keeps_shared=False),
+    ]
+
+
+def measure_common_area(boundary: Sequence[Edge]) -> Fraction:
+    """Return the area of the common part. Cost: O(n)."""
+    return add_up(Fraction(cross(p, q)) for p, q in boundary) / 2
+
+
+def find_common_point(boundary: Sequence[Edge], first: Rings, second: Rings) -> Point:
+    """Return a point inside both shapes, next to the longest piece of the common boundary.
+
+    From a point of the piece, the ray to the left enters the common part. The point is halfway to
+    the first edge that the ray meets.
+
+    Cost: O(m + n).
+    """
+    vertices = {*chain.from_iterable((*first, *second))}
+    p, q = max(boundary, key=lambda edge: measure_square(minus(*edge)))
+    share = Fraction(1, 2)
+    while (start := _find_point(p, q, share)) in vertices:
+        # A ring may touch the piece there.
+        share /= 2
+    dx, dy = minus(q, p)
+    ray: Vertex = (-dy, dx)
+    nearest: Fraction | None = None
+    for ring in (*first, *second):
+        for a, b in pairwise((ring[-1], *ring)):
+            u, v = minus(a, start), minus(b, start)
+            of_a, of_b = cross(ray, u), cross(ray, v)
+            if of_a == of_b or min(of_a, of_b) > 0 or max(of_a, of_b) < 0:
+                continue
+            distance = Fraction(cross(u, v)) / (of_b - of_a)
+            if distance > 0 and (nearest is None or distance < nearest):
+                nearest = distance
+    assert nearest is not None
+    return Point(start[0] - dy * nearest / 2, start[1] + dx * nearest / 2)
+
+
+def measure_square(vector: Vertex) -> Rational:
+    """Return the squared length of a vector.
+
+    >>> measure_square((3, 4))
+    25
+    """
+    return vector[0] * vector[0] + vector[1] * vector[1]
+
+
+def _find_point(p: Vertex, q: Vertex, at: Rational) -> Vertex:
+    return p[0] + at * (q[0] - p[0]), p[1] + at * (q[1] - p[1])
+
+
+def _find_pieces(shape: EdgeIndex, other: EdgeIndex, *, keeps_shared: bool) -> Iterator[Edge]:
+    """Yield the pieces of a boundary that belong to the common part, by (2)."""
+    for left, right, low, high, ax, ay, bx, by, _, _ in shape.edges:
+        p, q = (ax, ay), (bx, by)
+        cuts = _Cuts({0, 1}, [])
+        for edge in other.near((left, right, low, high)):
+            _cut(p, q, edge[4:6], edge[6:8], cuts)
+        for start, end in pairwise(sorted(cuts.places)):
+            shared = [same for low, high, same in cuts.along if low <= start and end <= high]
+            if shared:
+                keeps = keeps_shared and shared[0]
+            else:
+                x, y = _find_point(p, q, divide_exactly(start + end, 2))
+                keeps = other.contains(x, y, 1)
+            if keeps:
+                yield _find_point(p, q, start), _find_point(p, q, end)
+
+
+def _cut(p: Vertex, q: Vertex, a: Vertex, b: Vertex, cuts: _Cuts) -> None:
+    """Add to the cuts of the edge p q what it has in common with the edge a b."""
+    d = minus(q, p)
+    of_a, of_b = cross(d, minus(a, p)), cross(d, minus(b, p))
+    if (of_a > 0 < of_b) or (of_a < 0 > of_b):
+        return
+    if of_a == of_b == 0:
+        size = measure_square(d)
+        start, end = (
+            divide_exactly((z[0] - p[0]) * d[0] + (z[1] - p[1]) * d[1], size) for z in (a, b)
+        )
+        low, high = max(min(start, end), Fraction(0)), min(max(start, end), Fraction(1))
+        if low <= high:
+            cuts.places.update((low, high))
+        if low < high:
+            cuts.along.append((low, high, start < end))
+        return
+    e = minus(b, a)
+    turn = cross(d, e)
+    n = cross(minus(a, p), e)
+    at = divide_exactly(n, turn) if turn > 0 else divide_exactly(-n, -turn)
+    if 0 <= at <= 1:
+        cuts.places.add(at)

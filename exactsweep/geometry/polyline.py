@@ -1,0 +1,105 @@
+"""Polylines: paths of segments, open or closed; a single point, too."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from itertools import groupby
+
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.reading import read_vertices
+from exactsweep.numbers.digits import format_fraction, write_int
+from exactsweep.numbers.number import Point, divide_exactly
+from exactsweep.words import write_pair
+
+_KINDS = ("Point", "LineString", "LinearRing")
+
+
+class Polyline:
+    """A path of segments; polylines are equal if they have the same points in the same order.
+
+    Args:
+        points: one point or more, as `Polygon` takes them; a Polyline; or an object whose
+            `__geo_interface__` is a Point, a LineString or a LinearRing. Equal neighbours count
+            once. The path may cross itself.
+        closed: whether a last segment leads back to the first point.
+
+    Raises:
+        PolygonError: no point, or an object that is no path.
+        NumberError: a coordinate that is not an exact number. The message begins with the vertex.
+
+    Cost: O(n).
+
+    Example:
+        >>> Polyline([(0, 0), (3, 0), (3, "1/2")]).points[2]
+        Point(x=Fraction(3, 1), y=Fraction(1, 2))
+        >>> import shapely
+        >>> print(Polyline(shapely.LineString([(0, 0), (1, 2)])))
+        (0,0) (1,2)
+    """
+
+    __slots__ = ("closed", "points")
+
+    points: tuple[Point, ...]
+    closed: bool
+
+    def __init__(
+        self, points: Polyline | Iterable[Iterable[object]], *, closed: bool = False
+    ) -> None:
+        if isinstance(points, Polyline):
+            found, closed = list(points.points), closed or points.closed
+        else:
+            scale, read = read_vertices(_read_path(points))
+            found = [Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in read]
+        found = [point for point, _ in groupby(found)]
+        if not found:
+            raise PolygonError("a path has at least one point")
+        if closed and len(found) > 1 and found[0] == found[-1]:
+            found.pop()
+        object.__setattr__(self, "points", tuple(found))
+        object.__setattr__(self, "closed", closed)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a Polyline is immutable: {name} cannot be set")
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _restore, (self.points, self.closed)
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Polyline):
+            return NotImplemented
+        return self.points == other.points and self.closed == other.closed
+
+    def __hash__(self) -> int:
+        return hash((self.points, self.closed))
+
+    def __repr__(self) -> str:
+        points = ", ".join(f"({_quote(x)}, {_quote(y)})" for x, y in self.points)
+        return f"Polyline([{points}]{', closed=True' if self.closed else ''})"
+
+    def __str__(self) -> str:
+        return " ".join(map(write_pair, self.points)) + (" closed" if self.closed else "")
+
+
+def _read_path(points: Iterable[Iterable[object]]) -> Iterable[Iterable[object]]:
+    """Return the coordinates of an object with a `__geo_interface__`, or the points themselves."""
+    told = getattr(points, "__geo_interface__", None)
+    if isinstance(told, Mapping) and told.get("type") == "Feature":
+        told = told.get("geometry")
+    if not isinstance(told, Mapping):
+        return points
+    if told.get("type") not in _KINDS:
+        raise PolygonError(f"a {told.get('type')} is not a path")
+    coordinates: Iterable[Iterable[object]] = told["coordinates"]
+    return [coordinates] if told["type"] == "Point" else [*coordinates]
+
+
+def _quote(value: Fraction) -> str:
+    return write_int(value.numerator) if value.denominator == 1 else repr(format_fraction(value))
+
+
+def _restore(points: tuple[Point, ...], closed: bool) -> Polyline:
+    return Polyline(points, closed=closed)

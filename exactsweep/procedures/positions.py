@@ -1,0 +1,189 @@
+"""No-fit polygons, inner fits, free positions and sums with paths, for shapes of any kind.
+
+The paper does not treat this case (kind "SS"), but its sets carry over. All of these are the free
+positions of a part among obstacles: contact segments (`segments`), without what the two pruning
+steps leave out (`neighbours`, `cover`), cut where they cross (`crossings`), joined to loops and
+exact fits (`walk`) by an exact test whether two shapes overlap (`geometry.overlap`).
+
+With several obstacles, O is the union of their open sets O_k = int D_k + int H. The numbered
+statements of the modules hold for such a union:
+
+(1) A boundary point of the union is one of some O_k, so it lies on a contact segment of D_k, and
+    just to the left of a contact segment of D_k lies O_k.
+(2) Around a single free position, open sectors of the O_k cover all directions. A sector starts
+    along a contact segment that leaves the position, or against one that ends there. Two lines that
+    do not both have segments in both directions give too few starts.
+
+The outside of a container is an obstacle, as a frame around it, and so is each of its defects.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import chain
+from math import lcm
+from typing import NamedTuple
+
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.edges import EdgeIndex, Rings
+from exactsweep.geometry.overlap import MovedPair, Relation, find_outside, relate
+from exactsweep.numbers.number import Fit, Point, Rational, Vertex
+from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.cover import leave_out_covered
+from exactsweep.procedures.crossings import HomogeneousPoint, cut
+from exactsweep.procedures.neighbours import leave_out_overlapped
+from exactsweep.procedures.segments import ContactSegment, find_contact_segments
+from exactsweep.procedures.walk import Free, find_free
+
+
+class FreeRegions(NamedTuple):
+    """The positions of a part inside a container.
+
+    Attributes:
+        regions: the free regions, each with its exterior and the loops around overlap inside it,
+            all counter-clockwise; sorted by area.
+        fits: the exact fits, as for `Free`.
+    """
+
+    regions: list[tuple[list[Point], list[list[Point]]]]
+    fits: list[Fit]
+
+
+def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
+    """Find the no-fit polygon of two shapes, with its holes and exact fits.
+
+    Args:
+        stationary: the rings of D, interior on the left.
+        orbiting: the rings of G.
+        scale: the divisor of the positions when they leave the lattice of the rings.
+
+    Returns:
+        Positions of G's origin: one loop around all overlap, the loops within it, the exact fits.
+
+    Cost: O(k log k + c + q m n) for k contact segments, c crossings, and q overlap tests of loops
+    and exact fits. k <= 2 m n and c <= k^2; real outlines have few of both.
+
+    >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
+    >>> [(int(x), int(y)) for x, y in find_no_fit(square, square).around[0]]
+    [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    """
+    return find_sum(stationary, reflect(orbiting), scale)
+
+
+def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> Free:
+    """Find the boundary of the sum of two shapes, or of a shape and a path.
+
+    Args:
+        stationary: the rings of D, or those of a path, as `path_rings` returns them.
+        moving: the rings of H, or those of a path. Not both are paths.
+        scale: as for `find_no_fit`.
+
+    Returns:
+        One loop around the sum, the loops around its holes, and the exact fits: positions that the
+        closed sum contains, but not the sum of the interiors.
+
+    Cost: as for `find_no_fit`.
+
+    >>> square, path = [[(0, 0), (1, 0), (1, 1), (0, 1)]], path_rings([(0, 0), (2, 1)])
+    >>> [(int(x), int(y)) for x, y in find_sum(square, path).around[0]]
+    [(0, 0), (1, 0), (3, 1), (3, 2), (2, 2), (0, 1)]
+    """
+    segments = find_contact_segments(stationary, moving, leave_out_overlapped)
+    (ax, ay), (bx, by) = min(chain.from_iterable(stationary)), min(chain.from_iterable(moving))
+    free = _find_positions(segments, [stationary], moving, scale, _enter(ax + bx, ay + by))
+    assert len(free.around) == 1
+    return free
+
+
+def find_inner_fit(
+    container: Rings, part: Rings, scale: int = 1, placed: Sequence[Rings] = ()
+) -> FreeRegions:
+    """Find the positions of a part inside a container, free of placed shapes.
+
+    Args:
+        container: its rings, interior on the left: the exterior, and defects as clockwise holes.
+        part: the rings of the part.
+        scale: as for `find_no_fit`.
+        placed: the rings of each shape that the part must not overlap.
+
+    Returns:
+        Positions of the part's origin; empty if the part does not fit.
+
+    Cost: as for `find_no_fit`, where k counts contact segments near the room of the part only.
+
+    >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
+    >>> [tuple(int(c) for p in fit for c in p) for fit in find_inner_fit(square, unit).fits]
+    [(0, 0, 2, 0)]
+    """
+    (west, east, south, north) = EdgeIndex(container).box
+    left, right, low, high = EdgeIndex(part).box
+    # The box of the part is in that of the container at positions in this room only.
+    room = west - left, east - right, south - low, north - high
+    if room[0] > room[1] or room[2] > room[3]:
+        return FreeRegions([], [])
+    outside, *defects = (ring[::-1] for ring in container)
+    width, height = right - left, high - low
+    frame = west - width, east + width, south - height, north + height
+    obstacles = [find_outside(container[0], frame), *([ring] for ring in defects), *placed]
+    moving = reflect(part)
+    solid = [outside, *defects, *chain.from_iterable(placed)]
+    segments = find_contact_segments(solid, moving, leave_out_overlapped)
+    segments = [segment for segment in segments if _meets(segment.box, room)]
+    free = _find_positions(segments, obstacles, moving, scale)
+    inside: list[list[list[Point]]] = [[] for _ in free.within]
+    exteriors = sorted(free.within, key=find_doubled_area)
+    for loop in free.around:
+        # No exterior crosses another one or the loop. The smallest one around the loop holds it.
+        shape, area = EdgeIndex([loop]), find_doubled_area(loop)
+        inside[
+            next(
+                k
+                for k, exterior in enumerate(exteriors)
+                if find_doubled_area(exterior) > area
+                and relate(EdgeIndex([exterior]), shape) is Relation.OVERLAP
+            )
+        ].append(loop)
+    return FreeRegions(list(zip(exteriors, inside, strict=True)), free.fits)
+
+
+def path_rings(points: Sequence[Vertex], *, closed: bool = False) -> list[list[Vertex]]:
+    """Return the rings of a path of two points or more: forth and back.
+
+    >>> path_rings([(0, 0), (1, 0), (2, 1)])
+    [[(0, 0), (1, 0), (2, 1), (1, 0)]]
+    """
+    return [[*points], [*points[::-1]]] if closed else [[*points, *points[-2:0:-1]]]
+
+
+def reflect(rings: Rings) -> list[list[Vertex]]:
+    """Return I(G), a shape after half a turn."""
+    return [inverse(ring) for ring in rings]
+
+
+def _find_positions(
+    segments: Sequence[ContactSegment],
+    obstacles: Sequence[Rings],
+    moving: Rings,
+    scale: int,
+    least: HomogeneousPoint | None = None,
+) -> Free:
+    """Find the free positions whose boundary lies on contact segments."""
+    segments = leave_out_covered(segments, obstacles, moving)
+    part = EdgeIndex(reflect(moving))
+    pairs = [MovedPair(EdgeIndex(rings), part) for rings in obstacles]
+
+    def overlaps(position: HomogeneousPoint) -> bool:
+        return any(pair.relate(*position) is Relation.OVERLAP for pair in pairs)
+
+    return find_free(cut(segments), overlaps, scale, least)
+
+
+def _enter(x: Rational, y: Rational) -> HomogeneousPoint:
+    """Return a point as coprime ints."""
+    w = lcm(x.denominator, y.denominator)
+    return int(x * w), int(y * w), w
+
+
+def _meets(box: tuple[Rational, ...], other: tuple[Rational, ...]) -> bool:
+    """Decide whether two boxes meet."""
+    return box[0] <= other[1] and box[1] >= other[0] and box[2] <= other[3] and box[3] >= other[2]

@@ -1,0 +1,249 @@
+"""Contact segments, on which the boundary of the free positions of two shapes lies.
+
+D and H = I(G) are shapes with connected interiors, given by rings with the interior on the left.
+The open set O = int D + int H contains the positions of overlap; all other positions are free. A
+*contact segment* is an edge of one shape, moved by a convex vertex of the other. The direction of
+the edge lies between the directions of the two edges at the vertex, or equals one of them.
+
+(1) A free position with contact lies on a contact segment. Where the shapes touch, a line along an
+    edge separates their cones, and the vertex of the cone beyond that line is convex. If rings of
+    one shape touch there, it has several cones; the cones of the other shape lie in one gap between
+    them, because connected interiors cannot pass each other, and the vertex of that gap counts.
+(2) Just to the left of each inner point of a contact segment, the positions overlap: the vertex has
+    crossed the edge there.
+
+A path may take the place of H or D. It is one ring that runs forth and back, or two rings if it is
+closed. At its ends the direction reverses, which counts as convex. Its interior is the path itself.
+
+Reference: the reduced convolution of Behar and Lien, "Fast and robust 2D Minkowski sum using
+reduced convolution", IROS 2011, which excludes the ends of the ranges of directions.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import chain, groupby
+from math import gcd, lcm
+from operator import itemgetter
+
+from exactsweep.geometry.direction import reduce_direction
+from exactsweep.geometry.edges import Rings
+from exactsweep.numbers.number import Rational, Vertex
+
+Line = tuple[int, int, int]
+"""The line dx * y - dy * x = c as (dx, dy, c), coprime, with dx > 0, or dx = 0 < dy."""
+
+Parameter = tuple[int, int]
+"""A parameter n / d of a line, d > 0: the value of x, or of y if the line is vertical."""
+
+Sides = tuple[bool, bool]
+"""The sides of a line with overlap: its left, and its right."""
+
+NEITHER: Sides = False, False
+BOTH: Sides = True, True
+
+Cut = tuple[int, int, int, bool, bool, Sides]
+"""A crossing: the key of its parameter, the parameter; whether overlap passes through the crossing
+on the side of the other segment before it, and after it; the sides of the other segment."""
+
+
+EdgeFeature = tuple[
+    int, int, int, Rational, Rational, bool, tuple[Rational, Rational, Rational, Rational]
+]
+"""An edge: its line; its least and its greatest parameter; whether it runs along the direction of
+the line; the vectors of the edges before and after it."""
+
+LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[EdgeFeature]]
+"""A pruning step: of the edges that vertex k of a ring faces, it returns the parts to keep."""
+
+
+class ContactSegment:
+    """A piece of a line along which contact segments have the same directions.
+
+    Attributes:
+        line: the line.
+        low, high: the parameters of the ends.
+        sides: the sides of the line with overlap, by (2).
+        low_sides, high_sides: the sides on which overlap passes through the ends.
+        covered: whether the segment was cut at its low end, and at its high end, with overlap just
+            inside.
+        cuts: the crossings with other segments; see `crossings`.
+        keys: the keys of the ends; see `crossings`.
+    """
+
+    __slots__ = (
+        "covered",
+        "cuts",
+        "high",
+        "high_sides",
+        "keys",
+        "line",
+        "low",
+        "low_sides",
+        "sides",
+    )
+
+    def __init__(
+        self, line: Line, low: Parameter, high: Parameter, sides: Sides, low_sides: Sides = NEITHER
+    ) -> None:
+        self.line, self.low, self.high = line, low, high
+        self.sides, self.low_sides, self.high_sides = sides, low_sides, NEITHER
+        self.covered = NEITHER
+        self.cuts: list[Cut] = []
+        self.keys = 0, 0
+
+    @property
+    def box(self) -> tuple[int, int, int, int]:
+        """The bounds of the segment, rounded outwards to ints: left, right, low, high."""
+        (dx, dy, c), (n, d), (m, e) = self.line, self.low, self.high
+        left, right = n // d, -(-m // e)
+        if dx == 0:
+            return -c // dy, -(c // dy), left, right
+        if dy < 0:
+            n, d, m, e = m, e, n, d
+        return left, right, (n * dy + c * d) // (dx * d), -((-m * dy - c * e) // (dx * e))
+
+    def between(self, low: int | None, high: int | None) -> ContactSegment:
+        """Return a piece of the segment, cut at one end or both, with overlap beyond each cut."""
+        piece = ContactSegment(self.line, self.low, self.high, self.sides, self.low_sides)
+        piece.high_sides = self.high_sides
+        piece.covered = low is not None, high is not None
+        if low is not None:
+            piece.low, piece.low_sides = (low, 1), self.sides
+        if high is not None:
+            piece.high, piece.high_sides = (high, 1), self.sides
+        return piece
+
+
+def find_contact_segments(
+    stationary: Rings, moving: Rings, leave_out: LeaveOut | None = None
+) -> list[ContactSegment]:
+    """Find the contact segments of two shapes, joined along each line.
+
+    Args:
+        stationary: the rings of D.
+        moving: the rings of H = I(G), the orbiting shape after half a turn.
+        leave_out: returns the parts of facing edges that may bound a free region.
+
+    Returns:
+        Segments in the order in which their lines are found.
+
+    Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
+
+    >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
+    >>> left, *_ = find_contact_segments(square, square)
+    >>> left.line, left.low, left.high, left.sides
+    ((0, 1, 0), (0, 1), (1, 1), (False, True))
+    """
+    shapes = [[_list_edges(ring) for ring in rings] for rings in (stationary, moving)]
+    angle, turn = _measure_angles([edge for rings in shapes for ring in rings for edge in ring])
+    ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
+    pieces: defaultdict[Line, list[tuple[Rational, Rational, bool]]] = defaultdict(list)
+    for edges_of, rings, vertices_of in (
+        (ranked[0], moving, ranked[1]),
+        (ranked[1], stationary, ranked[0]),
+    ):
+        order = sorted(chain.from_iterable(edges_of), key=itemgetter(0))
+        # Two turns, so that each range of directions is one slice.
+        at = [a for a, _ in order] + [a + turn for a, _ in order]
+        edges = [edge for _, edge in order] * 2
+        for ring, own in zip(rings, vertices_of, strict=True):
+            for k, first, last in _find_convex_vertices([a for a, _ in own], turn):
+                facing = edges[bisect_left(at, first) : bisect_right(at, last)]
+                _move(leave_out(facing, ring, k) if leave_out else facing, ring[k], pieces)
+    return [segment for line, ends in pieces.items() for segment in _join(line, ends)]
+
+
+def _move(
+    edges: Iterable[EdgeFeature],
+    vertex: Vertex,
+    pieces: defaultdict[Line, list[tuple[Rational, Rational, bool]]],
+) -> None:
+    """Add to the pieces of each line the edges on it, moved by a vertex."""
+    x, y = vertex
+    if type(x) is int and type(y) is int:
+        for dx, dy, offset, low, high, ahead, _ in edges:
+            along = x if dx else y
+            pieces[dx, dy, dx * y - dy * x + offset].append((low + along, high + along, ahead))
+        return
+    # `unit` times the vertex is on the lattice.
+    unit = lcm(x.denominator, y.denominator)
+    u, v = int(unit * x), int(unit * y)
+    for dx, dy, offset, low, high, ahead, _ in edges:
+        moved = x if dx else y
+        c = dx * v - dy * u + unit * offset
+        common = gcd(unit * dx, unit * dy, c)
+        line = unit * dx // common, unit * dy // common, c // common
+        pieces[line].append((low + moved, high + moved, ahead))
+
+
+def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
+    """List the edges of a ring; edge k ends at vertex k."""
+    edges: list[EdgeFeature] = []
+    (ox, oy), (px, py) = ring[-2], ring[-1]
+    for (qx, qy), (rx, ry) in zip(ring, [*ring[1:], ring[0]], strict=True):
+        dx, dy = reduce_direction((qx - px, qy - py))
+        first, last = (px, qx) if dx else (py, qy)
+        ahead = first < last
+        low, high = (first, last) if ahead else (last, first)
+        offset = dx * py - dy * px
+        if type(offset) is not int:
+            offset, unit = offset.as_integer_ratio()
+            dx, dy = unit * dx, unit * dy
+        edges.append((dx, dy, offset, low, high, ahead, (px - ox, py - oy, rx - qx, ry - qy)))
+        ox, oy, px, py = px, py, qx, qy
+    return edges
+
+
+def _measure_angles(edges: Sequence[EdgeFeature]) -> tuple[Callable[[EdgeFeature], int], int]:
+    """Return a function that maps edges to ints by angle, from straight down, and a full turn."""
+    # Slopes of different directions differ by at least a unit.
+    bits = 2 * max(edge[0] for edge in edges).bit_length()
+    vertical = (1 + max(abs(edge[1]) for edge in edges)) << bits
+
+    def angle(edge: EdgeFeature) -> int:
+        dx, dy, _, _, _, ahead, _ = edge
+        slope = (dy << bits) // dx if dx else vertical
+        return slope if ahead else slope + 2 * vertical
+
+    return angle, 4 * vertical
+
+
+def _find_convex_vertices(angles: Sequence[int], turn: int) -> Iterator[tuple[int, int, int]]:
+    """Yield the convex vertices by number, with the angles of the edges before and after them."""
+    for k, (first, last) in enumerate(zip(angles, [*angles[1:], angles[0]], strict=True)):
+        if last < first:
+            last += turn
+        if 2 * (last - first) <= turn:
+            yield k, first, last
+
+
+def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator[ContactSegment]:
+    """Yield the segments with constant sides that the contact segments of one line make up."""
+    if len(pieces) == 1:
+        ((low, high, ahead),) = pieces
+        ends = low.as_integer_ratio(), high.as_integer_ratio()
+        yield ContactSegment(line, *ends, (ahead, not ahead))
+        return
+    events = [(low, True, ahead) for low, _, ahead in pieces]
+    events += [(high, False, ahead) for _, high, ahead in pieces]
+    count = [0, 0]
+    segment: ContactSegment | None = None
+    for place, group in groupby(sorted(events), key=itemgetter(0)):
+        # Segments end before others start. (2) does not hold at a place where none passes through.
+        here = list(group)
+        for _, starts, ahead in here:
+            count[ahead] -= not starts
+        through = count[True] > 0, count[False] > 0
+        for _, starts, ahead in here:
+            count[ahead] += starts
+        sides = count[True] > 0, count[False] > 0
+        if segment:
+            if segment.sides == sides == through:
+                continue
+            segment.high, segment.high_sides = place.as_integer_ratio(), through
+            yield segment
+        end = place.as_integer_ratio()
+        segment = ContactSegment(line, end, end, sides, through) if any(sides) else None

@@ -1,0 +1,198 @@
+"""Loops and exact fits among the pieces that crossings leave.
+
+(1) Let a piece bound a free region. The next piece of the boundary is the first one counter-
+    clockwise from the reverse direction, and no crossing proves that it is in O. So if a walk does
+    not close, all of its pieces are in O. If it closes, one position decides the loop.
+(2) The least point p of the closure of O is the sum of the least vertices. The loop around all
+    overlap passes through p, and leaves it by the piece that is furthest clockwise. So it needs no
+    test.
+(3) O is open. So the ends of a free piece are free, and a piece that ends in O is in O.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from itertools import groupby
+from typing import NamedTuple
+
+from exactsweep.geometry.canonical import find_least
+from exactsweep.geometry.vectors import way_key as angle_key
+from exactsweep.numbers.number import Fit, Point, Vertex, divide_exactly
+from exactsweep.procedures.crossings import HomogeneousPoint, OneWayPiece, Pieces, TwoWayPiece
+
+PieceRing = Sequence[OneWayPiece]
+Test = Callable[[HomogeneousPoint], bool]
+"""Decides whether a position is in O; the position need not be reduced."""
+
+
+class Free(NamedTuple):
+    """The boundary of the free positions, and the exact fits.
+
+    Attributes:
+        around: the loops around overlap.
+        within: the loops around free regions, except for the unbounded one, sorted.
+        fits: the exact fits, sorted: segments, or points as segments with two equal ends. If only
+            one end lies on a loop, it comes first; otherwise the lesser end.
+
+    Loops are canonical: counter-clockwise, corners only, the least vertex first, not closed.
+    """
+
+    around: list[list[Point]]
+    within: list[list[Point]]
+    fits: list[Fit]
+
+
+def find_free(
+    pieces: Pieces, overlaps: Test, scale: int = 1, least: HomogeneousPoint | None = None
+) -> Free:
+    """Find the loops and the exact fits.
+
+    Args:
+        pieces: the pieces of contact segments.
+        overlaps: decides whether a position is in O.
+        scale: the divisor of all coordinates.
+        least: the least point of the closure of O, if it is bounded.
+
+    Cost: O(k) for k pieces, and one test for each closed walk, for each piece with overlap on both
+    sides, and for each meeting. Few closed walks are not free.
+    """
+    overlaps = cache(overlaps)
+    rings = list(_walk_rings(pieces.one_way, overlaps, least))
+    bounding = {piece[0] for ring in rings for piece in ring}
+    free = list(_find_free_pieces(pieces, overlaps, bounding))
+    touched = bounding.union(*(piece[1:] for piece in free))
+    fits = [(p, p) for p in pieces.meetings - touched if not overlaps(p)]
+    found = Free([], [], [])
+    for ring in rings:
+        loop, is_around = _make_canonical(ring, scale)
+        (found.around if is_around else found.within).append(loop)
+    for p, q in fits + list(_join_fits(free, bounding)):
+        fit = _divide(p, scale), _divide(q, scale)
+        found.fits.append(fit[::-1] if q in bounding and p not in bounding else fit)
+    found.within.sort()
+    found.fits.sort()
+    return found
+
+
+def _walk_rings(
+    pieces: Sequence[OneWayPiece], overlaps: Test, least: HomogeneousPoint | None
+) -> Iterator[PieceRing]:
+    """Walk around free regions, by (1) and (2); yield simple rings of pieces."""
+    leaving: defaultdict[HomogeneousPoint, list[OneWayPiece]] = defaultdict(list)
+    for piece in pieces:
+        leaving[piece[0]].append(piece)
+    if least is not None:
+        # With straight down as the X axis, all pieces that leave the least point come by angle.
+        outermost = min(leaving[least], key=lambda piece: angle_key((-piece[3], piece[2])))
+        pieces = [outermost, *pieces]
+    done: set[OneWayPiece] = set()
+    for k, first in enumerate(pieces):
+        way: dict[OneWayPiece, int] = {}
+        following: OneWayPiece | None = first
+        while following is not None and following not in done:
+            done.add(following)
+            way[following] = len(way)
+            following = _follow(following, leaving)
+        if following in way:
+            ring = list(way)[way[following] :]
+            is_known = least is not None and k == 0
+            if is_known or not overlaps(_find_middle(following[0], following[1])):
+                yield from split_where_it_touches(ring)
+
+
+def _follow(
+    piece: OneWayPiece, leaving: Mapping[HomogeneousPoint, list[OneWayPiece]]
+) -> OneWayPiece | None:
+    """Return the first piece counter-clockwise from the reverse of a piece, or None."""
+    _, end, dx, dy = piece
+    found = leaving.get(end)
+    if not found:
+        return None
+    if len(found) == 1:
+        return found[0]
+
+    def mirror(other: OneWayPiece) -> Vertex:
+        """Return the direction with the reverse of the piece as the X axis, clockwise."""
+        _, _, ex, ey = other
+        return -dx * ex - dy * ey, dx * ey - dy * ex
+
+    return max(found, key=lambda other: angle_key(mirror(other)))
+
+
+def split_where_it_touches(ring: Iterable[OneWayPiece]) -> Iterator[PieceRing]:
+    """Split a ring where it returns to a point, as where the loops of two obstacles touch."""
+    way: list[OneWayPiece] = []
+    places: dict[HomogeneousPoint, int] = {}
+    for piece in ring:
+        since = places.setdefault(piece[0], len(way))
+        if since < len(way):
+            yield way[since:]
+            for passed in way[since + 1 :]:
+                del places[passed[0]]
+            del way[since:]
+        way.append(piece)
+    yield way
+
+
+def _make_canonical(ring: PieceRing, scale: int) -> tuple[list[Point], bool]:
+    """Return the canonical loop of a ring, and whether the ring runs counter-clockwise."""
+    corners = [
+        piece
+        for before, piece in zip([ring[-1], *ring[:-1]], ring, strict=True)
+        if before[2:] != piece[2:]
+    ]
+    points = [_divide(piece[0], scale) for piece in corners]
+    k = find_least(points)
+    points = points[k:] + points[:k]
+    # The least vertex is convex.
+    (_, _, bx, by), (_, _, dx, dy) = corners[k - 1], corners[k]
+    if bx * dy > by * dx:
+        return points, True
+    return [points[0], *points[:0:-1]], False
+
+
+def _find_free_pieces(
+    pieces: Pieces, overlaps: Test, bounding: set[HomogeneousPoint]
+) -> Iterator[TwoWayPiece]:
+    """Yield the free pieces with overlap on both sides, by (3).
+
+    Pieces in O come in bundles. So after one of them, the ends of the next are tested first.
+    """
+    doubtful = pieces.meetings - bounding
+    in_bundle = False
+    for piece in pieces.two_way:
+        _, p, q = piece
+        if in_bundle and any(end in doubtful and overlaps(end) for end in (p, q)):
+            continue
+        in_bundle = overlaps(_find_middle(p, q))
+        if not in_bundle:
+            doubtful -= {p, q}
+            yield piece
+
+
+def _join_fits(
+    pieces: Iterable[TwoWayPiece], bounding: Container[HomogeneousPoint]
+) -> Iterator[tuple[HomogeneousPoint, HomogeneousPoint]]:
+    """Join free pieces that continue each other on one line, unless a loop passes there."""
+    for _, group in groupby(pieces, key=lambda piece: piece[0]):
+        (_, start, end), *others = group
+        for _, p, q in others:
+            if p != end or p in bounding:
+                yield start, end
+                start = p
+            end = q
+        yield start, end
+
+
+def _find_middle(p: HomogeneousPoint, q: HomogeneousPoint) -> HomogeneousPoint:
+    """Return the middle of two points, not reduced."""
+    (x, y, w), (u, v, z) = p, q
+    return x * z + u * w, y * z + v * w, 2 * w * z
+
+
+def _divide(point: HomogeneousPoint, scale: int) -> Point:
+    """Return a point divided by a scale."""
+    x, y, w = point
+    return Point(divide_exactly(x, w * scale), divide_exactly(y, w * scale))

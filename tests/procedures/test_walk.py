@@ -1,0 +1,158 @@
+"""Walks around free regions, and the loop around all overlap, which needs no test."""
+
+from fractions import Fraction
+from itertools import product
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from polyominoes import Cells, polyominoes
+from pruned import Overlaps, rings
+from strategies import Ring, simple_rings
+from tiers import examples
+
+from exactsweep import Polygon
+from exactsweep.geometry.direction import find_monotone_directions
+from exactsweep.geometry.edges import Rings
+from exactsweep.geometry.frame import find_shared_direction
+from exactsweep.numbers.number import Point
+from exactsweep.procedures import crossings, walk
+from exactsweep.procedures.crossings import HomogeneousPoint, OneWayPiece, Pieces
+from exactsweep.procedures.positions import reflect
+from exactsweep.procedures.segments import find_contact_segments
+from exactsweep.procedures.walk import find_free, split_where_it_touches
+
+MATRICES = st.sampled_from([(1, 0, 0, 1), (5, 3, -2, 9), (8, 8, 0, 4), (0, 1, -1, 0)])
+
+
+def cut(stationary: Rings, orbiting: Rings) -> Pieces:
+    return crossings.cut(find_contact_segments(stationary, reflect(orbiting)))
+
+
+def find_least(stationary: Rings, orbiting: Rings) -> HomogeneousPoint:
+    """Find the least point at which the shapes touch."""
+    (ax, ay), (bx, by) = min(stationary[0]), max(orbiting[0])
+    return int(ax - bx), int(ay - by), 1
+
+
+def require_the_same(stationary: Rings, orbiting: Rings) -> None:
+    """Compare what is known of the outermost loop with the answer of the test."""
+    overlap = Overlaps(stationary, orbiting)
+
+    def overlaps(position: HomogeneousPoint) -> bool:
+        x, y, w = position
+        return overlap.at(Point(Fraction(x, w), Fraction(y, w)))
+
+    asked = find_free(cut(stationary, orbiting), overlaps)
+    known = find_free(cut(stationary, orbiting), overlaps, 1, find_least(stationary, orbiting))
+    assert known == asked
+
+
+@given(polyominoes(9, 4), polyominoes(7, 3), MATRICES)
+@examples(60)
+def test_polyominoes_have_the_same_loops(
+    d: Cells, g: Cells, matrix: tuple[int, int, int, int]
+) -> None:
+    require_the_same(rings(d, matrix), rings(g, matrix))
+
+
+@given(simple_rings(), simple_rings())
+@examples(60)
+def test_polygons_have_the_same_loops(d: Ring, g: Ring) -> None:
+    require_the_same([Polygon(d).lattice()[1]], [Polygon(g).lattice()[1]])
+
+
+@pytest.mark.parametrize("shear", [0, 8, -8])
+def test_the_outermost_of_several_pieces_is_known(shear: int) -> None:
+    # A hole touches the least vertex of D, so two pieces leave the least point. A segment on the
+    # line of the wrong one, y = x / 5, comes first in the order of lines.
+    d, h = (
+        [[(x, y + shear * x) for x, y in ring] for ring in rings]
+        for rings in (
+            [[(0, 0), (10, -60), (10, 60)], [(0, 0), (5, 1), (5, -1)]],
+            [[(0, 0), (100, 30), (100, 100), (15, 100), (20, 66), (25, 67), (50, 20)]],
+        )
+    )
+    pieces = cut(d, reflect(h))
+    slopes = [(5, 1 + 5 * shear), (1, 6 + shear), (1, shear - 6)]
+    assert {piece[2:] for piece in pieces.one_way if piece[0] == (0, 0, 1)} <= {*slopes}
+    found = find_free(pieces, lambda _: True, 1, find_least(d, reflect(h)))
+    assert [loop[0] for loop in found.around] == [Point(Fraction(0), Fraction(0))]
+    assert (len(found.within), found.fits) == (0, [])
+
+
+def test_a_pair_without_caves_takes_no_question() -> None:
+    star = [(0, 0), (9, 4), (20, 0), (16, 9), (20, 20), (9, 16), (0, 20), (4, 9)]
+    asked: list[HomogeneousPoint] = []
+
+    def overlaps(position: HomogeneousPoint) -> bool:
+        asked.append(position)
+        return True
+
+    found = find_free(cut([star], [star]), overlaps, 1, find_least([star], [star]))
+    assert ([len(loop) for loop in found.around], found.within, found.fits) == ([16], [], [])
+    assert not asked
+
+
+COMPASS = [(1, 0), (2, 1), (1, 1), (0, 1), (-1, 1), (-1, 0), (-2, -1), (-1, -1), (0, -1), (1, -1)]
+
+
+@pytest.mark.parametrize("turns", [1, -1])
+def test_the_next_piece_is_the_first_counter_clockwise_from_the_reverse(turns: int) -> None:
+    """Never the reverse itself, if there is another one."""
+    for back, first, second in product(range(10), repeat=3):
+        if first == second:
+            continue
+        (x, y), *directions = (COMPASS[k] for k in (back, first, second))
+        here = (0, 0, 1)
+        arriving: OneWayPiece = (here, here, -x, -y)
+        leaving: list[OneWayPiece] = [(here, here, dx, dy) for dx, dy in directions]
+        found = walk._follow(arriving, {here: leaving[::turns]})
+        expected = min((0, 1), key=lambda k: ((first, second)[k] - back - 1) % 10)
+        assert found == leaving[expected]
+
+
+def test_a_ring_is_split_where_it_comes_back() -> None:
+    """Through B, C and B again; C, which was split off, is then passed for the first time."""
+    a, b, c, d, e = ((k, 0, 1) for k in range(5))
+    points = [a, b, c, b, d, e, c]
+    pieces = [(p, q, 1, 0) for p, q in zip(points, [*points[1:], a], strict=True)]
+    parts = [[piece[0] for piece in part] for part in split_where_it_touches(pieces)]
+    assert parts == [[b, c], [a, b, d, e, c]]
+
+
+def test_the_end_on_a_loop_comes_first_if_only_one_is() -> None:
+    p, q = (0, 0, 1), (2, 3, 2)
+    near, far = Point(Fraction(0), Fraction(0)), Point(Fraction(1, 5), Fraction(3, 10))
+    line = 2, 3, 0
+    loops: dict[HomogeneousPoint, list[OneWayPiece]] = {
+        start: [
+            (start, (8, 8, 1), 1, 2),
+            ((8, 8, 1), (8, 9, 1), 0, 1),
+            ((8, 9, 1), start, -2, -3),
+        ]
+        for start in (p, q)
+    }
+    for bounding, expected in (
+        ([p], (near, far)),
+        ([q], (far, near)),
+        ([], (near, far)),
+    ):
+        one_way = [piece for start in bounding for piece in loops[start]]
+        found = find_free(Pieces(one_way, [(line, p, q)], set()), lambda _: False, 5)
+        assert found.fits == [expected]
+
+
+def test_directions_are_found_once() -> None:
+    tips = [(0, 10), (-10, 3), (-6, -8), (6, -8), (10, 3)]
+    dents = [(-2, 3), (-4, -1), (0, -4), (4, -1), (2, 3)]
+    spikes = Polygon([p for pair in zip(tips, dents, strict=True) for p in pair])
+    box = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    found = find_monotone_directions(spikes)
+    assert not found
+    assert find_monotone_directions(spikes) is found
+    # A copy knows as much; an image is asked for itself.
+    assert find_monotone_directions(Polygon(spikes)) is found
+    assert find_monotone_directions(spikes.translated((1, 0))) == found
+    assert find_shared_direction(spikes, box) is None
+    assert find_shared_direction(box, spikes) is None
