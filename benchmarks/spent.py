@@ -17,8 +17,7 @@ from typing import Any, NamedTuple
 from rich.table import Table
 
 from benchmarks.families import FAMILIES
-from exactsweep import Polygon, sweep
-from exactsweep.evidence.sweep import Sweep
+from exactsweep import Polygon, Sweep, sweep
 from exactsweep.procedures.monotone import LowerSweep, MonotoneSolution
 from exactsweep.procedures.solution import pause_collector
 

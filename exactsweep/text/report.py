@@ -9,8 +9,8 @@ from io import StringIO
 from math import isqrt
 from typing import TYPE_CHECKING
 
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
-from exactsweep.evidence.sweep import Sweep
+from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
+from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
@@ -28,7 +28,9 @@ _ANY_EXPONENT = Context(prec=_SHOWN + 1, Emax=MAX_EMAX, Emin=MIN_EMIN)
 _NO_WRAPPING = 10**9
 
 
-def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool = False) -> str:
+def report(
+    sweep: SweepAnswer, terminal_width: int | None = None, *, everything: bool = False
+) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
     Areas are exact. A decimal approximation stands beside an area if it is a different number. The
@@ -83,7 +85,7 @@ def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool 
 
 
 def report_no_fit(
-    n: NoFitPolygon, terminal_width: int | None = None, *, everything: bool = False
+    n: NoFitAnswer, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
 
@@ -126,7 +128,7 @@ def report_no_fit(
 
 
 def report_inner_fit(
-    f: InnerFit, terminal_width: int | None = None, *, everything: bool = False
+    f: InnerFitAnswer, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe the positions of a part inside a container.
 
