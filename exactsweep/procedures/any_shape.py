@@ -101,7 +101,7 @@ class ShapeSolution:
     @made_once
     def unswept(self) -> list[list[Point]]:
         """The other holes of the swept area, sorted."""
-        others = [loop for loop in self._inside if loop is not self.inner]
+        others = [loop for loop in self._inside if loop != self.inner]
         return sorted(others + self._around_path.holes)
 
     @made_once
