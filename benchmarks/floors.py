@@ -15,11 +15,10 @@ from rich.table import Table
 
 from benchmarks.clock import milliseconds
 from benchmarks.families import FAMILIES
-from exactsweep import Polygon, sweep
+from exactsweep import Polygon, Sweep, sweep
 from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import mm
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.evidence.sweep import Sweep
 
 VERIFY_BAR = 20.0
 PAGE_BAR = 2000.0

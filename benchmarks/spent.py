@@ -17,9 +17,8 @@ from typing import Any, NamedTuple
 from rich.table import Table
 
 from benchmarks.families import FAMILIES
-from exactsweep import Polygon, sweep
-from exactsweep.evidence.sweep import Sweep
-from exactsweep.procedures.monotone import LowerSweep, MonotoneSolution
+from exactsweep import Polygon, Sweep, sweep
+from exactsweep.procedures.monotone import LowerMM, MonotoneSolution
 from exactsweep.procedures.solution import pause_collector
 
 PAIRS = (("mm", 16), ("stair", 16), ("cm", 64))
@@ -29,7 +28,7 @@ on every run."""
 COUNTED = ("instructions", "calls", "objects", "Fractions", "products", "comparisons")
 
 
-def take_halves(s: Sweep) -> tuple[LowerSweep, LowerSweep]:
+def take_halves(s: Sweep) -> tuple[LowerMM, LowerMM]:
     """The lower and the upper sweep of a monotone pair."""
     assert isinstance(s.solution, MonotoneSolution)
     return s.solution.halves

@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
-from exactsweep.evidence.shown import Display
-from exactsweep.evidence.sweep import Sweep
+from exactsweep.answers import InnerFit, NoFitPolygon, Sweep
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.frame import find_shared_direction, require_monotone
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_shape
 from exactsweep.numbers.error import tells_arguments
-
-if TYPE_CHECKING:
-    from exactsweep.view import InlinePage
 
 __all__ = [
     "InnerFit",
@@ -26,30 +20,6 @@ __all__ = [
     "no_fit_polygon",
     "sweep",
 ]
-
-
-def _show_sweeps() -> Display:
-    from exactsweep.draw import plot_sweep
-    from exactsweep.draw.notebook import draw_sweep, show_sweep
-
-    return Display(plot_sweep, draw_sweep, show_sweep)
-
-
-def _show_positions() -> Display:
-    from exactsweep.draw import plot_positions
-    from exactsweep.draw.notebook import draw_positions, show_positions
-
-    return Display(plot_positions, draw_positions, show_positions)
-
-
-def _show_page(s: Sweep, height: int) -> InlinePage:
-    from exactsweep.view import InlinePage
-
-    return InlinePage(s, height)
-
-
-Sweep._display, Sweep._show_page = staticmethod(_show_sweeps), staticmethod(_show_page)
-NoFitPolygon._display = InnerFit._display = staticmethod(_show_positions)
 
 
 @tells_arguments

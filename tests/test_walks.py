@@ -48,7 +48,7 @@ class Here:
 
 def make_trajectory(folder: Path) -> object:
     # As if these were never swept before.
-    monotone._keep.cache_clear()
+    monotone.split_polygon.cache_clear()
     return sweep(HOUSE, BLOCK).trajectory
 
 

@@ -48,7 +48,7 @@ def first(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     ]
 
     def run() -> list[Loop]:
-        monotone._keep.cache_clear()
+        monotone.split_polygon.cache_clear()
         return [exactsweep.sweep(*pairs.pop()).trajectory.vertices]
 
     return run
@@ -59,7 +59,7 @@ def text(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     given = [[(str(x), str(y)) for x, y in ring] for ring in (generatrix, directrix)]
 
     def run() -> list[Loop]:
-        monotone._keep.cache_clear()
+        monotone.split_polygon.cache_clear()
         return [exactsweep.sweep(*map(exactsweep.Polygon, given)).trajectory.vertices]
 
     return run

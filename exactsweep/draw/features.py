@@ -9,7 +9,7 @@ from exactsweep.geometry.outline import number_features
 from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.sweep import Sweep
+    from exactsweep.evidence.sweep import SweepAnswer
 
 Ends = tuple[Point, Point]
 
@@ -21,7 +21,7 @@ class Features:
         s: a Sweep.
     """
 
-    def __init__(self, s: Sweep) -> None:
+    def __init__(self, s: SweepAnswer) -> None:
         self._reference = s.reference
         self.g_vertices, self._g_ends = number_features(s.generatrix)
         self.d_vertices, self._d_ends = number_features(s.directrix)

@@ -29,7 +29,7 @@ from exactsweep.numbers.number import Point
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+    from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
     from exactsweep.numbers.number import Fit
 
 
@@ -57,11 +57,11 @@ class Positions(NamedTuple):
     placed: tuple[Region, ...] = ()
 
     @classmethod
-    def of(cls, found: NoFitPolygon | InnerFit) -> Positions:
+    def of(cls, found: NoFitAnswer | InnerFitAnswer) -> Positions:
         """Collect the content of a picture."""
-        from exactsweep.evidence.no_fit import InnerFit
+        from exactsweep.evidence.no_fit import InnerFitAnswer
 
-        if isinstance(found, InnerFit):
+        if isinstance(found, InnerFitAnswer):
             shapes = found.container, found.part, found.reference
             called = "container D", "part G", "free positions"
             return cls(*shapes, called, None, found.regions, found.exact_fits, found.placed)
@@ -93,7 +93,7 @@ class Positions(NamedTuple):
 
 @tells_arguments
 def plot_positions(
-    found: NoFitPolygon | InnerFit,
+    found: NoFitAnswer | InnerFitAnswer,
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,

@@ -22,12 +22,12 @@ from exactsweep.numbers.digits import abridge
 from exactsweep.words import CLASSES, write_pair, write_size
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
-    from exactsweep.evidence.sweep import Sweep
+    from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
+    from exactsweep.evidence.sweep import SweepAnswer
     from exactsweep.numbers.number import Fit
 
 
-def draw_sweep(s: Sweep) -> str:
+def draw_sweep(s: SweepAnswer) -> str:
     """Draw a sweep as an SVG image: polygons, loops, trajectory, undercuts and exact fits.
 
     Cost: that of the loops and the undercuts, and linear in their sizes.
@@ -61,7 +61,7 @@ def _fit_shapes(fits: Iterable[Fit], s: Moving) -> list[Shape]:
     ]
 
 
-def draw_positions(found: NoFitPolygon | InnerFit) -> str:
+def draw_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
     """Draw a no-fit polygon or an inner fit as an SVG image.
 
     Cost: that of all its parts, and linear in their sizes.
@@ -86,9 +86,9 @@ def draw_positions(found: NoFitPolygon | InnerFit) -> str:
     return write_svg(shapes, title)
 
 
-def show_positions(found: NoFitPolygon | InnerFit) -> str:
+def show_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
     """Show a no-fit polygon or an inner fit as HTML: its picture, and sizes."""
-    from exactsweep.evidence.no_fit import NoFitPolygon
+    from exactsweep.evidence.no_fit import NoFitAnswer
 
     shown = Positions.of(found)
     fixed, moving, _ = (name.split()[0] for name in shown.called)
@@ -97,7 +97,7 @@ def show_positions(found: NoFitPolygon | InnerFit) -> str:
         (fixed, write_size(len(shown.directrix), shown.directrix.area)),
         (moving, write_size(len(shown.generatrix), shown.generatrix.area)),
     ]
-    if isinstance(found, NoFitPolygon):
+    if isinstance(found, NoFitAnswer):
         exterior = write_size(len(found.exterior), found.exterior.area)
         rows = [("class", CLASSES[found.kind]), *rows, ("exterior", exterior)]
         rows.append(("holes", str(len(found.holes))))
@@ -107,7 +107,7 @@ def show_positions(found: NoFitPolygon | InnerFit) -> str:
     return put_beside(draw_positions(found), rows)
 
 
-def show_sweep(s: Sweep) -> str:
+def show_sweep(s: SweepAnswer) -> str:
     """Show a sweep as HTML: its picture, class, and the sizes of its loops."""
     rows = [
         ("class", CLASSES[s.kind]),

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.sweep import Sweep
+from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import Point
 
@@ -35,7 +35,7 @@ class ContactStretch(NamedTuple):
 
 
 @tells_arguments
-def cut_trajectory(s: Sweep) -> list[ContactStretch]:
+def cut_trajectory(s: SweepAnswer) -> list[ContactStretch]:
     """Cut the trajectory where a contact begins or ends.
 
     Args:
@@ -55,7 +55,7 @@ def cut_trajectory(s: Sweep) -> list[ContactStretch]:
     return _cut(Features(s), s.trajectory.vertices, s.contacts)
 
 
-def cut_loops(s: Sweep, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
+def cut_loops(s: SweepAnswer, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
     """Cut other loops of positions as `cut_trajectory` cuts the trajectory.
 
     Args:

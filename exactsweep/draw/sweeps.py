@@ -24,7 +24,7 @@ from exactsweep.numbers.number import Point
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.sweep import Sweep
+    from exactsweep.evidence.sweep import SweepAnswer
     from exactsweep.evidence.undercut import Undercut
     from exactsweep.numbers.number import Fit
 
@@ -50,7 +50,7 @@ class Moving(Protocol):
 
 @tells_arguments
 def plot_sweep(
-    s: Sweep,
+    s: SweepAnswer,
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,
@@ -150,7 +150,7 @@ def find_shift(s: Moving) -> Point:
     return Point(x - s.reference.x, y - s.reference.y)
 
 
-def trace_anchor(s: Sweep) -> Polygon:
+def trace_anchor(s: SweepAnswer) -> Polygon:
     """Return the trajectory of the anchor."""
     return s.trajectory.translated(find_shift(s))
 
@@ -162,7 +162,7 @@ def place_generatrix(s: Moving, position: Point) -> AnyPolygon:
 
 
 @tells_arguments
-def choose_telling_positions(s: Sweep) -> list[Point]:
+def choose_telling_positions(s: SweepAnswer) -> list[Point]:
     """Choose positions to draw: in undercuts and exact fits, far from each other.
 
     Returns:
@@ -197,7 +197,7 @@ def _square(p: Point, q: Point) -> Fraction:
 
 
 @tells_arguments
-def draw_loops(picture: Picture, s: Sweep) -> None:
+def draw_loops(picture: Picture, s: SweepAnswer) -> None:
     """Draw the swept area between the inner and the outer loop, and the directrix."""
     outer, inner = s.outer.vertices, s.inner.vertices
     unswept = [loop.vertices for loop in s.unswept]
@@ -223,7 +223,7 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
 
 
 @tells_arguments
-def draw_trajectory(picture: Picture, s: Sweep) -> None:
+def draw_trajectory(picture: Picture, s: SweepAnswer) -> None:
     """Draw the path of the anchor, each stretch in the style of its contact event."""
     of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
     chains: dict[str, list[list[Point]]] = {}
@@ -299,12 +299,12 @@ def draw_generatrix(
 
 
 @tells_arguments
-def draw_contacts(picture: Picture, s: Sweep, positions: Iterable[Point]) -> None:
+def draw_contacts(picture: Picture, s: SweepAnswer, positions: Iterable[Point]) -> None:
     """Mark where G touches D when its reference point is at each of some positions."""
     draw_spots(picture, find_spots(s, positions))
 
 
-def find_spots(s: Sweep, positions: Iterable[Point]) -> dict[str, list[Ends]]:
+def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[Ends]]:
     """Find where G touches D at each of some positions, by event."""
     features = Features(s)
     spots: dict[str, list[Ends]] = {}

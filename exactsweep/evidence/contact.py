@@ -15,9 +15,9 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Collection, Container, Iterable, Iterator, Sequence
-from itertools import pairwise
-from math import ceil, floor, inf, lcm
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import accumulate, pairwise
+from math import inf, lcm
 from typing import Literal, NamedTuple
 
 from exactsweep.geometry.direction import Vector
@@ -28,12 +28,6 @@ from exactsweep.geometry.vectors import cross
 from exactsweep.numbers.number import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
-
-
-_Placed = list[tuple[int, Segment]]
-"""Features by number, and their pieces of lines, or their places on lines."""
-_Ways = defaultdict[tuple[Vector, bool], _Placed]
-"""Edges by their direction, and whether they run against it."""
 
 
 class Contact(NamedTuple):
@@ -90,90 +84,57 @@ def find_edge_contacts(
     Cost: O((t + m + n) log(t + m + n)) for t edges, plus a look-up in O(log t) for each pair that
     can touch without overlap. Convex polygons have O(m + n) such pairs, others O(m n).
     """
-    lines: defaultdict[Vector, dict[Rational, list[tuple[int, int, Segment]]]] = defaultdict(dict)
+    lines: defaultdict[tuple[Vector, Rational], list[tuple[Rational, int, Segment]]]
+    lines = defaultdict(list)
     for k, piece in enumerate(map(make_segment, edges)):
-        line = lines[piece.direction].setdefault(piece.offset, [])
-        line.append((floor(piece.low), k, piece))
-    longest: dict[tuple[Vector, Rational], int] = {}
-    for u, of_direction in lines.items():
-        for offset, line in of_direction.items():
-            line.sort()
-            longest[u, offset] = max(ceil(piece.high) - low for low, _, piece in line)
+        lines[piece.direction, piece.offset].append((piece.low, k, piece))
+    reaches = {}
+    for line, pieces in lines.items():
+        pieces.sort()
+        reaches[line] = list(accumulate((piece.high for _, _, piece in pieces), max))
+    directions = {u for u, _ in lines}
     found: list[set[Contact]] = [set() for _ in edges]
 
     def note(event: Event, i: int, j: int, mine: Segment, theirs: Segment) -> None:
-        u, offset = mine.direction, theirs.offset - mine.offset
-        line = lines[u][offset]
-        # Ints decide quickly which pieces of the line are near.
-        first = floor(theirs.low) - ceil(mine.high) - longest[u, offset]
-        last = ceil(theirs.high) - floor(mine.low)
-        near = line[bisect_left(line, (first + 1,)) : bisect_left(line, (last,))]
-        if near:
-            touching = theirs.minus(mine)
-            for _, k, piece in near:
+        """Note a contact of two parallel features for all edges along which it lasts."""
+        line = mine.direction, theirs.offset - mine.offset
+        if line in reaches:
+            touching, pieces = theirs.minus(mine), lines[line]
+            for number in range(bisect_right(reaches[line], touching.low), len(pieces)):
+                low, k, piece = pieces[number]
+                if low >= touching.high:
+                    break
                 if touching.shares_piece(piece):
                     found[k].add(Contact(event, i, j))
 
-    g_ways, d_ways = (_group_by_way(shape, lines) for shape in (generatrix, directrix))
-    for (u, backward), ours in g_ways.items():
-        # Both run with their shape on the left, so facing edges have opposite directions.
-        for i, mine, j, theirs in _pair(ours, d_ways.get((u, not backward), []), lines[u]):
-            note("EE", i, j, mine, theirs)
+    ours, theirs = (
+        [k for k, piece in enumerate(shape.pieces) if piece.direction in directions]
+        for shape in (generatrix, directrix)
+    )
+    for i, vertex in find_facing(generatrix, directrix, ours):
+        for j in directrix.twins(vertex):
+            mine = generatrix.pieces[i]
+            note("EV", i, j, mine, lay_point(directrix.vertices[j], mine.direction))
+    for j, vertex in find_facing(directrix, generatrix, theirs):
+        for i in generatrix.twins(vertex):
+            other = directrix.pieces[j]
+            note("VE", i, j, lay_point(generatrix.vertices[i], other.direction), other)
+    # Both run with their shape on the left, so facing edges have opposite orientations.
+    parallel: defaultdict[tuple[Vector, bool], list[int]] = defaultdict(list)
+    for j in theirs:
+        parallel[directrix.pieces[j].direction, directrix.backward[j]].append(j)
+    for i in ours:
+        mine = generatrix.pieces[i]
+        u = mine.direction
+        for j in parallel[u, not generatrix.backward[i]]:
+            other = directrix.pieces[j]
+            note("EE", i, j, mine, other)
             # Where rings touch, a vertex may lie inside an edge.
             for k in directrix.vertices_inside(j):
                 note("EV", i, k, mine, lay_point(directrix.vertices[k], u))
             for k in generatrix.vertices_inside(i):
-                note("VE", k, j, lay_point(generatrix.vertices[k], u), theirs)
-    for u, ours, vertices in _list_facing(generatrix, directrix, g_ways):
-        for i, mine, j, theirs in _pair(ours, vertices, lines[u]):
-            note("EV", i, j, mine, theirs)
-    for u, others, vertices in _list_facing(directrix, generatrix, d_ways):
-        for i, mine, j, theirs in _pair(vertices, others, lines[u]):
-            note("VE", i, j, mine, theirs)
+                note("VE", k, j, lay_point(generatrix.vertices[k], u), other)
     return [sorted(_without_parts(at, generatrix, directrix)) for at in found]
-
-
-def _group_by_way(shape: Outline, directions: Container[Vector]) -> _Ways:
-    """Group the edges of some directions by direction and orientation."""
-    found: _Ways = defaultdict(list)
-    for k, (piece, backward) in enumerate(zip(shape.pieces, shape.backward, strict=True)):
-        if piece.direction in directions:
-            found[piece.direction, backward].append((k, piece))
-    return found
-
-
-def _list_facing(
-    shape: Outline, outline: Outline, ways: _Ways
-) -> Iterator[tuple[Vector, _Placed, _Placed]]:
-    """List groups of edges, each with the vertices that can touch them, on lines of the edges."""
-    facing: defaultdict[int, list[int]] = defaultdict(list)
-    for i, j in find_facing(shape, outline, [edges[0][0] for edges in ways.values()]):
-        facing[i] += outline.twins(j)
-    for (u, _), edges in ways.items():
-        at = facing[edges[0][0]]
-        yield u, edges, [(j, lay_point(outline.vertices[j], u)) for j in at]
-
-
-def _pair(
-    ours: _Placed, theirs: _Placed, lines: Collection[Rational]
-) -> Iterator[tuple[int, Segment, int, Segment]]:
-    """Find the pairs of parallel features with translations on some lines, given by offsets."""
-    (mine, others) = (_group_by_offset(features) for features in (ours, theirs))
-    if len(lines) < len(others):
-        offsets = [(a, a + line) for a in mine for line in lines if a + line in others]
-    else:
-        offsets = [(a, b) for a in mine for b in others if b - a in lines]
-    for a, b in offsets:
-        for i, one in mine[a]:
-            for j, other in others[b]:
-                yield i, one, j, other
-
-
-def _group_by_offset(features: _Placed) -> dict[Rational, _Placed]:
-    found: defaultdict[Rational, _Placed] = defaultdict(list)
-    for feature in features:
-        found[feature[1].offset].append(feature)
-    return found
 
 
 def find_translations(contact: Contact, generatrix: Outline, directrix: Outline) -> Segment:

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from exactsweep.evidence.certificate import claim_inner_fit, claim_no_fit
-from exactsweep.evidence.shown import Shown
+from exactsweep.evidence.certified import Certified
 from exactsweep.evidence.sweep import solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
@@ -22,17 +22,8 @@ from exactsweep.procedures.solution import made_once, place_fits, place_loop
 from exactsweep.words import write_pair
 
 
-class NoFitPolygon(Shown):
-    """The positions where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
-
-    Each property is computed on first access.
-
-    Attributes:
-        stationary: D, a Region.
-        orbiting: G, a Region.
-        reference: the point of G that marks a position, a Point.
-        kind: "CC", "CM" or "MM" if the paper's procedures apply, else "SS".
-    """
+class NoFitAnswer(Certified):
+    """The loops and exact fits of a no-fit polygon; see `exactsweep.NoFitPolygon`."""
 
     asked = ("stationary", "orbiting", "reference")
 
@@ -119,17 +110,8 @@ class NoFitPolygon(Shown):
         )
 
 
-class InnerFit(Shown):
-    """The positions of a part inside a container, free of placed shapes if there are any.
-
-    `inner_fit_polygon` and `free_positions` return it. It is true if there is any position.
-
-    Attributes:
-        container: a Region, whose holes are defects.
-        part: a Region.
-        reference: the point of the part that marks a position, a Point.
-        placed: the Regions that the part must not overlap.
-    """
+class InnerFitAnswer(Certified):
+    """The regions and exact fits of an inner fit; see `exactsweep.InnerFit`."""
 
     asked = ("container", "part", "reference", "placed")
 

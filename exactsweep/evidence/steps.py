@@ -30,7 +30,7 @@ from exactsweep.geometry.vectors import cross, minus
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.sweep import Sweep
+    from exactsweep.evidence.sweep import SweepAnswer
 
 Half = Literal["lower", "right", "upper", "left"]
 Mark = Literal["undercut", "undercut opens", "undercut closes", "exact fit"]
@@ -87,7 +87,7 @@ class Step(NamedTuple):
     reasons: tuple[Contact, ...]
 
 
-def explain(s: Sweep) -> tuple[Step, ...]:
+def explain(s: SweepAnswer) -> tuple[Step, ...]:
     """Explain a sweep step by step, once around from the first vertex of the trajectory.
 
     Returns:
@@ -112,7 +112,7 @@ def explain(s: Sweep) -> tuple[Step, ...]:
 class _Guide:
     """The data of a sweep in the coordinates of its frame, for the steps."""
 
-    def __init__(self, s: Sweep) -> None:
+    def __init__(self, s: SweepAnswer) -> None:
         self.sweep = s
         self.generatrix, self.directrix = s._boundaries
         self.path = s._route

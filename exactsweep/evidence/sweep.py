@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
-from typing import Any, ClassVar
+from typing import Any
 
 from exactsweep.evidence.certificate import claim_no_fit, claim_sweep
+from exactsweep.evidence.certified import Certified
 from exactsweep.evidence.contact import (
     Contact,
     find_contacts,
@@ -16,7 +17,6 @@ from exactsweep.evidence.contact import (
     list_edges,
     number_as_given,
 )
-from exactsweep.evidence.shown import Shown
 from exactsweep.evidence.undercut import Tracer, Undercut, find_closing_positions
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
@@ -52,24 +52,10 @@ def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | Non
     return MonotoneSolution(generatrix.exterior, directrix.exterior, direction)
 
 
-class Sweep(Shown):
-    """The sweep (G, D) of a generatrix around a directrix; made by `sweep`.
-
-    Each loop is computed on first access.
-
-    Attributes:
-        generatrix: G, a Polygon; a Region if the kind is "SS".
-        directrix: D, likewise.
-        kind: "CC" if both are convex, "CM" if only G is convex, "MM" if both are monotone, or "SS"
-            for any shape.
-        direction: the shared direction of monotonicity, a primitive integer vector; None if the
-            kind is "SS".
-        reference: the point of G whose path the trajectory is, a Point.
-    """
+class SweepAnswer(Certified):
+    """The loops, contacts, undercuts and exact fits of a sweep (G, D); see `exactsweep.Sweep`."""
 
     asked = ("generatrix", "directrix", "direction", "reference")
-    _show_page: ClassVar[Callable[[Sweep, int], Any]]
-    """Loads the function that makes the interactive page; `exactsweep.sweep` sets it."""
 
     def __init__(
         self,
@@ -211,17 +197,6 @@ class Sweep(Shown):
             number_as_given(self.generatrix, g, i, of_edge=event[0] == "E"),
             number_as_given(self.directrix, d, j, of_edge=event[1] == "E"),
         )
-
-    def view(self, height: int = 600) -> Any:
-        """Return the interactive page for a notebook; see `exactsweep.view.page`.
-
-        Args:
-            height: the height of the frame in the notebook, in pixels.
-
-        Returns:
-            An `exactsweep.view.InlinePage`.
-        """
-        return type(self)._show_page(self, height)
 
     @cached_property
     def undercuts(self) -> tuple[Undercut, ...]:

@@ -10,8 +10,8 @@ from itertools import pairwise
 from operator import itemgetter
 from typing import Any, TypeVar
 
+from exactsweep.answers import InnerFit, NoFitPolygon
 from exactsweep.check import verify
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region

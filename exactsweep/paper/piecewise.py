@@ -36,7 +36,7 @@ class LinearPiece(NamedTuple):
 PiecewiseLinear = tuple[LinearPiece, ...]
 
 
-class _Graph(NamedTuple):
+class _ScaledLine(NamedTuple):
     """All (x, slope * x + constant), in a unit of length for y that makes both ints."""
 
     slope: int
@@ -70,18 +70,18 @@ def take_least_sum(
     unit = lcm(*(c.denominator for function in (f, g) for piece in function for c in piece))
     scaled = [[[int(c * unit) for c in piece] for piece in function] for function in (f, g)]
     fine = lcm(*(x1 - x0 for function in scaled for x0, _, x1, _ in function))
-    starting: dict[int, set[tuple[_Graph, int]]] = defaultdict(set)
+    starting: dict[int, set[tuple[_ScaledLine, int]]] = defaultdict(set)
     cuts: set[int] = set()
     for fixed, other in (scaled, scaled[::-1]):
         corners = {end for x0, y0, x1, y1 in fixed for end in ((x0, y0), (x1, y1))}
         for x0, y0, x1, y1 in other:
             slope = (y1 - y0) * (fine // (x1 - x0))
             for x, y in corners:
-                line = _Graph(slope, (y0 + y) * fine - slope * (x0 + x))
+                line = _ScaledLine(slope, (y0 + y) * fine - slope * (x0 + x))
                 starting[x0 + x].add((line, x1 + x))
                 cuts.update((x0 + x, x1 + x))
-    over: set[tuple[_Graph, int]] = set()  # the pieces over the interval, and where they end
-    found: list[tuple[_Graph, Rational]] = []  # each line with where it becomes the lowest
+    over: set[tuple[_ScaledLine, int]] = set()  # the pieces over the interval, and where they end
+    found: list[tuple[_ScaledLine, Rational]] = []  # each line with where it becomes the lowest
     last: Rational = 0
     for left, right in pairwise(sorted(cuts)):
         over = {entry for entry in over if entry[1] > left} | starting[left]
@@ -103,8 +103,8 @@ def take_least_sum(
 
 
 def _lower_envelope(
-    left: int, right: int, lines: Iterable[_Graph]
-) -> Iterator[tuple[_Graph, Rational]]:
+    left: int, right: int, lines: Iterable[_ScaledLine]
+) -> Iterator[tuple[_ScaledLine, Rational]]:
     """The lowest of some lines over an interval, each with where it becomes the lowest."""
     _, _, line = min((line.at(left), line.slope, line) for line in lines)
     yield line, left

@@ -9,9 +9,9 @@ in order of the sum of their ranks: low pairs first, without a sort of all pairs
          heights at both borders bound it.
     (3)  A subtrajectory that is below the ceiling of no strip is dropped, too.
 
-All is decided in ints, rounded to the safe side. What is dropped is nowhere below the envelope, so
-the envelope stays the same. Without this step (see the import in `mm`) the trajectories of two
-zigzags of 64 vertices take 2 times as long, of 256 vertices 5 times.
+All is decided in ints, rounded to the safe side. A dropped sum is nowhere below the
+envelope. Without this step (see the import in `mm`) the trajectories of two zigzags
+of 64 vertices take 2 times as long, of 256 vertices 5 times.
 """
 
 from __future__ import annotations

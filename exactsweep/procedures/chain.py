@@ -38,7 +38,7 @@ Homogeneous = tuple[Rational, Rational, Rational]
 SlopedEdge = tuple[Rational, int, Rational, Rational, Rational]
 """(slope, 0 for D_b or 1 for reversed G_t, dx, dy, c): an edge with its line, sorted by slope."""
 
-Bound = tuple[Rational | float, ...]
+SlopeBound = tuple[Rational | float, ...]
 """(slope,), before all edges of that slope, or (slope, infinity), after them."""
 
 
@@ -233,8 +233,8 @@ class Part(NamedTuple):
     vertices: list[Homogeneous]
     first: int
     edges: list[SlopedEdge]
-    flattest: Bound
-    steepest: Bound
+    flattest: SlopeBound
+    steepest: SlopeBound
 
 
 def measure_unit(*chains: Chain) -> Rational:
@@ -282,14 +282,16 @@ def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None
         for line in chain.lines
     ]
     # A part begins after a vertical edge, and where the slope decreases.
-    starts = [k for k, (d, e) in enumerate(pairwise([None, *edges])) if e and (not d or e[0] < d[0])]
+    starts = [
+        k for k, (d, e) in enumerate(pairwise([None, *edges])) if e and (not d or e[0] < d[0])
+    ]
     heights: list[Break] = [(y, w) for _, y, w in chain.vertices]
     parts: list[Part] = []
     for first, end in pairwise([*starts, len(edges)]):
         own = [edge for edge in edges[first:end] if edge]
         last = first + len(own)
-        flattest: Bound = (own[0][0],)
-        steepest: Bound = (own[-1][0], inf)
+        flattest: SlopeBound = (own[0][0],)
+        steepest: SlopeBound = (own[-1][0], inf)
         if first == 0 or (not edges[first - 1] and precedes(heights[first], heights[first - 1])):
             flattest = (-inf,)
         if last == len(edges) or (not edges[last] and precedes(heights[last], heights[last + 1])):

@@ -20,7 +20,9 @@ T_co = TypeVar("T_co", covariant=True)
 class made_once(cached_property[T_co]):  # noqa: N801
     """`functools.cached_property` without the lock that it takes before Python 3.12.
 
-    The lock costs 1 µs each time, which is a fifteenth of a small trajectory.
+    The lock costs 1 µs each time, which is a fifteenth of a small trajectory. Threads that read one
+    answer at once may compute a value twice. Both values are equal, and no code depends on which of
+    them is kept.
     """
 
     @overload

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Half, Landmark, Step, Touch, explain
-from exactsweep.evidence.sweep import Sweep
+from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.outline import number_features, walk_rings
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.digits import abridge
@@ -22,7 +22,7 @@ _HALVES: dict[Half, str] = {
 }
 
 
-def tell(s: Sweep) -> Iterator[str]:
+def tell(s: SweepAnswer) -> Iterator[str]:
     r"""Explain a sweep in words, step by step, as `explain` finds it.
 
     The way around D comes first, then the holes of the no-fit polygon and the exact fits, each with
@@ -84,7 +84,7 @@ class _FeatureNames:
 class _Teller:
     """A writer of the steps of one sweep in words."""
 
-    def __init__(self, s: Sweep) -> None:
+    def __init__(self, s: SweepAnswer) -> None:
         self.sweep = s
         self.g = _FeatureNames(s.generatrix, "G")
         self.d = _FeatureNames(s.directrix, "D")

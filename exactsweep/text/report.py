@@ -10,8 +10,8 @@ from math import isqrt
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
-from exactsweep.evidence.sweep import Sweep
+from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
+from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
@@ -33,7 +33,7 @@ _NO_WRAPPING = 10**9
 
 
 def report(
-    sweep: Sweep,
+    sweep: SweepAnswer,
     terminal_width: int | None = None,
     *,
     everything: bool = False,
@@ -95,7 +95,7 @@ def report(
 
 
 def report_no_fit(
-    n: NoFitPolygon,
+    n: NoFitAnswer,
     terminal_width: int | None = None,
     *,
     everything: bool = False,
@@ -144,7 +144,7 @@ def report_no_fit(
 
 
 def report_inner_fit(
-    f: InnerFit,
+    f: InnerFitAnswer,
     terminal_width: int | None = None,
     *,
     everything: bool = False,

@@ -8,9 +8,9 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
 from exactsweep.evidence.steps import Step, explain
-from exactsweep.evidence.sweep import Sweep
+from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.writing import write_wkt_fits, write_wkt_polygon
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from exactsweep.check import Verification
 
 
-def sweep_to_json(sweep: Sweep) -> str:
+def sweep_to_json(sweep: SweepAnswer) -> str:
     """Write a sweep, its input included, as JSON.
 
     Args:
@@ -48,7 +48,7 @@ def sweep_to_json(sweep: Sweep) -> str:
     return write_object(texts)
 
 
-def no_fit_to_json(n: NoFitPolygon) -> str:
+def no_fit_to_json(n: NoFitAnswer) -> str:
     """Write a no-fit polygon, its input included, as JSON.
 
     Args:
@@ -75,7 +75,7 @@ def no_fit_to_json(n: NoFitPolygon) -> str:
     )
 
 
-def inner_fit_to_json(f: InnerFit) -> str:
+def inner_fit_to_json(f: InnerFitAnswer) -> str:
     """Write the positions of a part inside a container, its input included, as JSON.
 
     Args:
@@ -114,7 +114,9 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
     return [loop.vertices for loop in loops]
 
 
-def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit, *, proof: bool = False) -> str:
+def certificate_to_json(
+    result: SweepAnswer | NoFitAnswer | InnerFitAnswer, *, proof: bool = False
+) -> str:
     """Write the certificate of a result as JSON.
 
     Args:
@@ -133,7 +135,7 @@ def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit, *, proof: bool 
     )
 
 
-def explanation_to_json(sweep: Sweep) -> str:
+def explanation_to_json(sweep: SweepAnswer) -> str:
     """Write the steps of a sweep, as `exactsweep.evidence.steps` finds them, as JSON.
 
     Args:
@@ -169,13 +171,13 @@ def explanation_to_json(sweep: Sweep) -> str:
     )
 
 
-def _holes(sweep: Sweep) -> list[dict[str, object]]:
+def _holes(sweep: SweepAnswer) -> list[dict[str, object]]:
     loops = [hole.vertices for hole in sweep.no_fit_holes]
     along = sweep.contacts_along(loops)
     return [{"loop": loop, "contacts": found} for loop, found in zip(loops, along, strict=True)]
 
 
-def _fit_contacts(sweep: Sweep) -> list[Sequence[Contact]]:
+def _fit_contacts(sweep: SweepAnswer) -> list[Sequence[Contact]]:
     ways = iter(sweep.contacts_along([fit for fit in sweep.exact_fits if fit[0] != fit[1]]))
     return [
         sweep.contacts_at(fit[0]) if fit[0] == fit[1] else next(ways)[0] for fit in sweep.exact_fits
@@ -194,7 +196,7 @@ def verification_to_json(verification: Verification) -> str:
     return write_object({name: _write(part) for name, part in verification._asdict().items()})
 
 
-def _input(sweep: Sweep) -> dict[str, str]:
+def _input(sweep: SweepAnswer) -> dict[str, str]:
     return {
         "generatrix": _write(write_json_value(sweep.generatrix)),
         "directrix": _write(write_json_value(sweep.directrix)),
@@ -244,24 +246,24 @@ def _write(value: object) -> str:
     return json.dumps(value, default=format_fraction)
 
 
-def sweep_to_regions(sweep: Sweep) -> list[NamedRegion]:
+def sweep_to_regions(sweep: SweepAnswer) -> list[NamedRegion]:
     """Name the loops of a sweep: "trajectory", "inner", "outer", and "unswept 0" and so on."""
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     loops |= {f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)}
     return [NamedRegion(Region(loop), name) for name, loop in loops.items()]
 
 
-def no_fit_to_regions(n: NoFitPolygon) -> list[NamedRegion]:
+def no_fit_to_regions(n: NoFitAnswer) -> list[NamedRegion]:
     """Make one Region of a no-fit polygon, without its exact fits: "nfp"."""
     return [NamedRegion(Region(n.exterior, n.holes), "nfp")]
 
 
-def inner_fit_to_regions(f: InnerFit) -> list[NamedRegion]:
+def inner_fit_to_regions(f: InnerFitAnswer) -> list[NamedRegion]:
     """Name the regions of an inner fit: "region 0" and so on."""
     return [NamedRegion(region, f"region {k}") for k, region in enumerate(f.regions)]
 
 
-def sweep_to_wkt(sweep: Sweep) -> str:
+def sweep_to_wkt(sweep: SweepAnswer) -> str:
     """Write the loops of a sweep as WKT: trajectory, inner loop, outer loop, unswept holes.
 
     Args:
@@ -280,7 +282,7 @@ def sweep_to_wkt(sweep: Sweep) -> str:
     return "".join(write_wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
 
 
-def no_fit_to_wkt(n: NoFitPolygon) -> str:
+def no_fit_to_wkt(n: NoFitAnswer) -> str:
     """Write a no-fit polygon as WKT: a POLYGON with its holes, then its exact fits.
 
     Args:
@@ -303,7 +305,7 @@ def no_fit_to_wkt(n: NoFitPolygon) -> str:
     return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
 
 
-def inner_fit_to_wkt(f: InnerFit) -> str:
+def inner_fit_to_wkt(f: InnerFitAnswer) -> str:
     """Write the positions of a part inside a container as WKT.
 
     Args:

@@ -18,7 +18,7 @@ from exactsweep.draw.no_fits import Positions
 from exactsweep.draw.stretches import cut_loops
 from exactsweep.draw.sweeps import Moving, find_anchor, move_to_anchor, name_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.sweep import Sweep
+from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.digits import format_fraction
@@ -28,7 +28,7 @@ from exactsweep.view.meetings import Meetings, find_meetings
 from exactsweep.words import CLASSES
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+    from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
 
 
 class Track(NamedTuple):
@@ -51,7 +51,7 @@ class Stop(NamedTuple):
     contacts: tuple[Contact, ...]
 
 
-def list_tracks(s: Sweep) -> list[Track]:
+def list_tracks(s: SweepAnswer) -> list[Track]:
     """List the trajectory, the holes of the no-fit polygon and the exact fits."""
     loops = [s.trajectory.vertices, *(hole.vertices for hole in s.no_fit_holes)]
     return _name_tracks(loops, s.exact_fits, "the trajectory")
@@ -68,7 +68,7 @@ def _name_tracks(
     return [*found, *(Track(f"exact fit {k}", corners) for k, corners in enumerate(ends))]
 
 
-def track_stops(s: Sweep, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
+def track_stops(s: SweepAnswer, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
     """Find all stops of tracks, each once around from its first vertex.
 
     Returns:
@@ -112,7 +112,7 @@ def _cut_tracks(
 
 
 def gather_page_data(
-    s: Sweep,
+    s: SweepAnswer,
     *,
     names: tuple[str, str] | None = None,
     y_down: bool = False,
@@ -170,7 +170,7 @@ def gather_page_data(
 
 
 def gather_positions(
-    found: NoFitPolygon | InnerFit,
+    found: NoFitAnswer | InnerFitAnswer,
     *,
     names: tuple[str, str] | None = None,
     y_down: bool = False,
@@ -294,7 +294,7 @@ def _exact(points: Sequence[Point]) -> list[str]:
     return [format_fraction(c) for point in points for c in point]
 
 
-def _landmarks(s: Sweep) -> list[Point]:
+def _landmarks(s: SweepAnswer) -> list[Point]:
     ends = {end for fit in s.exact_fits for end in fit}
     return sorted(ends.union(*(undercut.positions for undercut in s.undercuts)))
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from exactsweep.view.page import make_page
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.sweep import Sweep
+    from exactsweep.evidence.sweep import SweepAnswer
 
 
 class InlinePage:
@@ -30,7 +30,7 @@ class InlinePage:
         <InlinePage: Sweep of 4 around 4 vertices>
     """
 
-    def __init__(self, s: Sweep, height: int = 600) -> None:
+    def __init__(self, s: SweepAnswer, height: int = 600) -> None:
         self.html = make_page(s)
         self._height = height
         self._title = f"Sweep of {len(s.generatrix)} around {len(s.directrix)} vertices"

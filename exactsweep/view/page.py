@@ -15,8 +15,8 @@ from exactsweep.canvas.style import write_style_sheet
 from exactsweep.numbers.error import tells_arguments
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
-    from exactsweep.evidence.sweep import Sweep
+    from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
+    from exactsweep.evidence.sweep import SweepAnswer
 
 # d3-zoom and its dependencies, in the order of dependence; see vendor/README.md.
 _LIBRARIES = (
@@ -32,7 +32,7 @@ _FIELD = re.compile(r"\{\{(\w+)\}\}")
 
 @tells_arguments
 def make_page(
-    s: Sweep | NoFitPolygon | InnerFit,
+    s: SweepAnswer | NoFitAnswer | InnerFitAnswer,
     *,
     names: tuple[str, str] | None = None,
     y_down: bool = False,
@@ -58,10 +58,10 @@ def make_page(
         >>> make_page(sweep(square, square)).startswith("<!doctype html>")
         True
     """
-    from exactsweep.evidence.sweep import Sweep
+    from exactsweep.evidence.sweep import SweepAnswer
     from exactsweep.view.data import gather_page_data, gather_positions
 
-    if isinstance(s, Sweep):
+    if isinstance(s, SweepAnswer):
         data = gather_page_data(s, names=names, y_down=y_down, tell=tell)
     else:
         tell("all positions")

@@ -24,8 +24,8 @@ from exactsweep.paper.claim import Effort
 from exactsweep.paper.costs import COSTS, DOUBLINGS, Cost, tabulate
 from exactsweep.paper.counting import Counted, make_counted, watch_operations
 from exactsweep.paper.growth import Growth, Size
+from exactsweep.paper.kernel import sweep_mm, trajectory_mm
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.mm import outer_mm, trajectory_mm
 
 
 @pytest.mark.parametrize("family", FAMILIES)
@@ -54,7 +54,7 @@ def test_figure_10_has_its_number_of_outer_edges(sizes: tuple[int, int, int]) ->
     m_b, n_t, n_b = sizes
     lengths = len(chains.directrix) - 1, len(chains.top) - 1, len(chains.bottom) - 1
     assert lengths == sizes
-    outer = list(outer_mm(chains.bottom, trajectory_mm(chains.top, chains.directrix)))
+    _, outer = sweep_mm(*chains)
     assert len(outer) - 1 == m_b * n_t * n_b // 4 + 4
     if sizes == (2, 4, 6):
         assert len(outer) - 1 == 16

@@ -7,10 +7,9 @@ from hypothesis import strategies as st
 from polyominoes import Cells, frame, polyominoes, region
 from tiers import examples
 
-from exactsweep import Point, Polygon, Region, sweep
+from exactsweep import Point, Polygon, Region, Sweep, sweep
 from exactsweep.check import classify, verify
 from exactsweep.evidence.contact import number_as_given
-from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import Outline
 from exactsweep.numbers.number import ORIGIN
 

@@ -10,10 +10,9 @@ from polyominoes import Cells, Matrix, frame, free_cells, polyominoes, region, u
 from strategies import pairs
 from tiers import examples
 
-from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import NoFitPolygon, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.corpus import cases
 from exactsweep.corpus.generator.cells import connect
-from exactsweep.evidence.no_fit import NoFitPolygon
 from exactsweep.numbers.number import ORIGIN, Point, Vertex
 from exactsweep.procedures.positions import find_inner_fit, find_no_fit
 

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 
+from exactsweep import Sweep
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import walk_rings
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import Point

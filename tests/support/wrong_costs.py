@@ -90,7 +90,8 @@ def compare_log_times(numbers: Any, size: int) -> None:
 def compare_trajectory(generatrix: Any, directrix: Any, trajectory: Any = None) -> None:
     if trajectory is None:
         trajectory = cm.trajectory_cm(generatrix, directrix)
-    compare_all(directrix, trajectory)
+    for _ in range(len(directrix.vertices).bit_length()):
+        compare_all(directrix, trajectory)
 
 
 def compare_in_parts(chain_of: Callable[[Any, Any], Any]) -> Waste:
@@ -184,8 +185,8 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
     },
     cm.sweep_inner_cm: {
         "SweepI_CM: right, but a table of m² is kept": before(keep_table),
-        "SweepI_CM: right, but every edge of the trajectory compared with every vertex of D_b": (
-            before(compare_trajectory)
+        "SweepI_CM: right, but T's edges are compared log m times with every vertex of D_b": before(
+            compare_trajectory
         ),
     },
     cm.sweep_outer_cm: {"SweepO_CM: right, but begun anew for each vertex of D_b": begin_anew},

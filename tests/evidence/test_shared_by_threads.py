@@ -1,0 +1,67 @@
+"""Answers that several threads read at once: whatever is computed twice is equal."""
+
+from concurrent.futures import ThreadPoolExecutor
+from threading import Barrier
+
+import pytest
+
+from exactsweep import Sweep, no_fit_polygon, sweep
+
+HOOK = [(0, 0), (3, 0), (3, 3), (0, 3), (0, 2), (2, 2), (2, 1), (0, 1)]
+HOUSE = [(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)]
+BLOCK = [(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)]
+NOTCHED = [(0, 0), (4, 0), (4, 3), (3, 1), (2, 3), (1, 1), (0, 3)]
+NAMES = ("unswept", "area", "outer", "inner", "trajectory", "undercuts", "contacts", "exact_fits")
+
+
+def comb(teeth: int) -> list[tuple[int, int]]:
+    """A comb around whose teeth the hook leaves places unswept."""
+    tips = [
+        vertex
+        for k in reversed(range(teeth))
+        for vertex in (
+            (4 * k + 4, 9 + k % 3),
+            (4 * k + 2, 9 - k % 2),
+            (4 * k + 2, 3 + k % 2),
+            (4 * k, 4),
+        )
+    ]
+    return [(0, 0), (4 * teeth, 0), *tips]
+
+
+def read(s: Sweep) -> list[object]:
+    return [getattr(s, name) for name in NAMES]
+
+
+def test_loops_are_told_apart_by_value() -> None:
+    """Once the inner loop counted as unswept if it was computed twice: a negative area."""
+    s, again = sweep(HOOK, comb(12)), sweep(HOOK, comb(12))
+    again.solution.__dict__["inner"] = [*again.solution.inner]
+    assert again.unswept == s.unswept
+    assert again.area == s.area > 0
+
+
+PAIRS = {"CC": (HOUSE, HOUSE), "CM": (HOUSE, BLOCK), "MM": (NOTCHED, BLOCK), "SS": (HOOK, comb(6))}
+
+
+@pytest.mark.parametrize("kind", PAIRS)
+def test_threads_that_read_one_sweep_get_what_one_would(kind: str) -> None:
+    expected = read(sweep(*PAIRS[kind]))
+    together = Barrier(4)
+
+    def join(s: Sweep) -> list[object]:
+        together.wait()
+        return read(s)
+
+    with ThreadPoolExecutor(4) as pool:
+        for _ in range(5):
+            s = sweep(*PAIRS[kind])
+            assert s.kind == kind
+            assert all(found == expected for found in pool.map(join, [s] * 4))
+
+
+def test_threads_may_share_polygons() -> None:
+    n = no_fit_polygon(HOUSE, NOTCHED)
+    with ThreadPoolExecutor(4) as pool:
+        found = [*pool.map(lambda _: no_fit_polygon(n.stationary, n.orbiting).exterior, range(8))]
+    assert {*found} == {n.exterior}
