@@ -36,7 +36,7 @@ def _list_pairs(
 def overlap_command(
     a: str, b: str | None, json: bool, reading: ReadingOptions, output: str
 ) -> None:
-    """Decide whether polygons overlap where they are, by how much, and how far one has to move.
+    """Compare polygons where they are: overlap, area, depth.
 
     With one file, the command compares all pairs of its polygons; with two, each polygon of A with
     each of B. The verdict is OVERLAP if interiors meet, CONTACT if only boundaries do, and FREE

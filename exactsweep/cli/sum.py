@@ -70,7 +70,7 @@ def sum_command(
     reading: ReadingOptions,
     output: str,
 ) -> None:
-    """Find the Minkowski sum of two polygons, or of a polygon and a path.
+    """Find a Minkowski sum, also with a path.
 
     The Minkowski sum consists of all sums of a point of A and a point of B. It may have holes. With
     a path as B it is the area that A covers when its origin follows the path. A path is a
