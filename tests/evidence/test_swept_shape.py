@@ -145,7 +145,7 @@ def test_threads_may_share_a_sweep() -> None:
     for _ in range(3):
         s = sweep(hook, comb)
         with ThreadPoolExecutor(2) as pool:
-            both = pool.map(lambda _: s.unswept, range(2))
+            both = pool.map(lambda shared: shared.unswept, [s, s])
         assert [*both] == [expected.unswept] * 2
         assert s.area == area
 
