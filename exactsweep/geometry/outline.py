@@ -71,6 +71,14 @@ class Outline:
     def _places(self) -> BoxRows:
         return BoxRows([(x, x, y, y) for x, y in self.vertices])
 
+    def vertices_between(self, low: Rational, high: Rational) -> list[int]:
+        """Find the numbers of the vertices in an x-range, ends included, by x.
+
+        Cost: that of `BoxRows.find`, and O(n log n) the first time.
+        """
+        found = self._places.find((low, high, *self._index.box[2:]))
+        return sorted(found, key=lambda k: self.vertices[k][0])
+
     @cached_property
     def _all_numbers(self) -> dict[Vertex, list[int]]:
         found: defaultdict[Vertex, list[int]] = defaultdict(list)
