@@ -11,7 +11,7 @@ from exactsweep.geometry.near import BoxRows
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
-from exactsweep.numbers.number import Edge, Point, Vertex, ratio
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex, ratio
 
 
 class Outline:
