@@ -16,7 +16,7 @@ from exactsweep.words import spell_out
 
 _NAMES = (
     *("batch", "compare", "conform", "convert", "corpus", "draw", "example", "explain", "ifp"),
-    *("judge", "layout", "lesson", "nfp", "reproduce", "sweep", "verify", "view"),
+    *("judge", "layout", "lesson", "nfp", "overlap", "reproduce", "sum", "sweep", "verify", "view"),
 )
 # Characters of a refusal by click, which repeats what is refused.
 _LONGEST = 1000

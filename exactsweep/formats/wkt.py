@@ -76,6 +76,16 @@ class _Reader:
             if self.kind != "word":
                 self._refuse(f"{self._show()} after the end of the polygon")
 
+    def path(self) -> list[Point]:
+        """Read a LINESTRING or a POINT, the only geometry of the text."""
+        self._advance()
+        if self.word.upper() == "Z":
+            self._advance()
+        found = self._list(self._loose_point)
+        if self.kind != "end":
+            self._refuse(f"{self._show()} after the end of the path")
+        return found
+
     def _geometry(self, depth: int) -> Iterator[Candidate]:
         kind = self.word.upper()
         if kind not in ("POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", *_OTHERS):
@@ -170,3 +180,19 @@ class _Reader:
 
     def _refuse(self, reason: str) -> NoReturn:
         raise FormatError(f"{self._place()}: {reason}")
+
+
+def parse_wkt_path(text: str) -> list[Point] | None:
+    """Read the points of a WKT LINESTRING or POINT; None if the text is any other geometry.
+
+    Raises:
+        FormatError: text after the path, or a path that is not WKT; the message starts with line
+            and column.
+
+    >>> [tuple(map(int, point)) for point in parse_wkt_path("LINESTRING (0 0, 2 1)") or ()]
+    [(0, 0), (2, 1)]
+    """
+    reader = _Reader(text)
+    if reader.kind != "word" or reader.word.upper() not in _OTHERS:
+        return None
+    return reader.path()

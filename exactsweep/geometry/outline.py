@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from exactsweep.geometry.edges import EdgeIndex
+from exactsweep.geometry.near import BoxRows
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
@@ -68,17 +68,16 @@ class Outline:
         return [p > q for p, q in self.edges]
 
     @cached_property
-    def _by_x(self) -> tuple[list[Rational], list[int]]:
-        order = sorted(range(len(self.vertices)), key=lambda k: self.vertices[k][0])
-        return [self.vertices[k][0] for k in order], order
+    def _places(self) -> BoxRows:
+        return BoxRows([(x, x, y, y) for x, y in self.vertices])
 
     def vertices_between(self, low: Rational, high: Rational) -> list[int]:
         """Find the numbers of the vertices in an x-range, ends included, by x.
 
-        Cost: O(log n + vertices found), and O(n log n) the first time.
+        Cost: that of `BoxRows.find`, and O(n log n) the first time.
         """
-        xs, order = self._by_x
-        return order[bisect_left(xs, low) : bisect_right(xs, high)]
+        found = self._places.find((low, high, *self._index.box[2:]))
+        return sorted(found, key=lambda k: self.vertices[k][0])
 
     @cached_property
     def _all_numbers(self) -> dict[Vertex, list[int]]:
@@ -103,13 +102,14 @@ class Outline:
     def vertices_inside(self, k: int) -> list[int]:
         """Find the numbers of the vertices of other rings inside edge k.
 
-        Cost: O(log n + vertices in the x-range of the edge).
+        Cost: that of `BoxRows.find`, and O(n log n) the first time.
         """
         if len(self.starts) == 1:
             return []
         p, q = self.edge(k)
-        near = self.vertices_between(min(p[0], q[0]), max(p[0], q[0]))
-        return [i for i in near if is_between(self.vertices[i], p, q)]
+        (left, right), (low, high) = (sorted(pair) for pair in zip(p, q, strict=True))
+        near = self._places.find((left, right, low, high))
+        return sorted(i for i in near if is_between(self.vertices[i], p, q))
 
     def edges_through(self, point: Vertex, scale: int = 1) -> Iterator[int]:
         """Find the numbers of the edges with a point, multiplied by a scale, in their interior.

@@ -46,11 +46,7 @@ def leave_out_overlapped(
         dx, dy, offset, low, high, ahead, beside = edge
         ux, uy = (dx, dy) if ahead else (-dx, -dy)
         start, end = low, high
-        bx, by, ax, ay = beside
-        beside_unit = 1
-        if type(low) is not int or type(high) is not int:
-            beside_unit = lcm(*(c.denominator for c in beside))
-            bx, by, ax, ay = (int(c * beside_unit) for c in beside)
+        bx, by, ax, ay, beside_unit = beside
         sides: tuple[tuple[_Vectors, Vertex, bool, bool], ...] = (
             (after, (bx, by), bx * uy < by * ux, True),
             (before, (ax, ay), ux * ay < uy * ax, False),

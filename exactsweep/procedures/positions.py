@@ -156,7 +156,11 @@ def path_rings(points: Sequence[Vertex], *, closed: bool = False) -> list[list[V
 
 
 def reflect(rings: Rings) -> list[list[Vertex]]:
-    """Return I(G), a shape after half a turn."""
+    """Return I(G), a shape after half a turn.
+
+    >>> reflect([[(0, 0), (1, 0), (0, 1)]])
+    [[(0, 0), (-1, 0), (0, -1)]]
+    """
     return [inverse(ring) for ring in rings]
 
 

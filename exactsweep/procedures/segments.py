@@ -49,11 +49,12 @@ Cut = tuple[int, int, int, bool, bool, Sides]
 on the side of the other segment before it, and after it; the sides of the other segment."""
 
 
-EdgeFeature = tuple[
-    int, int, int, Rational, Rational, bool, tuple[Rational, Rational, Rational, Rational]
-]
+Beside = tuple[int, int, int, int, int]
+"""The vectors of the edges before and after an edge, times a unit, and the unit."""
+
+EdgeFeature = tuple[int, int, int, Rational, Rational, bool, Beside]
 """An edge: its line; its least and its greatest parameter; whether it runs along the direction of
-the line; the vectors of the edges before and after it."""
+the line; the edges beside it."""
 
 LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[EdgeFeature]]
 """A pruning step: of the edges that vertex k of a ring faces, it returns the parts to keep."""
@@ -192,9 +193,18 @@ def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
         if type(offset) is not int:
             offset, unit = offset.as_integer_ratio()
             dx, dy = unit * dx, unit * dy
-        edges.append((dx, dy, offset, low, high, ahead, (px - ox, py - oy, rx - qx, ry - qy)))
+        beside = _scale(px - ox, py - oy, rx - qx, ry - qy)
+        edges.append((dx, dy, offset, low, high, ahead, beside))
         ox, oy, px, py = px, py, qx, qy
     return edges
+
+
+def _scale(bx: Rational, by: Rational, ax: Rational, ay: Rational) -> Beside:
+    """Return two vectors as ints, times a unit, and the unit."""
+    if type(bx) is type(by) is type(ax) is type(ay) is int:
+        return bx, by, ax, ay, 1
+    unit = lcm(bx.denominator, by.denominator, ax.denominator, ay.denominator)
+    return int(bx * unit), int(by * unit), int(ax * unit), int(ay * unit), unit
 
 
 def _measure_angles(edges: Sequence[EdgeFeature]) -> tuple[Callable[[EdgeFeature], int], int]:

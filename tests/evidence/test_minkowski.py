@@ -142,7 +142,7 @@ def meet(one: tuple[Point, Point], other: tuple[Point, Point]) -> bool:
     if max(a, b) < min(p, q) or max(p, q) < min(a, b):
         return False
     apart = side(a, b, p) * side(a, b, q), side(p, q, a) * side(p, q, b)
-    if apart == (0, 0) and side(a, b, p) == side(a, b, q) == 0:
+    if not any(apart) and side(a, b, p) == side(a, b, q) == 0:
         return True
     return max(apart) <= 0
 

@@ -46,7 +46,7 @@ def test_shapes_in_contact_and_apart() -> None:
     o = overlap(SQUARE, box(7, 8, 9, 9))
     assert summary(o) == ("FREE", 0, 25, 0)
     assert o.witness is None
-    assert [*o.nearest] == points((4, 4), (7, 8))
+    assert o.nearest == points((4, 4), (7, 8))
 
 
 def test_a_part_in_a_hole_is_free() -> None:
@@ -56,7 +56,7 @@ def test_a_part_in_a_hole_is_free() -> None:
     # The least move leads into the hole, which it fills.
     o = overlap(plate, box(3, 2, 8, 7))
     assert summary(o) == ("OVERLAP", 5, 0, 1)
-    assert [o.move] == points((-1, 0))
+    assert (o.move,) == points((-1, 0))
     assert overlap(plate, plate).area == plate.area
 
 

@@ -1,5 +1,6 @@
 """Sweeps of polygons of any shape: contacts, undercuts, steps and certificates."""
 
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 
 from hypothesis import assume, given
@@ -12,6 +13,7 @@ from exactsweep.check import classify, verify
 from exactsweep.evidence.contact import number_as_given
 from exactsweep.geometry.outline import Outline
 from exactsweep.numbers.number import ORIGIN
+from exactsweep.procedures.any_shape import ShapeSolution
 
 SHEARS = [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 1), (0, -1, 1, 0)]
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -128,3 +130,30 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
     for k, vertex in enumerate(swept.vertices):
         x, y = given[swept.vertex_index(k)]
         assert vertex == Point(Fraction(x), Fraction(y))
+
+
+def test_threads_may_share_a_sweep() -> None:
+    """Two threads that read the places that are not swept get the same ones, and the area."""
+    size = 24
+    comb = [(0, 0), (4 * size, 0)]
+    for k in reversed(range(size)):
+        comb += [(4 * k + 4, 9 + k % 3), (4 * k + 2, 9 - k % 2), (4 * k + 2, 3 + k % 2), (4 * k, 4)]
+    hook = [(0, 0), (3, 0), (3, 3), (0, 3), (0, 2), (2, 2), (2, 1), (0, 1)]
+    expected = sweep(hook, comb)
+    area = expected.area
+    for _ in range(3):
+        s = sweep(hook, comb)
+        with ThreadPoolExecutor(2) as pool:
+            both = pool.map(lambda shared: shared.unswept, [s, s])
+        assert [*both] == [expected.unswept] * 2
+        assert s.area == area
+
+
+def test_the_inner_loop_is_known_by_its_value() -> None:
+    """Another thread may have made the loop anew: it is equal, and not the same object."""
+    frame_ = Region([(-2, -2), (7, -2), (7, 7), (-2, 7)], [[(0, 0), (4, 0), (4, 3), (0, 3)]])
+    s = shape_sweep(Region(UNIT), frame_)
+    assert isinstance(s.solution, ShapeSolution)
+    s.solution.__dict__["inner"] = [*s.solution.inner]
+    assert s.unswept == ()
+    assert s.inner == frame_.exterior

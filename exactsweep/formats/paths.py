@@ -1,0 +1,59 @@
+"""Readers of paths: WKT and GeoJSON lines and points, and lists of points in JSON."""
+
+from __future__ import annotations
+
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.exact_json import parse_json, read_vertices
+from exactsweep.formats.node import JsonNode
+from exactsweep.formats.wkt import parse_wkt_path
+from exactsweep.geometry.polyline import Polyline
+
+_LINES = ("LineString", "Point")
+
+
+def parse_path(text: str, *, is_list: bool = False) -> Polyline | None:
+    """Read a path, if a text is one.
+
+    Args:
+        text: a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature of one; or a
+            JSON list of one or two points. Numbers are exact, as for `parse_polygons`.
+        is_list: whether a JSON list of more points is a path, too, and not a polygon.
+
+    Returns:
+        A Polyline; None for any other text. A path that ends where it begins is closed.
+
+    Raises:
+        FormatError: a path with an error; the message starts with its place.
+
+    Cost: linear.
+
+    Example:
+        >>> print(parse_path("LINESTRING (0 0, 0.5 0)"), "and", parse_path('[[0, 0], ["1/2", 0]]'))
+        (0,0) (1/2,0) and (0,0) (1/2,0)
+    """
+    start = text.lstrip()
+    if start[:1] not in ("[", "{"):
+        points = parse_wkt_path(text) if start[:1].isalpha() else None
+        return None if points is None else Polyline(points)
+    try:
+        document = parse_json(text)
+    except FormatError:
+        # Perhaps several documents, one per line: no path.
+        return None
+    node = JsonNode(document, "$")
+    if isinstance(document, dict):
+        if document.get("type") == "Feature":
+            node = node.get("geometry", None)
+        if not isinstance(node.value, dict) or node.value.get("type") not in _LINES:
+            return None
+        kind, node = node.value["type"], node.get("coordinates", None)
+        found = [node.value] if kind == "Point" else node.value
+        if isinstance(found, list):
+            # Third coordinates are heights.
+            found = [pair[:2] if isinstance(pair, list) else pair for pair in found]
+        return Polyline(read_vertices(found, node.path))
+    if not isinstance(document, list) or not (is_list or len(document) < 3):
+        return None
+    if any(isinstance(c, list | dict) for pair in document if isinstance(pair, list) for c in pair):
+        return None
+    return Polyline(read_vertices(document, "$"))

@@ -1,0 +1,185 @@
+"""Minkowski sums and overlaps of two shapes, as reports, JSON and WKT."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from exactsweep.evidence.overlap import Overlap
+from exactsweep.formats.exact_json import write_json
+from exactsweep.formats.writing import write_wkt_polygon
+from exactsweep.geometry.polyline import Polyline
+from exactsweep.geometry.region import AnyPolygon, Region
+from exactsweep.numbers.digits import abridge
+from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
+from exactsweep.text.results import write_json_value, write_object
+from exactsweep.words import count, write_pair
+
+
+class NamedOverlap(NamedTuple):
+    """An Overlap of two shapes of files, with their names."""
+
+    first: str
+    second: str
+    found: Overlap
+
+
+def sum_to_json(a: AnyPolygon, b: AnyPolygon | Polyline, found: Region) -> str:
+    """Write a Minkowski sum, its summands included, as JSON with one name per line.
+
+    Cost: linear in the length of the result.
+    """
+    path = {"path": b.points, "closed": b.closed} if isinstance(b, Polyline) else None
+    return write_object(
+        {
+            "a": write_json(write_json_value(a)),
+            "b": write_json(path if path is not None else write_json_value(b)),  # type: ignore[arg-type]
+            "exterior": write_json(found.exterior.vertices),
+            "holes": write_json([hole.vertices for hole in found.holes]),
+            "area": write_json(found.area),
+        }
+    )
+
+
+def sum_to_wkt(found: Region) -> str:
+    """Write a Minkowski sum as a WKT POLYGON, exactly.
+
+    Raises:
+        FormatError: a coordinate is not a finite decimal.
+    """
+    rings = {"exterior": found.exterior.vertices}
+    return write_wkt_polygon(rings | {f"hole {k}": h.vertices for k, h in enumerate(found.holes)})
+
+
+def report_sum(
+    a: AnyPolygon, b: AnyPolygon | Polyline, found: Region, terminal_width: int | None = None
+) -> str:
+    """Describe a Minkowski sum: sizes, areas, loops.
+
+    Args:
+        a: the first summand.
+        b: the second one.
+        found: the sum.
+        terminal_width: as for `report`.
+
+    Returns:
+        Lines of text.
+
+    Example:
+        >>> from exactsweep import Polygon, minkowski_sum
+        >>> a, b = Polygon([(0, 0), (2, 0), (0, 2)]), Polyline([(0, 0), (1, 0)])
+        >>> print(report_sum(a, b, minkowski_sum(a, b)), end="")
+                  vertices  area about  area exactly
+        a                3              2
+        b (path)         2
+        sum              4              4
+        <BLANKLINE>
+        exterior  (0,0) (3,0) (1,2) (0,2)
+    """
+    loops = {"exterior": found.exterior}
+    loops |= {f"hole {k}": hole for k, hole in enumerate(found.holes)}
+    width = max(map(len, [*loops, "b (path)"]))
+    sizes = make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
+    sizes.add_row("a", str(len(a)), *_write_area(a.area))
+    if isinstance(b, Polyline):
+        sizes.add_row("b (path)", str(len(b)), "", "")
+    else:
+        sizes.add_row("b", str(len(b)), *_write_area(b.area))
+    sizes.add_row("sum", str(len(found)), *_write_area(found.area))
+    texts = {name: str(loop).replace(", ", ",") for name, loop in loops.items()}
+    return lay_out([sizes, list_facts(texts, width)], terminal_width)
+
+
+def overlap_to_json(o: Overlap) -> str:
+    """Write an overlap, the shapes included, as JSON with one name per line."""
+    return write_object(
+        {
+            "a": write_json(write_json_value(o.a)),
+            "b": write_json(write_json_value(o.b)),
+            **{name: write_json(value) for name, value in _list_results(o).items()},
+        }
+    )
+
+
+def overlaps_to_json(found: Sequence[NamedOverlap]) -> str:
+    """Write overlaps as lines of JSON, with the names of the shapes."""
+    return "".join(
+        write_json({"a": first, "b": second} | _list_results(o)) + "\n"
+        for first, second, o in found
+    )
+
+
+def _list_results(o: Overlap) -> dict[str, object]:
+    return {
+        "verdict": o.verdict,
+        "area": o.area,
+        "witness": o.witness,
+        "distance_squared": o.distance_squared,
+        "move": o.move,
+        "depth_squared": o.depth_squared,
+    }
+
+
+def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
+    """Describe the overlap of two shapes: verdict, area, depth, the least move, a witness.
+
+    Args:
+        o: an Overlap.
+        terminal_width: as for `report`.
+
+    Returns:
+        Lines of text.
+
+    Example:
+        >>> from exactsweep import overlap
+        >>> square, other = ([(k, k), (k + 4, k), (k + 4, k + 4), (k, k + 4)] for k in (0, 2))
+        >>> print(report_overlap(overlap(square, other)), end="")
+        verdict      OVERLAP
+        common area  4
+        depth        2
+        least move   (0,2) of b
+        witness      (3,3), inside both
+    """
+    facts: dict[str, str] = {"verdict": o.verdict}
+    if o.verdict == "OVERLAP":
+        facts["common area"] = _join(*_write_area(o.area))
+        facts["depth"] = approximate(take_root(o.depth_squared), up=True)
+        facts["least move"] = f"{write_pair(o.move)} of b"
+    elif o.verdict == "FREE":
+        facts["distance"] = approximate(take_root(o.distance_squared))
+        facts["nearest"] = " ".join(map(write_pair, o.nearest))
+    if o.witness is not None:
+        where = "inside both" if o.verdict == "OVERLAP" else "on both boundaries"
+        facts["witness"] = f"{write_pair(o.witness)}, {where}"
+    return lay_out([list_facts(facts, 0)], terminal_width)
+
+
+def report_overlaps(
+    found: Sequence[NamedOverlap], free: int, terminal_width: int | None = None
+) -> str:
+    """List the pairs of shapes that overlap or touch, and count the others.
+
+    Args:
+        found: the pairs that are not free.
+        free: the number of those that are.
+        terminal_width: as for `report`.
+    """
+    numbers = ("area about", "depth about")
+    table = make_table(("a", "b", "verdict", *numbers), numbers)
+    for first, second, o in found:
+        depth = approximate(take_root(o.depth_squared), up=True)
+        table.add_row(first, second, o.verdict, approximate(o.area), depth)
+    overlapping = sum(o.verdict == "OVERLAP" for *_, o in found)
+    touching = len(found) - overlapping
+    total = f"{count(overlapping, 'overlap')}, {touching} in contact, {free} free\n"
+    return (lay_out([table], terminal_width) if found else "") + total
+
+
+def _write_area(area: Fraction) -> tuple[str, str]:
+    exact, rounded = abridge(area), approximate(area)
+    return "" if rounded == exact else rounded, exact
+
+
+def _join(rounded: str, exact: str) -> str:
+    return f"{exact}, about {rounded}" if rounded else exact
