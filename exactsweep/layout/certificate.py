@@ -1,7 +1,7 @@
 """Certificates of layouts, as `check/CERTIFICATES.md` describes them.
 
 A valid layout has a proof: convex pieces, and a normal for each pair of pieces whose boxes are not
-far enough apart. Otherwise each fault has the points that prove it.
+far enough apart. Otherwise each fault has the point that proves it.
 """
 
 from __future__ import annotations
@@ -154,7 +154,7 @@ def _are_apart(one: LatticeBox, other: LatticeBox, distance: Fraction) -> bool:
 
 
 def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict[str, Any]] | None:
-    """Find the points that prove faults; None if the turns are not near enough for one."""
+    """Find the point that proves each fault; None if the turns are not near enough for one."""
     proved: list[dict[str, Any]] = []
     for fault in faults:
         if fault.kind in ("missing", "surplus", "turn", "mirror"):
@@ -165,28 +165,31 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
             assert fault.part is not None
             point = find_misfit(board.layout.part_by_id[fault.part])
             if point is not None:
-                proved.append({"kind": "shape", "part": fault.part, "points": [point]})
+                proved.append({"kind": "shape", "part": fault.part, "point": point})
         elif fault.kind != "undecided":
-            points = _find_points(board, fault, bits)
-            if points is not None:
+            point = _find_point(board, fault, bits)
+            if point is not None:
                 place = {"kind": fault.kind, "placements": list(fault.placements)}
-                proved.append({**place, "points": points})
+                proved.append({**place, "point": point})
             elif bits < MOST_BITS:
                 return None
     return proved
 
 
-def _find_points(board: Board, fault: Fault, bits: int) -> Sequence[Point] | None:
-    """Find the points of an overlap, of a part outside, or of a gap that is too small."""
+def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
+    """Find a point inside both solids of a fault, or halfway between two that are too close."""
     a, b = fault.find_pair(bits)
     if fault.kind == "too close":
         alone = len(fault.placements) == 1
         gap = board.layout.margin if alone else board.layout.spacing
         room = gap - a.slack - b.slack
         found = find_gap(a, b, room * room) if room > 0 else None
-        return found and found.points
+        if found is None:
+            return None
+        p, q = found.points
+        return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
     witness = find_witness(a, b)
-    return witness and [witness.point]
+    return witness and witness.point
 
 
 def _list_outside(board: Board) -> list[list[list[Point]]]:
