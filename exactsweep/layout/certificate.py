@@ -169,8 +169,9 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
         elif fault.kind != "undecided":
             point = _find_point(board, fault, bits)
             if point is not None:
-                place = {"kind": fault.kind, "placements": list(fault.placements)}
-                proved.append({**place, "point": point})
+                # What is outside the container, its holes included, is -1.
+                bodies = [*fault.placements, -1][:2]
+                proved.append({"kind": fault.kind, "placements": bodies, "point": point})
             elif bits < MOST_BITS:
                 return None
     return proved
