@@ -56,7 +56,10 @@ def verify_command(
         text = verification_to_json(verdict)
     else:
         name = "standard input" if file == "-" else file
-        found = f"proved\n{_describe(certificate)}" if verdict.proved else verdict.reason
+        if verdict.proved:
+            found = f"proved\n{_describe(certificate)}"
+        else:
+            found = f"not proved: {verdict.reason}"
         text = f"{name}: {found}\n"
         if verdict.witness is not None:
             text += f"witness: {write_pair(verdict.witness)}\n"
