@@ -27,12 +27,12 @@ from exactsweep.words import count, write_pair
 def verify_command(
     file: str, shapes: tuple[str, ...], max_steps: int | None, as_json: bool
 ) -> None:
-    """Check a certificate of a sweep, a no-fit polygon, an inner fit or a layout.
+    """Check a certificate by independent code.
 
-    Decides whether the certificate in FILE, or - for standard input, proves its answer, by
-    independent code: check/standalone.py, a file that needs nothing but Python. Prints "proved" and
-    the proved answer; or the first reason why it is not proved, with a witness, a translation or a
-    point where it shows, and the exit code is 1.
+    Decides whether the certificate in FILE, or - for standard input, proves its answer: a sweep, a
+    no-fit polygon, an inner fit, or the verdict on a layout. check/standalone.py decides, a file
+    that needs nothing but Python. Prints "proved" and the answer; or the first reason why it is not
+    proved, with a witness, a translation or a point where it shows, and the exit code is 1.
 
     With G and D, the certificate has to be about these two polygons: the one that moves and the
     one that stays; of an inner fit, the part and the container.
