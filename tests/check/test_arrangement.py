@@ -2,10 +2,10 @@
 
 from collections import defaultdict
 
+from exactsweep.check.arrangement import _walk_loops
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from exactsweep.check.arrangement import _walk_loops
 from exactsweep.check.cone import subtract
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.number import Vertex

@@ -4,12 +4,12 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 import pytest
+from exactsweep.check.boxes import BoxTree, Rectangle, find_box, meet
+from exactsweep.check.no_fit import UNLIMITED
 from hypothesis import given
 from hypothesis import strategies as st
 
 from exactsweep.check import boxes, reference_no_fit, uncovered
-from exactsweep.check.boxes import BoxTree, Rectangle, find_box, meet
-from exactsweep.check.no_fit import UNLIMITED
 from exactsweep.check.standalone import Work
 from exactsweep.numbers.number import Rational, Vertex
 

@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 from cells import Holed
+from exactsweep.check.convex import measure_bits
+from exactsweep.check.no_fit import UNLIMITED
 from known_layouts import FAULTY, TILE, VALID
 from layouts import box, lay, put
 from shape_certificates import HEAD, no_fit_certificate, outline
@@ -28,8 +30,6 @@ from exactsweep.check import (
     uncovered,
     verify,
 )
-from exactsweep.check.convex import measure_bits
-from exactsweep.check.no_fit import UNLIMITED
 from exactsweep.check.standalone import Work
 from exactsweep.layout import judge_layout
 

@@ -6,6 +6,10 @@ from unittest.mock import patch
 
 import pytest
 from cells import Holed, grid
+from exactsweep.check.arrangement import WalkedLoop
+from exactsweep.check.convex import cut_to_convex
+from exactsweep.check.no_fit import UNLIMITED
+from exactsweep.check.uncovered import LinePiece, OpenSets
 from hypothesis import example, given
 from hypothesis import strategies as st
 from shapes import shape_pairs
@@ -14,12 +18,8 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.check import convex
-from exactsweep.check.arrangement import WalkedLoop
-from exactsweep.check.convex import cut_to_convex
-from exactsweep.check.no_fit import UNLIMITED
 from exactsweep.check.shape import bring_to_integers
 from exactsweep.check.standalone import node
-from exactsweep.check.uncovered import LinePiece, OpenSets
 from exactsweep.geometry import convex as kernel_convex
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
 from exactsweep.numbers.number import Vertex

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from cells import Holed, grid, shape_of
+from exactsweep.check.monotone import has_shared_direction
 from hypothesis import example, given
 from hypothesis import strategies as st
 from shape_certificates import (
@@ -23,7 +24,6 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon
 from exactsweep.check import classify, reference_inner_fit, reference_no_fit, verify
-from exactsweep.check.monotone import has_shared_direction
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.geometry.frame import choose_direction
 

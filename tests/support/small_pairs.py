@@ -9,11 +9,11 @@ from random import Random
 from typing import Any, NamedTuple
 
 import families
+from exactsweep.check.monotone import has_shared_direction
 from shape_families import untangled
 
 from exactsweep import Region
 from exactsweep.check import point_in_polygon
-from exactsweep.check.monotone import has_shared_direction
 from exactsweep.corpus.generator.cells import connect, grow, trace_outline
 from exactsweep.geometry.canonical import PolygonError, canonicalize_ring
 from exactsweep.geometry.vectors import find_hull
