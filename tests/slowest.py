@@ -60,10 +60,11 @@ def polygon(count: int, x: Any = 0) -> list[tuple[Any, Any]]:
 
 def crowd(n: int, digits: int) -> Certificate:
     """A loop whose boxes are all in one cell: it is tiny, and the shapes are large."""
-    den = 10**digits + 1
+    den = max(2 * n + 3, 10**digits)
     teeth = [(Fraction(1, den), Fraction(1, 3)), (Fraction(2 * n + 1, den), Fraction(1, 3))]
     for k in range(n, 0, -1):
         teeth += [(Fraction(2 * k + 1, den), Fraction(2, 3)), (Fraction(2 * k, den), Fraction(1, 2))]
+    teeth.append((Fraction(1, den), Fraction(3, 5)))
     return claim_no_fit(square(10**40), square(10**40), least_first(teeth))
 
 
@@ -71,7 +72,7 @@ def strips(n: int, digits: int) -> Certificate:
     """Two strips of triangles, and a loop with an edge whose box holds all of their sums."""
     den = 10**digits if digits > 1 else 0
     rows = [(k + (Fraction(1, den + 2 * k + 1) if den else 0), k % 2) for k in range(n + 2)]
-    pieces = [rows[k : k + 3] if k % 2 == 0 else rows[k : k + 3][::-1] for k in range(n)]
+    pieces = [rows[k : k + 3] if k % 2 else rows[k : k + 3][::-1] for k in range(n)]
     outline = rows[0::2] + rows[1::2][::-1]
     moved = [[(x + 2 * n, y) for x, y in piece] for piece in pieces]
     d = {"exterior": write([(x + 2 * n, y) for x, y in outline])}, [*map(write, moved)]
@@ -89,19 +90,24 @@ def corners(n: int, digits: int) -> Certificate:
     return claim_no_fit(d, d, write(loop))
 
 
-def overlapping(n: int, digits: int) -> Certificate:
-    """Pieces of many corners in one place."""
-    ring = write(polygon(max(3, digits * 3)))
-    return claim_no_fit(({"exterior": ring * n}, [ring] * n), square(1), rectangle(0, 0, 9, 9))
+def slices(n: int, digits: int) -> Certificate:
+    """Slices along a diagonal, whose boxes overlap, of many corners."""
+    wide = max(2, digits)
+    lines = [[(k + j, j * j * (2 if k else 1)) for j in range(wide)] for k in range(2)]
+    ring = write(lines[1] + lines[0][::-1])
+    strips = [[(k, 0), (k + 1, 0), (k + 10 * n + 1, 9 * n), (k + 10 * n, 9 * n)] for k in range(n)]
+    outline = rectangle(0, 0, 1, 1) if not strips else write([(0, 0), (n, 0), (11 * n, 9 * n), (10 * n, 9 * n)])
+    del ring
+    return claim_no_fit(({"exterior": outline}, [*map(write, strips)]), square(1), outline)
 
 
 def islands(n: int, digits: int) -> Certificate:
-    """Holes that touch nothing, so that there are many groups of pieces, and as many loops."""
-    pieces = [rectangle(3 * k, 0, 3 * k + 1, 1) for k in range(n)]
-    rings = {"exterior": pieces[0], "holes": pieces[1:]}
-    teeth = [(9 * n + k, (k % 2) * digits) for k in range(n)]
-    loop = least_first([(-9 * n, -9), (10 * n, -9), *teeth[::-1], (-9 * n, 9)])
-    return claim_no_fit((rings, pieces), (rings, pieces), loop)
+    """Pieces that have no vertex in common, and a loop of many edges."""
+    squares = [[(3 * k, 0), (3 * k + 1, 0), (3 * k + 1, 1), (3 * k, 1)] for k in range(n)]
+    shape = {"exterior": write([p for ring in squares for p in (*ring, ring[0])])}
+    teeth = [(9 * n - k, 9 + (k % 2) * digits) for k in range(3 * n)]
+    loop = write([(-9 * n, -9), (9 * n + 1, -9), *teeth])
+    return claim_no_fit((shape, [*map(write, squares)]), (shape, [*map(write, squares)]), loop)
 
 
 def fits_in_a_cell(n: int, digits: int) -> Certificate:
@@ -154,7 +160,7 @@ def placements(n: int, digits: int) -> Certificate:
     count = digits * 10
     pieces = [rectangle(k, 0, k + 1, 1) for k in range(count)]
     part = {"id": "a", "exterior": rectangle(0, 0, count, 1)}
-    placed = [{"part": "a", "move": ["500000", str(2 * k)]} for k in range(n)]
+    placed = [{"part": "a", "move": ["500000", str(10 + 2 * k)]} for k in range(n)]
     return layout([part], placed, [pieces], spacing="1", margin="1")
 
 
@@ -177,7 +183,7 @@ def rotations(n: int, digits: int) -> Certificate:
 
 KINDS: dict[str, Callable[[int, int], Certificate]] = {
     kind.__name__: kind
-    for kind in (crowd, strips, corners, overlapping, islands, fits_in_a_cell, chains)
+    for kind in (crowd, strips, corners, slices, islands, fits_in_a_cell, chains)
 } | {kind.__name__: kind for kind in (long_numbers, placements, faults, rotations)}
 
 
