@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import chain
 
-from exactsweep.evidence.no_fit import NoFitPolygon
+from exactsweep.evidence.no_fit import NoFitAnswer
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.frame import find_shared_direction
@@ -64,7 +64,7 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
     return Region(found.exterior, found.holes)
 
 
-def find_no_fit_polygon(stationary: AnyPolygon, orbiting: AnyPolygon) -> NoFitPolygon:
+def find_no_fit_polygon(stationary: AnyPolygon, orbiting: AnyPolygon) -> NoFitAnswer:
     """Find the no-fit polygon of two shapes, for positions of the origin.
 
     Cost: that of `no_fit_polygon`.
@@ -72,7 +72,7 @@ def find_no_fit_polygon(stationary: AnyPolygon, orbiting: AnyPolygon) -> NoFitPo
     direction: Vector | None = None
     if not (stationary.holes or orbiting.holes):
         direction = find_shared_direction(orbiting.exterior, stationary.exterior)
-    return NoFitPolygon(Region(stationary), Region(orbiting), direction, ORIGIN)
+    return NoFitAnswer(Region(stationary), Region(orbiting), direction, ORIGIN)
 
 
 def _add_path(shape: Region, path: Polyline) -> Region:

@@ -17,7 +17,7 @@ from tiers import examples
 
 from exactsweep import Polygon, Region
 from exactsweep.corpus import cases
-from exactsweep.evidence.no_fit import NoFitPolygon
+from exactsweep.evidence.no_fit import NoFitAnswer
 from exactsweep.geometry.region import share_lattice
 from exactsweep.numbers.number import Vertex
 
@@ -58,7 +58,7 @@ def test_the_corpus_has_the_same_answers(thin: bool, wide: bool) -> None:
         if case.kind != "SS":
             continue
         with pruning(thin=thin, wide=wide):
-            n = NoFitPolygon(Region(case.directrix), Region(case.generatrix), None, case.reference)
+            n = NoFitAnswer(Region(case.directrix), Region(case.generatrix), None, case.reference)
             assert (n.exterior, n.holes, n.exact_fits) == (
                 case.trajectory,
                 case.holes,
