@@ -1,7 +1,7 @@
 """Look for the slowest certificates of 100 kB: `python -m tests.slowest`.
 
-The checker promises an end within half a minute and a gigabyte. For every kind of certificate, numbers
-of pieces, edges, digits and entries are drawn, and the slowest file is made slower by small changes.
+The checker promises an end within half a minute and a gigabyte. Files of every kind are drawn, and
+the slowest one is changed as long as that makes it slower.
 """
 
 from __future__ import annotations
@@ -168,7 +168,7 @@ def layout(
 
 
 def placements(n: int, digits: int) -> Certificate:
-    """Placements of a part of many pieces in one row, with a spacing that makes all of them near."""
+    """Placements of a part of many pieces, near each other."""
     count = digits * 10
     pieces = [rectangle(k, 0, k + 1, 1) for k in range(count)]
     part = {"id": "a", "exterior": rectangle(0, 0, count, 1)}

@@ -13,9 +13,9 @@ from certified import CAVE, HOUSE, certificates
 from tampering import get, put
 
 from exactsweep import Region, no_fit_polygon
-from exactsweep.evidence.proof import add_proof
 from exactsweep.check.standalone import Refused, covers, is_convex, node, prove, winding
 from exactsweep.check.standalone import edges as list_edges
+from exactsweep.evidence.proof import add_proof
 
 Path = tuple[Any, ...]
 

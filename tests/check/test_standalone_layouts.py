@@ -9,7 +9,7 @@ from random import Random
 from typing import Any
 
 import pytest
-from certified import L, PIECES_OF_L, Certificate, layout, rect, two_ls, with_faults
+from certified import PIECES_OF_L, Certificate, L, layout, rect, two_ls, with_faults
 from tampering import get, put
 
 from exactsweep.check.standalone import Refused, prove, read_rotation, rotation_error

@@ -1,4 +1,4 @@
-"""Certificates of every kind, and changes of one place with the reason for which they are refused."""
+"""Certificates of every kind, small ones."""
 
 from __future__ import annotations
 
