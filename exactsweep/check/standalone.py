@@ -66,7 +66,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
-MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 5 * 10**7, 500
+MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 4 * 10**7, 400
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
 NULL: dict[str, Any] = dict.fromkeys(("turn", "error", "spacing", "margin"), "0") | {
     "holes": [],
@@ -112,14 +112,15 @@ class Work:
             item = stack.pop()
             stack += item.values() if type(item) is dict else item if type(item) is list else ()
             length = len(item) if type(item) is str else 0
-            size, longest = size + length + 4, max(longest, length)
+            is_number = length > 0 and item[-1:].isdigit()
+            size, longest = size + length + 4, max(longest, length * is_number)
             need(size + 4 * len(stack) < MAX_SIZE, "too large to be read")
-        self.weight = 1 + longest / 20 + longest**2 / 8000
+        self.weight = 1 + longest / 6 + longest**2 / 1400  # as measured
         self.left = max_steps or max(MAX_STEPS, STEPS_PER_BYTE * size)
 
-    def spend(self, steps: float) -> None:
-        """Take steps from those that are left."""
-        self.left -= steps * self.weight
+    def spend(self, steps: float, of_boxes: float = 0) -> None:
+        """Take steps from those that are left; those of boxes have short numbers."""
+        self.left -= steps * self.weight + of_boxes
         need(self.left >= 0, "too large: to check it takes more steps than a file of its size may")
 
 
@@ -276,7 +277,7 @@ def near(work: Work, *trees: Any, touch: int = 0) -> Iterator[tuple[Any, Any, An
     while stack:
         found = stack.pop()
         ((a, b, c, d), m, _), ((e, f, g, h), n, _), ((i, j, k, l), o, _) = found  # noqa: E741
-        work.spend(1)
+        work.spend(0, 1)
         if e + i < b + touch and a < f + j + touch and g + k < d + touch and c < h + l + touch:
             at = 0 if m >= n and m >= o else 1 if n >= o else 2
             if found[at][1] < 0:
@@ -323,7 +324,7 @@ def solid(name: str, rings: list[Ring], item: Any, work: Work) -> list[Ring]:
     around, scale = [*map(edges, pieces)], scale_of(chain(*rings))
     boxes = tree([(box(points, scale), k) for k, points in enumerate(pieces)])
     for k, j, _ in near(work, boxes, boxes, NOWHERE):
-        work.spend(len(pieces[k]) * len(pieces[j]) / 4)
+        work.spend(len(pieces[k]) * len(pieces[j]))
         is_apart = k >= j or apart(around[k], around[j])
         need(is_apart, f"{name}: pieces {k} and {j} are not apart", pieces[k][0])
     return pieces
@@ -478,11 +479,11 @@ def boundary(name: str, sums: Sums, known: list[Known], listed: Any, around: lis
     """Prove (a), (b), (c) and (e) of the lemma."""
     work, at = sums.work, tree([(box(e[:2], sums.scale), e) for e in known])
     for edge, other, _ in near(work, at, at, NOWHERE, touch=1):
-        work.spend(4)
+        work.spend(12)
         need(edge is other or distinct(edge, other), f"{edge.name}: meets {other.name}", edge.start)
     for edge, i, j in near(work, at, *sums.trees):
         lines = sums.get(i * sums.columns + j)[0]
-        work.spend(len(lines) / 4)
+        work.spend(3 + len(lines))
         is_clear = clip(lines, edge.start, edge.end) is None
         need(is_clear, f"{edge.name}: inside the sum of pieces {i} and {j}", edge.start)
     beside = cover_sides(name, sums, known, listed, around)
@@ -503,12 +504,12 @@ def cover_sides(name: str, sums: Sums, known: list[Known], listed: Any, around: 
         for one, found in zip(sides, items(at, chains, len(sides)), strict=True):
             spans = list[Span | None]()
             for n in [found] if type(found) is int else items(at, found):
-                sums.work.spend(5)
                 if integer(at, n, -len(known), len(entries)) >= 0:
                     lines = sums.get(entries[n][0])[0]
-                    sums.work.spend(len(lines) / 2)
+                    sums.work.spend(4 + len(lines))
                     spans.append(clip(lines, one[0], one[1]))
                     continue
+                sums.work.spend(45)
                 edge, span = known[-1 - n], share(one, known[-1 - n])
                 spans.append(span)
                 if span and edge.start == edge.end:
@@ -707,7 +708,7 @@ class Layout:
         need(flag is None or type(flag) is bool, f"{name}, mirrored: neither true nor false")
         asked, to = read_rotation(name, turn), read_rotation(name, items(name, rational))
         (_, rings, error, _), _, used = self.parts[key]
-        self.work.spend(10 + 4 * sum(map(len, rings)))
+        self.work.spend(20 + 10 * sum(map(len, rings)))
         if asked != to:
             need(type(asked) is not tuple, f"{name}: its entry of turns is another rotation")
             far = max(sum(map(abs, place(p))) for p in chain(*rings))
@@ -750,7 +751,7 @@ class Layout:
         for (a, i), (b, j), _ in near(self.work, at, at, NOWHERE):
             if a < b and b >= 0:
                 one, other = self.bodies[a], self.bodies[b]
-                self.work.spend(len(one.rings[i]) + len(other.rings[j]))
+                self.work.spend(12 + len(one.rings[i]) + len(other.rings[j]))
                 distance = (self.margin if a < 0 else self.spacing) + one.error + other.error
                 known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1))
                 ways = [known] if known else AXES
@@ -776,7 +777,7 @@ class Layout:
         need(a >= 0 and a != b and points, f"{name}: not two bodies and a point")
         room = (self.margin if b < 0 else self.spacing) - one.error - other.error
         for body in (one, other):
-            self.work.spend(20 * sum(map(len, body.rings)))
+            self.work.spend(60 * sum(map(len, body.rings)))
             is_there = is_inside(body, points[0], -room / Fraction(2) if is_close else body.error)
             need(is_there, f"{name}: not inside {body.name}, or not near enough", *points)
         need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)

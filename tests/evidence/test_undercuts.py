@@ -213,7 +213,7 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
     for seed in (2, 5):
         pair = families.random_pair(random.Random(seed), ["same", "mould", "walls"])
         g, d = Polygon(pair.generatrix), Polygon(pair.directrix)
-        near = sweep(g, d)
+        near = sweep(Polygon(g.vertices), Polygon(d.vertices))
         far = sweep(*(Polygon([(factor * x, factor * y) for x, y in p.vertices]) for p in (g, d)))
         assert far.generatrix.lattice()[0] == 1
         positions = [
