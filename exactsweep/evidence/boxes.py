@@ -7,13 +7,13 @@ from typing import Any, NamedTuple
 
 from exactsweep.evidence.homogeneous import Node
 
-Box = tuple[int, int, int, int]
+CellBox = tuple[int, int, int, int]
 """The left, right, low and high end of a box."""
 
 _CELLS = 1 << 30
 
 
-class Grid:
+class BoxGrid:
     """A grid of cells over points, on which boxes are ints.
 
     Args:
@@ -29,13 +29,13 @@ class Grid:
         x, y, w = p
         return x * _CELLS // (w * self._size), y * _CELLS // (w * self._size)
 
-    def bound(self, points: Sequence[Node]) -> Box:
+    def bound(self, points: Sequence[Node]) -> CellBox:
         """Return the box of points, rounded outwards."""
         xs, ys = zip(*map(self.find_cell, points), strict=True)
         return min(xs), max(xs) + 1, min(ys), max(ys) + 1
 
 
-def are_touching(one: Box, other: Box) -> bool:
+def are_touching(one: CellBox, other: CellBox) -> bool:
     """Return whether two boxes have a point in common."""
     left, right, low, high = one
     west, east, south, north = other
@@ -45,12 +45,12 @@ def are_touching(one: Box, other: Box) -> bool:
 class Tree(NamedTuple):
     """Numbered boxes: the box of all; its half perimeter, -1 for one; two trees or its number."""
 
-    box: Box
+    box: CellBox
     size: int
     content: Any
 
 
-def grow(boxes: Sequence[tuple[Box, int]]) -> Tree:
+def grow(boxes: Sequence[tuple[CellBox, int]]) -> Tree:
     """Put numbered boxes in a tree, halving the list along its longer axis. Cost: O(n log^2 n)."""
     if len(boxes) == 1:
         return Tree(boxes[0][0], -1, boxes[0][1])

@@ -17,10 +17,10 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any, NamedTuple
 
-from exactsweep.evidence.boxes import Box, are_touching
+from exactsweep.evidence.boxes import CellBox, are_touching
 from exactsweep.evidence.homogeneous import (
+    DirectedSegment,
     Interval,
-    Side,
     clip,
     find_between,
     intersect,
@@ -36,7 +36,7 @@ _STRIPS = 8
 _WHOLE = Fraction(0), Fraction(1)
 
 
-class Evidence(NamedTuple):
+class Covering(NamedTuple):
     """Sums and chains that prove a boundary.
 
     Attributes:
@@ -47,10 +47,12 @@ class Evidence(NamedTuple):
 
     sums: list[list[Any]]
     around: list[list[int] | int]
-    slits: list[Side]
+    slits: list[DirectedSegment]
 
 
-def find_evidence(sums: Sums, known: Sequence[Side], beyond: Sequence[Side] = ()) -> Evidence:
+def find_evidence(
+    sums: Sums, known: Sequence[DirectedSegment], beyond: Sequence[DirectedSegment] = ()
+) -> Covering:
     """Find sums whose sides are covered by each other, known edges and slits.
 
     Args:
@@ -59,7 +61,7 @@ def find_evidence(sums: Sums, known: Sequence[Side], beyond: Sequence[Side] = ()
         beyond: the boundaries of open half-planes, which count as sums.
 
     Returns:
-        The Evidence. If the known edges are not the boundary of the sums, it proves nothing.
+        The Covering. If the known edges are not the boundary of the sums, it proves nothing.
 
     Cost: O(1) clipped segments for each side of a listed sum, and for each known edge O(1) for each
     sum whose box touches it.
@@ -77,16 +79,16 @@ def find_evidence(sums: Sums, known: Sequence[Side], beyond: Sequence[Side] = ()
 class _Strips:
     """Boxes of listed sums in strips of the plane, the largest sum first."""
 
-    def __init__(self, box: Box, count: int) -> None:
+    def __init__(self, box: CellBox, count: int) -> None:
         self._left, self._width = box[0], (box[1] - box[0]) // count + 1
-        self._sums: dict[int, list[tuple[int, int, Box]]] = defaultdict(list)
+        self._sums: dict[int, list[tuple[int, int, CellBox]]] = defaultdict(list)
 
-    def add(self, k: int, area: int, box: Box) -> None:
+    def add(self, k: int, area: int, box: CellBox) -> None:
         first, last = ((end - self._left) // self._width for end in box[:2])
         for strip in range(first, last + 1):
             insort(self._sums[strip], (-area, k, box))
 
-    def find_near(self, box: Box) -> Iterator[int]:
+    def find_near(self, box: CellBox) -> Iterator[int]:
         """Find the sums whose boxes touch that of a point."""
         strip = self._sums[(box[0] - self._left) // self._width]
         return (k for _, k, other in strip if are_touching(box, other))
@@ -99,10 +101,10 @@ class _Finder:
         gaps: the gaps of each side that is not covered, by the number of a sum and the side.
     """
 
-    def __init__(self, sums: Sums, beyond: Sequence[Side]) -> None:
+    def __init__(self, sums: Sums, beyond: Sequence[DirectedSegment]) -> None:
         self._sums = sums
         self._beyond = {sums.count + k: [side] for k, side in enumerate(beyond)}
-        self._known: list[Side] = []
+        self._known: list[DirectedSegment] = []
         # By the number of a sum, the known edges that touch its box.
         self._edges: dict[int, list[int]] = defaultdict(list)
         self._listed: list[int] = []
@@ -111,10 +113,10 @@ class _Finder:
         self._last = -1
         self.gaps: dict[tuple[int, int], list[Gap]] = {}
 
-    def _sides(self, k: int) -> list[Side]:
+    def _sides(self, k: int) -> list[DirectedSegment]:
         return self._sums.sides(k) if k < self._sums.count else self._beyond[k]
 
-    def add_known(self, edges: Sequence[Side]) -> None:
+    def add_known(self, edges: Sequence[DirectedSegment]) -> None:
         """Add known edges, and list sums with sides along them; right of a loop there are none."""
         if not self._known:
             self._strips = _Strips(self._sums.box, _STRIPS * isqrt(len(edges)) + 1)
@@ -196,7 +198,7 @@ class _Finder:
         sides, known = self._sides(k), self._known
         return [n for n in self._edges[k] if not any(is_right(side, known[n]) for side in sides)]
 
-    def _cover(self, side: Side, edges: Sequence[int], at: tuple[int, int]) -> list[int]:
+    def _cover(self, side: DirectedSegment, edges: Sequence[int], at: tuple[int, int]) -> list[int]:
         """Cover a side: entries -1 - n for known edges, and numbers of sums."""
         start, end = side.start, side.end
         ahead = [(span, -1 - n) for n in edges if (span := intersect(side, self._known[n]))]
@@ -226,7 +228,9 @@ class _Finder:
             self.gaps[at] = gaps
         return [n for n, *_ in found]
 
-    def _find_next(self, side: Side, reach: Fraction, closed: bool) -> tuple[Interval, int] | None:
+    def _find_next(
+        self, side: DirectedSegment, reach: Fraction, closed: bool
+    ) -> tuple[Interval, int] | None:
         """Find a sum that covers a side from a parameter on, by (2), and list it."""
         box = self._sums.grid.bound([find_between(side.start, side.end, reach)])
         for k in self._find_around(box):
@@ -237,7 +241,7 @@ class _Finder:
                 return span, k
         return None
 
-    def _find_around(self, box: Box) -> Iterator[int]:
+    def _find_around(self, box: CellBox) -> Iterator[int]:
         """Find the sums that may contain a point, in the order of (2)."""
         if self._last >= 0:
             yield self._last
@@ -246,7 +250,7 @@ class _Finder:
         near = (k for _, k in self._sums.find_near([(box, 0)]) if k not in self._chains)
         yield from sorted(near, key=self._sums.measure, reverse=True)
 
-    def _find_end(self, side: Side, reach: Fraction, closed: bool) -> Fraction:
+    def _find_end(self, side: DirectedSegment, reach: Fraction, closed: bool) -> Fraction:
         """Find where a slit ends: where the next sum or edge begins."""
         start, end = side.start, side.end
         near = self._sums.find_near([(self._sums.grid.bound([start, end]), 0)])
@@ -257,7 +261,7 @@ class _Finder:
         ahead = (low for low in lows if low > reach or (low == reach and not closed))
         return min(ahead, default=Fraction(1))
 
-    def write(self, slits: list[Side]) -> Evidence:
+    def write(self, slits: list[DirectedSegment]) -> Covering:
         """Number the listed sums, and then the half-planes."""
         at = {k: n for n, k in enumerate((*self._listed, *self._beyond))}
         written = {
@@ -265,7 +269,7 @@ class _Finder:
             for k in at
         }
         sums = [[k, *written[k]] for k in self._listed]
-        return Evidence(sums, [written[k][0] for k in self._beyond], slits)
+        return Covering(sums, [written[k][0] for k in self._beyond], slits)
 
 
 def _shorten(entries: list[int]) -> list[int] | int:

@@ -19,7 +19,7 @@ Interval = tuple[Fraction, Fraction]
 """The first and the last parameter."""
 
 
-class Side(NamedTuple):
+class DirectedSegment(NamedTuple):
     """A directed segment, perhaps a point, with its primitive direction and its line."""
 
     start: Node
@@ -44,11 +44,11 @@ def place(p: Node) -> tuple[Fraction, Fraction]:
     return Fraction(p[0], p[2]), Fraction(p[1], p[2])
 
 
-def make_side(p: Node, q: Node) -> Side:
+def make_side(p: Node, q: Node) -> DirectedSegment:
     """Return the segment from one point to another.
 
     >>> make_side((0, 0, 1), (1, 1, 2))
-    Side(start=(0, 0, 1), end=(1, 1, 2), direction=(1, 1), line=(-1, 1, 0))
+    DirectedSegment(start=(0, 0, 1), end=(1, 1, 2), direction=(1, 1), line=(-1, 1, 0))
     """
     (x, y, w), (u, v, z) = p, q
     dx, dy = u * w - x * z, v * w - y * z
@@ -56,16 +56,16 @@ def make_side(p: Node, q: Node) -> Side:
     return direct_side(p, q, (dx // common, dy // common))
 
 
-def direct_side(p: Node, q: Node, direction: tuple[int, int]) -> Side:
+def direct_side(p: Node, q: Node, direction: tuple[int, int]) -> DirectedSegment:
     """Return the segment from one point to another, given its direction."""
     (x, y, w), (dx, dy) = p, direction
     level = dy * x - dx * y
     common = gcd(level, w)
     w //= common
-    return Side(p, q, direction, (-dy * w, dx * w, level // common))
+    return DirectedSegment(p, q, direction, (-dy * w, dx * w, level // common))
 
 
-def list_sides(ring: Sequence[Node]) -> list[Side]:
+def list_sides(ring: Sequence[Node]) -> list[DirectedSegment]:
     """Return the edges of a ring."""
     return [make_side(p, q) for p, q in pairwise((*ring, ring[0]))]
 
@@ -79,25 +79,25 @@ def find_between(p: Node, q: Node, parameter: Fraction) -> Node:
     return a // common, b // common, c // common
 
 
-def is_right(side: Side, other: Side) -> bool:
+def is_right(side: DirectedSegment, other: DirectedSegment) -> bool:
     """Return whether all of a segment is right of the line of another one."""
     (a, b, c), (x, y, w), (u, v, z) = side.line, other.start, other.end
     return a * x + b * y + c * w < 0 and a * u + b * v + c * z < 0
 
 
-def is_along(side: Side, other: Side) -> bool:
+def is_along(side: DirectedSegment, other: DirectedSegment) -> bool:
     """Return whether two segments lie on one line."""
     (dx, dy), (ex, ey), (a, b, c) = side.direction, other.direction, side.line
     return dx * ey == dy * ex and a * other.start[0] + b * other.start[1] + c * other.start[2] == 0
 
 
-def is_on_border(sides: Iterable[Side], p: Node) -> bool:
+def is_on_border(sides: Iterable[DirectedSegment], p: Node) -> bool:
     """Return whether a point is on the boundary of a convex polygon."""
     x, y, w = p
     return min(a * x + b * y + c * w for *_, (a, b, c) in sides) == 0
 
 
-def clip(sides: Iterable[Side], a: Node, b: Node) -> Interval | None:
+def clip(sides: Iterable[DirectedSegment], a: Node, b: Node) -> Interval | None:
     """Find the open interval of a segment inside an open convex polygon.
 
     Returns:
@@ -125,7 +125,7 @@ def clip(sides: Iterable[Side], a: Node, b: Node) -> Interval | None:
     return None
 
 
-def intersect(side: Side, other: Side) -> Interval | None:
+def intersect(side: DirectedSegment, other: DirectedSegment) -> Interval | None:
     """Find the closed interval of a segment on another segment or a point.
 
     Returns:

@@ -12,7 +12,7 @@ from math import lcm
 from typing import Any
 
 from exactsweep.evidence.chains import find_evidence
-from exactsweep.evidence.homogeneous import Node, Side, list_sides, make_node, make_side
+from exactsweep.evidence.homogeneous import DirectedSegment, Node, list_sides, make_node, make_side
 from exactsweep.evidence.sums import Sums
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.convex import IntRing, cut_to_convex
@@ -22,7 +22,7 @@ from exactsweep.numbers.number import Point, to_fraction
 _EDGES = 3
 """The number of edges of a slice of a convex polygon on either side."""
 
-_Points = Iterable[Iterable[object]]
+_PointList = Iterable[Iterable[object]]
 
 
 def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
@@ -42,7 +42,7 @@ def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
     return to_plain({**claim, "proof": _PROVERS[claim["claim"]](claim)})
 
 
-class _Lattice:
+class _PairLattice:
     """The integer lattice of two shapes.
 
     Attributes:
@@ -66,19 +66,19 @@ class _Lattice:
         found = [(int(x * self.scale), int(y * self.scale)) for x, y in ring]
         return found if (find_doubled_area(found) > 0) != is_hole else found[::-1]
 
-    def enter(self, points: _Points) -> list[Node]:
+    def enter(self, points: _PointList) -> list[Node]:
         """Enter points of an answer, which may be between those of the lattice."""
         return [make_node(x * self.scale, y * self.scale) for x, y in _read(points)]
 
-    def enter_loop(self, points: _Points) -> list[Side]:
+    def enter_loop(self, points: _PointList) -> list[DirectedSegment]:
         """Enter a loop as it is listed."""
         return list_sides(self.enter(points))
 
-    def enter_reversed(self, points: _Points) -> list[Side]:
+    def enter_reversed(self, points: _PointList) -> list[DirectedSegment]:
         """Enter a loop from its last point back to the first."""
         return list_sides(self.enter(points)[::-1])
 
-    def enter_fits(self, fits: Iterable[_Points]) -> list[Side]:
+    def enter_fits(self, fits: Iterable[_PointList]) -> list[DirectedSegment]:
         """Enter exact fits."""
         return [make_side(*self.enter(fit)) for fit in fits]
 
@@ -96,7 +96,7 @@ def _read(points: Any) -> list[Point]:
 
 
 def _prove_no_fit(claim: dict[str, Any]) -> dict[str, Any]:
-    lattice = _Lattice(claim["directrix"], claim["generatrix"])
+    lattice = _PairLattice(claim["directrix"], claim["generatrix"])
     still, moving = map(_cut, lattice.shapes)
     loops = [lattice.enter_loop(claim["exterior"]), *map(lattice.enter_reversed, claim["holes"])]
     known = [*chain.from_iterable(loops), *lattice.enter_fits(claim["exact_fits"])]
@@ -106,7 +106,7 @@ def _prove_no_fit(claim: dict[str, Any]) -> dict[str, Any]:
 
 
 def _prove_sweep(claim: dict[str, Any]) -> dict[str, Any]:
-    lattice = _Lattice(claim["directrix"], claim["generatrix"])
+    lattice = _PairLattice(claim["directrix"], claim["generatrix"])
     trajectory = [side[:2] for side in lattice.enter_loop(claim["exterior"])]
     holes = claim["inner"], *claim["unswept"]
     loops = [lattice.enter_loop(claim["outer"]), *map(lattice.enter_reversed, holes)]
@@ -116,7 +116,7 @@ def _prove_sweep(claim: dict[str, Any]) -> dict[str, Any]:
 
 
 def _prove_inner_fit(claim: dict[str, Any]) -> dict[str, Any]:
-    lattice = _Lattice(claim["container"], claim["part"])
+    lattice = _PairLattice(claim["container"], claim["part"])
     (exterior, *defects), part = lattice.shapes
     ends, frame, positions = _surround(exterior, part[0], lattice.scale)
     # Each hole of the container is cut by itself.

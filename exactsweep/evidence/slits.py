@@ -10,13 +10,13 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from exactsweep.evidence.homogeneous import Node, Side, make_node, make_side, place
+from exactsweep.evidence.homogeneous import DirectedSegment, Node, make_node, make_side, place
 
 Gap = tuple[Node, Node]
-_Place = tuple[Fraction, Fraction]
+_Coordinates = tuple[Fraction, Fraction]
 
 
-def unite(gaps: Iterable[Gap], known: Sequence[Side]) -> list[Side]:
+def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[DirectedSegment]:
     """Join gaps along one line, and drop points on others or on known edges.
 
     Args:
@@ -32,8 +32,8 @@ def unite(gaps: Iterable[Gap], known: Sequence[Side]) -> list[Side]:
     >>> [(slit.start, slit.end) for slit in unite([(b, c), (b, b), (b, a)], [])]
     [((0, 0, 1), (2, 0, 1))]
     """
-    along: dict[object, list[tuple[_Place, _Place]]] = defaultdict(list)
-    points: set[_Place] = set()
+    along: dict[object, list[tuple[_Coordinates, _Coordinates]]] = defaultdict(list)
+    points: set[_Coordinates] = set()
     for p, q in gaps:
         start, end = sorted((place(p), place(q)))
         if start == end:
@@ -57,7 +57,7 @@ def unite(gaps: Iterable[Gap], known: Sequence[Side]) -> list[Side]:
     return found + [make_side(make_node(*p), make_node(*p)) for p in alone]
 
 
-def _is_on(p: Node, edge: Side) -> bool:
+def _is_on(p: Node, edge: DirectedSegment) -> bool:
     """Return whether a point is on a segment."""
     (a, b, c), (x, y, w) = edge.line, p
     if a * x + b * y + c * w:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 
-from exactsweep.evidence.boxes import Box, Grid, find_touching, grow
-from exactsweep.evidence.homogeneous import Node, Side, direct_side, list_sides, place
+from exactsweep.evidence.boxes import BoxGrid, CellBox, find_touching, grow
+from exactsweep.evidence.homogeneous import DirectedSegment, Node, direct_side, list_sides, place
 
 
 class Sums:
@@ -25,7 +25,7 @@ class Sums:
     """
 
     def __init__(self, first: Sequence[Sequence[Node]], second: Sequence[Sequence[Node]]) -> None:
-        self.grid = Grid([*chain(*first, *second)])
+        self.grid = BoxGrid([*chain(*first, *second)])
         self.count, self._columns = len(first) * len(second), len(second)
         self._pieces = [[_from_lowest(ring) for ring in shape] for shape in (first, second)]
         self._trees = [
@@ -33,11 +33,11 @@ class Sums:
             for shape in (first, second)
         ]
         left, right, low, high = zip(*(tree.box for tree in self._trees), strict=True)
-        self.box: Box = sum(left), sum(right), sum(low), sum(high)
-        self._sides: dict[int, list[Side]] = {}
+        self.box: CellBox = sum(left), sum(right), sum(low), sum(high)
+        self._sides: dict[int, list[DirectedSegment]] = {}
         self._areas: dict[int, int] = {}
 
-    def sides(self, k: int) -> list[Side]:
+    def sides(self, k: int) -> list[DirectedSegment]:
         """Return the edges of a sum, counter-clockwise from its lowest vertex, the left of two."""
         found = self._sides.get(k)
         if found is None:
@@ -54,20 +54,20 @@ class Sums:
             area = self._areas[k] = sum(x * v - u * y for (x, y), (u, v) in around)
         return area
 
-    def find_near(self, boxes: Sequence[tuple[Box, int]]) -> Iterator[tuple[int, int]]:
+    def find_near(self, boxes: Sequence[tuple[CellBox, int]]) -> Iterator[tuple[int, int]]:
         """Find the sums whose boxes touch numbered boxes; yield the number of each and the sum."""
         if boxes:
             for n, i, j in find_touching(grow(boxes), *self._trees):
                 yield n, i * self._columns + j
 
 
-def _from_lowest(ring: Sequence[Node]) -> list[Side]:
+def _from_lowest(ring: Sequence[Node]) -> list[DirectedSegment]:
     """Return the edges of a piece from its lowest vertex on, the left of two."""
     k = min(range(len(ring)), key=lambda k: place(ring[k])[::-1])
     return list_sides([*ring[k:], *ring[:k]])
 
 
-def _add(one: Sequence[Side], other: Sequence[Side]) -> list[Side]:
+def _add(one: Sequence[DirectedSegment], other: Sequence[DirectedSegment]) -> list[DirectedSegment]:
     """Merge the edges of two convex pieces by direction."""
     i = j = 0
     corners: list[Node] = []

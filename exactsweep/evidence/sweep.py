@@ -204,10 +204,11 @@ class SweepAnswer(Certified):
 
         Holes of D are not undercuts.
         """
-        tracer = Tracer(self._route, self._boundaries[0])
-        frame = self.solution.frame
-        found = []
-        for bottom, back in self.solution.pockets:
+        pockets, frame = self.solution.pockets, self.solution.frame
+        if not pockets:
+            return ()
+        tracer, found = Tracer(self._route, self._boundaries[0]), []
+        for bottom, back in pockets:
             intersection, positions = find_closing_positions(bottom, tracer)
             points = frame.leave(bottom + back)
             chain = tuple(points[: len(bottom)])

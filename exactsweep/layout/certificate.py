@@ -118,7 +118,7 @@ def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
 def _name_obstacles(board: Board) -> list[tuple[int, int]]:
     """Return for each obstacle its number in certificates, and that of its first piece.
 
-    What is outside the container, its holes included, is -1.
+    The outside of the container, with its holes, is -1.
     """
     return [(-1, first) for first in accumulate(_count_pieces(board), initial=0)]
 
@@ -176,7 +176,7 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
         elif fault.kind != "undecided":
             point = _find_point(board, fault, bits)
             if point is not None:
-                # What is outside the container, its holes included, is -1.
+                # -1 is the outside of the container, its holes included.
                 bodies = [*fault.placements, -1][:2]
                 proved.append({"kind": fault.kind, "placements": bodies, "point": point})
             elif bits < MOST_BITS:

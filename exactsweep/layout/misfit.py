@@ -18,7 +18,7 @@ from exactsweep.geometry.vectors import is_on_segment, turn
 from exactsweep.layout.layout import LayoutPart
 from exactsweep.numbers.number import Point
 
-_Edge = tuple[Point, Point]
+_PartEdge = tuple[Point, Point]
 
 
 def find_misfit(part: LayoutPart) -> Point | None:
@@ -36,7 +36,7 @@ def find_misfit(part: LayoutPart) -> Point | None:
     >>> find_misfit(LayoutPart("bow", tuple(bow))) is None
     False
     """
-    edges: list[_Edge] = []
+    edges: list[_PartEdge] = []
     for k, ring in enumerate((part.exterior, *part.holes)):
         points = drop_repeated(ring)
         if (find_doubled_area(points) > 0) != (k == 0):
@@ -51,7 +51,7 @@ def drop_repeated(ring: Sequence[Point]) -> list[Point]:
     return [p for k, p in enumerate(ring) if p != ring[k - 1]]
 
 
-def _list_inner(edges: Sequence[_Edge]) -> Iterator[Point]:
+def _list_inner(edges: Sequence[_PartEdge]) -> Iterator[Point]:
     """List a point in each piece of an edge between others, unless it is horizontal."""
     meetings = [{*edge} for edge in edges]
     boxes = [(min(a.x, b.x), max(a.x, b.x), min(a.y, b.y), max(a.y, b.y)) for a, b in edges]
@@ -65,7 +65,7 @@ def _list_inner(edges: Sequence[_Edge]) -> Iterator[Point]:
                 yield Point((p.x + q.x) / 2, (p.y + q.y) / 2)
 
 
-def _meet(one: _Edge, other: _Edge) -> list[Point]:
+def _meet(one: _PartEdge, other: _PartEdge) -> list[Point]:
     """Return the point in which two edges cross, or the ends of each that are on the other."""
     (a, b), (p, q) = one, other
     of_p, of_q, of_a, of_b = turn(a, b, p), turn(a, b, q), turn(p, q, a), turn(p, q, b)
@@ -76,7 +76,7 @@ def _meet(one: _Edge, other: _Edge) -> list[Point]:
     return ends + [z for z in other if is_on_segment(z, *one)]
 
 
-def _wind(edges: Sequence[_Edge], z: Point) -> int:
+def _wind(edges: Sequence[_PartEdge], z: Point) -> int:
     """Return the winding number at a point."""
     up = sum(a.y <= z.y < b.y and turn(a, b, z) > 0 for a, b in edges)
     return up - sum(b.y <= z.y < a.y and turn(a, b, z) < 0 for a, b in edges)

@@ -128,12 +128,13 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
 
     Procedure LowerEnvelope_CM. "We traverse the subtrajectory from right to left. In the beginning,
     T_{i-1} appears above T(G_t, D_i), and then the intersection is detected by a switch in this
-    vertical relationship."
+    vertical relationship." Without irrelevant edges a subtrajectory may begin right of T_{i-1}: it
+    is appended. It may also end first: then the walk begins at its end.
 
     Args:
         partial: the envelope so far; it is changed in place.
-        piece: the sum of one convex part and the next; it crosses the partial trajectory at most
-            once, and is lower on the right (Lemma A.3).
+        piece: the next subtrajectory; it crosses the partial trajectory at most once, and is lower
+            on the right (Lemma A.3).
 
     Returns:
         The graph `partial`.

@@ -29,7 +29,7 @@ from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.graph import Graph
 from exactsweep.procedures.mm import sweep_inner_mm, sweep_outer_mm, trajectory_mm
 from exactsweep.procedures.pockets import find_pockets
-from exactsweep.procedures.solution import Kind, made_once
+from exactsweep.procedures.solution import Kind, made_once, pause_collector
 
 
 class LowerMM:
@@ -187,13 +187,14 @@ class MonotoneSolution:
         return self._class(g_top, g_bottom, d_bottom), self._class(g_bottom, g_top, d_top)
 
     def _loop(self, boundary: Callable[[LowerMM], Chain]) -> list[Point]:
-        lower, upper = (boundary(half).points for half in self.halves)
-        upper = inverse(upper)
-        # At each end the two chains meet in a point, or a vertical edge joins them.
-        loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
-        points = self.frame.leave(loop)
-        first = 0 if self._direction == X_AXIS else find_least(points)
-        return points[first:] + points[:first]
+        with pause_collector():
+            lower, upper = (boundary(half).points for half in self.halves)
+            upper = inverse(upper)
+            # At each end the two chains meet in a point, or a vertical edge joins them.
+            loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
+            points = self.frame.leave(loop)
+            first = 0 if self._direction == X_AXIS else find_least(points)
+            return points[first:] + points[:first]
 
     @made_once
     def trajectory(self) -> list[Point]:

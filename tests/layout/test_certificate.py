@@ -73,7 +73,7 @@ def test_all_faults_are_proved(name: str) -> None:
     kinds = {kind for kind, _ in expected}
     assert {fault["kind"] for fault in certificate["faults"]} == kinds
     pairs = [where for kind, where in expected if kind in ("overlap", "outside", "too close")]
-    # What is outside the container is -1.
+    # -1 is the outside of the container.
     bodies = [(*where, -1)[:2] for where in pairs]
     listed = [tuple(f["placements"]) for f in certificate["faults"] if "placements" in f]
     assert listed == bodies
