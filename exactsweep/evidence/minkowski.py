@@ -10,16 +10,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import chain
 
-from exactsweep.evidence.no_fit import NoFitAnswer
+from exactsweep.evidence.sweep import Solution, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.frame import find_shared_direction
-from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.polyline import Polyline
 from exactsweep.geometry.reading import lcm_within
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_shape
 from exactsweep.numbers.error import tells_arguments
-from exactsweep.numbers.number import ORIGIN, Vertex, ratio
+from exactsweep.numbers.number import Vertex, ratio
 from exactsweep.procedures.positions import find_sum, path_rings
 from exactsweep.procedures.solution import place_loop
 
@@ -60,19 +59,19 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
     if isinstance(b, Polyline):
         return _add_path(to_region(a, "a"), b)
     first, second = to_shape(a, "a"), to_shape(b, "b")
-    found = find_no_fit_polygon(first, second.reflected())
-    return Region(found.exterior, found.holes)
+    found = solve_pair(first, second.reflected())
+    return Region(place_loop(found.trajectory), map(place_loop, found.holes))
 
 
-def find_no_fit_polygon(stationary: AnyPolygon, orbiting: AnyPolygon) -> NoFitAnswer:
-    """Find the no-fit polygon of two shapes, for positions of the origin.
+def solve_pair(stationary: AnyPolygon, orbiting: AnyPolygon) -> Solution:
+    """Return the Solution of a pair in its class, with positions of the origin.
 
-    Cost: that of `no_fit_polygon`.
+    Cost: that of `find_shared_direction`; the Solution computes its results on first access.
     """
     direction: Vector | None = None
     if not (stationary.holes or orbiting.holes):
         direction = find_shared_direction(orbiting.exterior, stationary.exterior)
-    return NoFitAnswer(Region(stationary), Region(orbiting), direction, ORIGIN)
+    return solve(orbiting, stationary, direction)
 
 
 def _add_path(shape: Region, path: Polyline) -> Region:
@@ -91,5 +90,4 @@ def _add_path(shape: Region, path: Polyline) -> Region:
     walked = path_rings(enter(points, scale), closed=path.closed and len(path) > 2)
     found = find_sum([enter(ring, times) for ring in rings], walked, scale)
     (exterior,) = map(place_loop, found.around)
-    holes: list[Polygon] = [*map(place_loop, found.within)]
-    return Region(exterior, holes)
+    return Region(exterior, map(place_loop, found.within))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Literal
 
-from exactsweep.evidence.minkowski import find_no_fit_polygon
+from exactsweep.evidence.minkowski import solve_pair
 from exactsweep.geometry.distance import (
     SquaredDistance,
     distance_squared,
@@ -111,10 +111,10 @@ class Overlap:
         """
         if self.verdict != "OVERLAP":
             return ORIGIN
-        found = find_no_fit_polygon(self.a, self.b)
-        loops = [found.exterior, *found.holes]
-        edges = [edge for loop in loops for edge in _list_edges(loop.vertices)]
-        edges += found.exact_fits
+        found = solve_pair(self.a, self.b)
+        loops = [found.trajectory, *found.holes]
+        edges = [edge for loop in loops for edge in zip(loop, (*loop[1:], loop[0]), strict=True)]
+        edges += found.fits
         squares = [Fraction(*measure_to_edge(ORIGIN, edge)) for edge in edges]
         least = min(squares)
         return min(
@@ -131,10 +131,6 @@ class Overlap:
 
     def __repr__(self) -> str:
         return f"<Overlap of {len(self.a)} and {len(self.b)} vertices: {self.verdict}>"
-
-
-def _list_edges(ring: tuple[Point, ...]) -> list[Edge]:
-    return [*zip(ring, (*ring[1:], ring[0]), strict=True)]
 
 
 @tells_arguments

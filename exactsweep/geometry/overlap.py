@@ -188,7 +188,8 @@ def _cross(edge: Edge, other: Edge) -> bool:
 
 def _find_cone(z: Vertex, p: Vertex, q: Vertex, r: Vertex) -> _EdgeCone:
     """Return the rays that leave and arrive at a point of the edge p q, which goes on to r."""
-    return minus(r if z == q else q, z), minus(p, z)
+    (x, y), (px, py), (rx, ry) = z, p, r if z == q else q
+    return (rx - x, ry - y), (px - x, py - y)
 
 
 def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:
@@ -203,9 +204,9 @@ def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:
 
 def _is_in_cone(ray: Vertex, cone: _EdgeCone) -> bool:
     """Decide whether a ray is strictly inside a cone."""
-    leaving, arriving = cone
-    after, before = cross(leaving, ray) > 0, cross(ray, arriving) > 0
-    return (after and before) if cross(leaving, arriving) >= 0 else (after or before)
+    (x, y), ((ux, uy), (vx, vy)) = ray, cone
+    after, before = ux * y > uy * x, x * vy > y * vx
+    return (after and before) if ux * vy >= uy * vx else (after or before)
 
 
 def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:

@@ -4,6 +4,7 @@ Most pairs are too small for the steps, which are then forced.
 """
 
 from fractions import Fraction
+from itertools import groupby
 from random import Random
 
 import pytest
@@ -18,8 +19,10 @@ from tiers import examples
 from exactsweep import Polygon, Region
 from exactsweep.corpus import cases
 from exactsweep.evidence.no_fit import NoFitAnswer
+from exactsweep.geometry.edges import Rings
 from exactsweep.geometry.region import share_lattice
 from exactsweep.numbers.number import Vertex
+from exactsweep.procedures.positions import find_sum, path_rings
 
 SCALES = st.sampled_from([Fraction(1), Fraction(7, 3), Fraction(10**30), Fraction(1, 10)])
 MATRICES = st.sampled_from([(1, 0, 0, 1), (7, 0, 0, 7), (5, 3, -2, 9), (6, -1, 6, 5)])
@@ -42,6 +45,28 @@ def test_polyominoes_have_the_same_answer(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int]
 ) -> None:
     require_the_same_without_steps(rings(d, matrix), rings(g, matrix))
+
+
+@given(
+    simple_rings(),
+    st.lists(st.tuples(st.integers(-9, 9), st.integers(-9, 9)), min_size=2, max_size=6),
+    st.booleans(),
+    SCALES,
+)
+@examples(40)
+def test_sums_with_paths_have_the_same_answer(
+    d: Ring, points: list[tuple[int, int]], closed: bool, scale: Fraction
+) -> None:
+    steps = [point for point, _ in groupby(points)]
+    if len(steps) < 2 or (closed and (len(steps) < 3 or steps[0] == steps[-1])):
+        return
+    shape: Rings = [[(x * scale, y * scale) for x, y in Polygon(d).vertices]]
+    path = path_rings([(x * scale, y * scale) for x, y in steps], closed=closed)
+    found = []
+    for thin, wide in STEPS:
+        with pruning(thin=thin, wide=wide):
+            found += [find_sum(shape, path), find_sum(path, shape)]
+    assert all(answer == found[0] for answer in found)
 
 
 @pytest.mark.parametrize("number", range(30))

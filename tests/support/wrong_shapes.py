@@ -62,7 +62,7 @@ INNER_FIT = {
     "regions after the second are lost": changing(regions=lambda regions: regions[:2]),
 }
 OTHERS: dict[str, tuple[Procedure, Sabotage]] = {
-    "loops: not split where they come back to a point": (
+    "loops: not parted where they come back to a point": (
         walk.split_where_it_touches,
         lambda right: lambda ring: iter([list(ring)]),
     ),
@@ -74,7 +74,7 @@ OTHERS: dict[str, tuple[Procedure, Sabotage]] = {
         segments.find_contact_segments,
         giving(lambda found: found * 12),
     ),
-    "squares that are known to be overlapped: one segment too many is left out": (
+    "squares that are known to be overlapped: one stretch too many is left out": (
         cover.leave_out_covered,
         giving(lambda found: found[:-1]),
     ),
