@@ -66,7 +66,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
-MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 4 * 10**7, 400
+MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 10**7, 100
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
 NULL: dict[str, Any] = dict.fromkeys(("turn", "error", "spacing", "margin"), "0") | {
     "holes": [],
