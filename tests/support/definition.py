@@ -7,22 +7,15 @@ from random import Random
 from typing import Any
 
 import tampering
+from references import reference_inner_fit, reference_no_fit, reference_swept
 from shape_certificates import falsified
 from small_pairs import Shape, SmallPair, shares_direction
 
 import exactsweep
 from exactsweep import DirectionError, Point
-from exactsweep.check import (
-    classify,
-    point_in_polygon,
-    reference_exact_fits,
-    reference_inner_fit,
-    reference_loops,
-    reference_no_fit,
-    reference_swept,
-    verify,
-)
+from exactsweep.check import classify, point_in_polygon, verify
 from exactsweep.numbers.number import Vertex
+from exactsweep.paper.definition import reference_exact_fits, reference_loops
 
 Fit = tuple[Point, Point]
 DIRECTIONS = [(1, 0), (0, 1), (1, 1), (1, -1), (3, 4), (1, -2), (3, -1)]

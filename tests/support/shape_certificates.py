@@ -1,5 +1,6 @@
 """Certificates of polygons of any shape, written from the definition, and how to falsify them."""
 
+import json
 import marshal
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
@@ -8,18 +9,12 @@ from typing import Any
 
 from cells import Holed
 
-from exactsweep import Point, Polygon
-from exactsweep.check import (
-    reference_inner_fit,
-    reference_no_fit,
-    reference_swept,
-)
+from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import to_fraction
 
 Certificate = dict[str, Any]
 Written = list[list[str]]
-HEAD = {"format": "exactsweep certificate", "version": 2}
 
 
 def write(points: Sequence[Point]) -> Written:
@@ -40,45 +35,23 @@ def shape_in(written: dict[str, Any]) -> Holed:
 
 
 def no_fit_certificate(d: Holed, g: Holed) -> Certificate:
-    exterior, holes, fits = reference_no_fit(d, g)
-    return {
-        **HEAD,
-        "claim": "no_fit",
-        "directrix": outline(d),
-        "generatrix": outline(g),
-        "exterior": write(exterior),
-        "holes": [write(hole) for hole in holes],
-        "exact_fits": [write(fit) for fit in fits],
-    }
+    return _write(no_fit_polygon(_region(d), _region(g)))
 
 
 def inner_fit_certificate(container: Holed, part: Holed) -> Certificate:
-    regions, fits = reference_inner_fit(container, part)
-    return {
-        **HEAD,
-        "claim": "inner_fit",
-        "container": outline(container),
-        "part": outline(part),
-        "regions": [
-            {"exterior": write(exterior), "holes": [write(hole) for hole in holes]}
-            for exterior, holes in regions
-        ],
-        "exact_fits": [write(fit) for fit in fits],
-    }
+    return _write(inner_fit_polygon(_region(container), _region(part)))
 
 
 def sweep_certificate(d: Holed, g: Holed) -> Certificate:
-    outer, inner, unswept = reference_swept(d, g)
-    area = Polygon(outer).area - sum(Polygon(loop).area for loop in (inner, *unswept))
-    return {
-        **no_fit_certificate(d, g),
-        "claim": "sweep",
-        "kind": "SS",
-        "outer": write(outer),
-        "inner": write(inner),
-        "unswept": [write(loop) for loop in unswept],
-        "area": format_fraction(Fraction(area)),
-    }
+    return _write(sweep(_region(g), _region(d)))
+
+
+def _region(shape: Holed) -> Region:
+    return Region(shape.exterior, shape.holes)
+
+
+def _write(answer: Any) -> Certificate:
+    return json.loads(json.dumps(answer.certificate()))
 
 
 def written_again(certificate: Certificate) -> Certificate:
