@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 from random import Random
+from typing import Any
 
 import click
 import pytest
@@ -128,7 +129,7 @@ WORK = Work("loops", (), ())
 
 def prove(text: str) -> None:
     """Have a certificate checked, which is proved only if its claim is the true one."""
-    found = parse_certificate(text)
+    found: Any = parse_certificate(text)
     verdict = verify(found)
     assert verdict.proved or found != CERTIFICATE
     # There may be more than one proof.
