@@ -1,4 +1,4 @@
-(* The checker of layouts over the integers, and its soundness at every rational point. *)
+(* Gaps between pieces: a normal proves that two pieces share no point, and a distance. *)
 Require Import ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid.
 Import ListNotations.
@@ -120,69 +120,18 @@ Proof.
   - apply IH, H2.
 Qed.
 
-Definition box_ring (l b r t : Z) : ring := [(l, b); (r, b); (r, t); (l, t)].
+(* A side of one of two pieces has all of the other on its right, or one coordinate parts them. *)
+Definition normal (e : edge) : pt := (snd (snd e) - snd (fst e), fst (fst e) - fst (snd e)).
+Definition opposite (p : pt) : pt := (- fst p, - snd p).
+Definition axes : list pt := [(1, 0); (0, 1); (-1, 0); (0, -1)].
+Definition apart (p q : ring) : bool :=
+  existsb (fun n => far 0 n p q) (axes ++ map normal (edges p) ++ map (fun e => opposite (normal e)) (edges q)).
+Lemma apart_spec p q : apart p q = true -> exists n, far 0 n p q = true.
+Proof. unfold apart. intro H. apply existsb_exists in H as (n & _ & H). exists n. exact H. Qed.
 
-Record problem := {
-  container : list ring; outside : list ring; frame : Z * Z * Z * Z;
-  parts : list solid; defects : list solid; spacing : Z; margin : Z }.
-
-Section Check.
-(* The certificate's normals, as any function at all: no property of it is used. *)
-Variable hint : ring -> ring -> pt.
-
-Definition all_far (d : Z) (ps qs : list ring) : bool :=
-  far d (hint (concat ps) (concat qs)) (concat ps) (concat qs) ||
-  forallb (fun p => forallb (fun q => far d (hint p q) p q) qs) ps.
-
+(* Pieces make up a shape: convex as seen from a corner, cancelling to its rings, apart from each other, at least one. *)
 Definition simple_solid (s : solid) : bool :=
-  is_solid s && negb (match pieces s with [] => true | _ => false end) &&
-  all_pairs (fun p q => far 0 (hint p q) p q) (pieces s).
-
-Definition in_frame (m : Z) (f : Z * Z * Z * Z) (p : ring) : bool :=
-  let '(l, b, r, t) := f in
-  forallb (fun v => (l + m <=? fst v) && (fst v <=? r - m) && (b + m <=? snd v) && (snd v <=? t - m)) p.
-
-Definition check (c : problem) : bool :=
-  let '(l, b, r, t) := frame c in
-  (0 <=? spacing c) && (0 <=? margin c) && (l <? r) && (b <? t) &&
-  forallb is_fan (outside c) &&
-  cancels (flat_map edges (outside c) ++ flat_map edges (container c)) (edges (box_ring l b r t)) &&
-  forallb simple_solid (parts c) && forallb simple_solid (defects c) &&
-  all_pairs (fun s t => all_far (spacing c) (pieces s) (pieces t)) (parts c) &&
-  forallb (fun s => forallb (in_frame (margin c) (frame c)) (pieces s) &&
-    all_far (margin c) (pieces s) (outside c) &&
-    forallb (fun f => all_far (margin c) (pieces s) (pieces f)) (defects c)) (parts c).
-
-Lemma fan_some p : is_fan p = true -> p <> [].
-Proof. intros F ->. discriminate. Qed.
-Lemma all_far_spec d ps qs p q : all_far d ps qs = true -> fans ps -> fans qs -> In p ps -> In q qs ->
-  exists n, far d n p q = true.
-Proof.
-  unfold all_far. intros H Fp Fq P Q. apply orb_prop in H as [H|H].
-  - exists (hint (concat ps) (concat qs)). apply (far_parts d _ _ _ p q H).
-    + intros x I. apply in_concat. exists p. auto.
-    + intros x I. apply in_concat. exists q. auto.
-    + apply fan_some, Fp, P.
-    + apply fan_some, Fq, Q.
-  - exists (hint p q). rewrite forallb_forall in H. specialize (H p P). rewrite forallb_forall in H. exact (H q Q).
-Qed.
-
-(* Solids of which all pieces are far from each other *)
-Lemma solids_far d ps qs k : 0 < k -> all_far d ps qs = true -> fans ps -> fans qs ->
-  (forall y z, 1 <= count k ps y -> 1 <= count k qs z -> (k * d) * (k * d) <= dist2 y z) /\
-  (forall z, ~ (1 <= count k ps z /\ 1 <= count k qs z)).
-Proof.
-  intros K F P Q. split.
-  - intros y z Y X. destruct (proj2 (count_some k ps y K P) Y) as (p & I & A).
-    destruct (proj2 (count_some k qs z K Q) X) as (q & J & B).
-    destruct (all_far_spec d ps qs p q F P Q I J) as (n & Fn).
-    eapply (far_dist d n p q k y z K); [exact Fn|apply P|apply Q| |]; try assumption; lia.
-  - intros z (Y & X). destruct (proj2 (count_some k ps z K P) Y) as (p & I & A).
-    destruct (proj2 (count_some k qs z K Q) X) as (q & J & B).
-    destruct (all_far_spec d ps qs p q F P Q I J) as (n & Fn).
-    pose proof (far_share d n p q k z K Fn (P p I) (Q q J)). lia.
-Qed.
-
+  is_solid s && negb (match pieces s with [] => true | _ => false end) && all_pairs apart (pieces s).
 Lemma simple_spec s : simple_solid s = true ->
   is_solid s = true /\ fans (pieces s) /\ (exists p, In p (pieces s)) /\
   forall k z, 0 < k -> W k (rings s) z = 0 \/ W k (rings s) z = 1.
@@ -193,10 +142,18 @@ Proof.
   - intros k z K. rewrite (solid_count k s z K H). apply count_one; try assumption.
     apply all_pairs_spec in A. revert F A. generalize (pieces s). intros ps F A.
     induction A as [|p r A1 A2 IH]; constructor.
-    + rewrite Forall_forall in *. intros q Q. apply (far_share 0 (hint p q)); [assumption| | |].
-      * exact (A1 q Q). * apply F. left. reflexivity. * apply F. right. assumption.
+    + rewrite Forall_forall in *. intros q Q. destruct (apart_spec p q (A1 q Q)) as (n & Fn).
+      apply (far_share 0 n); [assumption|exact Fn|apply F; left; reflexivity|apply F; right; assumption].
     + apply IH. intros q Q. apply F. right. assumption.
 Qed.
+
+
+Definition box_ring (l b r t : Z) : ring := [(l, b); (r, b); (r, t); (l, t)].
+
+Definition in_frame (m : Z) (f : Z * Z * Z * Z) (p : ring) : bool :=
+  let '(l, b, r, t) := f in
+  forallb (fun v => (l + m <=? fst v) && (fst v <=? r - m) && (b + m <=? snd v) && (snd v <=? t - m)) p.
+
 
 (* A solid is not empty: the centroid of a triangle of its first piece, at scale 3. *)
 Lemma fan_inhabited r : is_fan r = true -> exists z, ring_wind (map (grow 3) r) z = 1.
@@ -266,13 +223,6 @@ Qed.
 
 Definition shape_ok (s : solid) : Prop :=
   (forall k z, 0 < k -> W k (rings s) z = 0 \/ W k (rings s) z = 1) /\ exists z, W 3 (rings s) z = 1.
-Definition keep_apart (d : Z) (s t : solid) : Prop := forall k, 0 < k ->
-  (forall z, ~ (W k (rings s) z = 1 /\ W k (rings t) z = 1)) /\
-  (forall y z, W k (rings s) y = 1 -> W k (rings t) z = 1 -> (k * d) * (k * d) <= dist2 y z).
-Definition keep_inside (d : Z) (s : solid) (rs : list ring) : Prop := forall k, 0 < k ->
-  (forall z, W k (rings s) z = 1 -> W k rs z = 1) /\
-  (forall y z, W k (rings s) y = 1 -> W k rs z <> 1 -> (k * d) * (k * d) <= dist2 y z).
-
 Lemma simple_shape s : simple_solid s = true -> shape_ok s.
 Proof.
   intro H. destruct (simple_spec s H) as (S & F & (p & P) & B). split; [exact B|].
@@ -286,83 +236,3 @@ Proof.
   pose proof (piece_01 _ z (is_fan_grow 3 q eq_refl (F' q (or_introl eq_refl)))).
   destruct P as [->|P]; [lia|]. apply IH; [assumption|assumption|lia].
 Qed.
-
-Lemma far_solids d s t : simple_solid s = true -> simple_solid t = true -> all_far d (pieces s) (pieces t) = true ->
-  keep_apart d s t.
-Proof.
-  intros S T F k K. destruct (simple_spec s S) as (S1 & S2 & _ & _). destruct (simple_spec t T) as (T1 & T2 & _ & _).
-  destruct (solids_far d _ _ k K F S2 T2) as (A & B). split.
-  - intros z (X & Y). rewrite (solid_count k s z K S1) in X. rewrite (solid_count k t z K T1) in Y.
-    apply (B z). lia.
-  - intros y z X Y. rewrite (solid_count k s y K S1) in X. rewrite (solid_count k t z K T1) in Y.
-    apply A; lia.
-Qed.
-
-Theorem check_sound c : check c = true ->
-  Forall shape_ok (parts c) /\ Forall shape_ok (defects c) /\
-  ForallOrdPairs (keep_apart (spacing c)) (parts c) /\
-  (forall s, In s (parts c) -> keep_inside (margin c) s (container c)) /\
-  (forall s f, In s (parts c) -> In f (defects c) -> keep_apart (margin c) s f).
-Proof.
-  unfold check. destruct (frame c) as [[[l b] r] t] eqn:Fr. intro H.
-  repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  apply Z.leb_le in H. rename X into Xin, X0 into Xpairs, X1 into Xdef, X2 into Xparts, X3 into Xcan, X4 into Xout.
-  apply Z.leb_le in X7. apply Z.ltb_lt in X5, X6.
-  rewrite forallb_forall in Xin, Xdef, Xparts, Xout.
-  repeat split.
-  - rewrite Forall_forall. intros s I. apply simple_shape, Xparts, I.
-  - rewrite Forall_forall. intros s I. apply simple_shape, Xdef, I.
-  - apply all_pairs_spec in Xpairs. revert Xparts Xpairs. generalize (parts c). intros ps Xparts A.
-    induction A as [|p q A1 A2 IH]; constructor.
-    + rewrite Forall_forall in *. intros s Q. apply far_solids; [apply Xparts; left; reflexivity|apply Xparts; right; assumption|].
-      apply A1, Q.
-    + apply IH. intros x I. apply Xparts. right. assumption.
-  - pose proof (Xin s H0) as I. apply andb_prop in I as (I & _). apply andb_prop in I as (I1 & I2).
-    destruct (simple_spec s (Xparts s H0)) as (S1 & S2 & _ & _). rewrite forallb_forall in I1.
-    intros z Y. rewrite (solid_count k s z H1 S1) in Y.
-    destruct (solids_far _ _ _ k H1 I2 S2 Xout) as (_ & B).
-    pose proof (cancels_wind k _ _ z H1 Xcan) as C. rewrite map_app, wind_app in C.
-    fold (W k (outside c) z) (W k (container c) z) in C.
-    assert (Bx : W k [box_ring l b r t] z = 1).
-    { destruct (proj2 (count_some k _ z H1 S2)) as (p & P & Pz); [lia|].
-      destruct (in_frame_spec (margin c) l b r t p k z H1 (I1 p P) (S2 p P)) as (J1 & J2 & J3 & J4); [lia|].
-      rewrite box_wind by assumption.
-      assert (0 <= k * margin c) by nia.
-      destruct (Z.leb_spec (k * l) (fst z)); [|lia]. destruct (Z.ltb_spec (fst z) (k * r)); [|lia].
-      destruct (Z.leb_spec (k * b) (snd z)); [|lia]. destruct (Z.ltb_spec (snd z) (k * t)); [|lia]. reflexivity. }
-    unfold W at 1 in Bx. cbn [flat_map] in Bx. rewrite app_nil_r in Bx. rewrite Bx in C.
-    rewrite W_count in C. destruct (count_some k (outside c) z H1 Xout) as (O1 & O2). specialize (B z).
-    assert (~ 1 <= count k (outside c) z) by (intro; apply B; lia). lia.
-  - intros y z Y N.
-    pose proof (Xin s H0) as I. apply andb_prop in I as (I & _). apply andb_prop in I as (I1 & I2).
-    destruct (simple_spec s (Xparts s H0)) as (S1 & S2 & _ & _). rewrite forallb_forall in I1.
-    rewrite (solid_count k s y H1 S1) in Y.
-    destruct (solids_far _ _ _ k H1 I2 S2 Xout) as (A & _).
-    pose proof (cancels_wind k _ _ z H1 Xcan) as C. rewrite map_app, wind_app in C.
-    fold (W k (outside c) z) (W k (container c) z) in C. rewrite W_count in C.
-    destruct (Z.le_gt_cases 1 (count k (outside c) z)) as [O|O]; [apply A; lia|].
-    pose proof (proj1 (count_some k (outside c) z H1 Xout)).
-    assert (Bx : W k [box_ring l b r t] z <> 1).
-    { unfold W at 1. cbn [flat_map]. rewrite app_nil_r, <- C. lia. }
-    rewrite box_wind in Bx by assumption.
-    destruct (proj2 (count_some k _ y H1 S2)) as (p & P & Py); [lia|].
-    destruct (in_frame_spec (margin c) l b r t p k y H1 (I1 p P) (S2 p P)) as (J1 & J2 & J3 & J4); [lia|].
-    assert (0 <= k * margin c) by nia. unfold dist2.
-    rewrite Z.mul_add_distr_l in J1, J3. rewrite Z.mul_sub_distr_l in J2, J4.
-    assert (G : k * margin c <= fst y - fst z \/ k * margin c <= fst z - fst y \/
-      k * margin c <= snd y - snd z \/ k * margin c <= snd z - snd y).
-    { destruct (Z.leb_spec (k * l) (fst z)); [|lia]. destruct (Z.ltb_spec (fst z) (k * r)); [|lia].
-      destruct (Z.leb_spec (k * b) (snd z)); [|lia]. destruct (Z.ltb_spec (snd z) (k * t)); [|lia].
-      exfalso. apply Bx. reflexivity. }
-    replace (fst z - fst y) with (- (fst y - fst z)) in G by ring.
-    replace (snd z - snd y) with (- (snd y - snd z)) in G by ring.
-    match goal with M : 0 <= k * margin c |- _ => revert M G end.
-    generalize (k * margin c) (fst y - fst z) (snd y - snd z).
-    clear. intros m u v M G. assert (0 <= u * u) by nia. assert (0 <= v * v) by nia.
-    destruct G as [G|[G|[G|G]]]; nia.
-  - pose proof (Xin s H0) as I. apply andb_prop in I as (_ & I). rewrite forallb_forall in I.
-    apply (far_solids _ s f (Xparts s H0) (Xdef f H1) (I f H1) k H2).
-  - pose proof (Xin s H0) as I. apply andb_prop in I as (_ & I). rewrite forallb_forall in I.
-    apply (far_solids _ s f (Xparts s H0) (Xdef f H1) (I f H1) k H2).
-Qed.
-End Check.

@@ -2,18 +2,19 @@
 
    Positions at which the part leaves the frame are four half-planes; the others at which it is not
    inside the container are sums of the pieces outside the container and of those of the part. *)
-Require Import QArith Lqa ZArith Lia List Bool.
+Require Import QArith Lqa ZArith Lia List Bool Permutation.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
-From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Pairs.
+From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums SumsSound Pairs.
 Import ListNotations.
 Open Scope Q_scope.
 
 Record inner_fit_certificate := {
   unit : positive; box : Z * Z * Z * Z;            (* the frame: left, bottom, right, top *)
-  outside : list ring; part : list ring; listed_sums : list listed }.
+  outside : list ring; part : list ring; listed_sums : list (nat * list (list Z)); around : list (list Z) }.
 
-Definition flip (es : list side) : list side := map swap es.
+(* A ring reversed has its edges reversed. *)
+Definition swap (e : side) : side := (snd e, fst e).
 Lemma swap_on e x : Statements.on_segment (swap e) x <-> Statements.on_segment e x.
 Proof.
   assert (H : forall e, Statements.on_segment e x -> Statements.on_segment (swap e) x).
@@ -32,9 +33,55 @@ Proof.
   - destruct (less_cases (Statements.orient b a z) 0) as [(X & ->)|(X & ->)];
     destruct (less_cases 0 (Statements.orient a b z)) as [(Y & ->)|(Y & ->)]; try reflexivity; exfalso; lra.
 Qed.
-Lemma wind_flip es z : wind_sides (flip es) z = (- wind_sides es z)%Z.
+
+Fixpoint path (l : list qpoint) : list side :=
+  match l with a :: ((b :: _) as m) => (a, b) :: path m | _ => [] end.
+Lemma path_cons a b m : path (a :: b :: m) = (a, b) :: path (b :: m).
+Proof. reflexivity. Qed.
+Lemma edges_path p t : Statements.edges (p :: t) = path (p :: t ++ [p]).
 Proof.
-  unfold wind_sides, flip. induction es as [|e es IH]; [reflexivity|]. cbn [map fold_right]. rewrite IH, crossing_swap. lia.
+  cbn [Statements.edges]. assert (G : forall t a b, combine (a :: t) (t ++ [b]) = path (a :: t ++ [b])); [|apply G].
+  clear. induction t as [|c t IH]; intros a b; [reflexivity|]. cbn [app combine]. rewrite path_cons, <- IH. reflexivity.
+Qed.
+Lemma path_snoc l a b : path (l ++ [a; b]) = path (l ++ [a]) ++ [(a, b)].
+Proof.
+  induction l as [|c l IH]; [reflexivity|]. cbn [app]. destruct l as [|d l]; [reflexivity|]. cbn [app] in *. rewrite !path_cons, IH. reflexivity.
+Qed.
+Lemma path_rev l : path (rev l) = rev (map swap (path l)).
+Proof.
+  induction l as [|a l IH]; [reflexivity|]. destruct l as [|b l]; [reflexivity|]. rewrite path_cons. cbn [map rev] in *.
+  rewrite <- app_assoc. cbn [app]. rewrite path_snoc, IH. reflexivity.
+Qed.
+Lemma edges_rev r : Permutation (Statements.edges (rev r)) (map swap (Statements.edges r)).
+Proof.
+  destruct r as [|p t]; [constructor|]. rewrite edges_path. cbn [rev].
+  rewrite (Permutation_rev (map swap (path (p :: t ++ [p])))), <- path_rev. cbn [rev]. rewrite rev_app_distr. cbn [rev app].
+  destruct (rev t) as [|q u]; [reflexivity|]. cbn [app]. rewrite edges_path, path_cons.
+  replace (q :: (u ++ [p]) ++ [q]) with ((q :: u) ++ [p; q]) by (cbn [app]; rewrite <- app_assoc; reflexivity).
+  rewrite path_snoc. rewrite Permutation_app_comm. reflexivity.
+Qed.
+Lemma wind_perm es fs z : Permutation es fs -> wind_sides es z = wind_sides fs z.
+Proof. unfold wind_sides. induction 1; cbn [map fold_right] in *; lia. Qed.
+Lemma wind_swap es z : wind_sides (map swap es) z = (- wind_sides es z)%Z.
+Proof. unfold wind_sides. induction es as [|e es IH]; [reflexivity|]. cbn [map fold_right]. rewrite IH, crossing_swap. lia. Qed.
+Lemma all_edges_rev rs : Permutation (flat_map Statements.edges (map (@rev _) rs)) (map swap (flat_map Statements.edges rs)).
+Proof.
+  induction rs as [|r rs IH]; [constructor|]. cbn [map flat_map]. rewrite map_app. apply Permutation_app; [apply edges_rev|exact IH].
+Qed.
+Lemma winding_rev rs z : Statements.winding (map (@rev _) rs) z = (- Statements.winding rs z)%Z.
+Proof.
+  change (wind_sides (flat_map Statements.edges (map (@rev _) rs)) z = - wind_sides (flat_map Statements.edges rs) z)%Z.
+  rewrite (wind_perm _ _ z (all_edges_rev rs)). apply wind_swap.
+Qed.
+Lemma on_any_rev rs fits z : Statements.on_any (flat_map Statements.edges (map (@rev _) rs) ++ fits) z <-> Statements.on_any (flat_map Statements.edges rs ++ fits) z.
+Proof.
+  split; intros (e & I & X); apply in_app_or in I as [I|I].
+  - apply (Permutation_in _ (all_edges_rev rs)) in I. apply in_map_iff in I as (f & <- & I). exists f.
+    split; [apply in_or_app; left; exact I|apply swap_on, X].
+  - exists e. split; [apply in_or_app; right; exact I|exact X].
+  - exists (swap e). split; [|apply swap_on, X]. apply in_or_app. left.
+    apply (Permutation_in _ (Permutation_sym (all_edges_rev rs))), in_map, I.
+  - exists e. split; [apply in_or_app; right; exact I|exact X].
 Qed.
 
 (* An edge that is not right of z, or not at its height, does not count. *)
@@ -80,10 +127,6 @@ Proof.
   - destruct (Qlt_le_dec q (a # N)) as [|G]; [assumption|exfalso]. apply E in G. lia.
 Qed.
 
-Section Check.
-Variables (clear : ring -> ring -> side -> pt) (inner : ring -> qpoint) (side_cuts edge_cuts : side -> list Q)
-  (hint : ring -> ring -> pt).
-
 Section Data.
 Variables (C G regions : list Statements.ring) (fits : list side) (c : inner_fit_certificate).
 Let N := unit c.
@@ -99,33 +142,24 @@ Let bl := (fl - extreme min_dot (1, 0))%Z.
 Let bb := (fb - extreme min_dot (0, 1))%Z.
 Let br := (fr - extreme max_dot (1, 0))%Z.
 Let bt := (ft - extreme max_dot (0, 1))%Z.
-Definition half_planes : list (list side) :=
-  [[(qpt N (br, bb), qpt N (bl, bb))]; [(qpt N (br, bt), qpt N (br, bb))];
-   [(qpt N (bl, bt), qpt N (br, bt))]; [(qpt N (bl, bb), qpt N (bl, bt))]].
-Definition loops : list side := flip (flat_map Statements.edges regions).
-Definition segments : list side := loops ++ fits.
-Definition sums : list (list side) := map (sides_of N) (listed_sums c) ++ half_planes.
+Definition beyond_box : list edge :=
+  [((br, bb), (bl, bb)); ((br, bt), (br, bb)); ((bl, bt), (br, bt)); ((bl, bb), (bl, bt))].
+Definition half_planes : list (list side) := map (fun f => [qe N f]) beyond_box.
+(* Walked with the positions at which the part does not fit on the left *)
+Definition loops : list ring := map (@rev pt) (int_rings (Zpos N) regions).
+Definition segments : list side := flat_map Statements.edges regions ++ fits.
 Definition solid_G : solid := {| rings := int_rings (Zpos N) G; pieces := part c |}.
 Definition in_box (p : qpoint) : bool :=
   Qle_bool (bl # N) (fst p) && Qle_bool (fst p) (br # N) && Qle_bool (bb # N) (snd p) && Qle_bool (snd p) (bt # N).
-Definition pair_b (P Q : ring) : bool :=
-  (Statements.winding regions (corner (inner P, inner Q)) =? 0)%Z &&
-  forallb (clear_b N clear P Q) segments && forallb (clear_b N clear P Q) (flat_map Statements.edges regions).
 
 Definition check_inner_fit : bool :=
-  all_integral (Zpos N) C && all_integral (Zpos N) G && all_integral (Zpos N) regions &&
+  all_integral (Zpos N) C && all_integral (Zpos N) G && all_integral (Zpos N) regions && forallb (integral_edge N) fits &&
   (fl <? fr)%Z && (fb <? ft)%Z && (bl <? br)%Z && (bb <? bt)%Z &&
-  forallb is_fan (outside c) &&
   cancels (flat_map edges (outside c) ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring fl fb fr ft)) &&
-  simple_solid hint solid_G &&
-  all_pairs distinct_b loops &&
+  simple_solid solid_G &&
   forallb (fun e => in_box (fst e) && in_box (snd e)) segments &&
-  forallb (piece_b N inner) (outside c) && forallb (piece_b N inner) (part c) &&
-  forallb (fun P => forallb (pair_b P) (part c)) (outside c) &&
-  forallb (sum_b N inner side_cuts (outside c) (part c) sums segments) (listed_sums c) &&
-  forallb (fun S => forallb (fun f => cover_b sums segments (side_cuts f) f) S) half_planes &&
-  forallb (fun e => beside_b sums (edge_cuts e) e) loops &&
-  forallb (both_b edge_cuts sums) fits.
+  forallb is_convex (outside c) && forallb is_convex (part c) &&
+  Sums.boundary (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0.
 
 Section Accepted.
 Hypothesis IC : all_integral (Zpos N) C = true.
@@ -135,21 +169,16 @@ Hypothesis Fx : (fl < fr)%Z.
 Hypothesis Fy : (fb < ft)%Z.
 Hypothesis Bx : (bl < br)%Z.
 Hypothesis By : (bb < bt)%Z.
-Hypothesis FO : fans (outside c).
 Hypothesis Cn : cancels (flat_map edges (outside c) ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring fl fb fr ft)) = true.
-Hypothesis SG : simple_solid hint solid_G = true.
-Hypothesis Ds : all_pairs distinct_b loops = true.
+Hypothesis SG : simple_solid solid_G = true.
 Hypothesis Within : forall e, In e segments -> in_box (fst e) = true /\ in_box (snd e) = true.
-Hypothesis PO : forall P, In P (outside c) -> piece_b N inner P = true.
-Hypothesis PG : forall Q, In Q (part c) -> piece_b N inner Q = true.
-Hypothesis Pairs : forall P Q, In P (outside c) -> In Q (part c) -> pair_b P Q = true.
-Hypothesis Sums : forall s, In s (listed_sums c) -> sum_b N inner side_cuts (outside c) (part c) sums segments s = true.
-Hypothesis Halves : forall S f, In S half_planes -> In f S -> cover_b sums segments (side_cuts f) f = true.
-Hypothesis Beside : forall e, In e loops -> beside_b sums (edge_cuts e) e = true.
-Hypothesis Fits : forall e, In e fits -> both_b edge_cuts sums e = true.
+Hypothesis PO : forall P, In P (outside c) -> is_convex P = true.
+Hypothesis PG : forall Q, In Q (part c) -> is_convex Q = true.
 
+Lemma FO : fans (outside c).
+Proof. intros P I. exact (proj1 (is_convex_spec N P (PO P I))). Qed.
 Lemma fan_part : fans (part c).
-Proof. exact (proj1 (proj2 (simple_spec hint solid_G SG))). Qed.
+Proof. intros P I. exact (proj1 (is_convex_spec N P (PG P I))). Qed.
 
 Definition beyond (t : qpoint) : Prop := fst t < bl # N \/ br # N < fst t \/ snd t < bb # N \/ bt # N < snd t.
 Definition O (t : qpoint) : Prop := beyond t \/ exists P Q, In P (outside c) /\ In Q (part c) /\ shares N P Q t.
@@ -159,7 +188,7 @@ Proof. unfold Qlt. cbn. split; nia. Qed.
 
 Lemma half_beyond t : (exists S, In S half_planes /\ inS S t) <-> beyond t.
 Proof.
-  destruct box_order as (X & Y). unfold half_planes, inS, beyond, o, Statements.orient, qpt.
+  destruct box_order as (X & Y). unfold half_planes, beyond_box, inS, beyond, o, Statements.orient, qe, qpt. cbn [map fst snd].
   assert (Pos : forall a b, 0 < a -> (0 < a * b <-> 0 < b)).
   { intros a b A. split; intro H; [|apply Qmult_lt_0_compat; assumption].
     destruct (Qlt_le_dec 0 b) as [|L]; [assumption|exfalso]. assert (0 <= a * - b) by (apply Qmult_le_0_compat; lra). lra. }
@@ -197,24 +226,11 @@ Proof.
   pose proof (M _ _ _ _ _ (proj1 A) (proj1 B) X). pose proof (M _ _ _ _ _ (proj2 A) (proj2 B) Y). lra.
 Qed.
 
-Lemma pair_clear P Q e : In P (outside c) -> In Q (part c) ->
-  In e segments \/ In e (flat_map Statements.edges regions) -> clear_b N clear P Q e = true.
-Proof.
-  intros IP IQ I. pose proof (Pairs P Q IP IQ) as H. unfold pair_b in H. apply andb_prop in H as (H & H2). apply andb_prop in H as (_ & H1).
-  rewrite forallb_forall in H1, H2. destruct I as [I|I]; [apply H1|apply H2]; exact I.
-Qed.
-Lemma free t : Statements.on_any segments t -> ~ O t.
-Proof.
-  intros Lt [B|(P & Q & IP & IQ & Sh)]; [exact (within_L t Lt B)|]. destruct Lt as (e & I & X).
-  exact (clear_free N clear P Q e t (FO P IP) (fan_part Q IQ) (pair_clear P Q e IP IQ (or_introl I)) X Sh).
-Qed.
-
 Lemma region_edge e : In e (flat_map Statements.edges regions) ->
   (bl # N <= fst (fst e) <= br # N /\ bb # N <= snd (fst e) <= bt # N) /\
   (bl # N <= fst (snd e) <= br # N /\ bb # N <= snd (snd e) <= bt # N).
 Proof.
-  intro I. assert (J : In (swap e) segments) by (apply in_or_app; left; apply in_map; exact I).
-  destruct (Within _ J) as (A & B). apply in_box_spec in A, B. unfold swap in *. cbn [fst snd] in *. split; assumption.
+  intro I. destruct (Within e (in_or_app _ _ _ (or_introl I))) as (A & B). apply in_box_spec in A, B. split; assumption.
 Qed.
 Lemma no_crossing t : (forall e, In e (flat_map Statements.edges regions) -> Statements.crossing t e = 0%Z) ->
   Statements.winding regions t = 0%Z.
@@ -225,10 +241,9 @@ Proof.
   apply crossing_none. left. lra.
 Qed.
 
-Lemma once t : O t -> wind_sides loops t = 0%Z.
+Lemma beyond_zero t : beyond t -> Statements.winding regions t = 0%Z.
 Proof.
-  intro Ot. unfold loops. rewrite wind_flip. change (wind_sides (flat_map Statements.edges regions) t) with (Statements.winding regions t).
-  enough (Statements.winding regions t = 0%Z) by lia. destruct Ot as [[B|[B|[B|B]]]|(P & Q & IP & IQ & Sh)].
+  intros [B|[B|[B|B]]].
   - rewrite (constant_rings (Zpos N) regions t (fst t, (bt # N) + 1)); [apply above_zero; cbn [snd]; lra|reflexivity|exact IR|].
     intros e I. destruct (region_edge e I) as ((A & _) & (A' & _)). exists (1, 0)%Z, bl. unfold qdot. cbn [fst snd].
     change (inject_Z 1) with 1. change (inject_Z 0) with 0.
@@ -244,42 +259,31 @@ Proof.
   - apply no_crossing. intros [a b] I. pose proof (region_edge _ I) as ((_ & A) & _ & A'). cbn [fst snd] in *.
     apply crossing_none. right. left. lra.
   - apply above_zero, B.
-  - pose proof (Pairs P Q IP IQ) as H. unfold pair_b in H. apply andb_prop in H as (H & _). apply andb_prop in H as (H & _).
-    apply Z.eqb_eq in H. rewrite <- H. apply (clear_constant N clear P Q); [apply FO, IP|apply fan_part, IQ|exact IR| |exact Sh|].
-    + intros e I. apply (pair_clear P Q e IP IQ). right. exact I.
-    + apply inner_shares; [apply FO, IP|apply fan_part, IQ|apply PO, IP|apply PG, IQ].
 Qed.
-
-(* The hypotheses of the lemma *)
-Lemma half_in S : In S half_planes -> In S sums.
-Proof. intro I. apply in_or_app. right. exact I. Qed.
-Lemma beyond_U t : beyond t -> U sums t.
-Proof. intro B. apply half_beyond in B as (S & I & J). exists S. split; [apply half_in, I|exact J]. Qed.
-Lemma sum_cases S : In S sums -> (exists s, In s (listed_sums c) /\ S = sides_of N s) \/ In S half_planes.
+Lemma beyond_iff t : beyond_at N beyond_box t <-> beyond t.
 Proof.
-  intro I. apply in_app_or in I as [I|I]; [left|right; exact I]. apply in_map_iff in I as (s & <- & I). exists s. auto.
+  rewrite <- half_beyond. unfold half_planes. split.
+  - intros (f & I & F). exists [qe N f]. split; [exact (in_map (fun f => [qe N f]) _ f I)|]. intros g [<-|[]]. exact F.
+  - intros (S & I & J). apply in_map_iff in I as (f & <- & I). exists f. split; [exact I|]. apply J. left. reflexivity.
 Qed.
-Lemma half_one S : In S half_planes -> exists f, S = [f].
-Proof. intros [<-|[<-|[<-|[<-|[]]]]]; eexists; reflexivity. Qed.
-
-Lemma half_cover S f x : In S half_planes -> In f S -> o f x == 0 -> U sums x \/ L loops fits x.
+Lemma box_line f x : In f beyond_box -> o (qe N f) x == 0 -> Statements.on_segment (qe N f) x \/ beyond x.
 Proof.
-  intros I F X. pose proof (Halves S f I F) as H. destruct box_order as (Ox & Oy).
-  destruct (Qlt_le_dec (fst x) (bl # N)) as [H1|H1]; [left; apply beyond_U; left; exact H1|].
-  destruct (Qlt_le_dec (br # N) (fst x)) as [H2|H2]; [left; apply beyond_U; right; left; exact H2|].
-  destruct (Qlt_le_dec (snd x) (bb # N)) as [H3|H3]; [left; apply beyond_U; right; right; left; exact H3|].
-  destruct (Qlt_le_dec (bt # N) (snd x)) as [H4|H4]; [left; apply beyond_U; right; right; right; exact H4|].
-  apply (cover_b_spec sums segments (side_cuts f) f x H). apply on_b_spec. unfold on_b.
+  intros I X. destruct box_order as (Ox & Oy).
+  destruct (Qlt_le_dec (fst x) (bl # N)) as [H1|H1]; [right; left; exact H1|].
+  destruct (Qlt_le_dec (br # N) (fst x)) as [H2|H2]; [right; right; left; exact H2|].
+  destruct (Qlt_le_dec (snd x) (bb # N)) as [H3|H3]; [right; right; right; left; exact H3|].
+  destruct (Qlt_le_dec (bt # N) (snd x)) as [H4|H4]; [right; right; right; right; exact H4|].
+  left. apply on_b_spec. unfold on_b.
   assert (Zero : forall a b, 0 < a -> a * b == 0 -> b == 0).
   { intros a b A E. apply Qmult_integral in E. destruct E; [lra|assumption]. }
   apply andb_true_intro. split; [apply andb_true_intro; split; [apply Qeq_bool_iff, X|]|].
-  - destruct I as [<-|[<-|[<-|[<-|[]]]]]; destruct F as [<-|[]]; unfold o, Statements.orient, qpt in X; unfold qpt; cbn [fst snd] in X |- *;
+  - destruct I as [<-|[<-|[<-|[<-|[]]]]]; unfold qe in *; cbn [fst snd] in *; unfold o, Statements.orient, qpt in X; unfold qpt; cbn [fst snd] in X |- *;
       unfold within; apply orb_true_intro.
     + right. apply andb_true_intro. split; apply Qle_bool_iff; assumption.
     + left. assert (fst x - (br # N) == 0) by (apply (Zero ((bt # N) - (bb # N))); lra). apply andb_true_intro. split; apply Qle_bool_iff; lra.
     + left. apply andb_true_intro. split; apply Qle_bool_iff; assumption.
     + left. assert (fst x - (bl # N) == 0) by (apply (Zero ((bt # N) - (bb # N))); lra). apply andb_true_intro. split; apply Qle_bool_iff; lra.
-  - destruct I as [<-|[<-|[<-|[<-|[]]]]]; destruct F as [<-|[]]; unfold o, Statements.orient, qpt in X; unfold qpt; cbn [fst snd] in X |- *;
+  - destruct I as [<-|[<-|[<-|[<-|[]]]]]; unfold qe in *; cbn [fst snd] in *; unfold o, Statements.orient, qpt in X; unfold qpt; cbn [fst snd] in X |- *;
       unfold within; apply orb_true_intro.
     + left. assert (snd x - (bb # N) == 0) by (apply (Zero ((br # N) - (bl # N))); lra). apply andb_true_intro. split; apply Qle_bool_iff; lra.
     + right. apply andb_true_intro. split; apply Qle_bool_iff; assumption.
@@ -320,7 +324,7 @@ Proof.
 Qed.
 
 Lemma part_pieces z : Statements.winding G z = 1%Z <-> exists Q, In Q (part c) /\ Statements.winding [qring N Q] z = 1%Z.
-Proof. exact (count_pieces N hint solid_G G z SG IG eq_refl). Qed.
+Proof. exact (count_pieces N solid_G G z SG IG eq_refl). Qed.
 
 (* The box of the part *)
 Lemma extreme_spec n v : In v corners_of_part -> (extreme min_dot n <= dot n v <= extreme max_dot n)%Z.
@@ -369,7 +373,7 @@ Qed.
 Lemma poke Q v t n f : In Q (part c) -> In v Q -> f < qdot n (qpt N v) + qdot n t ->
   exists z, Statements.winding (Statements.translate t G) z = 1%Z /\ f < qdot n z.
 Proof.
-  intros IQ Iv H. destruct (piece_inner N inner Q (PG Q IQ)) as (A & B). set (w := inner Q) in *.
+  intros IQ Iv H. destruct (is_convex_spec N Q (PG Q IQ)) as (_ & A & B). set (w := third N (center Q)) in *.
   set (d := qdot n (qpt N v) + qdot n t - f). set (g := qdot n w - qdot n (qpt N v)). set (m := g * g + 1).
   pose proof (abs_bound g) as Bg. fold m in Bg. assert (M : 0 < m) by (pose proof (square g); unfold m; lra).
   assert (P : 0 < d / (2 * m)) by (apply Qlt_shift_div_l; unfold d; lra).
@@ -394,7 +398,7 @@ Qed.
 
 Lemma extreme_at best n : (best = max_dot \/ best = min_dot) -> exists Q v, In Q (part c) /\ In v Q /\ dot n v = extreme best n.
 Proof.
-  intro Hb. destruct (simple_spec hint solid_G SG) as (_ & _ & (Q0 & I0) & _).
+  intro Hb. destruct (simple_spec solid_G SG) as (_ & _ & (Q0 & I0) & _).
   assert (Ne : corners_of_part <> []).
   { pose proof (fan_part Q0 I0) as F. destruct Q0 as [|v Q0]; [discriminate|]. intro E.
     assert (In v corners_of_part) by (apply (corner_in (v :: Q0)); [exact I0|left; reflexivity]). rewrite E in H. destruct H. }
@@ -451,89 +455,90 @@ Proof.
       unfold in_frame_at in Fr. lra.
 Qed.
 
-Lemma on_flip es t : Statements.on_any (flip es ++ fits) t <-> Statements.on_any (es ++ fits) t.
+Definition at_sum (P H : ring) (t : qpoint) : Prop := shares N P (turned H) t.
+Lemma turned_convex H : In H (map turned (part c)) -> is_convex (turned H) = true.
+Proof. intro I. apply in_map_iff in I as (Q & <- & I). rewrite turned_turned. exact (PG Q I). Qed.
+Lemma O_iff t : O t <-> SumsSound.O N (outside c) (map turned (part c)) beyond_box at_sum t.
 Proof.
-  split; intros (e & I & X); apply in_app_or in I as [I|I].
-  - apply in_map_iff in I as (f & <- & I). exists f. split; [apply in_or_app; left; exact I|apply swap_on, X].
-  - exists e. split; [apply in_or_app; right; exact I|exact X].
-  - exists (swap e). split; [apply in_or_app; left; apply in_map, I|apply swap_on, X].
-  - exists e. split; [apply in_or_app; right; exact I|exact X].
+  split.
+  - intros [B|(P & Q & IP & IQ & S)]; [right; apply beyond_iff, B|left]. exists P, (turned Q).
+    split; [exact IP|]. split; [apply in_map, IQ|]. unfold at_sum. rewrite turned_turned. exact S.
+  - intros [(P & H & IP & IH & S)|B]; [|left; apply beyond_iff, B]. right. apply in_map_iff in IH as (Q & <- & IQ).
+    unfold at_sum in S. rewrite turned_turned in S. exists P, Q. auto.
+Qed.
+Lemma wind_loops t : wind_at N loops t = (- Statements.winding regions t)%Z.
+Proof.
+  unfold wind_at, loops. rewrite (winding_meet regions _ t (int_rings_meet N regions IR)), <- winding_rev. f_equal.
+  rewrite !map_map. apply map_ext. intro r. unfold qring. rewrite map_rev. reflexivity.
+Qed.
+Lemma on_known_iff t : forallb (integral_edge N) fits = true ->
+  (on_known N loops (map (int_edge N) fits) t <-> Statements.on_any segments t).
+Proof.
+  intro IF. unfold segments. rewrite (known_meet N regions fits t IR IF). unfold on_known, Sums.known. rewrite !map_app.
+  replace (map (qe N) (loop_edges loops)) with (flat_map Statements.edges (map (@rev _) (map (qring N) (int_rings (Zpos N) regions)))).
+  - rewrite on_any_rev. replace (map (qe N) (loop_edges (int_rings (Zpos N) regions)))
+      with (flat_map Statements.edges (map (qring N) (int_rings (Zpos N) regions))); [reflexivity|].
+    unfold loop_edges. generalize (int_rings (Zpos N) regions). intro l. induction l as [|r l IH]; [reflexivity|].
+    cbn [map flat_map]. rewrite map_app, IH, ring_sides. reflexivity.
+  - unfold loops, loop_edges. generalize (int_rings (Zpos N) regions). intro l. induction l as [|r l IH]; [reflexivity|].
+    cbn [map flat_map]. rewrite map_app, IH, ring_sides. unfold qring. rewrite map_rev. reflexivity.
 Qed.
 
-Theorem accepted : Statements.inner_fit_claim C G regions fits.
+Lemma accepted : forallb (integral_edge N) fits = true ->
+  Sums.boundary (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0 = true ->
+  Statements.inner_fit_claim C G regions fits.
 Proof.
-  assert (Convex : forall S, In S sums -> convex S).
-  { intros S I. destruct (sum_cases S I) as [(s & J & ->)|J].
-    - exact (proj1 (sum_polygon N inner side_cuts _ _ _ _ s (Sums s J))).
-    - destruct (half_one S J) as (f & ->). intros g h [<-|[]] [<-|[]].
-      assert (o f (fst f) == 0) by (unfold o, Statements.orient; ring). assert (o f (snd f) == 0) by (unfold o, Statements.orient; ring).
-      split; [lra|]. split; [lra|]. right. right. reflexivity. }
-  assert (Inner : forall S, In S sums -> exists x, inS S x).
-  { intros S I. destruct (sum_cases S I) as [(s & J & ->)|J].
-    - exact (proj1 (proj2 (proj2 (sum_polygon N inner side_cuts _ _ _ _ s (Sums s J))))).
-    - destruct (half_one S J) as (f & ->). destruct box_order as (Ox & Oy).
-      assert (R : ~ (rise f == 0 /\ run f == 0)).
-      { destruct J as [J|[J|[J|[J|[]]]]]; injection J as <-; unfold rise, run, qpt; cbn [fst snd]; lra. }
-      exists (fst (fst f) - rise f, snd (fst f) + run f). intros g [<-|[]].
-      assert (E : o f (fst (fst f) - rise f, snd (fst f) + run f) == rise f * rise f + run f * run f)
-        by (unfold o, Statements.orient, rise, run; cbn [fst snd]; ring).
-      rewrite E. pose proof (square (rise f)). pose proof (square (run f)).
-      destruct (Qlt_le_dec 0 (rise f * rise f + run f * run f)) as [|Le]; [assumption|exfalso]. apply R.
-      assert (Z1 : rise f * rise f == 0) by lra. assert (Z2 : run f * run f == 0) by lra.
-      apply Qmult_integral in Z1, Z2. split; tauto. }
-  assert (Sum : forall S t, In S sums -> inS S t -> O t).
-  { intros S t I J. destruct (sum_cases S I) as [(s & K & ->)|K].
-    - right. exact (sum_shares N inner side_cuts _ _ _ _ s t FO fan_part PO PG (Sums s K) J).
-    - left. apply half_beyond. exists S. auto. }
-  assert (Far : forall t : qpoint, exists x, fst t <= x /\ U sums (at_x t x)).
+  intros IF X. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  assert (Bd : forall P Q n t, In P (outside c) -> In Q (map turned (part c)) -> n <> (0, 0)%Z -> at_sum P Q t ->
+    qdot n t * inject_Z (Zpos N) < inject_Z (most n P + most n Q)).
+  { intros P Q n t IP IQ Nz T. apply shares_bound; [exact (FO P IP)|exact (proj1 (is_convex_spec N _ (turned_convex Q IQ)))|exact Nz|exact T]. }
+  assert (Ce : forall P Q, In P (outside c) -> In Q (map turned (part c)) -> at_sum P Q (third N (plus (center P) (center Q)))).
+  { intros P Q IP IQ. apply shares_center; [exact (PO P IP)|exact (turned_convex Q IQ)]. }
+  assert (Is : forall P Q t, In P (outside c) -> In Q (map turned (part c)) -> add P Q <> [] -> inS (map (qe N) (sum_sides P Q)) t -> at_sum P Q t).
+  { intros P Q t IP IQ. apply shares_inside; [exact (PO P IP)|exact (turned_convex Q IQ)]. }
+  assert (E1 : forall t, beyond_at N beyond_box t -> wind_at N loops t = 0%Z).
+  { intros t B. rewrite wind_loops, beyond_zero; [reflexivity|apply beyond_iff, B]. }
+  assert (E2 : forall f x, In f beyond_box -> o (qe N f) x == 0 -> Statements.on_segment (qe N f) x \/ beyond_at N beyond_box x).
+  { intros f x I Z. destruct (box_line f x I Z); [left; assumption|right; apply beyond_iff; assumption]. }
+  assert (E3 : forall f, In f beyond_box -> exists x, 0 < o (qe N f) x).
+  { intros f I. destruct box_order as (Ox & Oy).
+    assert (R : ~ (rise (qe N f) == 0 /\ run (qe N f) == 0)).
+    { destruct I as [<-|[<-|[<-|[<-|[]]]]]; unfold rise, run, qe, qpt; cbn [fst snd]; lra. }
+    exists (fst (fst (qe N f)) - rise (qe N f), snd (fst (qe N f)) + run (qe N f)).
+    assert (E : o (qe N f) (fst (fst (qe N f)) - rise (qe N f), snd (fst (qe N f)) + run (qe N f)) == rise (qe N f) * rise (qe N f) + run (qe N f) * run (qe N f))
+      by (unfold o, Statements.orient, rise, run; cbn [fst snd]; ring).
+    rewrite E. revert R. generalize (rise (qe N f)) (run (qe N f)). clear. intros a b R. pose proof (square a). pose proof (square b).
+    destruct (Qlt_le_dec 0 (a * a + b * b)) as [|Le]; [assumption|exfalso]. apply R.
+    assert (Z1 : a * a == 0) by lra. assert (Z2 : b * b == 0) by lra. apply Qmult_integral in Z1, Z2. split; tauto. }
+  assert (Far : forall t : qpoint, exists x, fst t <= x /\ beyond_at N beyond_box (at_x t x)).
   { intro t. destruct (Qlt_le_dec (fst t) ((br # N) + 1)) as [H|H].
-    - exists ((br # N) + 1). split; [lra|]. apply beyond_U. right. left. unfold at_x. cbn [fst]. lra.
-    - exists (fst t). split; [lra|]. apply beyond_U. right. left. unfold at_x. cbn [fst]. lra. }
-  assert (Cover : forall S f x, In S sums -> In f S -> o f x == 0 -> (forall g, In g S -> 0 <= o g x) ->
-    U sums x \/ L loops fits x).
-  { intros S f x I F X0 X1. destruct (sum_cases S I) as [(s & J & ->)|J].
-    - destruct (sum_polygon N inner side_cuts _ _ _ _ s (Sums s J)) as (_ & Lk & _ & Cv).
-      exact (Cv f x F (closed_on_side _ f x Lk F X0 X1)).
-    - exact (half_cover S f x J F X0). }
-  assert (Left : forall e x, In e loops -> Statements.on_segment e x ->
-    exists S f, In S sums /\ In f S /\ Statements.on_segment f x /\ (0 < rise e -> 0 < rise f) /\ (rise e < 0 -> rise f < 0))
-    by (intros e x I X; exact (beside_b_spec sums (edge_cuts e) e x (Beside e I) X)).
-  assert (Both : forall e x, In e fits -> ~ rise e == 0 -> Statements.on_segment e x ->
-    exists S f, In S sums /\ In f S /\ Statements.on_segment f x /\ 0 < rise f)
-    by (intros e x I R X; exact (both_left edge_cuts sums e x (Fits e I) R X)).
-  assert (Touch : forall e x, In e (loops ++ fits) -> Statements.on_segment e x ->
-    exists S f, In S sums /\ In f S /\ Statements.on_segment f x).
-  { intros e x I X. apply in_app_or in I as [I|I].
-    - destruct (Left e x I X) as (S & f & IS & IF & Of & _). exists S, f. auto.
-    - exact (both_touch edge_cuts sums e x (Fits e I) X). }
-  pose proof (core sums loops fits O 0%Z Convex Sum free once (or_intror Far) Cover Left Both (distinct_pairs _ Ds)) as Core.
-  pose proof (boundary sums loops fits O 0%Z Convex Sum free once (or_intror Far) Cover Left Both (distinct_pairs _ Ds) Inner Touch
-    (fun t => on_any_dec segments t)) as Bound. unfold L in Core, Bound.
+    - exists ((br # N) + 1). split; [lra|]. apply beyond_iff. right. left. unfold at_x. cbn [fst]. lra.
+    - exists (fst t). split; [lra|]. apply beyond_iff. right. left. unfold at_x. cbn [fst]. lra. }
+  assert (Core := boundary_core N (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0%Z at_sum Bd Ce Is
+    E1 E2 E3 (or_intror Far) B1 B2 B3 B4 B5 B6 B7 B8).
+  assert (Limit := boundary_limits N (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0%Z at_sum Bd Ce Is
+    E1 E2 E3 (or_intror Far) B1 B2 B3 B4 B5 B6 B7 B8).
   assert (Dec : forall u, ~ Statements.fits_at C G u -> O u).
   { intros u NF. destruct (on_any_dec segments u) as [Lu|NL].
-    - exfalso. apply NF, fits_of_not, free, Lu.
-    - destruct (Core u NL) as [(Ou & _)|(NO & _)]; [exact Ou|]. exfalso. apply NF, fits_of_not, NO. }
-  unfold Statements.inner_fit_claim. cbv zeta. split; intro t; rewrite <- on_flip; fold loops.
-  - rewrite (Bound t). split.
-    + intros (Cl & NO). split; [apply fits_of_not, NO|]. intros e E. destruct (Cl e E) as (y & Oy & Cy).
-      exists y. split; [|exact Cy]. intro Fit. exact (not_of_fits y Fit Oy).
-    + intros (Ft & Cl). split; [|exact (not_of_fits t Ft)]. intros e E. destruct (Cl e E) as (y & Ny & Cy).
-      exists y. split; [apply Dec, Ny|exact Cy].
-  - intro NL. assert (Wd : wind_sides loops t = (- Statements.winding regions t)%Z) by apply wind_flip.
-    destruct (Core t NL) as [(Ot & W0)|(NO & W0)].
-    + right. split; [intro Ft; exact (not_of_fits t Ft Ot)|lia].
-    + left. split; [apply fits_of_not, NO|lia].
+    - exfalso. apply NF, fits_of_not. intro Ou. apply (on_known_iff u IF), Limit in Lu. apply Lu, O_iff, Ou.
+    - destruct (Core u) as [(Ou & _)|(NO & _)]; [intro K; apply NL, (on_known_iff u IF), K|apply O_iff, Ou|].
+      exfalso. apply NF, fits_of_not. intro Ou. apply NO, O_iff, Ou. }
+  unfold Statements.inner_fit_claim. cbv zeta. fold segments. split; intro t.
+  - rewrite <- (on_known_iff t IF), (Limit t). split.
+    + intros (Cl & NO). assert (NO' : ~ O t) by (intro Ot; apply NO, O_iff, Ot). split; [apply fits_of_not, NO'|].
+      intros e E. destruct (Cl e E) as (y & Oy & Cy). exists y. split; [|exact Cy]. intro Fit. exact (not_of_fits y Fit (proj2 (O_iff y) Oy)).
+    + intros (Ft & Cl). split; [|intro Ot; exact (not_of_fits t Ft (proj2 (O_iff t) Ot))]. intros e E. destruct (Cl e E) as (y & Ny & Cy).
+      exists y. split; [apply O_iff, Dec, Ny|exact Cy].
+  - intro NL. destruct (Core t) as [(Ot & W0)|(NO & W0)]; [intro K; apply NL, (on_known_iff t IF), K| |]; rewrite wind_loops in W0.
+    + right. split; [intro Ft; exact (not_of_fits t Ft (proj2 (O_iff t) Ot))|lia].
+    + left. split; [apply fits_of_not; intro Ot; apply NO, O_iff, Ot|lia].
 Qed.
 End Accepted.
 
 Theorem inner_fit_sound : check_inner_fit = true -> Statements.inner_fit_claim C G regions fits.
 Proof.
   unfold check_inner_fit. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in X, X0, X1, X2, X3, X4, X5, X6, X10. apply Z.ltb_lt in X11, X12, X13, X14.
-  apply accepted; try assumption.
-  - intros e I. specialize (X6 e I). apply andb_prop in X6. exact X6.
-  - intros P Q IP IQ. specialize (X3 P IP). rewrite forallb_forall in X3. exact (X3 Q IQ).
-  - intros S f IS IF. specialize (X1 S IS). rewrite forallb_forall in X1. exact (X1 f IF).
+  rewrite forallb_forall in X0, X1, X2. apply Z.ltb_lt in X5, X6, X7, X8.
+  apply accepted; try assumption. intros e I. specialize (X2 e I). apply andb_prop in X2. exact X2.
 Qed.
 End Data.
-End Check.

@@ -1,56 +1,12 @@
-(* Sums of two lists of pieces: the checks, and what they say. *)
+(* Points that two pieces share, one of them moved; and pieces of shapes. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
-From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers.
+From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums.
 Import ListNotations.
 Open Scope Q_scope.
 
-(* A sum polygon.  A corner is a corner of the first piece minus a corner of the second. *)
-Record listed := { first : ring; second : ring; corners : list (pt * pt) }.
-
-Section Pairs.
-(* N: the common denominator.  `clear`: a normal of a line between the open sum of two pieces and a
-   segment.  `inner`: a point strictly inside a piece.  `side_cuts`, `edge_cuts`: parameters at which a
-   side, or an edge of the loops, is cut.  They may be any functions: no property of them is used. *)
-Variables (N : positive) (clear : ring -> ring -> side -> pt) (inner : ring -> qpoint)
-  (side_cuts edge_cuts : side -> list Q).
-
-Definition sides_of (s : listed) : list side :=
-  Statements.edges (map corner (map (fun x => (qpt N (fst x), qpt N (snd x))) (corners s))).
-
-Definition piece_b (P : ring) : bool :=
-  inS_b (Statements.edges (qring N P)) (inner P) &&
-  forallb (fun f => forallb (fun v => Qle_bool 0 (o f v)) (qring N P)) (Statements.edges (qring N P)).
-
-(* The open sum of P and -Q has no point of the segment. *)
-Definition clear_b (P Q : ring) (e : side) : bool :=
-  let n := clear P Q e in
-  match P, Q with
-  | v :: vs, w :: ws =>
-      let m := inject_Z (max_dot n v vs - min_dot n w ws) in
-      negb ((fst n =? 0) && (snd n =? 0))%Z &&
-      Qle_bool m (qdot n (fst e) * inject_Z (Zpos N)) && Qle_bool m (qdot n (snd e) * inject_Z (Zpos N))
-  | _, _ => false
-  end.
-Definition member (P : ring) (ps : list ring) : bool := if in_dec (list_eq_dec pt_dec) P ps then true else false.
-Definition point_member (v : pt) (P : ring) : bool := if in_dec pt_dec v P then true else false.
-Definition sum_b (ps qs : list ring) (sums : list (list side)) (segments : list side) (s : listed) : bool :=
-  member (first s) ps && member (second s) qs &&
-  negb (match corners s with [] => true | _ => false end) &&
-  forallb (fun x => point_member (fst x) (first s) && point_member (snd x) (second s)) (corners s) &&
-  convex_b (sides_of s) && inS_b (sides_of s) (corner (inner (first s), inner (second s))) &&
-  forallb (fun f => cover_b sums segments (side_cuts f) f) (sides_of s).
-
-Definition swap (e : side) : side := (snd e, fst e).
-Definition point_b (sums : list (list side)) (e : side) : bool :=
-  Qeq_bool (rise e) 0 && Qeq_bool (run e) 0 && existsb (existsb (fun f => on_b f (fst e))) sums.
-Definition both_b (sums : list (list side)) (e : side) : bool :=
-  point_b sums e || beside_b sums (edge_cuts e) e && beside_b sums (edge_cuts (swap e)) (swap e).
-
-Definition shares (P Q : ring) (t : qpoint) : Prop := exists z,
-  Statements.winding [qring N P] z = 1%Z /\ Statements.winding [qring N Q] (back_by t z) = 1%Z.
-
+(* Points may be replaced by equal ones. *)
 Lemma winding_same rs x y : meets_at x y -> Statements.winding rs x = Statements.winding rs y.
 Proof.
   intros (A & B). unfold Statements.winding. induction (flat_map Statements.edges rs) as [|[a b] es IH]; [reflexivity|].
@@ -59,124 +15,176 @@ Proof.
   rewrite !E, !B. reflexivity.
 Qed.
 
-Lemma piece_inner P : piece_b P = true -> inS (Statements.edges (qring N P)) (inner P) /\ left_all (qring N P).
+
+Lemma edges_meet r s : Forall2 meets_at r s ->
+  Forall2 (fun e f => meets_at (fst e) (fst f) /\ meets_at (snd e) (snd f)) (Statements.edges r) (Statements.edges s).
 Proof.
-  unfold piece_b. intro H. apply andb_prop in H as (H & L). apply inS_b_spec in H. split; [exact H|].
-  intros f v F V. rewrite forallb_forall in L. specialize (L f F). rewrite forallb_forall in L. apply Qle_bool_iff, L, V.
+  intro H. destruct H as [|p v t w P T]; [constructor|]. cbn [Statements.edges].
+  assert (A : Forall2 meets_at (p :: t) (v :: w)) by (constructor; assumption).
+  assert (B : Forall2 meets_at (t ++ [p]) (w ++ [v])) by (apply Forall2_app; [assumption|constructor; [assumption|constructor]]).
+  revert A B. generalize (t ++ [p]) (w ++ [v]) (p :: t) (v :: w). clear. intros l m a b A. revert l m.
+  induction A as [|x y a b X A IH]; intros l m B; [constructor|].
+  destruct B as [|u u' l m U B]; [constructor|]. cbn [combine]. constructor; [split; assumption|apply IH, B].
+Qed.
+Lemma all_edges_meet rs ss : Forall2 (Forall2 meets_at) rs ss ->
+  Forall2 (fun e f => meets_at (fst e) (fst f) /\ meets_at (snd e) (snd f)) (flat_map Statements.edges rs) (flat_map Statements.edges ss).
+Proof. induction 1; [constructor|]. cbn [flat_map]. apply Forall2_app; [apply edges_meet; assumption|assumption]. Qed.
+Lemma meets_sym p q : meets_at p q -> meets_at q p.
+Proof. intros (A & B). split; symmetry; assumption. Qed.
+Lemma inS_meet r s t : Forall2 meets_at r s -> inS (Statements.edges r) t -> inS (Statements.edges s) t.
+Proof.
+  intros H I f F. destruct (forall2_right _ _ _ (edges_meet r s H) f F) as (e & E & A & B). specialize (I e E).
+  destruct A as (A1 & A2), B as (B1 & B2). unfold o, Statements.orient in *. rewrite <- A1, <- A2, <- B1, <- B2. exact I.
+Qed.
+Lemma winding_meet rs ss z : Forall2 (Forall2 meets_at) rs ss -> Statements.winding rs z = Statements.winding ss z.
+Proof.
+  intro H. apply all_edges_meet in H. unfold Statements.winding.
+  induction H as [|(a & b) (a' & b') es fs ((A1 & A2) & (B1 & B2)) H IH]; [reflexivity|]. cbn [map fold_right]. rewrite IH. f_equal.
+  cbn [fst snd] in *. unfold Statements.crossing, Statements.less.
+  assert (E : Statements.orient a b z == Statements.orient a' b' z) by (unfold Statements.orient; rewrite A1, A2, B1, B2; reflexivity).
+  rewrite !E, !A2, !B2. reflexivity.
+Qed.
+Lemma on_meet (e f : side) x : meets_at (fst e) (fst f) -> meets_at (snd e) (snd f) -> Statements.on_segment e x -> Statements.on_segment f x.
+Proof.
+  intros (A1 & A2) (B1 & B2) (s & S & X & Y). exists s. rewrite <- A1, <- A2, <- B1, <- B2. auto.
+Qed.
+Lemma on_any_meet es fs x : Forall2 (fun e f : side => meets_at (fst e) (fst f) /\ meets_at (snd e) (snd f)) es fs ->
+  (Statements.on_any es x <-> Statements.on_any fs x).
+Proof.
+  intro H. split; intros (e & I & X).
+  - destruct (forall2_left _ _ _ H e I) as (f & F & A & B). exists f. split; [exact F|exact (on_meet e f x A B X)].
+  - destruct (forall2_right _ _ _ H e I) as (f & F & A & B). exists f. split; [exact F|exact (on_meet e f x (meets_sym _ _ A) (meets_sym _ _ B) X)].
 Qed.
 
-(* A segment of L bounds what is shared. *)
-Lemma clear_spec P Q e : is_fan P = true -> is_fan Q = true -> clear_b P Q e = true ->
-  exists n m, (forall t, shares P Q t -> qdot n t * inject_Z (Zpos N) < inject_Z m) /\
-    inject_Z m <= qdot n (fst e) * inject_Z (Zpos N) /\ inject_Z m <= qdot n (snd e) * inject_Z (Zpos N).
+Section Pairs.
+Variable N : positive.
+Notation qe := (qe N).
+
+(* Rings and edges at a common denominator *)
+Lemma int_meets p : integral (Zpos N) (fst p) && integral (Zpos N) (snd p) = true -> meets_at p (qpt N (int_point (Zpos N) p)).
 Proof.
-  intros FP FQ H. unfold clear_b in H.
-  destruct P as [|v vs]; [discriminate|]. destruct Q as [|w ws]; [discriminate|].
-  set (n := clear (v :: vs) (w :: ws) e) in *. cbv zeta in H.
-  apply andb_prop in H as (H & H2). apply andb_prop in H as (H0 & H1). apply Qle_bool_iff in H1, H2.
-  exists n, (max_dot n v vs - min_dot n w ws)%Z. split; [|split; assumption].
-  intros t (z & A & B).
-  assert (Nz : n <> (0, 0)%Z) by (intro E; rewrite E in H0; discriminate).
-  pose proof (share_bound N (v :: vs) (w :: ws) n (max_dot n v vs) (min_dot n w ws) z (back_by t z) FP FQ Nz
-    (fun x X => max_dot_spec n v vs x X) (fun x X => min_dot_spec n w ws x X) A B) as S.
+  intro H. apply andb_prop in H as (A & B). apply int_at in A, B. unfold at_ in *. unfold meets_at, qpt, int_point. cbn [fst snd].
+  assert (P : 0 < inject_Z (Zpos N)) by (apply inject_pos; reflexivity).
+  assert (F : forall i, (i # N) * inject_Z (Zpos N) == inject_Z i) by (intro i; unfold Qeq, Qmult, inject_Z; cbn [Qnum Qden]; rewrite !Pos.mul_1_r; ring).
+  split; apply (Qmult_inj_r _ _ (inject_Z (Zpos N))); try lra; rewrite F; assumption.
+Qed.
+Lemma int_rings_meet rs : all_integral (Zpos N) rs = true -> Forall2 (Forall2 meets_at) rs (map (qring N) (int_rings (Zpos N) rs)).
+Proof.
+  unfold all_integral, int_rings. induction rs as [|r rs IH]; intro H; [constructor|]. cbn [forallb] in H. apply andb_prop in H as (H & R).
+  cbn [map]. constructor; [|apply IH, R]. clear IH R. induction r as [|p r IH]; [constructor|]. cbn [forallb] in H.
+  apply andb_prop in H as (H & R). cbn [map]. constructor; [apply int_meets, H|apply IH, R].
+Qed.
+Definition int_edge (e : side) : edge := (int_point (Zpos N) (fst e), int_point (Zpos N) (snd e)).
+Definition integral_edge (e : side) : bool := all_integral (Zpos N) [[fst e; snd e]].
+Lemma int_edges_meet es : forallb integral_edge es = true ->
+  Forall2 (fun e f : side => meets_at (fst e) (fst f) /\ meets_at (snd e) (snd f)) es (map qe (map int_edge es)).
+Proof.
+  induction es as [|e es IH]; intro H; [constructor|]. cbn [forallb] in H. apply andb_prop in H as (H & R). cbn [map]. constructor; [|apply IH, R].
+  unfold integral_edge, all_integral in H. cbn [forallb] in H. rewrite !andb_true_r in H. apply andb_prop in H as (A & B).
+  split; apply int_meets; assumption.
+Qed.
+Lemma known_meet loops fits x : all_integral (Zpos N) loops = true -> forallb integral_edge fits = true ->
+  (Statements.on_any (flat_map Statements.edges loops ++ fits) x <->
+   Statements.on_any (map qe (known (int_rings (Zpos N) loops) (map int_edge fits))) x).
+Proof.
+  intros A B. apply on_any_meet. unfold known. rewrite map_app. apply Forall2_app; [|apply int_edges_meet, B].
+  pose proof (all_edges_meet _ _ (int_rings_meet loops A)) as H. replace (map qe (loop_edges (int_rings (Zpos N) loops)))
+    with (flat_map Statements.edges (map (qring N) (int_rings (Zpos N) loops))); [exact H|].
+  unfold loop_edges. generalize (int_rings (Zpos N) loops). intro l. induction l as [|r l IH]; [reflexivity|].
+  cbn [map flat_map]. rewrite map_app, IH, ring_sides. reflexivity.
+Qed.
+
+(* Points that P and Q, moved by t, have in common *)
+Definition shares (P Q : ring) (t : qpoint) : Prop := exists z,
+  Statements.winding [qring N P] z = 1%Z /\ Statements.winding [qring N Q] (back_by t z) = 1%Z.
+
+Lemma most_spec n r v : In v r -> (dot n v <= most n r)%Z.
+Proof. destruct r as [|w r]; [intros []|]. apply max_dot_spec. Qed.
+Lemma turned_turned r : turned (turned r) = r.
+Proof.
+  unfold turned. rewrite map_map. induction r as [|(x, y) r IH]; [reflexivity|]. cbn [map]. rewrite IH. unfold opposite. cbn [fst snd].
+  rewrite !Z.opp_involutive. reflexivity.
+Qed.
+Lemma turned_in r v : In v (turned r) -> exists u, In u r /\ v = opposite u.
+Proof. intro I. apply in_map_iff in I as (u & <- & I). exists u. auto. Qed.
+Lemma dot_opposite n v : (dot n (opposite v) = - dot n v)%Z.
+Proof. unfold dot, opposite. cbn [fst snd]. ring. Qed.
+Lemma center_turned r : center (turned r) = opposite (center r).
+Proof.
+  destruct r as [|p [|q [|s r]]]; unfold center, turned, opposite, plus, grow; cbn [map fst snd]; f_equal; ring.
+Qed.
+
+Lemma shares_bound P H n t : is_fan P = true -> is_fan (turned H) = true -> n <> (0, 0)%Z -> shares P (turned H) t ->
+  qdot n t * inject_Z (Zpos N) < inject_Z (most n P + most n H).
+Proof.
+  intros FP FH Nz (z & A & B).
+  pose proof (share_bound N P (turned H) n (most n P) (- most n H) z (back_by t z) FP FH Nz (most_spec n P)) as S.
+  assert (L : forall v, In v (turned H) -> (- most n H <= dot n v)%Z).
+  { intros v V. destruct (turned_in H v V) as (u & U & ->). rewrite dot_opposite. pose proof (most_spec n H u U). lia. }
+  specialize (S L A B). rewrite Z.sub_opp_r in S.
   assert (E : qdot n z - qdot n (back_by t z) == qdot n t) by (unfold qdot, back_by; cbn [fst snd]; ring).
   rewrite E in S. exact S.
 Qed.
 
-Lemma inner_shares P Q : is_fan P = true -> is_fan Q = true -> piece_b P = true -> piece_b Q = true -> shares P Q (corner (inner P, inner Q)).
+Lemma shares_center P H : is_convex P = true -> is_convex (turned H) = true -> shares P (turned H) (third N (plus (center P) (center H))).
 Proof.
-  intros FP FQ PP PQ. destruct (piece_inner P PP) as (A & _). destruct (piece_inner Q PQ) as (B & _).
-  exists (inner P). split; [apply strict_inside; [exact FP|exact A]|].
-  rewrite (winding_same _ _ (inner Q)); [apply strict_inside; [exact FQ|exact B]|].
-  unfold back_by, corner. cbn [fst snd]. split; cbn [fst snd]; ring.
+  intros CP CH. destruct (is_convex_spec N P CP) as (FP & A & _). destruct (is_convex_spec N _ CH) as (FH & B & _).
+  exists (third N (center P)). split; [apply strict_inside; assumption|].
+  rewrite (winding_same _ _ (third N (center (turned H)))); [apply strict_inside; assumption|].
+  rewrite center_turned. unfold meets_at, back_by, third, plus, opposite. cbn [fst snd].
+  split; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
 Qed.
 
-Lemma sum_shares ps qs sums segments s t : fans ps -> fans qs -> (forall P, In P ps -> piece_b P = true) ->
-  (forall Q, In Q qs -> piece_b Q = true) -> sum_b ps qs sums segments s = true -> inS (sides_of s) t ->
-  exists P Q, In P ps /\ In Q qs /\ shares P Q t.
+Lemma shares_inside P H t : is_convex P = true -> is_convex (turned H) = true -> add P H <> [] ->
+  inS (map qe (sum_sides P H)) t -> shares P (turned H) t.
 Proof.
-  intros Fp Fq PD PG H J. unfold sum_b in H.
-  apply andb_prop in H as (H & _). apply andb_prop in H as (H & _). apply andb_prop in H as (H & _).
-  apply andb_prop in H as (H & Cs).
-  apply andb_prop in H as (H & Ne). apply andb_prop in H as (M1 & M2). unfold member in M1, M2.
-  destruct (in_dec (list_eq_dec pt_dec) (first s) ps) as [IP|]; [|discriminate].
-  destruct (in_dec (list_eq_dec pt_dec) (second s) qs) as [IQ|]; [|discriminate].
-  destruct (piece_inner _ (PD _ IP)) as (A1 & A2). destruct (piece_inner _ (PG _ IQ)) as (B1 & B2).
-  rewrite forallb_forall in Cs.
-  destruct (sum_overlaps (qring N (first s)) (qring N (second s)) (map (fun x => (qpt N (fst x), qpt N (snd x))) (corners s))
-    (inner (first s)) (inner (second s)) t A2 B2 A1 B1) as (z & w & Z & W & X & Y).
-  - intros x X. apply in_map_iff in X as (y & <- & X). specialize (Cs y X). apply andb_prop in Cs as (C1 & C2).
-    unfold point_member in C1, C2. destruct (in_dec pt_dec (fst y) (first s)) as [K1|]; [|discriminate].
-    destruct (in_dec pt_dec (snd y) (second s)) as [K2|]; [|discriminate]. split; apply (in_map (qpt N)); assumption.
-  - exact J.
-  - destruct (corners s); [discriminate|]. discriminate.
-  - exists (first s), (second s). split; [exact IP|]. split; [exact IQ|]. exists z.
-    split; [apply strict_inside; [apply Fp, IP|exact Z]|].
-    rewrite (winding_same _ _ w); [apply strict_inside; [apply Fq, IQ|exact W]|].
-    split; unfold back_by; cbn [fst snd]; lra.
+  intros CP CH Ne I. destruct (is_convex_spec N P CP) as (FP & A & LP). destruct (is_convex_spec N _ CH) as (FH & B & LH).
+  set (pairs := map (fun x => (qpt N (fst x), qpt N (opposite (snd x)))) (add P H)).
+  destruct (sum_overlaps (qring N P) (qring N (turned H)) pairs _ _ t LP LH A B) as (z & w & Z & W & X & Y).
+  - intros x Ix. apply in_map_iff in Ix as (y & <- & Iy). cbn [fst snd]. apply add_in in Iy as (I1 & I2).
+    split; [exact (in_map (qpt N) _ _ I1)|exact (in_map (qpt N) _ _ (in_map opposite _ _ I2))].
+  - unfold sum_sides in I. rewrite ring_sides in I. revert I. apply inS_meet. unfold pairs, qring. rewrite !map_map.
+    generalize (add P H). clear. intro l. induction l as [|x l IH]; [constructor|]. cbn [map]. constructor; [|exact IH].
+    unfold meets_at, corner, qpt, plus, opposite. cbn [fst snd]. split; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
+  - unfold pairs. destruct (add P H); [contradiction|discriminate].
+  - exists z. split; [apply strict_inside; assumption|].
+    rewrite (winding_same _ _ w); [apply strict_inside; assumption|]. split; unfold back_by; cbn [fst snd]; lra.
 Qed.
 
-Lemma sum_polygon ps qs sums segments s : sum_b ps qs sums segments s = true ->
-  convex (sides_of s) /\ linked (sides_of s) /\ (exists x, inS (sides_of s) x) /\
-  forall f x, In f (sides_of s) -> Statements.on_segment f x -> covered sums segments x.
+(* Linear functions on a piece *)
+Lemma piece_le Q n m w : is_fan Q = true -> (forall v, In v Q -> (dot n v <= m)%Z) -> Statements.winding [qring N Q] w = 1%Z ->
+  qdot n w <= m # N.
 Proof.
-  intro H. unfold sum_b in H. apply andb_prop in H as (H & Cv). apply andb_prop in H as (H & J). apply andb_prop in H as (_ & H).
-  apply convex_b_spec in H as (A & B). split; [exact A|]. split; [exact B|]. split; [eexists; apply inS_b_spec, J|].
-  intros f x F X. rewrite forallb_forall in Cv. exact (cover_b_spec sums segments (side_cuts f) f x (Cv f F) X).
+  intros F B X. destruct (pat_common w w) as (k & v & _ & K & V & _). rewrite (piece_at N k Q w v K V) in X.
+  assert (L : (dot n (grow (Zpos N) v) <= k * m)%Z).
+  { apply (piece_bound _ _ n _ (is_fan_grow k Q K F)); [lia|]. intros x I. apply in_map_iff in I as (y & <- & I).
+    rewrite dot_grow. specialize (B y I). nia. }
+  apply (at_le (k * Zpos N) _ _ (dot n (grow (Zpos N) v)) (k * m)); [nia|apply qdot_at, pat_grow', V| |exact L].
+  unfold at_, Qeq, Qmult, inject_Z. cbn [Qnum Qden]. rewrite Pos.mul_1_r. ring.
+Qed.
+Lemma piece_lt Q n m w : is_fan Q = true -> n <> (0, 0)%Z -> (forall v, In v Q -> (dot n v <= m)%Z) ->
+  inS (Statements.edges (qring N Q)) w -> qdot n w < m # N.
+Proof.
+  intros F Nz B I.
+  set (d := (inject_Z (fst n), inject_Z (snd n)) : qpoint).
+  destruct (away_inside _ w (fst w - fst d, snd w - snd d) I) as (k & K & J).
+  pose proof (piece_le Q n m _ F B (strict_inside N Q _ F J)) as L.
+  assert (E : qdot n (away k w (fst w - fst d, snd w - snd d)) == qdot n w + k * (inject_Z (fst n) * inject_Z (fst n) + inject_Z (snd n) * inject_Z (snd n)))
+    by (unfold qdot, away, d; cbn [fst snd]; ring).
+  rewrite E in L.
+  assert (P : 0 < inject_Z (fst n) * inject_Z (fst n) + inject_Z (snd n) * inject_Z (snd n)).
+  { rewrite <- !inject_Z_mult, <- inject_Z_plus. apply inject_pos. destruct n as [a b]. cbn [fst snd].
+    assert (a <> 0 \/ b <> 0)%Z by (destruct (Z.eq_dec a 0); [right; congruence|left; assumption]). nia. }
+  assert (0 < k * (inject_Z (fst n) * inject_Z (fst n) + inject_Z (snd n) * inject_Z (snd n))) by (apply Qmult_lt_0_compat; assumption).
+  lra.
 Qed.
 
-(* Segments with sums along both sides, and single points on a side *)
-Lemma both_left sums e x : both_b sums e = true -> ~ rise e == 0 -> Statements.on_segment e x ->
-  exists S f, In S sums /\ In f S /\ Statements.on_segment f x /\ 0 < rise f.
-Proof.
-  intros H R X. apply orb_prop in H as [H|H].
-  - apply andb_prop in H as (H & _). apply andb_prop in H as (H & _). apply Qeq_bool_iff in H. contradiction.
-  - apply andb_prop in H as (H1 & H2). destruct (Qlt_le_dec 0 (rise e)) as [P|P].
-    + destruct (beside_b_spec _ _ _ x H1 X) as (S & f & IS & IF & Of & Up & _). exists S, f. auto.
-    + assert (X' : Statements.on_segment (swap e) x).
-      { destruct X as (s & (S0 & S1) & X & Y). exists (1 - s). unfold swap. cbn [fst snd].
-        split; [lra|]. rewrite X, Y. split; ring. }
-      destruct (beside_b_spec _ _ _ x H2 X') as (S & f & IS & IF & Of & Up & _). exists S, f.
-      split; [exact IS|]. split; [exact IF|]. split; [exact Of|]. apply Up.
-      assert (rise (swap e) == - rise e) by (unfold rise, swap; cbn [fst snd]; ring). lra.
-Qed.
-Lemma both_touch sums e x : both_b sums e = true -> Statements.on_segment e x ->
-  exists S f, In S sums /\ In f S /\ Statements.on_segment f x.
-Proof.
-  intros H X. apply orb_prop in H as [H|H].
-  - apply andb_prop in H as (H & E). apply andb_prop in H as (H1 & H2). apply Qeq_bool_iff in H1, H2.
-    apply existsb_exists in E as (S & IS & E). apply existsb_exists in E as (f & IF & E). apply on_b_spec in E.
-    exists S, f. split; [exact IS|]. split; [exact IF|]. apply (on_same f (fst e)); [|exact E].
-    destruct X as (s & _ & X & Y). unfold rise, run in *. split; [rewrite X, H2|rewrite Y, H1]; ring.
-  - apply andb_prop in H as (H & _).
-    destruct (beside_b_spec sums (edge_cuts e) e x H X) as (S & f & IS & IF & Of & _). exists S, f. auto.
-Qed.
-
-(* A segment that is clear of two pieces has no point in their open sum. *)
-Lemma clear_free P Q e t : is_fan P = true -> is_fan Q = true -> clear_b P Q e = true ->
-  Statements.on_segment e t -> ~ shares P Q t.
-Proof.
-  intros FP FQ C (s & (S0 & S1) & X & Y) Sh. destruct (clear_spec P Q e FP FQ C) as (n & m & H & H1 & H2). specialize (H t Sh).
-  assert (E : qdot n t == (1 - s) * qdot n (fst e) + s * qdot n (snd e)) by (unfold qdot; rewrite X, Y; ring).
-  rewrite E in H.
-  assert (0 <= s * (qdot n (snd e) * inject_Z (Zpos N) - inject_Z m)) by (apply Qmult_le_0_compat; lra).
-  assert (0 <= (1 - s) * (qdot n (fst e) * inject_Z (Zpos N) - inject_Z m)) by (apply Qmult_le_0_compat; lra). lra.
-Qed.
-
-(* So the winding number is the same on all of an open sum. *)
-Lemma clear_constant P Q loops t u : is_fan P = true -> is_fan Q = true -> all_integral (Zpos N) loops = true ->
-  (forall e, In e (flat_map Statements.edges loops) -> clear_b P Q e = true) -> shares P Q t -> shares P Q u ->
-  Statements.winding loops t = Statements.winding loops u.
-Proof.
-  intros FP FQ IL C St Su. apply (constant_rings (Zpos N)); [reflexivity|exact IL|]. intros e I.
-  destruct (clear_spec P Q e FP FQ (C e I)) as (n & m & B & H1 & H2).
-  exists n, m. split; [apply B, St|]. split; [apply B, Su|]. split; assumption.
-Qed.
-Lemma count_pieces hint S rs z : simple_solid hint S = true -> all_integral (Zpos N) rs = true ->
+(* A shape is its pieces. *)
+Lemma count_pieces S rs z : simple_solid S = true -> all_integral (Zpos N) rs = true ->
   rings S = int_rings (Zpos N) rs ->
   (Statements.winding rs z = 1%Z <-> exists P, In P (pieces S) /\ Statements.winding [qring N P] z = 1%Z).
 Proof.
-  intros H I E. destruct (simple_spec hint S H) as (S1 & S2 & _ & S4).
+  intros H I E. destruct (simple_spec S H) as (S1 & S2 & _ & S4).
   destruct (pat_common z z) as (k & v & _ & K & V & _). pose proof (int_rings_at (Zpos N) rs I) as R. rewrite <- E in R.
   rewrite (winding_W (Zpos N) k rs (rings S) z v); [|lia|exact K|exact R|exact V].
   destruct (count_some k (pieces S) (grow (Zpos N) v) K S2) as (C1 & C2).

@@ -13,7 +13,6 @@ Open Scope Z_scope.
 
 Definition same (p q : pt) : bool := (fst p =? fst q) && (snd p =? snd q).
 Definition plus (p q : pt) : pt := (fst p + fst q, snd p + snd q).
-Definition opposite (p : pt) : pt := (- fst p, - snd p).
 Definition turned (r : ring) : ring := map opposite r.
 
 (* A ring from its lowest vertex on, the leftmost of two *)
@@ -64,10 +63,9 @@ Definition is_convex (r : ring) : bool :=
 
 (* A sum is clear of a segment: on the other side of a line. *)
 Definition most (n : pt) (r : ring) : Z := match r with v :: vs => max_dot n v vs | [] => 0 end.
-Definition normal (e : edge) : pt := (snd (snd e) - snd (fst e), fst (fst e) - fst (snd e)).
 Definition bound (one other : ring) (n : pt) : pt * Z := (n, most n one + most n other).
 Definition bounds (one other : ring) : list (pt * Z) :=
-  map (bound one other) ([(1, 0); (0, 1); (-1, 0); (0, -1)] ++ map normal (edges one) ++ map normal (edges other)).
+  map (bound one other) (axes ++ map normal (edges one) ++ map normal (edges other)).
 Definition is_beyond (e : edge) (x : pt * Z) : bool :=
   let (n, m) := x in negb (same n (0, 0)) && (m <=? dot n (fst e)) && (m <=? dot n (snd e)).
 Definition clear (one other : ring) (found : list (pt * Z)) (e : edge) : bool :=

@@ -292,7 +292,7 @@ Qed.
 Theorem boundary_limits t : on_known t <-> (Statements.closure O t /\ ~ O t).
 Proof.
   rewrite known_app.
-  apply (boundary sums (edges_of loop_edges) (edges_of fits) O wanted sum_convex sum_O); [| |exact far_U| |exact left_side|exact both_sides|exact all_distinct|exact sum_inner|exact touch|].
+  apply (Boundary.boundary sums (edges_of loop_edges) (edges_of fits) O wanted sum_convex sum_O); [| |exact far_U| |exact left_side|exact both_sides|exact all_distinct|exact sum_inner|exact touch|].
   - intros u Lu. apply free, known_app, Lu.
   - intros u Ou. rewrite winding_sides. apply once, Ou.
   - intros S f x I F X A. destruct (cover S f x I F X A) as [|K]; [left; assumption|right; apply known_app, K].
@@ -314,13 +314,13 @@ Lemma boundary_parts ds hs beyond loops fits listed around wanted : Sums.boundar
 Proof.
   unfold Sums.boundary. intro H.
   repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in H, X2, X4, X5. repeat split.
+  rewrite forallb_forall in H, X3, X4, X5. repeat split.
   - intros e I. apply same_not, H, I.
   - exact X6.
   - intros P Q IP IQ. specialize (X5 P IP). rewrite forallb_forall in X5. exact (X5 Q IQ).
   - specialize (X4 f H0). rewrite forallb_forall in X4. specialize (X4 e H1). apply andb_prop in X4 as (A & _). apply Z.leb_le, A.
   - specialize (X4 f H0). rewrite forallb_forall in X4. specialize (X4 e H1). apply andb_prop in X4 as (_ & A). apply Z.leb_le, A.
-  - exact X2.
+  - exact X3.
   - exact X1.
   - intros k e E. exact (zip_seq _ _ 0 X0 k e E).
   - intros k e E. exists (length (loop_edges loops) + k)%nat. exact (zip_seq _ _ _ X k e E).

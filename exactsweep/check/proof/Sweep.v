@@ -3,16 +3,13 @@
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
-From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Pairs.
+From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums SumsSound Pairs.
 Import ListNotations.
 Open Scope Q_scope.
 
-(* A sum polygon: an edge of T, a piece of G, and corners that are sums of ends of the edge (false: the
-   first) and corners of the piece *)
-Record swept_sum := { path : side; piece : ring; ends : list (bool * pt) }.
-Record sweep_certificate := { unit : positive; moving : list ring; listed_sums : list swept_sum }.
+Record sweep_certificate := { unit : positive; moving : list ring; listed_sums : list (nat * list (list Z)) }.
 
-Definition plus (x : qpoint * qpoint) : qpoint := (fst (fst x) + fst (snd x), snd (fst x) + snd (snd x)).
+Definition qplus (x : qpoint * qpoint) : qpoint := (fst (fst x) + fst (snd x), snd (fst x) + snd (snd x)).
 Definition end_of (e : side) (b : bool) : qpoint := if b then snd e else fst e.
 
 Lemma on_ends e b : Statements.on_segment e (end_of e b).
@@ -43,170 +40,120 @@ Qed.
 (* A point strictly inside a sum polygon is strictly inside the piece, somewhere on the way along the edge. *)
 Lemma sum_swept e G pairs cG p : left_all G -> inS (Statements.edges G) cG ->
   (forall x, In x pairs -> Statements.on_segment e (fst x) /\ In (snd x) G) ->
-  inS (Statements.edges (map plus pairs)) p -> pairs <> [] ->
+  inS (Statements.edges (map qplus pairs)) p -> pairs <> [] ->
   exists t w, Statements.on_segment e t /\ inS (Statements.edges G) w /\ fst p == fst w + fst t /\ snd p == snd w + snd t.
 Proof.
-  intros LG CG In_ I N. set (c := plus (fst e, cG)).
+  intros LG CG In_ I N. set (c := qplus (fst e, cG)).
   destruct (away_inside _ p c I) as (k & K & J). set (p' := away k p c) in *.
   destruct (find_triangle _ p' J) as (x & y & z & Ix & Iy & Iz & H1 & H2 & H3).
   { destruct pairs; [contradiction|discriminate]. }
   apply in_map_iff in Ix as (xp & <- & Ix). apply in_map_iff in Iy as (xa & <- & Iy). apply in_map_iff in Iz as (xb & <- & Iz).
   destruct (In_ xp Ix) as (Pp & Gp). destruct (In_ xa Iy) as (Pa & Ga). destruct (In_ xb Iz) as (Pb & Gb).
-  pose proof (o_total (plus xp) (plus xa) (plus xb) p') as T.
-  destruct (mean_self (plus xp) (plus xa) (plus xb) p') as (X & Y); [lra|].
-  revert X Y H1 H2 H3 T. generalize (o (plus xp, plus xa) p') (o (plus xa, plus xb) p') (o (plus xb, plus xp) p')
-    (o (plus xp, plus xa) (plus xb)). intros w u v s X Y H1 H2 H3 T.
+  pose proof (o_total (qplus xp) (qplus xa) (qplus xb) p') as T.
+  destruct (mean_self (qplus xp) (qplus xa) (qplus xb) p') as (X & Y); [lra|].
+  revert X Y H1 H2 H3 T. generalize (o (qplus xp, qplus xa) p') (o (qplus xa, qplus xb) p') (o (qplus xb, qplus xp) p')
+    (o (qplus xp, qplus xa) (qplus xb)). intros w u v s X Y H1 H2 H3 T.
   exists (mix k (mean u v w (fst xp) (fst xa) (fst xb)) (fst e)), (mix k (mean u v w (snd xp) (snd xa) (snd xb)) cG).
   split; [apply on_mix; [exact K|apply on_mean; try assumption; lra|exact (on_ends e false)]|].
   split; [apply mix_strict; try assumption; lra|].
-  unfold mix, mean, plus, p', away, c in *. cbn [fst snd] in *.
+  unfold mix, mean, qplus, p', away, c in *. cbn [fst snd] in *.
   assert (D : 0 < u + v + w) by lra. assert (D' : 0 < 1 + k) by lra. split.
   - assert (Z : fst p == ((u * (fst (fst xp) + fst (snd xp)) + v * (fst (fst xa) + fst (snd xa)) +
       w * (fst (fst xb) + fst (snd xb))) / (u + v + w) + k * (fst (fst e) + fst cG)) / (1 + k)).
-    { rewrite <- X. unfold plus. cbn [fst snd]. field. lra. }
+    { rewrite <- X. unfold qplus. cbn [fst snd]. field. lra. }
     rewrite Z. field. lra.
   - assert (Z : snd p == ((u * (snd (fst xp) + snd (snd xp)) + v * (snd (fst xa) + snd (snd xa)) +
       w * (snd (fst xb) + snd (snd xb))) / (u + v + w) + k * (snd (fst e) + snd cG)) / (1 + k)).
-    { rewrite <- Y. unfold plus. cbn [fst snd]. field. lra. }
+    { rewrite <- Y. unfold qplus. cbn [fst snd]. field. lra. }
     rewrite Z. field. lra.
 Qed.
 
-Section Check.
-Variables (hint : ring -> ring -> pt) (clear : side -> ring -> side -> pt) (inner : ring -> qpoint) (side_cuts edge_cuts : side -> list Q).
 Section Data.
 Variables (T : Statements.ring) (G loops : list Statements.ring) (slits : list side) (c : sweep_certificate).
 Let N := unit c.
-Definition segments : list side := flat_map Statements.edges loops ++ slits.
-Definition sides_of (s : swept_sum) : list side :=
-  Statements.edges (map plus (map (fun x => (end_of (path s) (fst x), qpt N (snd x))) (ends s))).
-Definition sums : list (list side) := map sides_of (listed_sums c).
 Definition solid_G : solid := {| rings := int_rings (Zpos N) G; pieces := moving c |}.
-Definition start (e : side) (Q : ring) : qpoint := plus (fst e, inner Q).
-
-(* All of Q, moved along e, is on one side of a line, and the segment f is on the other. *)
-Definition clear_b (e : side) (Q : ring) (f : side) : bool :=
-  let n := clear e Q f in
-  match Q with
-  | v :: vs =>
-      let m := (max_dot n v vs # N) in
-      negb ((fst n =? 0) && (snd n =? 0))%Z &&
-      forallb (fun a => forallb (fun b => Qle_bool (qdot n a + m) (qdot n b)) [fst f; snd f]) [fst e; snd e]
-  | [] => false
-  end.
-Definition pair_b (e : side) (Q : ring) : bool :=
-  (Statements.winding loops (start e Q) =? 1)%Z && forallb (clear_b e Q) segments.
-Definition side_member (e : side) (es : list side) : bool :=
-  existsb (fun f => same_b (fst e) (fst f) && same_b (snd e) (snd f)) es.
-Definition sum_b (s : swept_sum) : bool :=
-  side_member (path s) (Statements.edges T) && member (piece s) (moving c) &&
-  negb (match ends s with [] => true | _ => false end) &&
-  forallb (fun x => point_member (snd x) (piece s)) (ends s) &&
-  convex_b (sides_of s) && inS_b (sides_of s) (start (path s) (piece s)) &&
-  forallb (fun f => cover_b sums segments (side_cuts f) f) (sides_of s).
+(* The edges of T, as segments *)
+Definition segments : list ring := map (fun e => [fst e; snd e]) (edges (map (int_point (Zpos N)) T)).
 Definition check_sweep : bool :=
-  all_integral (Zpos N) G && all_integral (Zpos N) loops && simple_solid hint solid_G &&
-  all_pairs distinct_b (flat_map Statements.edges loops) && forallb (piece_b N inner) (moving c) &&
-  forallb (fun e => forallb (pair_b e) (moving c)) (Statements.edges T) &&
-  forallb sum_b (listed_sums c) &&
-  forallb (fun e => beside_b sums (edge_cuts e) e) (flat_map Statements.edges loops) &&
-  forallb (both_b edge_cuts sums) slits.
+  all_integral (Zpos N) [T] && all_integral (Zpos N) G && all_integral (Zpos N) loops && forallb (integral_edge N) slits &&
+  simple_solid solid_G && forallb is_convex (moving c) &&
+  Sums.boundary segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1.
 
 Definition reaches (e : side) (Q : ring) (p : qpoint) : Prop := exists t,
   Statements.on_segment e t /\ inS (Statements.edges (qring N Q)) (back_by t p).
+Definition at_sum (P Q : ring) (p : qpoint) : Prop :=
+  match P with [a; b] => reaches (qpt N a, qpt N b) Q p | _ => False end.
 Definition O (p : qpoint) : Prop := exists e Q, In e (Statements.edges T) /\ In Q (moving c) /\ reaches e Q p.
 
 Section Accepted.
+Hypothesis IT : all_integral (Zpos N) [T] = true.
 Hypothesis IG : all_integral (Zpos N) G = true.
-Hypothesis IL : all_integral (Zpos N) loops = true.
-Hypothesis SG : simple_solid hint solid_G = true.
-Hypothesis Ds : all_pairs distinct_b (flat_map Statements.edges loops) = true.
-Hypothesis PG : forall Q, In Q (moving c) -> piece_b N inner Q = true.
-Hypothesis Pairs : forall e Q, In e (Statements.edges T) -> In Q (moving c) -> pair_b e Q = true.
-Hypothesis Sums : forall s, In s (listed_sums c) -> sum_b s = true.
-Hypothesis Beside : forall e, In e (flat_map Statements.edges loops) -> beside_b sums (edge_cuts e) e = true.
-Hypothesis Slits : forall e, In e slits -> both_b edge_cuts sums e = true.
+Hypothesis SG : simple_solid solid_G = true.
+Hypothesis PG : forall Q, In Q (moving c) -> is_convex Q = true.
 
-Lemma fan_moving : fans (moving c).
-Proof. exact (proj1 (proj2 (simple_spec hint solid_G SG))). Qed.
+Lemma fan_moving Q : In Q (moving c) -> is_fan Q = true.
+Proof. intro I. exact (proj1 (is_convex_spec N Q (PG Q I))). Qed.
 
-(* Linear functions on a piece *)
-Lemma piece_le Q n m w : is_fan Q = true -> (forall v, In v Q -> (dot n v <= m)%Z) -> Statements.winding [qring N Q] w = 1%Z ->
-  qdot n w <= m # N.
-Proof.
-  intros F B X. destruct (pat_common w w) as (k & v & _ & K & V & _). rewrite (piece_at N k Q w v K V) in X.
-  assert (L : (dot n (grow (Zpos N) v) <= k * m)%Z).
-  { apply (piece_bound _ _ n _ (is_fan_grow k Q K F)); [lia|]. intros x I. apply in_map_iff in I as (y & <- & I).
-    rewrite dot_grow. specialize (B y I). nia. }
-  apply (at_le (k * Zpos N) _ _ (dot n (grow (Zpos N) v)) (k * m)); [nia|apply qdot_at, pat_grow', V| |exact L].
-  unfold at_, Qeq, Qmult, inject_Z. cbn [Qnum Qden]. rewrite Pos.mul_1_r. ring.
-Qed.
-Lemma piece_lt Q n m w : is_fan Q = true -> n <> (0, 0)%Z -> (forall v, In v Q -> (dot n v <= m)%Z) ->
-  inS (Statements.edges (qring N Q)) w -> qdot n w < m # N.
-Proof.
-  intros F Nz B I.
-  set (d := (inject_Z (fst n), inject_Z (snd n)) : qpoint).
-  destruct (away_inside _ w (fst w - fst d, snd w - snd d) I) as (k & K & J).
-  pose proof (piece_le Q n m _ F B (strict_inside N Q _ F J)) as L.
-  assert (E : qdot n (away k w (fst w - fst d, snd w - snd d)) == qdot n w + k * (inject_Z (fst n) * inject_Z (fst n) + inject_Z (snd n) * inject_Z (snd n)))
-    by (unfold qdot, away, d; cbn [fst snd]; ring).
-  rewrite E in L.
-  assert (P : 0 < inject_Z (fst n) * inject_Z (fst n) + inject_Z (snd n) * inject_Z (snd n)).
-  { rewrite <- !inject_Z_mult, <- inject_Z_plus. apply inject_pos. destruct n as [a b]. cbn [fst snd].
-    assert (a <> 0 \/ b <> 0)%Z by (destruct (Z.eq_dec a 0); [right; congruence|left; assumption]). nia. }
-  assert (0 < k * (inject_Z (fst n) * inject_Z (fst n) + inject_Z (snd n) * inject_Z (snd n))) by (apply Qmult_lt_0_compat; assumption).
-  lra.
-Qed.
+Lemma segment_spec P : In P segments -> exists a b, P = [a; b].
+Proof. intro I. apply in_map_iff in I as ((a, b) & <- & _). exists a, b. reflexivity. Qed.
 
-Lemma clear_spec e Q f : In Q (moving c) -> clear_b e Q f = true -> exists n m,
-  (forall p, reaches e Q p -> qdot n p < m) /\ m <= qdot n (fst f) /\ m <= qdot n (snd f).
+Lemma frac_at n v : qdot n (qpt N v) == (dot n v # N).
+Proof. unfold qdot, qpt, dot, Qeq, Qplus, Qmult, inject_Z. cbn [fst snd Qnum Qden]. rewrite !Pos.mul_1_l, Pos2Z.inj_mul. ring. Qed.
+Lemma sum_bound P Q n p : In P segments -> In Q (moving c) -> n <> (0, 0)%Z -> at_sum P Q p ->
+  qdot n p * inject_Z (Zpos N) < inject_Z (most n P + most n Q).
 Proof.
-  intros IQ H. pose proof (fan_moving Q IQ) as FQ. unfold clear_b in H. destruct Q as [|v vs]; [discriminate|].
-  set (n := clear e (v :: vs) f) in *. cbv zeta in H. apply andb_prop in H as (H0 & H).
-  cbn [forallb] in H. rewrite !andb_true_r in H. apply andb_prop in H as (A & B).
-  apply andb_prop in A as (A1 & A2). apply andb_prop in B as (B1 & B2). apply Qle_bool_iff in A1, A2, B1, B2.
-  assert (Nz : n <> (0, 0)%Z) by (intro E; rewrite E in H0; discriminate).
-  set (g := max_dot n v vs # N) in *.
-  assert (Core : forall m, qdot n (fst e) + g <= m -> qdot n (snd e) + g <= m -> forall p, reaches e (v :: vs) p -> qdot n p < m).
-  { intros m M1 M2 p (t & (s & (S0 & S1) & X & Y) & I).
-    pose proof (piece_lt (v :: vs) n (max_dot n v vs) (back_by t p) FQ Nz (fun u U => max_dot_spec n v vs u U) I) as L. fold g in L.
-    assert (E1 : qdot n p == qdot n (back_by t p) + qdot n t) by (unfold qdot, back_by; cbn [fst snd]; ring).
-    assert (E2 : qdot n t == (1 - s) * qdot n (fst e) + s * qdot n (snd e)) by (unfold qdot; rewrite X, Y; ring).
-    assert (0 <= s * (m - g - qdot n (snd e))) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= (1 - s) * (m - g - qdot n (fst e))) by (apply Qmult_le_0_compat; lra). rewrite E1, E2. lra. }
-  destruct (Qlt_le_dec (qdot n (fst f)) (qdot n (snd f))) as [Lf|Lf].
-  - exists n, (qdot n (fst f)). split; [apply Core; assumption|lra].
-  - exists n, (qdot n (snd f)). split; [apply Core; assumption|lra].
+  intros IP IQ Nz R. destruct (segment_spec P IP) as (a & b & ->). destruct R as (t & (s & (S0 & S1) & X & Y) & I).
+  pose proof (piece_lt N Q n (most n Q) (back_by t p) (fan_moving Q IQ) Nz (most_spec n Q) I) as L.
+  assert (E1 : qdot n p == qdot n (back_by t p) + qdot n t) by (unfold qdot, back_by; cbn [fst snd]; ring).
+  assert (E2 : qdot n t == (1 - s) * qdot n (qpt N a) + s * qdot n (qpt N b)) by (unfold qdot; rewrite X, Y; cbn [fst snd]; ring).
+  rewrite !frac_at in E2.
+  assert (A : (dot n a # N) <= (most n [a; b] # N)) by (apply frac_le, most_spec; left; reflexivity).
+  assert (B : (dot n b # N) <= (most n [a; b] # N)) by (apply frac_le, most_spec; right; left; reflexivity).
+  assert (0 <= s * ((most n [a; b] # N) - (dot n b # N))) by (apply Qmult_le_0_compat; lra).
+  assert (0 <= (1 - s) * ((most n [a; b] # N) - (dot n a # N))) by (apply Qmult_le_0_compat; lra).
+  assert (F : forall i, (i # N) * inject_Z (Zpos N) == inject_Z i) by (intro i; unfold Qeq, Qmult, inject_Z; cbn [Qnum Qden]; rewrite !Pos.mul_1_r; ring).
+  rewrite inject_Z_plus, <- (F (most n [a; b])), <- (F (most n Q)), E1, E2. assert (P : 0 < inject_Z (Zpos N)) by (apply inject_pos; reflexivity).
+  rewrite <- Qmult_plus_distr_l. apply Qmult_lt_r; [exact P|]. lra.
 Qed.
-Lemma pair_clear e Q f : In e (Statements.edges T) -> In Q (moving c) -> In f segments -> clear_b e Q f = true.
+Lemma sum_center P Q : In P segments -> In Q (moving c) -> at_sum P Q (third N (Sums.plus (center P) (center Q))).
 Proof.
-  intros Ie IQ I. pose proof (Pairs e Q Ie IQ) as H. unfold pair_b in H. apply andb_prop in H as (_ & H).
-  rewrite forallb_forall in H. apply H, I.
+  intros IP IQ. destruct (segment_spec P IP) as (a & b & ->). exists (qpt N a). split; [exact (on_ends (qpt N a, qpt N b) false)|].
+  destruct (is_convex_spec N Q (PG Q IQ)) as (_ & A & _). apply (inS_same _ (third N (center Q))); [|exact A].
+  unfold meets_at, back_by, third, Sums.plus, center, grow, qpt. cbn [fst snd].
+  split; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
 Qed.
-Lemma free p : Statements.on_any segments p -> ~ O p.
+Lemma sum_inside P Q p : In P segments -> In Q (moving c) -> add P Q <> [] -> inS (map (qe N) (sum_sides P Q)) p -> at_sum P Q p.
 Proof.
-  intros (f & I & s & (S0 & S1) & X & Y) (e & Q & Ie & IQ & R).
-  destruct (clear_spec e Q f IQ (pair_clear e Q f Ie IQ I)) as (n & m & H & H1 & H2). specialize (H p R).
-  assert (E : qdot n p == (1 - s) * qdot n (fst f) + s * qdot n (snd f)) by (unfold qdot; rewrite X, Y; ring). rewrite E in H.
-  assert (0 <= s * (qdot n (snd f) - m)) by (apply Qmult_le_0_compat; lra).
-  assert (0 <= (1 - s) * (qdot n (fst f) - m)) by (apply Qmult_le_0_compat; lra). lra.
+  intros IP IQ Ne I. destruct (segment_spec P IP) as (a & b & ->). destruct (is_convex_spec N Q (PG Q IQ)) as (_ & A & L).
+  set (pairs := map (fun x => (qpt N (fst x), qpt N (snd x))) (add [a; b] Q)).
+  destruct (sum_swept (qpt N a, qpt N b) (qring N Q) pairs _ p L A) as (t & w & Ot & Sw & X & Y).
+  - intros x Ix. apply in_map_iff in Ix as (y & <- & Iy). cbn [fst snd]. apply add_in in Iy as (I1 & I2).
+    split; [|exact (in_map (qpt N) _ _ I2)].
+    destruct I1 as [<-|[<-|[]]]; [exact (on_ends (qpt N a, qpt N b) false)|exact (on_ends (qpt N a, qpt N b) true)].
+  - unfold sum_sides in I. rewrite ring_sides in I. revert I. apply inS_meet. unfold pairs, qring. rewrite !map_map.
+    generalize (add [a; b] Q). clear. intro l. induction l as [|x l IH]; [constructor|]. cbn [map]. constructor; [|exact IH].
+    unfold meets_at, qplus, qpt, Sums.plus. cbn [fst snd]. split; unfold Qeq, Qplus; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
+  - unfold pairs. destruct (add [a; b] Q); [contradiction|discriminate].
+  - exists t. split; [exact Ot|]. apply (inS_same _ w); [|exact Sw]. unfold back_by. split; cbn [fst snd]; lra.
 Qed.
 
-Lemma start_reaches e Q : In Q (moving c) -> reaches e Q (start e Q).
+Lemma O_iff p : O p <-> SumsSound.O N segments (moving c) [] at_sum p.
 Proof.
-  intro IQ. exists (fst e). split; [exact (on_ends e false)|].
-  destruct (piece_inner N inner Q (PG Q IQ)) as (A & _). apply (inS_same _ (inner Q)); [|exact A].
-  unfold back_by, start, plus. cbn [fst snd]. split; cbn [fst snd]; ring.
-Qed.
-Lemma once p : O p -> Statements.winding loops p = 1%Z.
-Proof.
-  intros (e & Q & Ie & IQ & R). pose proof (Pairs e Q Ie IQ) as H. unfold pair_b in H. apply andb_prop in H as (H & _).
-  apply Z.eqb_eq in H. rewrite <- H. apply (constant_rings_q (Zpos N)); [reflexivity|exact IL|]. intros f I.
-  destruct (clear_spec e Q f IQ (pair_clear e Q f Ie IQ (in_or_app _ _ _ (or_introl I)))) as (n & m & B & H1 & H2).
-  exists n, m. split; [apply B, R|]. split; [apply B, start_reaches, IQ|]. split; assumption.
+  assert (M : Forall2 (fun e f => meets_at (fst e) (fst f) /\ meets_at (snd e) (snd f)) (Statements.edges T)
+    (map (qe N) (edges (map (int_point (Zpos N)) T)))).
+  { rewrite ring_sides. apply edges_meet. pose proof (int_rings_meet N [T] IT) as H. inversion H; subst. assumption. }
+  split.
+  - intros (e & Q & Ie & IQ & t & Ot & I). destruct (forall2_left _ _ _ M e Ie) as (f' & F & A & B). apply in_map_iff in F as (f & <- & F).
+    left. exists [fst f; snd f], Q. split; [exact (in_map (fun e => [fst e; snd e]) _ f F)|]. split; [exact IQ|].
+    exists t. split; [exact (on_meet e (qe N f) t A B Ot)|exact I].
+  - intros [(P & Q & IP & IQ & R)|(f & [] & _)]. apply in_map_iff in IP as (f & <- & F). destruct R as (t & Ot & I).
+    destruct (forall2_right _ _ _ M (qe N f) (in_map _ _ f F)) as (e & Ie & A & B).
+    exists e, Q. split; [exact Ie|]. split; [exact IQ|]. exists t. split; [|exact I].
+    exact (on_meet (qe N f) e t (meets_sym _ _ A) (meets_sym _ _ B) Ot).
 Qed.
 
 Lemma part_pieces z : Statements.winding G z = 1%Z <-> exists Q, In Q (moving c) /\ Statements.winding [qring N Q] z = 1%Z.
-Proof. exact (count_pieces N hint solid_G G z SG IG eq_refl). Qed.
+Proof. exact (count_pieces N solid_G G z SG IG eq_refl). Qed.
 
 Lemma O_swept p : O p -> Statements.swept T G p.
 Proof.
@@ -218,7 +165,7 @@ Qed.
 Lemma piece_closed Q w f : In Q (moving c) -> Statements.winding [qring N Q] w = 1%Z ->
   In f (Statements.edges (qring N Q)) -> 0 <= o f w.
 Proof.
-  intros IQ X F. destruct (piece_inner N inner Q (PG Q IQ)) as (_ & L). rewrite qedges_map in F.
+  intros IQ X F. destruct (is_convex_spec N Q (PG Q IQ)) as (_ & _ & L). rewrite qedges_map in F.
   apply in_map_iff in F as (g & <- & Ig). set (a := fst g) in *. set (b := snd g) in *.
   set (n := (snd b - snd a, - (fst b - fst a))%Z).
   assert (Form : forall z, o (qpt N a, qpt N b) z == (((dot n a) # N) - qdot n z) * (1 # N)).
@@ -234,7 +181,7 @@ Proof.
     assert (E : qdot n (qpt N v) == dot n v # N).
     { unfold qdot, qpt, dot, Qeq, Qplus, Qmult, inject_Z. cbn [fst snd Qnum Qden]. rewrite !Pos.mul_1_l, Pos2Z.inj_mul. ring. }
     rewrite E in H. assert (H' : (dot n v # N) <= (dot n a # N)) by lra. unfold Qle in H'. cbn [Qnum Qden] in H'. nia. }
-  pose proof (piece_le Q n (dot n a) w (fan_moving Q IQ) Bound X) as H. rewrite Form. apply Qmult_le_0_compat; lra.
+  pose proof (piece_le N Q n (dot n a) w (fan_moving Q IQ) Bound X) as H. rewrite Form. apply Qmult_le_0_compat; lra.
 Qed.
 
 Lemma swept_closure p : Statements.swept T G p -> Statements.closure O p.
@@ -243,7 +190,7 @@ Proof.
   destruct (Cl (k / 2)) as (y & Hy & (Cy1 & Cy1') & Cy2 & Cy2'); [apply Qlt_shift_div_l; lra|].
   assert (K2 : k / 2 == (1 # 2) * k) by field. rewrite K2 in Cy1, Cy1', Cy2, Cy2'.
   unfold Statements.inside in Hy. rewrite winding_translate in Hy. apply part_pieces in Hy as (Q & IQ & X).
-  set (w := back_by t y) in *. destruct (piece_inner N inner Q (PG Q IQ)) as (A & _). set (i := inner Q) in *.
+  set (w := back_by t y) in *. destruct (is_convex_spec N Q (PG Q IQ)) as (_ & A & _). set (i := third N (center Q)) in *.
   set (u := fst i - fst w). set (v := snd i - snd w). set (m := u * u + v * v + 1).
   pose proof (square u) as U2. pose proof (square v) as V2. assert (M : 0 < m) by (unfold m; lra).
   assert (Um : - m <= u <= m) by (pose proof (abs_bound u); unfold m; lra).
@@ -267,69 +214,26 @@ Proof.
     unfold Statements.close. cbn [fst snd]. rewrite E1, E2. repeat split; lra.
 Qed.
 
-Lemma side_member_spec e es : side_member e es = true -> exists f, In f es /\ meets_at (fst e) (fst f) /\ meets_at (snd e) (snd f).
-Proof.
-  unfold side_member, same_b. intro H. apply existsb_exists in H as (f & I & H). apply andb_prop in H as (A & B).
-  apply andb_prop in A as (A1 & A2). apply andb_prop in B as (B1 & B2). apply Qeq_bool_iff in A1, A2, B1, B2.
-  exists f. repeat split; assumption.
-Qed.
-
-Theorem accepted : Statements.sweep_claim T G loops slits.
-Proof.
-  assert (Poly : forall S, In S sums -> exists s, In s (listed_sums c) /\ S = sides_of s /\ convex S /\ linked S /\ (exists x, inS S x) /\
-    forall f x, In f S -> Statements.on_segment f x -> covered sums segments x).
-  { intros S I. apply in_map_iff in I as (s & <- & I). exists s. split; [exact I|]. split; [reflexivity|].
-    pose proof (Sums s I) as H. unfold sum_b in H. apply andb_prop in H as (H & Cv). apply andb_prop in H as (H & J).
-    apply andb_prop in H as (_ & H). apply convex_b_spec in H as (A & B). split; [exact A|]. split; [exact B|].
-    split; [eexists; apply inS_b_spec, J|]. intros f x F X. rewrite forallb_forall in Cv.
-    exact (cover_b_spec sums segments (side_cuts f) f x (Cv f F) X). }
-  assert (Convex : forall S, In S sums -> convex S) by (intros S I; destruct (Poly S I) as (s & _ & _ & A & _); exact A).
-  assert (Inner : forall S, In S sums -> exists x, inS S x) by (intros S I; destruct (Poly S I) as (s & _ & _ & _ & _ & A & _); exact A).
-  assert (Sum : forall S p, In S sums -> inS S p -> O p).
-  { intros S p I J. destruct (Poly S I) as (s & Is & -> & _). pose proof (Sums s Is) as H. unfold sum_b in H.
-    apply andb_prop in H as (H & _). apply andb_prop in H as (H & _). apply andb_prop in H as (H & _).
-    apply andb_prop in H as (H & Cs). apply andb_prop in H as (H & Ne). apply andb_prop in H as (M1 & M2).
-    apply side_member_spec in M1 as (f & If & F1 & F2). unfold member in M2.
-    destruct (in_dec (list_eq_dec pt_dec) (piece s) (moving c)) as [IQ|]; [|discriminate]. rewrite forallb_forall in Cs.
-    destruct (piece_inner N inner _ (PG _ IQ)) as (A & L).
-    destruct (sum_swept (path s) (qring N (piece s)) (map (fun x => (end_of (path s) (fst x), qpt N (snd x))) (ends s)) (inner (piece s)) p L A)
-      as (t & w & Ot & Sw & X & Y).
-    - intros x Ix. apply in_map_iff in Ix as (y & <- & Iy). cbn [fst snd]. split; [apply on_ends|]. specialize (Cs y Iy).
-      unfold point_member in Cs. destruct (in_dec pt_dec (snd y) (piece s)) as [K|]; [|discriminate]. apply (in_map (qpt N)), K.
-    - exact J.
-    - destruct (ends s); discriminate.
-    - exists f, (piece s). split; [exact If|]. split; [exact IQ|]. exists t. split.
-      + destruct Ot as (r & R & X0 & Y0). exists r. destruct F1 as (F11 & F12). destruct F2 as (F21 & F22).
-        split; [exact R|]. rewrite <- F11, <- F12, <- F21, <- F22. split; assumption.
-      + apply (inS_same _ w); [|exact Sw]. unfold back_by. split; cbn [fst snd]; lra. }
-  assert (Cover : forall S f x, In S sums -> In f S -> o f x == 0 -> (forall g, In g S -> 0 <= o g x) ->
-    U sums x \/ L (flat_map Statements.edges loops) slits x).
-  { intros S f x I F X0 X1. destruct (Poly S I) as (s & _ & _ & _ & Lk & _ & Cv). exact (Cv f x F (closed_on_side _ f x Lk F X0 X1)). }
-  assert (Left : forall e x, In e (flat_map Statements.edges loops) -> Statements.on_segment e x ->
-    exists S f, In S sums /\ In f S /\ Statements.on_segment f x /\ (0 < rise e -> 0 < rise f) /\ (rise e < 0 -> rise f < 0))
-    by (intros e x I X; exact (beside_b_spec sums (edge_cuts e) e x (Beside e I) X)).
-  assert (Both : forall e x, In e slits -> ~ rise e == 0 -> Statements.on_segment e x ->
-    exists S f, In S sums /\ In f S /\ Statements.on_segment f x /\ 0 < rise f)
-    by (intros e x I R X; exact (both_left edge_cuts sums e x (Slits e I) R X)).
-  assert (Touch : forall e x, In e (flat_map Statements.edges loops ++ slits) -> Statements.on_segment e x ->
-    exists S f, In S sums /\ In f S /\ Statements.on_segment f x).
-  { intros e x I X. apply in_app_or in I as [I|I].
-    - destruct (Left e x I X) as (S & f & IS & IF & Of & _). exists S, f. auto.
-    - exact (both_touch edge_cuts sums e x (Slits e I) X). }
-  pose proof (core sums (flat_map Statements.edges loops) slits O 1%Z Convex Sum free once (or_introl eq_refl) Cover Left Both (distinct_pairs _ Ds)) as Core.
-  pose proof (boundary sums (flat_map Statements.edges loops) slits O 1%Z Convex Sum free once (or_introl eq_refl) Cover Left Both (distinct_pairs _ Ds)
-    Inner Touch (fun t => on_any_dec segments t)) as Bound. unfold L in Core, Bound.
-  unfold Statements.sweep_claim. fold segments. intros p NL. destruct (Core p NL) as [(Op & W)|(NO & W)].
-  - left. split; [apply O_swept, Op|exact W].
-  - right. split; [|exact W]. intro Sp. apply NL, (Bound p). split; [apply swept_closure, Sp|exact NO].
-Qed.
 End Accepted.
 
 Theorem sweep_sound : check_sweep = true -> Statements.sweep_claim T G loops slits.
 Proof.
   unfold check_sweep. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in X, X0, X1, X2, X3.
-  apply accepted; try assumption. intros e Q Ie IQ. specialize (X2 e Ie). rewrite forallb_forall in X2. exact (X2 Q IQ).
+  rewrite forallb_forall in X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  pose proof (sum_bound X0) as Bd. pose proof (sum_center X0) as Ce. pose proof (sum_inside X0) as Is. pose proof (O_iff H) as Oi.
+  pose proof (fun x => known_meet N loops slits x X3 X2) as Known.
+  pose proof (fun z => winding_meet loops _ z (int_rings_meet N loops X3)) as Wind.
+  unfold Statements.sweep_claim. intros p NL. rewrite Known in NL. rewrite Wind.
+  assert (Core := boundary_core N segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1%Z at_sum Bd Ce Is).
+  assert (Limit := boundary_limits N segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1%Z at_sum Bd Ce Is).
+  assert (E1 : forall t, beyond_at N [] t -> wind_at N (int_rings (Zpos N) loops) t = 1%Z) by (intros t (f & [] & _)).
+  assert (E2 : forall (f : edge) (x : qpoint), In f [] -> o (qe N f) x == 0 -> Statements.on_segment (qe N f) x \/ beyond_at N [] x) by (intros f x []).
+  assert (E3 : forall f : edge, In f [] -> exists x, 0 < o (qe N f) x) by (intros f []).
+  specialize (Core E1 E2 E3 (or_introl eq_refl) B1 B2 B3 B4 B5 B6 B7 B8 p NL).
+  specialize (Limit E1 E2 E3 (or_introl eq_refl) B1 B2 B3 B4 B5 B6 B7 B8 p).
+  destruct Core as [(Op & W)|(NO & W)].
+  - left. split; [|exact W]. apply (O_swept X4 X1 X0), Oi, Op.
+  - right. split; [|exact W]. intro Sp. apply NL, Limit. split; [|exact NO].
+    intros e E. destruct (swept_closure X4 X1 X0 p Sp e E) as (y & Y & Cy). exists y. split; [apply Oi, Y|exact Cy].
 Qed.
 End Data.
-End Check.
