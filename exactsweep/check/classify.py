@@ -17,11 +17,10 @@ from fractions import Fraction
 from itertools import chain
 from typing import Any, Literal, NamedTuple
 
-from exactsweep.check.boxes import find_box, meet
 from exactsweep.check.cone import dot, find_common_direction, find_direction_inside
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
-from exactsweep.check.shape import LatticeShape, list_rings, scale_shapes
+from exactsweep.check.shape import LatticeShape, find_box, list_rings, meet, scale_shapes
 from exactsweep.geometry.reading import read_point
 from exactsweep.numbers.error import name_refusals, tells_arguments
 from exactsweep.numbers.number import Point, Vertex

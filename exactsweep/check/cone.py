@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
-from math import gcd
 from typing import NamedTuple
 
-from exactsweep.check.standalone import Node
 from exactsweep.numbers.number import Rational, Vertex
 
 
@@ -76,11 +74,6 @@ def subtract(p: Vertex, q: Vertex) -> Vertex:
     return p[0] - q[0], p[1] - q[1]
 
 
-def find_way(p: Node, q: Node) -> tuple[int, int]:
-    """The direction from a point to another."""
-    return q[0] * p[2] - p[0] * q[2], q[1] * p[2] - p[1] * q[2]
-
-
 def cross(p: Vertex, q: Vertex) -> Rational:
     """Cross product of two directions, positive where the second is to the left of the first."""
     return p[0] * q[1] - p[1] * q[0]
@@ -98,14 +91,6 @@ def divide(n: Rational, d: Rational) -> Rational:
         return Fraction(n, d) if rest else quotient
     exact = Fraction(n) / d
     return exact.numerator if exact.denominator == 1 else exact
-
-
-def reduce_way(way: Vertex) -> tuple[int, int]:
-    """The same direction in coprime ints, multiplied in a tenth of the time of Fractions."""
-    (x, d), (y, e) = (c.as_integer_ratio() for c in way)
-    dx, dy = x * e, y * d
-    common = gcd(dx, dy) or 1
-    return dx // common, dy // common
 
 
 def is_between(p: Vertex, a: Vertex, b: Vertex) -> bool:

@@ -7,7 +7,6 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from exactsweep.check.boxes import find_box, meet
 from exactsweep.check.cone import (
     Cone,
     Ray,
@@ -15,10 +14,9 @@ from exactsweep.check.cone import (
     dot,
     find_cones,
     is_between,
-    reduce_way,
     subtract,
 )
-from exactsweep.check.shape import LatticeShape, list_edges
+from exactsweep.check.shape import LatticeShape, find_box, list_edges, meet
 from exactsweep.numbers.number import Edge, Vertex
 
 Cones = list[Cone]
@@ -106,11 +104,3 @@ def find_cones_of(shape: LatticeShape) -> dict[Vertex, Cones]:
         for p in edge:
             at[p].append(edge)
     return {p: _find_cones_at(p, edges) for p, edges in at.items()}
-
-
-def find_angles(shape: LatticeShape) -> dict[Vertex, Cones]:
-    """The cones of a shape at each of its vertices, in short ints."""
-    return {
-        p: [Cone(reduce_way(cone.start), reduce_way(cone.end)) for cone in cones]
-        for p, cones in find_cones_of(shape).items()
-    }

@@ -10,14 +10,15 @@ from math import lcm
 from typing import Any
 
 from exactsweep.check.cone import divide
-from exactsweep.check.standalone import Node, find_scale, node
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.number import Loop, Point, Vertex, divide_exactly
+from exactsweep.numbers.number import Loop, Point, Rational, Vertex
 
 Outlines = tuple[Loop, ...]
 """A shape: the exterior and its holes, all counter-clockwise."""
 LatticeRing = tuple[Vertex, ...]
 LatticeShape = tuple[LatticeRing, ...]
+Rectangle = tuple[Rational, Rational, Rational, Rational]
+"""The least and the greatest x, the least and the greatest y."""
 
 
 def list_rings(shape: Any) -> Outlines:
@@ -32,15 +33,20 @@ def list_edges(shape: Iterable[LatticeRing]) -> list[tuple[Vertex, Vertex]]:
     return [edge for ring in shape for edge in zip(ring, (*ring[1:], ring[0]), strict=True)]
 
 
+def find_scale(points: Iterable[Point]) -> int:
+    """The least common denominator, or 1 if it is of no use, far longer than each."""
+    units = [c.denominator for p in points for c in p]
+    scale, longest = 1, max(unit.bit_length() for unit in units)
+    for unit in units:
+        scale = lcm(scale, unit)
+        if scale.bit_length() > max(256, 2 * longest):
+            return 1
+    return scale
+
+
 def scale_shapes(shapes: Sequence[Outlines]) -> tuple[int, list[LatticeShape]]:
     """Scale shapes by the `find_scale` of all their vertices."""
-    scale = find_scale([node(*p) for shape in shapes for ring in shape for p in ring])
-    return scale, [_scale_shape(shape, scale) for shape in shapes]
-
-
-def bring_to_integers(shapes: Sequence[Outlines]) -> tuple[int, list[LatticeShape]]:
-    """Bring shapes to a common integer lattice, however fine."""
-    scale = lcm(*(c.denominator for shape in shapes for ring in shape for p in ring for c in p))
+    scale = find_scale([p for shape in shapes for ring in shape for p in ring])
     return scale, [_scale_shape(shape, scale) for shape in shapes]
 
 
@@ -57,16 +63,12 @@ def scale_ring(points: Iterable[Point], scale: int) -> LatticeRing:
     )
 
 
-def to_points(ring: Iterable[Vertex], scale: int) -> tuple[Point, ...]:
-    """Leave the lattice."""
-    return tuple(to_point(p, scale) for p in ring)
+def find_box(points: Iterable[Vertex]) -> Rectangle:
+    """The box around points."""
+    xs, ys = zip(*points, strict=True)
+    return min(xs), max(xs), min(ys), max(ys)
 
 
-def to_point(p: Vertex, scale: int) -> Point:
-    """Leave the lattice."""
-    return Point(divide_exactly(p[0], scale), divide_exactly(p[1], scale))
-
-
-def to_vertex(p: Node) -> Vertex:
-    """The coordinates of a point, ints where they come out."""
-    return divide(p[0], p[2]), divide(p[1], p[2])
+def meet(one: Rectangle, other: Rectangle) -> bool:
+    """Decide whether two boxes, with their borders, have a point in common."""
+    return one[0] <= other[1] and other[0] <= one[1] and one[2] <= other[3] and other[2] <= one[3]

@@ -1,31 +1,32 @@
-"""Proving a certificate from the definition alone.
-
-`standalone`, the checker that anyone can carry away, proves layouts and sweeps of polygons with a
-shared direction. Where a certificate has the key `claim`, it is about polygons of any shape, and
-`claim` proves it by finding the answer again; with a `proof` in it `standalone` proves it, too.
-"""
+"""The verdict on a certificate: `standalone.prove`, and a comparison with the caller's polygons."""
 
 from __future__ import annotations
 
-from itertools import chain
 from typing import Any, NamedTuple
 
-from exactsweep.check.claim import prove_claim
-from exactsweep.check.standalone import Refused, Ring, Work, check_given, node, prove
+from exactsweep.check.standalone import (
+    Point as Node,
+)
+from exactsweep.check.standalone import (
+    Refused,
+    Ring,
+    area,
+    edges,
+    need,
+    node,
+    place,
+    prove,
+    shape,
+)
 from exactsweep.numbers.error import ExactSweepError, tells_arguments
 from exactsweep.numbers.number import Point, to_fraction
 
-# About a microsecond each.
-_MAX_STEPS = 10**8
-_PLAIN = {str, int, float, bool, type(None), dict, list}
-
 
 class Verification(NamedTuple):
-    """The verdict on a certificate: proved, or the first thing that is wrong with it.
+    """The verdict on a certificate: proved, or the first reason why it is not.
 
-    The witness, if there is one, is a point of the loop or edge that the reason speaks of, or in
-    its way. For the trajectory, contacts and exact fits it is a translation of G, without regard to
-    the reference point; so it is where the reason has G moved into the inner loop.
+    The witness, if there is one, is a point of the loop, edge, shape or layout that the reason
+    names: a translation of the generatrix for the exterior, the holes and the exact fits.
     """
 
     proved: bool
@@ -41,78 +42,79 @@ def verify(
     directrix: Any = None,
     part: Any = None,
     container: Any = None,
-    max_steps: int = _MAX_STEPS,
+    max_steps: int | None = None,
 ) -> Verification:
-    """Decide whether a certificate proves its answer, from the definition alone.
+    """Decide whether a certificate proves its answer.
 
     Args:
-        certificate: as `json.loads` gives it, from any source. With a `proof`, the checker that
-            stands alone has to prove it, too; layouts are proved by that alone.
-        generatrix: the polygon G that the certificate should be about: a Polygon, its vertices or a
+        certificate: as `json.loads` gives it, from any source; of a sweep, a no-fit polygon, an
+            inner fit or a layout.
+        generatrix: the polygon G that the certificate has to be about: a Polygon, its vertices or a
             Region. If left out, the certificate may be about any.
         directrix: D, likewise.
         part: that of an inner fit, likewise.
         container: likewise.
-        max_steps: the most work to do, in steps of about a microsecond. A certificate that needs
-            more is not proved. `verify` refuses it, at the latest after that many steps.
+        max_steps: the work bound, in steps of at most a microsecond with short numbers. If left
+            out, it grows with the certificate: 100 kB end within half a minute.
 
     Returns:
-        Verification. The reason is "proved", or says which loop, edge or list is wrong. No
-        certificate makes `verify` raise an exception.
+        Verification. The reason is "proved", or names the loop, edge, fit or piece that is wrong.
+        No certificate makes `verify` raise an exception.
 
     Raises:
         ExactSweepError: a polygon that is none, or `max_steps` that is no int above 0.
 
-    Cost: with m and n edges, O((m + n) log(m + n)) for convex polygons. For others with a shared
-        direction, the edges of sums of convex parts, and those of the loop that holds them at the
-        same x; parts without a common slope take a step. For polygons of any shape that of
-        `reference_no_fit` and its like, by pieces that meet.
-    Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
+    Cost: with k the edges of loops and sums of pieces whose boxes meet, O(k) tests of a segment
+        and a sum; O(n log n) for n pieces of a layout if O(n) pairs are near.
+    Source: the argument in the docstring of `exactsweep.check.standalone`.
 
     >>> verify({"format": "exactsweep certificate"})
-    Verification(proved=False, reason='version: not 2', witness=None)
+    Verification(proved=False, reason='version: not 3', witness=None)
     """
-    if type(max_steps) is not int or max_steps < 1:
+    if max_steps is not None and (type(max_steps) is not int or max_steps < 1):
         raise ExactSweepError("max_steps must be an int, at least 1")
     names = "generatrix", "directrix", "part", "container"
     asked = zip(names, (generatrix, directrix, part, container), strict=True)
-    given = {name: _read_given(shape) for name, shape in asked if shape is not None}
+    given = {name: _read_given(polygon) for name, polygon in asked if polygon is not None}
     try:
-        _check_types(certificate)
-        is_claim = type(certificate) is dict and "claim" in certificate
-        if is_claim:
-            Work(max_steps).read(certificate)
-            prove_claim(certificate, max_steps)
-        if not is_claim or "proof" in certificate:
-            prove(certificate, max_steps)
+        prove(certificate, max_steps)
         for name, rings in given.items():
-            check_given(certificate, name, rings)
-    except Refused as flaw:
-        seen = None if flaw.witness is None else Point(*flaw.witness)
-        return Verification(False, str(flaw), seen)
+            need(name in certificate, f"{name}: there is none in the certificate")
+            is_same = _outline(shape(name, certificate[name])) == _outline(rings)
+            need(is_same, f"{name}: not the polygon that is given")
+    except Refused as refused:
+        witness = refused.witness and Point(*refused.witness)
+        return Verification(False, str(refused), witness)
     return Verification(True, "proved", None)
 
 
-def _check_types(certificate: Any) -> None:
-    """Refuse types that `json.loads` does not return: their methods could do anything."""
-    level, seen = [certificate], set[int]()
-    while level:
-        for kind in {*map(type, level)} - _PLAIN:
-            raise Refused(f"a {kind.__name__} is not JSON")
-        # A list may hold itself.
-        nested = {id(item): item for item in level if type(item) is list or type(item) is dict}
-        new = [item for key, item in nested.items() if key not in seen]
-        seen.update(nested)
-        parts = ([*item, *item.values()] if type(item) is dict else item for item in new)
-        level = [*chain.from_iterable(parts)]
-
-
-def _read_given(shape: Any) -> list[Ring]:
-    rings = (shape.exterior, *shape.holes) if hasattr(shape, "holes") else (shape,)
+def _read_given(polygon: Any) -> list[Ring]:
+    rings = (polygon.exterior, *polygon.holes) if hasattr(polygon, "holes") else (polygon,)
     try:
         return [
             [node(*map(to_fraction, p)) for p in getattr(points, "vertices", points)]
             for points in rings
         ]
     except TypeError:
-        raise ExactSweepError(f"a {type(shape).__name__} is no polygon and no Region") from None
+        raise ExactSweepError(
+            f"a {type(polygon).__name__} is neither a polygon nor a Region"
+        ) from None
+
+
+def _outline(rings: list[Ring]) -> list[Ring]:
+    """Return rings in one form: the exterior, then holes in order."""
+    exterior, *holes = map(_normalize, rings)
+    return [exterior, *sorted(holes)]
+
+
+def _normalize(points: Ring) -> Ring:
+    """Return a ring counter-clockwise, without straight angles, the least vertex first."""
+    points = [p for k, p in enumerate(points) if p != points[k - 1]]
+    around = edges(points if area(edges(points)) > 0 else points[::-1])
+    bent: list[Node] = [
+        p
+        for k, (p, _, (a, b, _)) in enumerate(around)
+        if around[k - 1][2][0] * b != around[k - 1][2][1] * a
+    ]
+    least = bent.index(min(bent, key=place)) if bent else 0
+    return bent[least:] + bent[:least]

@@ -44,36 +44,30 @@ class Shown:
     def __hash__(self) -> int:
         return hash(tuple(getattr(self, name) for name in self.asked))
 
-    def certificate(self, *, proof: bool = False) -> dict[str, Any]:
+    def certificate(self) -> dict[str, Any]:
         """Return plain JSON data that proves the answer, as `check/CERTIFICATES.md` describes it.
 
-        Positions are those of the origin of the polygon that moves. Those of a sweep with a shared
-        direction are positions of its reference point.
-
-        Args:
-            proof: whether to add the evidence by which `check/standalone.py`, one file, proves the
-                answer. To find it takes longer than to find the answer.
+        `check/standalone.py`, one file, checks it. Positions are those of the origin of the polygon
+        that moves.
 
         Raises:
             PolygonError: shapes are placed; certificates do not cover them.
 
+        Cost: see `evidence.proof.add_proof`.
+
         Example:
             >>> from exactsweep import no_fit_polygon
-            >>> from exactsweep.check.standalone import prove
             >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-            >>> prove(no_fit_polygon(square, square).certificate(proof=True))
-            'no-fit polygon of 4 around 4 vertices, 4 in 1 loop, 0 exact fits'
+            >>> no_fit_polygon(square, square).certificate()["exterior"]
+            [['-1', '-1'], ['1', '-1'], ['1', '1'], ['-1', '1']]
         """
-        found = self._claim()
-        if proof:
-            from exactsweep.evidence.proof import add_proof
+        from exactsweep.evidence.proof import add_proof
 
-            return add_proof(found)
-        return found
+        return add_proof(self._claim())
 
     @abstractmethod
     def _claim(self) -> dict[str, Any]:
-        """Write the answer, and the reasons of a sweep with a shared direction."""
+        """Return the claim that a certificate proves."""
 
     def plot(
         self,

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, islice, pairwise
 from typing import Any, ClassVar
 
-from exactsweep.evidence.certificate import (
-    HEADER,
-    claim_no_fit,
-    write_direction,
-    write_drawn,
-    write_points,
-)
+from exactsweep.evidence.certificate import claim_no_fit, claim_sweep
 from exactsweep.evidence.contact import (
     Contact,
     find_contacts,
@@ -22,7 +16,7 @@ from exactsweep.evidence.contact import (
     list_edges,
     number_as_given,
 )
-from exactsweep.evidence.drawn import DrawnEdge, DrawnPiece, find_drawn_edges
+from exactsweep.evidence.drawn import DrawnEdge, find_drawn_edges
 from exactsweep.evidence.shown import Shown
 from exactsweep.evidence.undercut import Undercut, find_closing_positions
 from exactsweep.geometry.direction import Vector
@@ -31,7 +25,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.digits import abridge, format_fraction
+from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import Edge, Fit, Point, Vertex
 from exactsweep.procedures.any_shape import ShapeSolution
@@ -262,47 +256,20 @@ class Sweep(Shown):
         )
 
     def _claim(self) -> dict[str, Any]:
-        if self.direction is not None:
-            return {
-                **HEADER,
-                "generatrix": write_points(self.generatrix.vertices),
-                "directrix": write_points(self.directrix.vertices),
-                "kind": self.kind,
-                "direction": write_direction(self.direction),
-                "reference": write_points([self.reference])[0],
-                "trajectory": write_points(self.trajectory.vertices),
-                "inner": write_points(self.inner.vertices),
-                "outer": write_points(self.outer.vertices),
-                "area": format_fraction(self.area),
-                "exact_fits": list(map(write_points, self.exact_fits)),
-                "contacts": [list(map(list, found)) for found in self._numbered_contacts],
-                "inner_drawn": write_drawn(self._draw(self.solution.inner)),
-                "outer_drawn": write_drawn(self._draw(self.solution.outer)),
-            }
-        return {
-            **claim_no_fit(
-                Region(self.directrix),
-                Region(self.generatrix),
-                place_loop(self.solution.trajectory),
-                map(place_loop, self.solution.holes),
-                self.solution.fits,
-            ),
-            "claim": "sweep",
-            "kind": "SS",
-            "inner": write_points(self.inner.vertices),
-            "outer": write_points(self.outer.vertices),
-            "unswept": [write_points(loop.vertices) for loop in self.unswept],
-            "area": format_fraction(self.area),
-        }
+        found = self.solution
+        no_fit = claim_no_fit(
+            Region(self.directrix),
+            Region(self.generatrix),
+            place_loop(found.trajectory),
+            map(place_loop, found.holes),
+            found.fits,
+        )
+        return claim_sweep(no_fit, self.inner, self.outer, self.unswept, self.area)
 
     def _find_drawn_edges(self, edges: list[Edge]) -> list[DrawnEdge]:
         if not edges:
             return []
         return find_drawn_edges(edges, self._route, self._boundaries[0])
-
-    def _draw(self, loop: Sequence[Point]) -> list[list[DrawnPiece]]:
-        """Find features that together draw each edge of a loop."""
-        return [edge.choose() for edge in self._find_drawn_edges(list_edges(self._enter(loop)))]
 
     def __str__(self) -> str:
         names = "trajectory", "inner", "outer"

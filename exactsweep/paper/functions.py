@@ -10,12 +10,14 @@ from itertools import pairwise
 from operator import itemgetter
 from typing import Any, TypeVar
 
-from exactsweep.check import ReferenceLoops, reference_loops, reference_no_fit
+from exactsweep.check import verify
+from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Fit, Vertex
+from exactsweep.paper.definition import ReferenceLoops, reference_loops
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, inverse, split, take_corners
@@ -150,13 +152,13 @@ def lower_undercuts(s: Sweep) -> list[Undercut]:
 
 def no_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
     """The no-fit polygon has the exterior, the holes and the exact fits of the definition."""
-    found, expected = no_fit_polygon(*pair[::-1]), reference_no_fit(*pair[::-1])
-    holes = tuple(hole.vertices for hole in found.holes)
-    if found.exterior.vertices != expected.exterior:
-        yield "the exterior is not that of the definition"
-    if holes != expected.holes:
-        yield f"{len(holes)} holes, not the {len(expected.holes)} of the definition"
-    yield tell_fits(found.exact_fits, expected.exact_fits)
+    yield tell_unproved(no_fit_polygon(*pair[::-1]))
+
+
+def tell_unproved(answer: Sweep | NoFitPolygon | InnerFit) -> str:
+    """Report an answer whose certificate is not proved by the checker; empty if it is."""
+    verdict = verify(answer.certificate())
+    return "" if verdict.proved else f"not the definition: {verdict.reason}"
 
 
 def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
@@ -165,13 +167,6 @@ def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
     (left, low), (right, high) = shape.bounding_box
     left, low, right, high = left - room, low - room, right + room, high + room
     return Region([(left, low), (right, low), (right, high), (left, high)], [shape])
-
-
-def tell_fits(found: Sequence[Fit], expected: Sequence[Fit]) -> str:
-    """Say that exact fits are not those of the definition; empty if they are."""
-    if found == expected:
-        return ""
-    return f"exact fits {show_fits(found)}, and {show_fits(expected)} by the definition"
 
 
 def show_fits(fits: Iterable[Fit]) -> str:

@@ -7,7 +7,7 @@ from cells import grid
 
 from exactsweep import Region
 from exactsweep.check import reference_inner_fit, reference_loops, reference_no_fit
-from exactsweep.check.piecewise import LinearPiece, take_least_sum
+from exactsweep.paper.piecewise import LinearPiece, take_least_sum
 
 UNIT = grid("#")
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from exactsweep import Polygon
-from exactsweep.check.contact_segments import find_contacts
+from exactsweep.paper.contact_segments import find_contacts
 from exactsweep.corpus.generator.growing import edges_over_needles, undercuts_under_ceilings
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks import (

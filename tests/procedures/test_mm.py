@@ -9,7 +9,7 @@ from hypothesis import given
 from tiers import examples
 
 from exactsweep import Polygon, sweep
-from exactsweep.check.definition import reference_loops
+from exactsweep.paper.definition import reference_loops
 from exactsweep.numbers.number import Vertex
 from exactsweep.procedures import part_pairs
 from exactsweep.procedures.cc import trajectory_cc

@@ -9,7 +9,6 @@ from itertools import pairwise, product
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.check.piecewise import LinearPiece, PiecewiseLinear, mirror, take_least_sum
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
@@ -22,6 +21,7 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.laws import break_law, shrink
 from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.piecewise import LinearPiece, PiecewiseLinear, mirror, take_least_sum
 from exactsweep.paper.tiny import search_grid
 
 # Points on an edge at which nothing begins or ends as a rule, and a step too short to matter.

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from exactsweep.check import classify, reference_inner_fit, reference_no_fit
+from exactsweep.check import classify
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import Point
 from exactsweep.paper.figures.figure import PaperFigure, place
+from exactsweep.paper.functions import tell_unproved
 from exactsweep.sweep import Sweep, inner_fit_polygon, no_fit_polygon, sweep
 
 GENERATRIX = [(0, 0), (2, 1), (4, 0), (3, 3), (1, 3)]
@@ -34,13 +35,13 @@ def compute() -> PaperFigure:
     """
     s = sweep_example()
     inverted = invert_generatrix(s)
-    outer = no_fit_polygon(s.directrix, inverted).exterior.vertices
-    inside = inner_fit_polygon(s.directrix, inverted).regions
-    holes = [region.exterior.vertices for region in inside]
+    around = no_fit_polygon(s.directrix, inverted)
+    inside = inner_fit_polygon(s.directrix, inverted)
+    outer = around.exterior.vertices
+    holes = [region.exterior.vertices for region in inside.regions]
     met = [classify(s.directrix, ring, (0, 0)).verdict for ring in place(s, ALONG)]
     # G is drawn at a corner, and where it closes the upper undercut.
     positions = [s.trajectory.vertices[6], s.undercuts[-1].positions[0]]
-    expected = reference_inner_fit(s.directrix, inverted).regions
     return PaperFigure(
         facts=[
             ("class of the sweep", s.kind),
@@ -51,8 +52,8 @@ def compute() -> PaperFigure:
             ("holes of the sum", len(holes)),
         ],
         laws=[
-            ("boundary of the sum", outer, reference_no_fit(s.directrix, inverted).exterior),
-            ("holes of the sum", holes, [exterior for exterior, _ in expected]),
+            ("boundary of the sum", tell_unproved(around), ""),
+            ("holes of the sum", tell_unproved(inside), ""),
         ],
         shapes={"sum": outer, "holes": holes, "positions": positions}
         | {"b_positions": ALONG, "b_placed": place(s, ALONG)},

@@ -14,13 +14,12 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from itertools import chain, product
 
-from exactsweep.check.cone import Cone, by_turn, find_common_direction, find_way, subtract
-from exactsweep.check.meeting import Cones, find_angles, split_where_touching
-from exactsweep.check.shape import LatticeShape, list_edges, to_vertex
-from exactsweep.check.standalone import Edge, Node, add, node
-from exactsweep.numbers.number import Vertex
+from exactsweep.check.cone import Cone, by_turn, find_common_direction, subtract
+from exactsweep.check.meeting import Cones, find_cones_of, split_where_touching
+from exactsweep.check.shape import LatticeShape, list_edges
+from exactsweep.numbers.number import Edge, Vertex
 
-_Angles = dict[Node, Cones]
+_Angles = dict[Vertex, Cones]
 
 
 def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
@@ -36,11 +35,11 @@ def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Ver
     Cost: O((m + n) log(m + n)) for m and n edges, and linear for each segment.
     """
     shapes = split_where_touching(d), split_where_touching(h)
-    one, other = ({node(*p): c for p, c in find_angles(shape).items()} for shape in shapes)
+    one, other = map(find_cones_of, shapes)
     segments = [*_list_sums(one, shapes[1]), *_list_sums(other, shapes[0])]
     many, more = ([(p, c) for p, c in of.items() if len(c) > 1] for of in (one, other))
     points = {
-        to_vertex(add(p, q))
+        _add(p, q)
         for (p, cones), (q, others) in chain(
             product(many, other.items()), product(one.items(), more)
         )
@@ -51,17 +50,21 @@ def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Ver
 
 def _list_sums(angles: _Angles, walls: LatticeShape) -> Iterator[Edge]:
     """List the sums of vertices and edges at whose right no angle reaches."""
-    ways = sorted((by_turn(subtract(b, a)), (node(*a), node(*b))) for a, b in list_edges(walls))
+    ways = sorted((by_turn(subtract(b, a)), (a, b)) for a, b in list_edges(walls))
     turns = [turn for turn, _ in ways]
     for v, (cone, *others) in angles.items():
         if not cone.is_wide:
             start, end = by_turn(_back(cone.end)), by_turn(cone.start)
             k, j = bisect_left(turns, start), bisect_right(turns, end)
             for _, (a, b) in ways[k:j] if start <= end else ways[k:] + ways[:j]:
-                right = [Cone(find_way(b, a), find_way(a, b))] if others else []
+                right = [Cone(subtract(a, b), subtract(b, a))] if others else []
                 if not find_common_direction(others, right):
-                    yield add(v, a), add(v, b)
+                    yield _add(v, a), _add(v, b)
 
 
 def _back(way: Vertex) -> Vertex:
     return -way[0], -way[1]
+
+
+def _add(p: Vertex, q: Vertex) -> Vertex:
+    return p[0] + q[0], p[1] + q[1]

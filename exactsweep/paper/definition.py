@@ -20,18 +20,26 @@ from itertools import pairwise
 from math import lcm
 from typing import Any, NamedTuple
 
-from exactsweep.check.piecewise import (
+from exactsweep.geometry.canonical import canonicalize_ring
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.number import (
+    Edge,
+    Fit,
+    Loop,
+    Point,
+    Rational,
+    Vertex,
+    divide_exactly,
+    to_fraction,
+)
+from exactsweep.paper.piecewise import (
     LinearPiece,
     PiecewiseLinear,
     list_ends,
     mirror,
     take_least_sum,
 )
-from exactsweep.check.shape import LatticeRing, bring_to_integers, to_points
-from exactsweep.geometry.canonical import canonicalize_ring
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.error import ExactSweepError, tells_arguments
-from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex, to_fraction
 
 
 class ReferenceLoops(NamedTuple):
@@ -131,14 +139,14 @@ class _IntegerFrame:
             raise ExactSweepError("the direction (0, 0) is no direction")
         unit = lcm(ux.denominator, uy.denominator)
         self._ux, self._uy = int(ux * unit), int(uy * unit)
-        self._scale, ((g,), (d,)) = bring_to_integers(
-            [(generatrix.vertices,), (directrix.vertices,)]
-        )
-        self.generatrix = self._halves(g, "generatrix")
-        self.directrix = self._halves(d, "directrix")
+        loops = generatrix.vertices, directrix.vertices
+        self._scale = lcm(*(c.denominator for loop in loops for p in loop for c in p))
+        self.generatrix = self._halves(generatrix.vertices, "generatrix")
+        self.directrix = self._halves(directrix.vertices, "directrix")
 
-    def _halves(self, ring: LatticeRing, name: str) -> tuple[PiecewiseLinear, PiecewiseLinear]:
-        turned = [(self._ux * x + self._uy * y, self._ux * y - self._uy * x) for x, y in ring]
+    def _halves(self, ring: Loop, name: str) -> tuple[PiecewiseLinear, PiecewiseLinear]:
+        points = [(int(self._scale * x), int(self._scale * y)) for x, y in ring]
+        turned = [(self._ux * x + self._uy * y, self._ux * y - self._uy * x) for x, y in points]
         # Counter-clockwise: the bottom runs to the right and the top to the left. Edges that do
         # neither are vertical; they are the jumps of the functions and need no piece.
         edges = list(zip(turned, turned[1:] + turned[:1], strict=True))
@@ -153,7 +161,8 @@ class _IntegerFrame:
         return self._ux * x - self._uy * y, self._uy * x + self._ux * y
 
     def _leave(self, ring: Iterable[Vertex], finer: int = 1) -> tuple[Point, ...]:
-        return to_points(ring, (self._ux**2 + self._uy**2) * self._scale * finer)
+        scale = (self._ux**2 + self._uy**2) * self._scale * finer
+        return tuple(Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in ring)
 
     def segment(self, ends: Edge) -> Fit:
         """The segment in the plane."""
