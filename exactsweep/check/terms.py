@@ -7,12 +7,15 @@ believes an answer of the extracted checker about a file trusts this module to h
 
 from __future__ import annotations
 
+import json
+import sys
 from collections.abc import Iterable
 from fractions import Fraction
 from math import ceil, lcm
+from pathlib import Path
 from typing import Any, NamedTuple
 
-from exactsweep.check.standalone import rotation_error
+from exactsweep.check.standalone import FORMAT, VERSION, rotation_error
 
 Pair = tuple[Fraction, Fraction]
 AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))
@@ -53,6 +56,8 @@ def to_claim(certificate: Any) -> Claim:
     A layout with faults has no claim here.
     """
     kinds = {"no_fit": _no_fit, "sweep": _sweep, "inner_fit": _inner_fit, "layout": _layout}
+    if (certificate["format"], certificate["version"]) != (FORMAT, VERSION):
+        raise ValueError(f"not a certificate of version {VERSION}")
     return kinds[certificate["claim"]](certificate)
 
 
@@ -72,6 +77,10 @@ def _points(items: Any) -> list[Pair]:
 def _ring(items: Any) -> list[Pair]:
     points = _points(items)
     return [p for k, p in enumerate(points) if p != points[k - 1]]
+
+
+def _fits(items: Any) -> list[tuple[Pair, Pair]]:
+    return [(start, end) for start, end in map(_points, items)]
 
 
 def _area(ring: list[Pair]) -> Fraction:
@@ -103,7 +112,8 @@ def _scaled(pieces: list[list[Pair]], unit: int) -> list[Any]:
 
 # --- Claims ---------------------------------------------------------------------------------------
 
-RINGS, RING, SEGMENTS = "list Statements.ring", "Statements.ring", "list (point * point)"
+RINGS, RING = "list Statements.ring", "Statements.ring"
+SEGMENTS = "list (Statements.point * Statements.point)"
 
 
 def _no_fit(c: Any) -> Claim:
@@ -115,7 +125,7 @@ def _no_fit(c: Any) -> Claim:
 
 
 def _answer(c: Any) -> tuple[Any, ...]:
-    fits = [tuple(_points(fit)) for fit in c["exact_fits"]]
+    fits = _fits(c["exact_fits"])
     shapes = _rings(c["directrix"]), _rings(c["generatrix"])
     return *shapes, _ring(c["exterior"]), [*map(_ring, c["holes"])], fits
 
@@ -133,7 +143,7 @@ def _sweep(c: Any) -> Claim:
     proof, rings = c["proof"], [_ring(r) for r in (c["outer"], c["inner"], *c["unswept"])]
     loops, slits = (
         [rings[0], *(r[::-1] for r in rings[1:])],
-        [*map(tuple, map(_points, c["proof"]["slits"]))],
+        _fits(c["proof"]["slits"]),
     )
     moving = [*map(_ring, proof["generatrix"])]
     unit = _unit(exterior, *g, *loops, *slits, *moving)
@@ -154,7 +164,7 @@ def _inner_fit(c: Any) -> Claim:
         for region in c["regions"]
         for ring in (_ring(region["exterior"]), *(_ring(hole)[::-1] for hole in region["holes"]))
     ]
-    fits = [tuple(_points(fit)) for fit in c["exact_fits"]]
+    fits = _fits(c["exact_fits"])
     outside, moving = ([*map(_ring, proof[k])] for k in ("outside", "part"))
     ends = [Fraction(n) for n in proof["frame"]]
     unit = _unit(
@@ -166,7 +176,8 @@ def _inner_fit(c: Any) -> Claim:
         *moving,
         [(ends[0], ends[1]), (ends[2], ends[3])],
     )
-    statement = {"container": (RINGS, container), "moving_part": (RINGS, part)}
+    statement: dict[str, tuple[str, Any]] = {"container": (RINGS, container)}
+    statement["part"] = RINGS, part
     statement |= {"regions": (RINGS, regions), "exact_fits": (SEGMENTS, fits)}
     found = {"InnerFit.unit": unit, "InnerFit.box": tuple(int(n * unit) for n in ends)}
     found |= {"InnerFit.outside": _scaled(outside, unit), "InnerFit.part": _scaled(moving, unit)}
@@ -184,6 +195,8 @@ def _rotation(turn: Any) -> Any:
 
 
 def _layout(c: Any) -> Claim:
+    if c["valid"] is not True:
+        raise ValueError("a layout with faults has no theorem")
     given, proof, zero = c["layout"], c["proof"], Fraction(0)
     parts, placed = given["parts"], given["placements"]
     index = {part["id"]: k for k, part in enumerate(parts)}
@@ -223,9 +236,16 @@ def _layout(c: Any) -> Claim:
     listed = [
         Record(
             {
-                "kind": Nat(k),
-                "by_motion": Record({"mirrored": flag, "cosine": x, "sine": y, "shift": shift}),
-                "slack": Fraction(ceil(slack * unit), unit),
+                "Statements.kind": Nat(k),
+                "Statements.by_motion": Record(
+                    {
+                        "Statements.mirrored": flag,
+                        "Statements.cosine": x,
+                        "Statements.sine": y,
+                        "Statements.shift": shift,
+                    }
+                ),
+                "Statements.slack": Fraction(ceil(slack * unit), unit),
             }
         )
         for k, (flag, x, y, shift), slack in moves
@@ -233,29 +253,39 @@ def _layout(c: Any) -> Claim:
     kinds = [
         Record(
             {
-                "outline": drawn[k],
-                "rounded": [],
-                "error": Fraction(part.get("error") or 0),
-                "demand": None if part.get("demand") is None else Some(Nat(part["demand"])),
-                "rotations": None
+                "Statements.outline": drawn[k],
+                "Statements.rounded": [],
+                "Statements.error": Fraction(part.get("error") or 0),
+                "Statements.demand": None
+                if part.get("demand") is None
+                else Some(Nat(part["demand"])),
+                "Statements.rotations": None
                 if part.get("turns") is None
                 else Some([e for e in allowed[k] if type(e) is tuple]),
-                "may_mirror": part.get("mirrored") is not False,
+                "Statements.may_mirror": part.get("mirrored") is not False,
             }
         )
         for k, part in enumerate(parts)
     ]
     sheet = Some(shapes[0]) if solids[0] else None
-    body = {"sheet": sheet, "obstacles": shapes[1:], "kinds": kinds, "placements": listed}
-    found = {"denominator": unit, "part_pieces": [_scaled(e, unit) for e in pieces]}
-    found |= {"obstacle_pieces": [_scaled(e, unit) for e in outside[1:]]}
+    body = {
+        "Statements.sheet": sheet,
+        "Statements.obstacles": shapes[1:],
+        "Statements.kinds": kinds,
+        "Statements.placements": listed,
+    }
+    found = {"Layout.denominator": unit, "Layout.part_pieces": [_scaled(e, unit) for e in pieces]}
+    found |= {"Layout.obstacle_pieces": [_scaled(e, unit) for e in outside[1:]]}
     found |= {
-        "outside_pieces": _scaled(outside[0], unit),
-        "frame": tuple(int(n * unit) for n in frame),
+        "Layout.outside_pieces": _scaled(outside[0], unit),
+        "Layout.frame": tuple(int(n * unit) for n in frame),
     }
     normals = [(*key, _whole(x, y)) for *key, x, y in proof["apart"]]
     statement = {
-        "sheet_and_parts": ("layout", Record({**body, "spacing": spacing, "margin": margin}))
+        "layout": (
+            "Statements.layout",
+            Record({**body, "Statements.spacing": spacing, "Statements.margin": margin}),
+        )
     }
     evidence = {"evidence": ("certificate", Record(found)), "entries": ("list entry", normals)}
     return Claim("layout", statement, evidence)
@@ -288,3 +318,7 @@ def _words(term: Any) -> Iterable[str]:
     if isinstance(term, Fraction):
         return [f"{term.numerator}/{term.denominator}"]
     return ["0" if term is None else str(int(term))]
+
+
+if __name__ == "__main__":
+    print(write_numbers(to_claim(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))))

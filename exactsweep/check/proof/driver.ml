@@ -1,9 +1,10 @@
-(* Reads claims as plain numbers (see terms.py beside this folder) and prints the answer of the extracted checker to each. *)
+(* Reads claims as plain numbers, as terms.py beside this folder writes them, and prints the answer of the
+   extracted checker to each. *)
 open Checker
 module B = Big_int_Z
 
-let scan = Scanf.Scanning.stdin
-let token () = Scanf.bscanf scan " %s" Fun.id
+let scan = ref (Scanf.Scanning.from_string "")
+let token () = Scanf.bscanf !scan " %s" Fun.id
 let integer () = B.big_int_of_string (token ())
 let nat () = int_of_string (token ())
 let list f = List.init (nat ()) (fun _ -> f ())      (* List.init goes from the first on *)
@@ -72,8 +73,14 @@ let answer = function
     check_layout n (fun a i b j -> n (B.int_of_big_int a) i b j) l c
   | word -> failwith ("unknown claim " ^ word)
 
+(* One claim a line; a line that is none is an error of the program that writes it. *)
 let () =
-  let rec go () = match token () with
-    | "" -> ()
-    | claim -> print_endline (if answer claim then "accepted" else "rejected"); go () in
-  go ()
+  try
+    while true do
+      scan := Scanf.Scanning.from_string (read_line ());
+      print_endline (match answer (token ()) with
+        | true -> "accepted"
+        | false -> "rejected"
+        | exception (Failure _ | Invalid_argument _ | Scanf.Scan_failure _ | End_of_file) -> "unreadable")
+    done
+  with End_of_file -> ()
