@@ -23,9 +23,10 @@ from typing import Any, NamedTuple
 
 import click
 
-from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import standalone
-from exactsweep.check.standalone import Refused, prove
+from exactsweep.check.standalone import Refused, area, edges, prove, read_points
+from exactsweep.check.verify import normalize
 from exactsweep.corpus import cases
 from exactsweep.evidence.proof import add_proof
 
@@ -34,7 +35,6 @@ sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from families import random_pair
 from layout_adversary import draw_layouts, is_true_layout, refill
-from producer import certificate_of
 from shape_families import random_shapes
 from tampering import get, put
 from weakened import weaken
@@ -57,9 +57,7 @@ for line in open(sys.argv[2], encoding="utf-8"):
 print(failed)
 """
 
-# Evidence that may be listed in more than one way.
-EVIDENCE = ("inner_drawn", "outer_drawn", "proof")
-ANSWERS = ("exterior", "holes", "exact_fits", "inner", "outer", "unswept", "area", "trajectory")
+ANSWERS = ("exterior", "holes", "exact_fits", "inner", "outer", "unswept", "area")
 
 
 def draw_pair(rng: Random, has_direction: bool) -> tuple[Any, Any]:
@@ -155,17 +153,10 @@ def reroute(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
     changed = put(certificate, path, loop[least:] + loop[:least])
     if "area" in changed:
         loops = [changed["outer"], changed["inner"], *changed.get("unswept", [])]
-        areas = [standalone.double_area(standalone.ring(e)) for e in loops if len(e) > 2]
-        changed["area"] = str((areas[0] - sum(areas[1:])) / 2)
-    if "claim" not in changed:
-        g, d = (Polygon(changed[key]) for key in ("generatrix", "directrix"))
-        t, inner, outer = (
-            tuple(Point(*map(Fraction, p)) for p in changed[key])
-            for key in ("trajectory", "inner", "outer")
-        )
-        found = certificate_of(g, d, (t, inner, outer))
-        changed |= {key: found[key] for key in ("contacts", "inner_drawn", "outer_drawn")}
-    return f"rerouted: {kind}", add_proof({k: v for k, v in changed.items() if k != "proof"})
+        areas = [area(edges(read_points("loop", e))) for e in loops if len(e) > 2]
+        changed["area"] = str(areas[0] - sum(areas[1:]))
+    found = add_proof({k: v for k, v in changed.items() if k != "proof"})
+    return f"rerouted: {kind}", json.loads(json.dumps(found))
 
 
 def is_loop(item: Any) -> bool:
@@ -182,13 +173,13 @@ def is_same_claim(one: Certificate, other: Certificate) -> bool:
 
     def normal(item: Any, key: Any = "") -> Any:
         if type(item) is dict:
-            kept = {k: v for k, v in item.items() if k not in EVIDENCE}
+            kept = {k: v for k, v in item.items() if k != "proof"}
             return {k: normal([] if v is None else v, k) for k, v in kept.items()}
         if type(item) is list and (key in ("holes", "unswept", "regions", "exact_fits")):
             ordered = [sorted(map(str, e)) if key == "exact_fits" else normal(e) for e in item]
             return sorted(ordered, key=str)
         if is_loop(item):
-            return [*map(str, standalone.outline(standalone.ring(item)))]
+            return [*map(str, normalize(read_points("loop", item)))]
         return item
 
     return bool(normal(one) == normal(other))
@@ -253,24 +244,21 @@ def is_true(certificate: Certificate, known: list[Certificate]) -> bool:
     elif claim == "no_fit":
         true = no_fit_polygon(d, g).certificate()
     else:
-        options = {
-            key: certificate[key] for key in ("reference", "direction") if key in certificate
-        }
-        true = sweep(g, d, **options).certificate()
+        true = sweep(g, d).certificate()
     return is_same_claim(certificate, json.loads(json.dumps(true)))
 
 
-SHAPES = Family(lambda rng: map(add_proof, draw(rng)), reroute, is_true)
+SHAPES = Family(draw, reroute, is_true)
 LAYOUTS = Family(draw_layouts, refill, is_true_layout)
 
 
 def read_region(item: Any) -> Any:
-    return Polygon(item) if type(item) is list else Region(item["exterior"], item["holes"] or ())
+    return Region(item["exterior"], item.get("holes") or ())
 
 
 def prove_alone(certificates: Iterable[Certificate]) -> Iterator[tuple[int, int]]:
     """Prove certificates by the file alone, in batches; count a batch and those it refuses."""
-    found = map(add_proof, certificates)
+    found = iter(certificates)
     with TemporaryDirectory() as folder:
         path = Path(folder) / "certificates.jsonl"
         while batch := list(islice(found, BATCH)):
@@ -285,7 +273,7 @@ def list_corpus() -> Iterator[Certificate]:
     for case in cases():
         d = Region(case.directrix_ring, case.directrix_holes)
         g = Region(case.generatrix_ring, case.generatrix_holes)
-        yield sweep(g, d, reference=case.reference).certificate()
+        yield sweep(g, d).certificate()
         yield no_fit_polygon(d, g).certificate()
         if case.inner_regions is not None:
             yield inner_fit_polygon(d, g).certificate()

@@ -1,7 +1,7 @@
 """Look for the slowest certificates of 100 kB: `python -m tests.slowest`.
 
-The checker promises an end within half a minute and a gigabyte. For every kind of certificate, numbers
-of pieces, edges, digits and entries are drawn, and the slowest file is made slower by small changes.
+The checker promises an end within half a minute and a gigabyte. Files of every kind are drawn, and
+the slowest one is changed as long as that makes it slower.
 """
 
 from __future__ import annotations
@@ -63,7 +63,10 @@ def crowd(n: int, digits: int) -> Certificate:
     den = max(2 * n + 3, 10**digits)
     teeth = [(Fraction(1, den), Fraction(1, 3)), (Fraction(2 * n + 1, den), Fraction(1, 3))]
     for k in range(n, 0, -1):
-        teeth += [(Fraction(2 * k + 1, den), Fraction(2, 3)), (Fraction(2 * k, den), Fraction(1, 2))]
+        teeth += [
+            (Fraction(2 * k + 1, den), Fraction(2, 3)),
+            (Fraction(2 * k, den), Fraction(1, 2)),
+        ]
     teeth.append((Fraction(1, den), Fraction(3, 5)))
     return claim_no_fit(square(10**40), square(10**40), least_first(teeth))
 
@@ -86,7 +89,12 @@ def corners(n: int, digits: int) -> Certificate:
     one = polygon(n // 2 + 3)
     d = {"exterior": write(one)}, [write(one)]
     size = n * n + 10**digits
-    loop = [(-size, -size), (size, -size), *((size - k, -size + k * k + 1) for k in range(n)), (0, size * 9)]
+    loop = [
+        (-size, -size),
+        (size, -size),
+        *((size - k, -size + k * k + 1) for k in range(n)),
+        (0, size * 9),
+    ]
     return claim_no_fit(d, d, write(loop))
 
 
@@ -96,7 +104,11 @@ def slices(n: int, digits: int) -> Certificate:
     lines = [[(k + j, j * j * (2 if k else 1)) for j in range(wide)] for k in range(2)]
     ring = write(lines[1] + lines[0][::-1])
     strips = [[(k, 0), (k + 1, 0), (k + 10 * n + 1, 9 * n), (k + 10 * n, 9 * n)] for k in range(n)]
-    outline = rectangle(0, 0, 1, 1) if not strips else write([(0, 0), (n, 0), (11 * n, 9 * n), (10 * n, 9 * n)])
+    outline = (
+        rectangle(0, 0, 1, 1)
+        if not strips
+        else write([(0, 0), (n, 0), (11 * n, 9 * n), (10 * n, 9 * n)])
+    )
     del ring
     return claim_no_fit(({"exterior": outline}, [*map(write, strips)]), square(1), outline)
 
@@ -156,7 +168,7 @@ def layout(
 
 
 def placements(n: int, digits: int) -> Certificate:
-    """Placements of a part of many pieces in one row, with a spacing that makes all of them near."""
+    """Placements of a part of many pieces, near each other."""
     count = digits * 10
     pieces = [rectangle(k, 0, k + 1, 1) for k in range(count)]
     part = {"id": "a", "exterior": rectangle(0, 0, count, 1)}
@@ -214,7 +226,10 @@ def search(kind: str, seconds: float, rng: Random) -> tuple[float, str]:
     while time.process_time() < end:
         took, verdict = measure(fill(kind, digits, share))
         if took > found[0]:
-            found, best = (took, f"digits {digits}, share {share:.2f}: {verdict[:60]}"), (digits, share)
+            found, best = (
+                (took, f"digits {digits}, share {share:.2f}: {verdict[:60]}"),
+                (digits, share),
+            )
         digits = max(1, int(best[0] * rng.choice([0.5, 1, 1, 1.5, 2, 4]) + rng.randint(0, 1)))
         share = min(1.0, max(0.02, best[1] * rng.choice([0.3, 0.6, 1, 1, 1.6])))
     return found

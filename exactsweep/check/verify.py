@@ -103,11 +103,11 @@ def _read_given(polygon: Any) -> list[Ring]:
 
 def _outline(rings: list[Ring]) -> list[Ring]:
     """Return rings in one form: the exterior, then holes in order."""
-    exterior, *holes = map(_normalize, rings)
+    exterior, *holes = map(normalize, rings)
     return [exterior, *sorted(holes)]
 
 
-def _normalize(points: Ring) -> Ring:
+def normalize(points: Ring) -> Ring:
     """Return a ring counter-clockwise, without straight angles, the least vertex first."""
     points = [p for k, p in enumerate(points) if p != points[k - 1]]
     around = edges(points if area(edges(points)) > 0 else points[::-1])

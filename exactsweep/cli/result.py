@@ -20,7 +20,7 @@ class Form(NamedTuple):
     """The form in which a result is wanted.
 
     Attributes:
-        kind: "report", "json", "wkt", "certificate", "proof", or "to".
+        kind: "report", "json", "wkt", "certificate" or "to".
         target: the format of the polygons.
         rounding: how they are rounded.
         output: the file, or "-".
@@ -38,13 +38,12 @@ def _make_form(
     json: bool,
     wkt: bool,
     certificate: bool,
-    proof: bool,
     target: str | None,
     everything: bool,
     rounding: Rounding | None,
     output: str,
 ) -> Form:
-    given = {"json": json, "wkt": wkt, "certificate": certificate, "proof": proof, "to": target}
+    given = {"json": json, "wkt": wkt, "certificate": certificate, "to": target}
     chosen = [name for name, value in (given | {"all": everything}).items() if value]
     if len(chosen) > 1:
         raise click.UsageError(f"--{chosen[0]} and --{chosen[1]} exclude each other.")
@@ -66,12 +65,7 @@ def takes_form(wkt: str) -> Decorator:
         click.option(
             "--certificate",
             is_flag=True,
-            help="Write everything, and the reasons, as JSON for 'exactsweep verify'.",
-        ),
-        click.option(
-            "--proof",
-            is_flag=True,
-            help="Write a certificate with the proof that check/standalone.py reads.",
+            help="Write the answer and its proof as JSON, for 'exactsweep verify'.",
         ),
         click.option("--all", "everything", is_flag=True, help="Report all vertices."),
         takes_format,
@@ -129,8 +123,8 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
                 regions = writers.to_regions(result)
             case "json":
                 text = writers.to_json(result)
-            case "certificate" | "proof":
-                text = results.certificate_to_json(result, proof=form.kind == "proof")
+            case "certificate":
+                text = results.certificate_to_json(result)
             case "wkt":
                 try:
                     text = writers.to_wkt(result)

@@ -1,7 +1,7 @@
 """`exactsweep verify`."""
 
-import json
 import sys
+from collections import Counter
 from typing import Any
 
 import click
@@ -18,34 +18,26 @@ from exactsweep.words import count, write_pair
 @click.argument("file", type=PATH)
 @click.argument("shapes", nargs=-1, metavar="[G D]", type=PATH)
 @click.option(
-    "--add-proof",
-    "output",
-    type=click.Path(dir_okay=False),
-    metavar="OUTPUT",
-    help="Write the certificate with the proof that check/standalone.py reads, too.",
-)
-@click.option(
     "--max-steps",
     type=click.IntRange(min=1),
     metavar="N",
-    help="The limit of work, in steps of about a microsecond; by default 10**8.",
+    help="The limit of work, in steps of at most a microsecond; by default it grows with the file.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Write the verdict as JSON.")
 def verify_command(
-    file: str, shapes: tuple[str, ...], output: str | None, max_steps: int | None, as_json: bool
+    file: str, shapes: tuple[str, ...], max_steps: int | None, as_json: bool
 ) -> None:
-    """Check a certificate, from the definition.
+    """Check a certificate by independent code.
 
-    Decides whether the certificate in FILE, or - for standard input, proves its answer, from
-    the definition of a sweep, of a no-fit polygon or of an inner fit, and the polygons in the
-    certificate, by code that has nothing to do with the one that wrote it. Prints "proved" and
-    what is proved; or the first thing that is wrong, with a witness, a translation or a point to
-    see it by, and the exit code is 1.
+    Decides whether the certificate in FILE, or - for standard input, proves its answer: a sweep, a
+    no-fit polygon, an inner fit, or the verdict on a layout. check/standalone.py decides, a file
+    that needs nothing but Python. Prints "proved" and the answer; or the first reason why it is not
+    proved, with a witness, a translation or a point where it shows, and the exit code is 1.
 
     With G and D, the certificate has to be about these two polygons: the one that moves and the
     one that stays; of an inner fit, the part and the container.
 
-    'exactsweep sweep', 'nfp' and 'ifp' write certificates, given --certificate.
+    'exactsweep sweep', 'nfp', 'ifp' and 'layout' write certificates, given --certificate.
 
     Example:
       exactsweep verify proof.json
@@ -58,20 +50,17 @@ def verify_command(
     is_inner = type(certificate) is dict and "part" in certificate
     names = ("part", "container") if is_inner else ("generatrix", "directrix")
     asked: dict[str, Any] = dict(zip(names, map(read_region, shapes), strict=False))
-    if max_steps is not None:
-        asked["max_steps"] = max_steps
     with working("checking the certificate"):
-        verdict = verify(certificate, **asked)
-    if verdict.proved and output is not None:
-        from exactsweep.evidence.proof import add_proof
-
-        write(f"{json.dumps(add_proof(certificate))}\n", output)
+        verdict = verify(certificate, **asked, max_steps=max_steps)
     if as_json:
         text = verification_to_json(verdict)
     else:
-        text = f"{verdict.reason}\n"
+        name = "standard input" if file == "-" else file
         if verdict.proved:
-            text += f"{_describe(certificate)}\n"
+            found = f"proved\n{_describe(certificate)}"
+        else:
+            found = f"not proved: {verdict.reason}"
+        text = f"{name}: {found}\n"
         if verdict.witness is not None:
             text += f"witness: {write_pair(verdict.witness)}\n"
     write(text, "-")
@@ -79,16 +68,26 @@ def verify_command(
 
 
 def _describe(certificate: dict[str, Any]) -> str:
-    """Say which question a certificate answers, of polygons of how many vertices."""
-    if "layout" in certificate:
-        faults, placed = certificate["faults"], certificate["layout"]["placements"]
-        verdict = count(len(faults), "fault") if faults else "valid"
-        return f"layout of {count(len(placed), 'placement')}, {verdict}"
-    names = ("part", "container") if "part" in certificate else ("generatrix", "directrix")
-    sizes = [sum(map(len, _list_rings(certificate[name]))) for name in names]
-    question = certificate.get("kind") or certificate["claim"].replace("_", " ")
-    return f"{question} of {sizes[0]} and {sizes[1]} vertices"
+    """Describe the question and the answer of a proved certificate."""
+    if certificate["claim"] == "layout":
+        placed = count(len(certificate["layout"]["placements"]), "placement")
+        kinds = Counter(fault["kind"] for fault in certificate.get("faults", ()))
+        faults = ", ".join(f"{number} {kind}" for kind, number in kinds.items())
+        return f"layout of {placed}: {faults or 'valid'}"
+    fits = count(len(certificate["exact_fits"]), "exact fit")
+    if certificate["claim"] == "inner_fit":
+        sizes = [_count_vertices(certificate[name]) for name in ("part", "container")]
+        regions = count(len(certificate["regions"]), "region")
+        return f"inner fit of {sizes[0]} in {sizes[1]} vertices: {regions}, {fits}"
+    sizes = [_count_vertices(certificate[name]) for name in ("generatrix", "directrix")]
+    question = f"of {sizes[0]} around {sizes[1]} vertices"
+    holes = count(len(certificate["holes"]), "hole")
+    no_fit = f"{len(certificate['exterior'])} vertices, {holes}, {fits}"
+    if certificate["claim"] == "no_fit":
+        return f"no-fit polygon {question}: {no_fit}"
+    outer, inner = len(certificate["outer"]), len(certificate["inner"])
+    return f"sweep {question}: outer {outer}, inner {inner} vertices; no-fit polygon: {no_fit}"
 
 
-def _list_rings(shape: Any) -> list[Any]:
-    return [shape] if type(shape) is list else [shape["exterior"], *shape["holes"]]
+def _count_vertices(shape: dict[str, Any]) -> int:
+    return sum(map(len, (shape["exterior"], *(shape.get("holes") or ()))))

@@ -22,8 +22,6 @@ from exactsweep.numbers.number import Fit
 
 HEADER = {"format": "exactsweep certificate", "version": 3}
 
-Claim = dict[str, Any]
-
 
 def claim_no_fit(
     directrix: Region,
@@ -31,7 +29,7 @@ def claim_no_fit(
     exterior: Polygon,
     holes: Iterable[Polygon],
     exact_fits: Iterable[Fit],
-) -> Claim:
+) -> dict[str, Any]:
     """Claim a no-fit polygon. Cost: linear."""
     return {
         **HEADER,
@@ -45,8 +43,12 @@ def claim_no_fit(
 
 
 def claim_sweep(
-    no_fit: Claim, inner: Polygon, outer: Polygon, unswept: Iterable[Polygon], area: Fraction
-) -> Claim:
+    no_fit: dict[str, Any],
+    inner: Polygon,
+    outer: Polygon,
+    unswept: Iterable[Polygon],
+    area: Fraction,
+) -> dict[str, Any]:
     """Claim a swept area, given the claim of the no-fit polygon. Cost: linear."""
     return {
         **no_fit,
@@ -60,7 +62,7 @@ def claim_sweep(
 
 def claim_inner_fit(
     container: Region, part: Region, regions: Iterable[Region], exact_fits: Iterable[Fit]
-) -> Claim:
+) -> dict[str, Any]:
     """Claim an inner fit. Cost: linear."""
     return {
         **HEADER,

@@ -1,53 +1,58 @@
-"""Chains of sums and known edges that cover the sides of sums.
+"""The evidence that loops and fits bound sums: listed sums, and chains that cover their sides.
 
-The finder lists sums beside each known edge. Then it covers each side of a listed sum from its
-start on. Where neither a known edge nor a listed sum continues, it lists the largest sum that does.
-Where no sum does there is a slit: a free position between two sums.
+(1) Beside each known edge, an edge of a loop or a fit, sums are listed whose sides run along it.
+    Those with sides along the most known edges come first.
+(2) Each side of a listed sum is covered from its start on, by known edges, or else by the sum that
+    covered the end of the last side, by a listed sum, the largest first, or by the largest sum of
+    all, which is then listed.
+(3) Where there is neither, up to the next one, there is a slit. Slits count as known edges.
 """
 
 from __future__ import annotations
 
 from bisect import insort
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from math import isqrt
 from typing import Any, NamedTuple
 
-from exactsweep.evidence.sums import (
+from exactsweep.evidence.boxes import CellBox, are_touching
+from exactsweep.evidence.homogeneous import (
+    DirectedSegment,
     Interval,
-    Node,
-    Side,
-    Sums,
-    Tree,
-    between,
     clip,
-    find_touching,
-    grow,
+    find_between,
     intersect,
+    is_along,
+    is_on_border,
     is_right,
-    make_node,
-    make_side,
 )
+from exactsweep.evidence.slits import Gap, unite
+from exactsweep.evidence.sums import Sums
 
 _STRIPS = 8
-"""The number of strips for each root of the number of known edges."""
+"""The number of strips, divided by the root of that of known edges."""
+_WHOLE = Fraction(0), Fraction(1)
 
 
-class Evidence(NamedTuple):
+class Covering(NamedTuple):
     """Sums and chains that prove a boundary.
 
     Attributes:
         sums: for each listed sum its number, and a chain for each of its sides.
         around: a chain for each half-plane.
-        slits: segments and points that no sum covers, and that are no known edge.
+        slits: the slits.
     """
 
     sums: list[list[Any]]
     around: list[list[int] | int]
-    slits: list[tuple[Node, Node]]
+    slits: list[DirectedSegment]
 
 
-def find_evidence(sums: Sums, known: Sequence[Side], beyond: Sequence[Side] = ()) -> Evidence:
+def find_evidence(
+    sums: Sums, known: Sequence[DirectedSegment], beyond: Sequence[DirectedSegment] = ()
+) -> Covering:
     """Find sums whose sides are covered by each other, known edges and slits.
 
     Args:
@@ -56,149 +61,165 @@ def find_evidence(sums: Sums, known: Sequence[Side], beyond: Sequence[Side] = ()
         beyond: the boundaries of open half-planes, which count as sums.
 
     Returns:
-        The Evidence. If the known edges are not the boundary of the sums, it proves nothing.
+        The Covering. If the known edges are not the boundary of the sums, it proves nothing.
 
-    Cost: O(k log k) clipped segments for k listed sums, if few sums are near each edge.
+    Cost: O(1) clipped segments for each side of a listed sum, and for each known edge O(1) for each
+    sum whose box touches it.
     """
-    finder = _Finder(sums, known, beyond)
-    finder.list_beside(range(len(known)))
+    finder = _Finder(sums, beyond)
+    finder.add_known(known)
     finder.cover()
-    if finder.gaps:
-        slits = _unite([gap for gaps in finder.gaps.values() for gap in gaps], known)
-        finder.add([make_side(*slit) for slit in slits])
-    else:
-        slits = []
+    slits = unite((gap for gaps in finder.gaps.values() for gap in gaps), known)
+    if slits:
+        finder.add_known(slits)
+        finder.close_gaps()
     return finder.write(slits)
 
 
+class _Strips:
+    """Boxes of listed sums in strips of the plane, the largest sum first."""
+
+    def __init__(self, box: CellBox, count: int) -> None:
+        self._left, self._width = box[0], (box[1] - box[0]) // count + 1
+        self._sums: dict[int, list[tuple[int, int, CellBox]]] = defaultdict(list)
+
+    def add(self, k: int, area: int, box: CellBox) -> None:
+        first, last = ((end - self._left) // self._width for end in box[:2])
+        for strip in range(first, last + 1):
+            insort(self._sums[strip], (-area, k, box))
+
+    def find_near(self, box: CellBox) -> Iterator[int]:
+        """Find the sums whose boxes touch that of a point."""
+        strip = self._sums[(box[0] - self._left) // self._width]
+        return (k for _, k, other in strip if are_touching(box, other))
+
+
 class _Finder:
-    def __init__(self, sums: Sums, known: Sequence[Side], beyond: Sequence[Side]) -> None:
-        self._sums, self._known = sums, [*known]
-        self._beyond = {sums.count + k: side for k, side in enumerate(beyond)}
-        # The known edges that touch the box of a sum, and the sums whose boxes touch an edge.
+    """The sums listed so far, and their chains.
+
+    Attributes:
+        gaps: the gaps of each side that is not covered, by the number of a sum and the side.
+    """
+
+    def __init__(self, sums: Sums, beyond: Sequence[DirectedSegment]) -> None:
+        self._sums = sums
+        self._beyond = {sums.count + k: [side] for k, side in enumerate(beyond)}
+        self._known: list[DirectedSegment] = []
+        # By the number of a sum, the known edges that touch its box.
         self._edges: dict[int, list[int]] = defaultdict(list)
-        self._near: dict[int, list[int]] = defaultdict(list)
-        self._listed: dict[int, int] = {}
-        left, right, *_ = (a + b for a, b in zip(*(t.box for t in sums.trees), strict=True))
-        self._left = left
-        self._width = (right - left) // (_STRIPS * int(len(known) ** 0.5) + 1) + 1
-        self._strips: dict[int, list[tuple[int, int, int, int, int, int]]] = defaultdict(list)
-        self._chains: dict[int, list[list[int]]] = {}
-        self.gaps: dict[tuple[int, int], list[tuple[Node, Node]]] = {}
-        self._index(range(len(known)))
+        self._listed: list[int] = []
+        self._chains: dict[int, list[list[int]]] = {k: [] for k in self._beyond}
+        self._strips = _Strips(sums.box, 1)
+        self._last = -1
+        self.gaps: dict[tuple[int, int], list[Gap]] = {}
 
-    def _index(self, numbers: Iterable[int]) -> None:
-        """Find the sums near known edges."""
-        boxes = [(self._sums.grid.box(self._known[n][:2]), n) for n in numbers]
-        if boxes:
-            for n, i, j in find_touching(grow(boxes), *self._sums.trees):
-                k = i * self._sums.columns + j
+    def _sides(self, k: int) -> list[DirectedSegment]:
+        return self._sums.sides(k) if k < self._sums.count else self._beyond[k]
+
+    def add_known(self, edges: Sequence[DirectedSegment]) -> None:
+        """Add known edges, and list sums with sides along them; right of a loop there are none."""
+        if not self._known:
+            self._strips = _Strips(self._sums.box, _STRIPS * isqrt(len(edges)) + 1)
+        bound, first = self._sums.grid.bound, len(self._known)
+        self._known += edges
+        boxes = [(bound((edge.start, edge.end)), first + n) for n, edge in enumerate(edges)]
+        near: dict[int, list[int]] = defaultdict(list)
+        for k, (side,) in self._beyond.items():
+            box = bound((side.start, side.end))
+            for n in (n for other, n in boxes if are_touching(box, other)):
+                near[n].append(k)
+        for n, k in self._sums.find_near(boxes):
+            near[n].append(k)
+        for n, numbers in near.items():
+            for k in numbers:
                 self._edges[k].append(n)
-                self._near[n].append(k)
-        for k, side in self._beyond.items():
-            left, right, low, high = self._sums.grid.box(side[:2])
-            for (west, east, south, north), n in boxes:
-                if west <= right and left <= east and south <= high and low <= north:
-                    self._edges[k].append(n)
-                    self._near[n].append(k)
+        wanted = [found for _, n in boxes for found in self._find_beside(n, near[n])]
+        gain = Counter(k for found in wanted for k, _ in found)
+        for found in wanted:
+            self._list_along(found, gain)
 
-    def _sides(self, k: int) -> Sequence[Side]:
-        return [self._beyond[k]] if k in self._beyond else self._sums.sides(k)
+    def _find_beside(self, n: int, near: Sequence[int]) -> list[list[tuple[int, Interval]]]:
+        """Find the sums with sides along a known edge, on its right and its left, and how far."""
+        edge = self._known[n]
+        if edge.start == edge.end:
+            return [[(k, _WHOLE) for k in near if is_on_border(self._sides(k), edge.start)]]
+        found: list[list[tuple[int, Interval]]] = [[], []]
+        (dx, dy) = edge.direction
+        for k in near:
+            for side in self._sides(k):
+                if is_along(edge, side) and (span := intersect(edge, side)):
+                    is_left = dx * side.direction[0] + dy * side.direction[1] > 0
+                    found[is_left].append((k, span))
+        return found
 
-    def list_beside(self, numbers: Iterable[int]) -> None:
-        """List sums with sides along known edges; on the right of a loop there are none."""
-        wanted: list[list[tuple[int, Interval]]] = []
-        for n in numbers:
-            edge = self._known[n]
-            p, q = edge[:2]
-            if p == q:
-                span = Fraction(0), Fraction(1)
-                wanted.append(
-                    [(k, span) for k in self._near[n] if _is_on_border(self._sides(k), p)]
-                )
-                continue
-            along: tuple[list[tuple[int, Interval]], ...] = [], []
-            (dx, dy), (a, b, c) = edge.direction, edge.line
-            for k in self._near[n]:
-                for side in self._sides(k):
-                    ex, ey = side.direction
-                    if dx * ey == dy * ex:
-                        x, y, w = side.start
-                        if a * x + b * y + c * w == 0:
-                            span = intersect(edge, side)
-                            if span and span[0] < 1 and span[1] > 0:
-                                along[dx * ex + dy * ey > 0].append((k, span))
-            wanted += along
-        gain = Counter(k for spans in wanted for k, _ in spans)
-        for spans in wanted:
-            reach = Fraction(0)
-            while reach < 1:
-                on = {k: high for k, (low, high) in spans if low <= reach < high}
-                if not on:
-                    break
-                best = max(
-                    on,
-                    key=lambda k: (
-                        k in self._listed or k in self._beyond,
-                        gain[k],
-                        self._sums.measure(k) if k < self._sums.count else 0,
-                    ),
-                )
-                if best not in self._listed and best not in self._beyond:
-                    self._list(best)
-                reach = on[best]
+    def _list_along(self, found: Sequence[tuple[int, Interval]], gain: Counter[int]) -> None:
+        """List sums that cover an edge, those first that are along the most known edges."""
+
+        def rank(k: int) -> tuple[bool, int, int]:
+            is_listed = k in self._chains
+            return is_listed, gain[k], 0 if is_listed else self._sums.measure(k)
+
+        reach = Fraction(0)
+        while reach < 1:
+            ahead = {k: high for k, (low, high) in found if low <= reach < high}
+            if not ahead:
+                return
+            best = max(ahead, key=rank)
+            self._list(best)
+            reach = ahead[best]
 
     def _list(self, k: int) -> None:
-        self._listed[k] = len(self._listed)
-        entry = (-self._sums.measure(k), k, *self._sums.box(k))
-        for strip in range(
-            (entry[2] - self._left) // self._width, (entry[3] - self._left) // self._width + 1
-        ):
-            insort(self._strips[strip], entry)
+        if k not in self._chains:
+            self._chains[k] = []
+            self._listed.append(k)
+            corners = [side.start for side in self._sides(k)]
+            self._strips.add(k, self._sums.measure(k), self._sums.grid.bound(corners))
 
     def cover(self) -> None:
         """Find a chain for each side of listed sums, which may list more."""
-        numbers = [k for k in (*self._beyond, *self._listed) if k not in self._chains]
-        for k in numbers:
-            before = len(self._listed)
-            sides = self._sides(k)
-            known = [
-                n for n in self._edges[k] if not any(is_right(s, self._known[n]) for s in sides)
-            ]
-            self._last = -1
-            self._chains[k] = [self._cover(side, known, (k, s)) for s, side in enumerate(sides)]
-            numbers += list(self._listed)[before:]
+        for numbers in (list(self._beyond), self._listed):
+            for k in numbers:
+                if not self._chains[k]:
+                    self._last = -1
+                    sides, edges = self._sides(k), self._find_edges(k)
+                    self._chains[k] = [
+                        self._cover(side, edges, (k, s)) for s, side in enumerate(sides)
+                    ]
 
-    def add(self, slits: Sequence[Side]) -> None:
-        """Add slits to the known edges, and close the gaps."""
-        first = len(self._known)
-        self._known += slits
-        self._index(range(first, len(self._known)))
-        self.list_beside(range(first, len(self._known)))
-        for k, s in list(self.gaps):
-            self._chains[k][s] = self._cover(self._sides(k)[s], self._edges[k], (k, s))
+    def close_gaps(self) -> None:
+        """Cover the sides with gaps again."""
+        gaps, self.gaps = self.gaps, {}
+        for k, s in gaps:
+            self._chains[k][s] = self._cover(self._sides(k)[s], self._find_edges(k), (k, s))
         self.cover()
 
-    def _cover(self, side: Side, edges: Sequence[int], at: tuple[int, int]) -> list[int]:
+    def _find_edges(self, k: int) -> list[int]:
+        """Find the known edges that no side of a sum separates from it."""
+        sides, known = self._sides(k), self._known
+        return [n for n in self._edges[k] if not any(is_right(side, known[n]) for side in sides)]
+
+    def _cover(self, side: DirectedSegment, edges: Sequence[int], at: tuple[int, int]) -> list[int]:
         """Cover a side: entries -1 - n for known edges, and numbers of sums."""
-        a, b = side[:2]
-        known = [(span, n) for n in edges if (span := intersect(side, self._known[n]))]
-        gaps: list[tuple[Node, Node]] = []
+        start, end = side.start, side.end
+        ahead = [(span, -1 - n) for n in edges if (span := intersect(side, self._known[n]))]
+        ahead.sort(reverse=True)
+        best: tuple[Interval, int] = (Fraction(-1), Fraction(-1)), -1
         found: list[tuple[int, Fraction, bool]] = []
+        gaps: list[Gap] = []
         reach, closed = Fraction(0), False
         while reach < 1 or (reach == 1 and not closed):
-            ahead = [e for e in known if e[0][0] <= reach and (e[0][1], True) > (reach, closed)]
-            if ahead:
-                (low, high), n = max(ahead, key=lambda e: e[0][1])
-                n = -1 - n
-            elif (entry := self._find_next(a, b, reach, closed)) is not None:
+            while ahead and ahead[-1][0][0] <= reach:
+                best = max(best, ahead.pop(), key=lambda entry: entry[0][1])
+            if (best[0][1], True) > (reach, closed):
+                (low, high), n = best
+            elif (entry := self._find_next(side, reach, closed)) is not None:
                 (low, high), n = entry
             else:
-                end = self._find_end(side, reach, closed)
-                gaps.append((between(a, b, reach), between(a, b, end)))
-                reach, closed = end, True
+                until = self._find_end(side, reach, closed)
+                gaps.append((find_between(start, end, reach), find_between(start, end, until)))
+                reach, closed = until, True
                 continue
-            # This entry may cover the stretch of the last ones, too.
+            # This entry may cover the intervals of the last ones, too.
             while found and _continues(low, n, *found[-1][1:]):
                 _, reach, closed = found.pop()
             found.append((n, reach, closed))
@@ -208,111 +229,54 @@ class _Finder:
         return [n for n, *_ in found]
 
     def _find_next(
-        self, a: Node, b: Node, reach: Fraction, closed: bool
+        self, side: DirectedSegment, reach: Fraction, closed: bool
     ) -> tuple[Interval, int] | None:
-        """Find a sum that continues from a parameter of a segment, and list it."""
-
-        def clip_with(k: int) -> Interval | None:
-            span = clip(self._sides(k), a, b)
-            goes_on = span and span[1] > reach and _continues(span[0], k, reach, closed)
-            return span if goes_on else None
-
-        if self._last >= 0 and (span := clip_with(self._last)):
-            return span, self._last
-        found = self._search(between(a, b, reach), clip_with)
-        if found:
-            self._last = found[1]
-        return found
-
-    def _search(self, p: Node, clip_with: Any) -> tuple[Interval, int] | None:
-        left, right, low, high = box = self._sums.grid.box([p])
-        for k in self._beyond:
-            if span := clip_with(k):
-                return span, k
-        for _, k, west, east, south, north in self._strips[(left - self._left) // self._width]:
-            near = west <= right and left <= east and south <= high and low <= north
-            if near and (span := clip_with(k)):
-                return span, k
-        trees = self._sums.trees
-        near = [i * self._sums.columns + j for _, i, j in find_touching(Tree(box, -1, 0), *trees)]
-        for k in sorted(near, key=self._sums.measure, reverse=True):
-            if k not in self._listed and (span := clip_with(k)):
+        """Find a sum that covers a side from a parameter on, by (2), and list it."""
+        box = self._sums.grid.bound([find_between(side.start, side.end, reach)])
+        for k in self._find_around(box):
+            span = clip(self._sides(k), side.start, side.end)
+            if span and span[1] > reach and _continues(span[0], k, reach, closed):
+                self._last = k
                 self._list(k)
                 return span, k
         return None
 
-    def _find_end(self, side: Side, reach: Fraction, closed: bool) -> Fraction:
+    def _find_around(self, box: CellBox) -> Iterator[int]:
+        """Find the sums that may contain a point, in the order of (2)."""
+        if self._last >= 0:
+            yield self._last
+        yield from self._beyond
+        yield from self._strips.find_near(box)
+        near = (k for _, k in self._sums.find_near([(box, 0)]) if k not in self._chains)
+        yield from sorted(near, key=self._sums.measure, reverse=True)
+
+    def _find_end(self, side: DirectedSegment, reach: Fraction, closed: bool) -> Fraction:
         """Find where a slit ends: where the next sum or edge begins."""
-        a, b = side[:2]
-        box = Tree(self._sums.grid.box([a, b]), -1, 0)
-        near = [i * self._sums.columns + j for _, i, j in find_touching(box, *self._sums.trees)]
-        spans = [clip(self._sides(k), a, b) for k in (*self._beyond, *near)]
+        start, end = side.start, side.end
+        near = self._sums.find_near([(self._sums.grid.bound([start, end]), 0)])
+        numbers = (*self._beyond, *(k for _, k in near))
+        spans = [clip(self._sides(k), start, end) for k in numbers]
         spans += [intersect(side, edge) for edge in self._known]
         lows = [span[0] for span in spans if span]
-        ahead = [low for low in lows if low > reach or (low == reach and not closed)]
-        return min([*ahead, Fraction(1)])
+        ahead = (low for low in lows if low > reach or (low == reach and not closed))
+        return min(ahead, default=Fraction(1))
 
-    def write(self, slits: list[tuple[Node, Node]]) -> Evidence:
+    def write(self, slits: list[DirectedSegment]) -> Covering:
         """Number the listed sums, and then the half-planes."""
-        numbers = [*self._listed, *self._beyond]
-        at = {k: n for n, k in enumerate(numbers)}
+        at = {k: n for n, k in enumerate((*self._listed, *self._beyond))}
         written = {
-            k: [
-                one[0] if len(one) == 1 else one
-                for one in ([n if n < 0 else at[n] for n in chain] for chain in self._chains[k])
-            ]
-            for k in numbers
+            k: [_shorten([n if n < 0 else at[n] for n in entries]) for entries in self._chains[k]]
+            for k in at
         }
-        listed = [[k, *written[k]] for k in self._listed]
-        return Evidence(listed, [written[k][0] for k in self._beyond], slits)
+        sums = [[k, *written[k]] for k in self._listed]
+        return Covering(sums, [written[k][0] for k in self._beyond], slits)
+
+
+def _shorten(entries: list[int]) -> list[int] | int:
+    """Write a chain of one entry as that entry."""
+    return entries[0] if len(entries) == 1 else entries
 
 
 def _continues(low: Fraction, n: int, reach: Fraction, closed: bool) -> bool:
     """Return whether an entry of a chain that begins at low continues what is covered."""
     return low < reach or (low == reach and (closed or n < 0))
-
-
-def _is_on_border(sides: Sequence[Side], p: Node) -> bool:
-    """Return whether a point is on the boundary of a convex polygon."""
-    x, y, w = p
-    return min(a * x + b * y + c * w for *_, (a, b, c) in sides) == 0
-
-
-def _unite(slits: Sequence[tuple[Node, Node]], known: Sequence[Side]) -> list[tuple[Node, Node]]:
-    """Join slits along one line, and leave out points that are on others or known."""
-    along: dict[Any, list[Any]] = defaultdict(list)
-    points = set()
-    for p, q in slits:
-        start, end = sorted(((Fraction(x, w), Fraction(y, w)) for x, y, w in (p, q)))
-        if start == end:
-            points.add(start)
-            continue
-        (dx, dy) = make_side(make_node(*start), make_node(*end)).direction
-        along[dx, dy, dx * start[1] - dy * start[0]].append((start, end))
-    joined: list[tuple[Any, Any]] = []
-    for spans in along.values():
-        low, high = min(spans)
-        for start, end in sorted(spans):
-            if start > high:
-                joined.append((low, high))
-                low, high = start, end
-            high = max(high, end)
-        joined.append((low, high))
-    found = [(make_node(*p), make_node(*q)) for p, q in sorted(joined)]
-    edges = [*known, *(make_side(*slit) for slit in found)]
-    for p in sorted(points):
-        at = make_node(*p)
-        if not any(lies(at, edge) for edge in edges):
-            found.append((at, at))
-    return found
-
-
-def lies(p: Node, edge: Side) -> bool:
-    """Return whether a point is on a segment."""
-    x, y, w = p
-    a, b, c = edge.line
-    if a * x + b * y + c * w:
-        return False
-    at = Fraction(x, w), Fraction(y, w)
-    ends = sorted((Fraction(x, w), Fraction(y, w)) for x, y, w in edge[:2])
-    return ends[0] <= at <= ends[1]

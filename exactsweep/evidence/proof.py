@@ -1,6 +1,6 @@
-"""Proofs for certificates, as `check/CERTIFICATES.md` describes them: convex pieces, sums, chains.
+"""Proofs of claims, as `check/CERTIFICATES.md` describes them: convex pieces, sums and chains.
 
-Nothing here is trusted: if an answer is wrong, the checker does not accept what is found.
+Nothing here is trusted. If a claim is wrong, the checker rejects what is found.
 """
 
 from __future__ import annotations
@@ -12,145 +12,126 @@ from math import lcm
 from typing import Any
 
 from exactsweep.evidence.chains import find_evidence
-from exactsweep.evidence.sums import Grid, Node, Side, Sums, make_node, make_side
+from exactsweep.evidence.homogeneous import DirectedSegment, Node, list_sides, make_node, make_side
+from exactsweep.evidence.sums import Sums
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.convex import IntRing, cut_to_convex
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point, to_fraction
 
 _EDGES = 3
-"""Of a convex polygon, on either side of a slice."""
+"""The number of edges of a slice of a convex polygon on either side."""
 
-_Points = Iterable[Iterable[object]]
+_PointList = Iterable[Iterable[object]]
 
 
 def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
-    """Add the key `proof`, by which `check/standalone.py` proves a claim.
+    """Find the proof of a claim.
 
     Args:
-        claim: a certificate of a sweep, a no-fit polygon or an inner fit, with or without a proof.
-            Numbers are Fractions, or strings.
+        claim: a claim of `evidence.certificate`, or a certificate whose proof is replaced.
 
     Returns:
-        Plain JSON data. If the answer is wrong, it is not proved.
+        The certificate, plain JSON data. If the claim is wrong, the checker rejects it.
+
+    Raises:
+        NumberError: a coordinate is not an exact number.
 
     Cost: that of `cut_to_convex` for both shapes, and that of `find_evidence`.
     """
     return to_plain({**claim, "proof": _PROVERS[claim["claim"]](claim)})
 
 
-class _Lattice:
-    """The lattice of two shapes."""
+class _PairLattice:
+    """The integer lattice of two shapes.
 
-    def __init__(self, *shapes: Any) -> None:
-        self._shapes = [
+    Attributes:
+        scale: the number of its units in 1.
+        shapes: the rings of each, the interior on the left.
+    """
+
+    def __init__(self, *shapes: dict[str, Any]) -> None:
+        listed = [
             [_read(ring) for ring in (shape["exterior"], *(shape.get("holes") or ()))]
             for shape in shapes
         ]
-        denominators = {
-            c.denominator for shape in self._shapes for ring in shape for p in ring for c in p
-        }
-        self.scale = lcm(*denominators)
+        points = chain.from_iterable(chain.from_iterable(listed))
+        self.scale = lcm(*{c.denominator for point in points for c in point})
         self.shapes = [
-            [self._orient(ring, k) for k, ring in enumerate(shape)] for shape in self._shapes
+            [self._enter_ring(ring, is_hole=k > 0) for k, ring in enumerate(rings)]
+            for rings in listed
         ]
 
-    def _orient(self, ring: Sequence[Point], k: int) -> IntRing:
+    def _enter_ring(self, ring: Iterable[Point], *, is_hole: bool) -> IntRing:
         found = [(int(x * self.scale), int(y * self.scale)) for x, y in ring]
-        area = sum(x * v - u * y for (x, y), (u, v) in zip(found, found[1:] + found[:1]))
-        return found if (area > 0) == (k == 0) else found[::-1]
+        return found if (find_doubled_area(found) > 0) != is_hole else found[::-1]
 
-    def enter(self, point: Iterable[object]) -> Node:
-        x, y = map(to_fraction, point)
-        return make_node(x * self.scale, y * self.scale)
+    def enter(self, points: _PointList) -> list[Node]:
+        """Enter points of an answer, which may be between those of the lattice."""
+        return [make_node(x * self.scale, y * self.scale) for x, y in _read(points)]
 
-    def loop(self, points: _Points, *, is_reversed: bool = False) -> list[Side]:
-        nodes = [self.enter(point) for point in points]
-        if is_reversed:
-            nodes.reverse()
-        return [make_side(p, q) for p, q in zip(nodes, nodes[1:] + nodes[:1])]
+    def enter_loop(self, points: _PointList) -> list[DirectedSegment]:
+        """Enter a loop as it is listed; a wrong claim may repeat vertices."""
+        nodes = self.enter(points)
+        return list_sides([p for k, p in enumerate(nodes) if p != nodes[k - 1]])
 
-    def segments(self, fits: Iterable[_Points]) -> list[Side]:
-        return [make_side(*map(self.enter, fit)) for fit in fits]
+    def enter_reversed(self, points: _PointList) -> list[DirectedSegment]:
+        """Enter a loop from its last point back to the first."""
+        return self.enter_loop([*points][::-1])
 
-    def leave(self, lists: Iterable[Sequence[Node]]) -> list[list[Point]]:
-        scale = self.scale
+    def enter_fits(self, fits: Iterable[_PointList]) -> list[DirectedSegment]:
+        """Enter exact fits."""
+        return [make_side(*self.enter(fit)) for fit in fits]
+
+    def leave(self, lists: Iterable[Iterable[Node]]) -> list[list[Point]]:
+        """Return points in the plane."""
+        unit = self.scale
         return [
-            [Point(Fraction(x, w * scale), Fraction(y, w * scale)) for x, y, w in points]
+            [Point(Fraction(x, w * unit), Fraction(y, w * unit)) for x, y, w in points]
             for points in lists
         ]
 
 
 def _read(points: Any) -> list[Point]:
-    found = [Point(*map(to_fraction, point)) for point in points]
-    return [p for k, p in enumerate(found) if p != found[k - 1]]
+    return [Point(*map(to_fraction, point)) for point in points]
 
 
 def _prove_no_fit(claim: dict[str, Any]) -> dict[str, Any]:
-    lattice = _Lattice(claim["directrix"], claim["generatrix"])
+    lattice = _PairLattice(claim["directrix"], claim["generatrix"])
     still, moving = map(_cut, lattice.shapes)
-    loops = [lattice.loop(claim["exterior"])]
-    loops += [lattice.loop(hole, is_reversed=True) for hole in claim["holes"]]
-    known = [*chain(*loops), *lattice.segments(claim["exact_fits"])]
-    opposite = [*map(_turn, moving)]
-    sums = Sums(still, opposite, Grid([*chain(*still, *opposite)]))
-    found = find_evidence(sums, known)
-    return {
-        "directrix": lattice.leave(still),
-        "generatrix": lattice.leave(moving),
-        "sums": found.sums,
-    }
+    loops = [lattice.enter_loop(claim["exterior"]), *map(lattice.enter_reversed, claim["holes"])]
+    known = [*chain.from_iterable(loops), *lattice.enter_fits(claim["exact_fits"])]
+    found = find_evidence(Sums(still, [*map(_turn, moving)]), known)
+    pieces = {"directrix": lattice.leave(still), "generatrix": lattice.leave(moving)}
+    return {**pieces, "sums": found.sums}
 
 
 def _prove_sweep(claim: dict[str, Any]) -> dict[str, Any]:
-    proof = _prove_no_fit(claim)
-    lattice = _Lattice(claim["directrix"], claim["generatrix"])
-    moving = _cut(lattice.shapes[1])
-    trajectory = [edge[:2] for edge in lattice.loop(claim["exterior"])]
-    loops = [lattice.loop(claim["outer"])]
-    loops += [lattice.loop(loop, is_reversed=True) for loop in (claim["inner"], *claim["unswept"])]
-    sums = Sums(trajectory, moving, Grid([*chain(*trajectory, *moving)]))
-    found = find_evidence(sums, [*chain(*loops)])
-    return {**proof, "swept": found.sums, "slits": lattice.leave(found.slits)}
+    lattice = _PairLattice(claim["directrix"], claim["generatrix"])
+    trajectory = [side[:2] for side in lattice.enter_loop(claim["exterior"])]
+    holes = claim["inner"], *claim["unswept"]
+    loops = [lattice.enter_loop(claim["outer"]), *map(lattice.enter_reversed, holes)]
+    found = find_evidence(Sums(trajectory, _cut(lattice.shapes[1])), [*chain.from_iterable(loops)])
+    slits = lattice.leave(slit[:2] for slit in found.slits)
+    return {**_prove_no_fit(claim), "swept": found.sums, "slits": slits}
 
 
 def _prove_inner_fit(claim: dict[str, Any]) -> dict[str, Any]:
-    lattice = _Lattice(claim["container"], claim["part"])
-    scale = lattice.scale
+    lattice = _PairLattice(claim["container"], claim["part"])
     (exterior, *defects), part = lattice.shapes
-    xs, ys = ([p[k] for p in exterior] for k in (0, 1))
-    us, vs = ([p[k] for p in part[0]] for k in (0, 1))
-    wide, high = (max(us) - min(us)) // scale + 1, (max(vs) - min(vs)) // scale + 1
-    frame = (
-        min(xs) // scale - wide,
-        min(ys) // scale - high,
-        -(-max(xs) // scale) + wide,
-        -(-max(ys) // scale) + high,
-    )
-    left, low, right, top = (end * scale for end in frame)
-    rectangle = [(left, low), (right, low), (right, top), (left, top)]
-    outside = [
-        *_cut([rectangle, exterior[::-1]]),
-        *chain(*(_cut([ring[::-1]]) for ring in defects)),
-    ]
-    moving = _cut(part)
-    opposite = [*map(_turn, moving)]
-    corners = [
-        (left - min(us), low - min(vs), 1),
-        (right - max(us), low - min(vs), 1),
-        (right - max(us), top - max(vs), 1),
-        (left - min(us), top - max(vs), 1),
-    ]
-    beyond = [make_side(q, p) for p, q in zip(corners, corners[1:] + corners[:1])]
-    known = []
+    ends, frame, positions = _surround(exterior, part[0], lattice.scale)
+    # Each hole of the container is cut by itself.
+    cut = map(_cut, ([frame, exterior[::-1]], *([defect[::-1]] for defect in defects)))
+    outside, moving = [*chain.from_iterable(cut)], _cut(part)
+    loops = []
     for region in claim["regions"]:
-        known += lattice.loop(region["exterior"], is_reversed=True)
-        for hole in region["holes"]:
-            known += lattice.loop(hole)
-    known += lattice.segments(claim["exact_fits"])
-    sums = Sums(outside, opposite, Grid([*chain(*outside, *opposite)]))
-    found = find_evidence(sums, known, beyond)
+        loops += [lattice.enter_reversed(region["exterior"])]
+        loops += map(lattice.enter_loop, region["holes"])
+    known = [*chain.from_iterable(loops), *lattice.enter_fits(claim["exact_fits"])]
+    beyond = [make_side(side.end, side.start) for side in list_sides(positions)]
+    found = find_evidence(Sums(outside, [*map(_turn, moving)]), known, beyond)
     return {
-        "frame": [Fraction(end) for end in frame],
+        "frame": ends,
         "outside": lattice.leave(outside),
         "part": lattice.leave(moving),
         "sums": found.sums,
@@ -161,20 +142,45 @@ def _prove_inner_fit(claim: dict[str, Any]) -> dict[str, Any]:
 _PROVERS = {"no_fit": _prove_no_fit, "inner_fit": _prove_inner_fit, "sweep": _prove_sweep}
 
 
-def _turn(points: Sequence[Node]) -> list[Node]:
-    return [(-x, -y, w) for x, y, w in points]
+def _surround(
+    container: IntRing, part: IntRing, unit: int
+) -> tuple[list[Fraction], IntRing, list[Node]]:
+    """Put a frame around a container, with room for a part on each side.
+
+    Returns:
+        Its ends, whole numbers; its ring on the lattice; the corners of the positions at which the
+        part is in it.
+    """
+    lows, highs, ends = [], [], []
+    for k in (0, 1):
+        low, high = min(p[k] for p in container), max(p[k] for p in container)
+        first, last = min(p[k] for p in part), max(p[k] for p in part)
+        room = (last - first) // unit + 1
+        ends += [low // unit - room, -(-high // unit) + room]
+        lows.append(ends[-2] * unit - first)
+        highs.append(ends[-1] * unit - last)
+    left, right, low, high = (end * unit for end in ends)
+    frame = [(left, low), (right, low), (right, high), (left, high)]
+    (west, south), (east, north) = lows, highs
+    corners = [(west, south, 1), (east, south, 1), (east, north, 1), (west, north, 1)]
+    return [Fraction(ends[k]) for k in (0, 2, 1, 3)], frame, corners
+
+
+def _turn(ring: Iterable[Node]) -> list[Node]:
+    """Turn a ring by half a turn about the origin."""
+    return [(-x, -y, w) for x, y, w in ring]
 
 
 def _cut(rings: Sequence[IntRing]) -> list[list[Node]]:
-    """Cut a shape into convex pieces of few sides."""
+    """Cut a shape into convex pieces of few edges."""
     cut = chain.from_iterable(map(_slice, cut_to_convex(rings)))
     return [[(x, y, 1) for x, y in piece] for piece in cut]
 
 
-def _slice(points: IntRing) -> Iterator[IntRing]:
-    """Cut a convex polygon across into slices of few sides, whose sums have few sides."""
-    last = (len(points) - 1) // 2
+def _slice(ring: IntRing) -> Iterator[IntRing]:
+    """Cut a convex polygon across into slices of few edges, whose sums have few edges."""
+    last = (len(ring) - 1) // 2
     for k in range(0, last, _EDGES):
         end = min(k + _EDGES, last)
-        start = max(len(points) - 1 - end, end + 1)
-        yield [*points[k : end + 1], *points[start : len(points) - k]]
+        start = max(len(ring) - 1 - end, end + 1)
+        yield [*ring[k : end + 1], *ring[start : len(ring) - k]]

@@ -1,7 +1,7 @@
 """Certificates of layouts, as `check/CERTIFICATES.md` describes them.
 
 A valid layout has a proof: convex pieces, and a normal for each pair of pieces whose boxes are not
-far enough apart. Otherwise each fault has the points that prove it.
+far enough apart. Otherwise each fault has the point that proves it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from exactsweep.geometry.grid import IntVertex
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
-from exactsweep.layout.misfit import find_misfit
+from exactsweep.layout.misfit import drop_repeated, find_misfit
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
 from exactsweep.layout.pieces import bound_piece
@@ -26,6 +26,9 @@ from exactsweep.layout.solid import LatticeBox, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point
+
+_LEAST = 3
+"""The number of vertices that a ring of a certificate has at least."""
 
 
 def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
@@ -39,10 +42,14 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
         Plain JSON data.
 
     Raises:
-        LayoutError: no fault has a proof, because all are undecided, or holes outside their part.
+        LayoutError: no fault has a proof, because all are undecided, or rings that only touch
+            themselves or each other; or a ring has fewer than three vertices.
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
+    rings = (ring for part in board.layout.parts for ring in (part.exterior, *part.holes))
+    if any(len(drop_repeated(ring)) < _LEAST for ring in rings):
+        raise LayoutError("a ring has fewer than three vertices: no certificate can list it")
     bits = TURN_BITS
     while True:
         found = _prove_faults(board, faults, bits) if faults else _prove_valid(board, bits)
@@ -111,7 +118,7 @@ def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
 def _name_obstacles(board: Board) -> list[tuple[int, int]]:
     """Return for each obstacle its number in certificates, and that of its first piece.
 
-    What is outside the container, its holes included, is -1.
+    The outside of the container, with its holes, is -1.
     """
     return [(-1, first) for first in accumulate(_count_pieces(board), initial=0)]
 
@@ -154,7 +161,7 @@ def _are_apart(one: LatticeBox, other: LatticeBox, distance: Fraction) -> bool:
 
 
 def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict[str, Any]] | None:
-    """Find the points that prove faults; None if the turns are not near enough for one."""
+    """Find the point that proves each fault; None if the turns are not near enough for one."""
     proved: list[dict[str, Any]] = []
     for fault in faults:
         if fault.kind in ("missing", "surplus", "turn", "mirror"):
@@ -165,28 +172,32 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
             assert fault.part is not None
             point = find_misfit(board.layout.part_by_id[fault.part])
             if point is not None:
-                proved.append({"kind": "shape", "part": fault.part, "points": [point]})
+                proved.append({"kind": "shape", "part": fault.part, "point": point})
         elif fault.kind != "undecided":
-            points = _find_points(board, fault, bits)
-            if points is not None:
-                place = {"kind": fault.kind, "placements": list(fault.placements)}
-                proved.append({**place, "points": points})
+            point = _find_point(board, fault, bits)
+            if point is not None:
+                # -1 is the outside of the container, its holes included.
+                bodies = [*fault.placements, -1][:2]
+                proved.append({"kind": fault.kind, "placements": bodies, "point": point})
             elif bits < MOST_BITS:
                 return None
     return proved
 
 
-def _find_points(board: Board, fault: Fault, bits: int) -> Sequence[Point] | None:
-    """Find the points of an overlap, of a part outside, or of a gap that is too small."""
+def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
+    """Find a point inside both solids of a fault, or halfway between two that are too close."""
     a, b = fault.find_pair(bits)
     if fault.kind == "too close":
         alone = len(fault.placements) == 1
         gap = board.layout.margin if alone else board.layout.spacing
         room = gap - a.slack - b.slack
         found = find_gap(a, b, room * room) if room > 0 else None
-        return found and found.points
+        if found is None:
+            return None
+        p, q = found.points
+        return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
     witness = find_witness(a, b)
-    return witness and [witness.point]
+    return witness and witness.point
 
 
 def _list_outside(board: Board) -> list[list[list[Point]]]:

@@ -54,8 +54,8 @@ class Judgement:
         """Return plain JSON data that prove the verdict, as `check/CERTIFICATES.md` describes them.
 
         Raises:
-            LayoutError: the layout is not valid, and no fault has a proof, because all are
-                undecided, or holes outside their part.
+            LayoutError: the layout is not valid, and no fault has a proof; see
+                `write_certificate`.
 
         Cost: see `write_certificate`.
         """

@@ -114,22 +114,20 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
     return [loop.vertices for loop in loops]
 
 
-def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit, *, proof: bool = False) -> str:
+def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit) -> str:
     """Write the certificate of a result as JSON.
 
     Args:
         result: a Sweep, a NoFitPolygon or an InnerFit.
-        proof: whether the certificate gets a proof, which is written without blanks.
 
     Returns:
         One object with one name per line.
 
     Cost: that of its `certificate`.
     """
-    found = result.certificate(proof=proof)
-    marks = (",", ":") if proof else None
+    found = result.certificate()
     return write_object(
-        {name: json.dumps(value, separators=marks) for name, value in found.items()}
+        {name: json.dumps(value, separators=(",", ":")) for name, value in found.items()}
     )
 
 

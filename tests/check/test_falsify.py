@@ -18,7 +18,7 @@ def test_falsified_certificates_are_refused(family: Family) -> None:
 
 
 def test_a_checker_of_layouts_that_believes_all_normals_is_convicted() -> None:
-    with patch.object(standalone, "are_apart", lambda *_: True):
+    with patch.object(standalone, "gap", lambda *_: True):
         _, missed = falsify(Random(5), 3, 20, LAYOUTS)
     assert missed
 

@@ -1,95 +1,90 @@
-"""The checker as a file: run by itself, and its certificates by the schema and the page."""
+"""The checker as a file: run by itself, without the package, and its certificates by the schema."""
 
+from __future__ import annotations
+
+import ast
 import json
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from certified import Certificate, certificates, layout, rect, two_ls, with_faults
 from jsonschema import Draft202012Validator
-from test_standalone import CERTIFICATES, SLOT, SQUARE
 
 from exactsweep.check import standalone
 
+FILE = Path(standalone.__file__)
+FAULT = {"kind": "outside", "placements": [0, -1], "point": ["-1/2", "1"]}
+WRONG = with_faults(
+    layout([{"id": "a", "exterior": rect(0, 0, 2, 2)}], [{"part": "a", "move": ["-1", "0"]}], []),
+    FAULT,
+)
+ALL: dict[str, Certificate] = {**certificates(), "layout": two_ls(), "faults": WRONG}
 
-def run(*arguments: str) -> tuple[int, str]:
+
+def run(path: Path) -> tuple[int, str]:
     """Run the file by itself, in a process that cannot see the package."""
-    done = subprocess.run(
-        [sys.executable, "-I", standalone.__file__, *arguments],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    command = [sys.executable, "-I", str(FILE), str(path)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     return done.returncode, done.stdout
 
 
-def test_the_file_proves_certificates_by_itself(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
+    path = tmp_path / "certificate.json"
+    path.write_text(json.dumps(ALL["CM"]), encoding="utf-8-sig")
+    code, said = run(path)
+    assert (code, said[:16]) == (0, "proved: sweep of")
+    path.write_text(json.dumps({**ALL["CM"], "area": "1"}), encoding="utf-8")
+    assert run(path) == (1, "not proved: area: not that between the loops\n")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '{"format": 1, "format": 1}',
+        '{"format": NaN}',
+        "{",
+        "",
+        "[" * 10**5,
+        json.dumps({**ALL["CM"], "directrix": {"exterior": [["9" * 10**6, "0"]] * 9}}),
+        json.dumps({**ALL["CM"], "claim": "\ud800"}),
+        '{"version": ' + "9" * 10**5 + "}",
+    ],
+    ids=lambda text: text[:20],
+)
+def test_a_file_that_is_none_is_refused_in_one_line(
+    text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    files = {
-        "proof": json.dumps(CERTIFICATES["CM"]),
-        "g": json.dumps(SQUARE),
-        "d": '{"exterior": [[0, 0], [8, 0.0], ["8", 5e0], [7, 5], [3, 1], [2, 5], [0, 5]],'
-        ' "holes": null}',
-        "fit": json.dumps(CERTIFICATES["inside exactly"]),
-        "slot": json.dumps(SLOT),
-        "claim": json.dumps({k: v for k, v in CERTIFICATES["SS"].items() if k != "proof"}),
-        "twice": '{"format": 1, "format": 1}',
-        "nan": '{"format": NaN}',
-        "bad": "{",
-        "huge": "[[0, 0], [1, 0], [0, 1e999999999]]",
-        "deep": "[" * 10**5,
-        "long": json.dumps({**CERTIFICATES["CM"], "directrix": [["9" * 10**6, "0"]] * 9}),
-    }
-    for name, text in files.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    at = {name: str(tmp_path / name) for name in files}
-    code, said = run(at["proof"], at["g"], at["d"])
-    assert (code, said[:37]) == (0, "proved: CM sweep of 4 around 7 vertic")
-    assert run(at["proof"])[0] == 0
-    marked = tmp_path / "marked"
-    marked.write_text(files["proof"], encoding="utf-8-sig")
-    assert standalone.main([str(marked)]) == 0
-    assert capsys.readouterr().out.startswith("proved: ")
-    assert standalone.main([at["proof"], at["g"], at["d"]]) == 0
-    assert capsys.readouterr().out == said
-    assert standalone.main([at["fit"], at["g"], at["slot"]]) == 0
-    assert standalone.main([at["fit"], at["slot"], at["g"]]) == 1
-    assert capsys.readouterr().out.endswith("not proved: part: not the polygon that is given\n")
-    assert run(at["proof"], at["d"], at["g"]) == (
-        1,
-        "not proved: generatrix: not the polygon that is given\n",
-    )
-    assert run(at["proof"], at["huge"], at["d"]) == (
-        1,
-        "not proved: a number with too large an exponent\n",
-    )
-    over = str(tmp_path / "over")
-    Path(over).write_text('[[0, 0], ["1/0", 0], [0, 1]]', encoding="utf-8")
-    refused = [[at[name]] for name in ("claim", "twice", "nan", "bad", "deep", "long")]
-    for arguments in (*refused, [str(tmp_path / "none")], [at["proof"], over, at["d"]]):
-        assert standalone.main(arguments) == 1
-        said = capsys.readouterr().out
-        assert (said[:12], said.count("\n")) == ("not proved: ", 1)
+    path = tmp_path / "certificate.json"
+    path.write_text(text, encoding="utf-8")
+    assert standalone.main([str(path)]) == 1
+    said = capsys.readouterr().out
+    assert (said[:12], said.count("\n")) == ("not proved: ", 1)
 
 
-@pytest.mark.parametrize("count", [0, 2, 4])
-def test_shapes_are_given_both_or_not_at_all(
-    count: int, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert standalone.main(["none"] * count) == 1
-    assert capsys.readouterr().out.startswith("not proved: give a certificate, and perhaps both ")
+def test_a_file_is_needed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert standalone.main(["none"]) == standalone.main([]) == 1
+    assert capsys.readouterr().out.count("not proved: ") == 2
 
 
-def test_the_schema_takes_certificates_and_the_page_names_all_keys() -> None:
-    folder = Path(standalone.__file__).parent
-    schema = json.loads((folder / "certificate.schema.json").read_text(encoding="utf-8"))
+def test_the_file_imports_the_standard_library_alone() -> None:
+    tree = ast.parse(FILE.read_text(encoding="utf-8"))
+    names = [n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)]
+    names += [a.name for n in ast.walk(tree) if isinstance(n, ast.Import) for a in n.names]
+    assert {str(name).split(".")[0] for name in names} <= set(sys.stdlib_module_names)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_the_schema_accepts_certificates_and_the_page_names_all_keys(name: str) -> None:
+    certificate = ALL[name]
+    schema = json.loads((FILE.parent / "certificate.schema.json").read_text(encoding="utf-8"))
     validator = Draft202012Validator(schema)
-    page = (folder / "CERTIFICATES.md").read_text(encoding="utf-8")
-    for certificate in CERTIFICATES.values():
-        assert validator.is_valid(certificate)
-        assert not validator.is_valid({**certificate, "version": 1})
-        assert not validator.is_valid({**certificate, "exact_fits": [["0", "0"]]})
-        assert not validator.is_valid({**certificate, "comment": ""})
-        for key in (*certificate, *certificate.get("proof", [])):
-            assert f"`{key}`" in page or f'"{key}"' in page, key
+    page = (FILE.parent / "CERTIFICATES.md").read_text(encoding="utf-8")
+    assert validator.is_valid(certificate)
+    assert not validator.is_valid({**certificate, "version": 2})
+    assert not validator.is_valid({**certificate, "comment": ""})
+    for key in certificate:
+        assert not validator.is_valid({k: v for k, v in certificate.items() if k != key})
+    for key in (*certificate, *certificate.get("proof", []), *certificate.get("layout", [])):
+        assert f"`{key}`" in page or f'"{key}"' in page, key

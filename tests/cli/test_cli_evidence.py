@@ -50,9 +50,9 @@ def test_a_long_story_pages_on_a_terminal_and_a_short_one_has_bold_words() -> No
     assert "\x1b[1m" in shown
 
 
-def test_a_proof_is_one_that_the_standalone_checker_reads(tmp_path: Path) -> None:
+def test_a_certificate_is_proved_by_the_checker_alone(tmp_path: Path) -> None:
     path = tmp_path / "proof.json"
-    assert run("sweep", "--proof", "-o", str(path)).output == ""
+    assert run("sweep", "--certificate", "-o", str(path)).output == ""
     assert prove(json.loads(path.read_text()))
 
 
@@ -65,7 +65,7 @@ def test_a_false_certificate_is_answered_by_reason_and_witness() -> None:
     verdict = json.loads(run("verify", "--json", "-", stdin=json.dumps(proof)).stdout)
     assert verdict["proved"] is False
     reason, *witness = result.stdout.splitlines()
-    assert reason == verdict["reason"]
+    assert reason == f"standard input: not proved: {verdict['reason']}"
     assert witness == [f"witness: ({','.join(verdict['witness'])})"] * bool(verdict["witness"])
 
 
@@ -95,16 +95,17 @@ def test_malformed_certificates_are_refused_in_one_line(content: bytes, message:
         {"version": 1e999},
         {"area": 72},
         {"area": "1e999999999"},
-        {"direction": [1, 10**4000]},
+        {"claim": "no_fit"},
+        {"exact_fits": [[["0", "1e400"]] * 2]},
         {"outer": {"0": "0"}},
     ],
-    ids=range(5),
+    ids=range(6),
 )
 def test_hostile_certificates_are_not_proved(change: dict[str, object]) -> None:
     refuse_changed(change)
 
 
-@pytest.mark.parametrize(("member", "part"), [("trajectory", ["0", "0"]), ("contacts", [])])
+@pytest.mark.parametrize(("member", "part"), [("exterior", ["0", "0"]), ("holes", [])])
 def test_long_certificates_are_refused_in_linear_time(member: str, part: list[str]) -> None:
     require_linear(lambda n: refuse_changed({member: [part] * (n // 8)}))
 

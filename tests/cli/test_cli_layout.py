@@ -80,7 +80,7 @@ def test_everything_is_written(tmp_path: Path) -> None:
     assert text.startswith("<!DOCTYPE html>")
     assert f"<h1>{file}</h1>" in text
     assert ElementTree.parse(picture).getroot().tag.endswith("svg")
-    assert run("verify", proof).stdout.startswith("proved\n")
+    assert run("verify", proof).stdout.startswith(f"{proof}: proved\n")
 
 
 def test_a_drawing_by_svg_is_shown_as_its_viewers_show_it(nest: Path) -> None:
@@ -125,13 +125,13 @@ def test_names_of_parts_are_written_on_one_line_without_control_characters(tmp_p
 
 def test_a_layout_without_proof_is_reported_all_the_same(tmp_path: Path) -> None:
     data = find_layout_case("layouts-all-at-once").data
-    two = [{"id": "a", "exterior": [["0", "0"], ["1", "0"]]}]
+    two = [{"id": "a", "exterior": [["0", "0"], ["1", "0"], ["2", "0"]]}]
     file, proof = tmp_path / "two.json", tmp_path / "proof.json"
     file.write_text(json.dumps({**data, "parts": two, "placements": []}), encoding="utf-8")
     done = run("layout", str(file), "--certificate", str(proof))
     assert done.exit_code == 1
     assert done.stdout.startswith("verdict     not valid: 1 shape\n")
-    assert done.stderr.startswith(f"{file}: nothing that is wrong with the layout has a proof")
+    assert done.stderr.startswith(f"{file}: no fault of the layout has a proof")
     assert not proof.exists()
 
 

@@ -17,8 +17,8 @@ from exactsweep.layout import Fault, Layout, judge_layout
 from exactsweep.layout.reading import LayoutError
 
 CASES = {case.id: case for case in layout_cases()}
-# A hole outside of its part, and what is undecided.
-UNPROVED = ["layouts-hole-outside", "layouts-angle-45-undecided"]
+# A ring that only touches itself, and what is undecided.
+UNPROVED = ["layouts-pinched", "layouts-angle-45-undecided"]
 SCHEMA = Draft202012Validator(
     json.loads(files("exactsweep.layout").joinpath("layout.schema.json").read_text("utf-8"))
 )

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
-from exactsweep.check import reference_exact_fits
 from exactsweep.paper.counting import make_counted, watch_operations
+from exactsweep.paper.definition import reference_exact_fits
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.mm import trajectory_mm
 

@@ -20,8 +20,9 @@ from exactsweep import (
     Sweep,
     sweep,
 )
-from exactsweep.check import classify, point_in_polygon, reference_loops
+from exactsweep.check import classify, point_in_polygon
 from exactsweep.geometry.direction import find_monotone_directions
+from exactsweep.paper.definition import reference_loops
 from exactsweep.procedures.chain import find_convex_parts, inverse, list_graph_edges, split
 
 Pair = tuple[Polygon, Polygon]

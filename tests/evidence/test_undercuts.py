@@ -214,15 +214,14 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
     for seed in (2, 5):
         pair = families.random_pair(random.Random(seed), ["same", "mould", "walls"])
         g, d = Polygon(pair.generatrix), Polygon(pair.directrix)
-        near = sweep(g, d)
+        near = sweep(Polygon(g.vertices), Polygon(d.vertices))
         far = sweep(*(Polygon([(factor * x, factor * y) for x, y in p.vertices]) for p in (g, d)))
         assert far.generatrix.lattice()[0] == 1
         positions = [
             [Point(factor * x, factor * y) for x, y in u.positions] for u in near.undercuts
         ]
         assert [[*u.positions] for u in far.undercuts] == positions
-        for name in ("contacts", "inner_drawn", "outer_drawn"):
-            assert far.certificate()[name] == near.certificate()[name], (seed, name)
+        assert far.contacts == near.contacts, seed
 
 
 def close(chain: list[Vertex], path: Outline, g: Outline) -> Any:

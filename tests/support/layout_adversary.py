@@ -91,7 +91,7 @@ def is_true_layout(certificate: Certificate, _: object) -> bool:
     pairs |= {("too close", on) for kind, on in pairs if kind in ("overlap", "outside")}
     rules = {(f.kind, f.part) for f in judgement.faults}
     return not judgement.valid and all(
-        (fault["kind"], frozenset(fault["placements"])) in pairs
+        (fault["kind"], frozenset(k for k in fault["placements"] if k >= 0)) in pairs
         if "placements" in fault
         else (fault["kind"], fault["part"]) in rules
         for fault in certificate["faults"]

@@ -16,16 +16,7 @@ from exactsweep.check import standalone
 
 TESTS = tuple(
     f"tests/check/test_{name}.py"
-    for name in (
-        "monotone",
-        "standalone",
-        "standalone_file",
-        "standalone_layouts",
-        "standalone_parts",
-        "standalone_turns",
-        "verify",
-        "certificate_reading",
-    )
+    for name in ("standalone", "standalone_layouts", "certificate_reading", "standalone_file")
 )
 
 

@@ -1,0 +1,66 @@
+"""Slits: positions between sums that none of them contains.
+
+A swept area has one where an edge of the trajectory is parallel to a cut between two pieces of the
+generatrix. It is no part of the answer.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+from exactsweep.evidence.homogeneous import DirectedSegment, Node, make_node, make_side, place
+
+Gap = tuple[Node, Node]
+_PlanePoint = tuple[Fraction, Fraction]
+
+
+def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[DirectedSegment]:
+    """Join gaps along one line, and drop points on others or on known edges.
+
+    Args:
+        gaps: the ends of segments, perhaps points, without a common part with known edges but ends.
+        known: the known edges.
+
+    Returns:
+        Slits that have points in common at most.
+
+    Cost: O(n log n) for n segments, and O(1) for each point and each edge.
+
+    >>> a, b, c = (0, 0, 1), (1, 0, 1), (2, 0, 1)
+    >>> [(slit.start, slit.end) for slit in unite([(b, c), (b, b), (b, a)], [])]
+    [((0, 0, 1), (2, 0, 1))]
+    """
+    along: dict[object, list[tuple[_PlanePoint, _PlanePoint]]] = defaultdict(list)
+    points: set[_PlanePoint] = set()
+    for p, q in gaps:
+        start, end = sorted((place(p), place(q)))
+        if start == end:
+            points.add(start)
+        else:
+            line = make_side(make_node(*start), make_node(*end)).line
+            along[line].append((start, end))
+    slits = []
+    for spans in along.values():
+        spans.sort()
+        low, high = spans[0]
+        for start, end in spans:
+            if start > high:
+                slits.append((low, high))
+                low, high = start, end
+            high = max(high, end)
+        slits.append((low, high))
+    found = [make_side(make_node(*p), make_node(*q)) for p, q in sorted(slits)]
+    edges = [*known, *found]
+    alone = [p for p in sorted(points) if not any(_is_on(make_node(*p), edge) for edge in edges)]
+    return found + [make_side(make_node(*p), make_node(*p)) for p in alone]
+
+
+def _is_on(p: Node, edge: DirectedSegment) -> bool:
+    """Return whether a point is on a segment."""
+    (a, b, c), (x, y, w) = edge.line, p
+    if a * x + b * y + c * w:
+        return False
+    start, end = sorted((place(edge.start), place(edge.end)))
+    return start <= place(p) <= end

@@ -1,0 +1,27 @@
+"""A sample of `python -m tests.slowest`: steps bound the work on certificates made to be slow."""
+
+import json
+from unittest.mock import patch
+
+import pytest
+from slowest import BYTES, KINDS, fill
+
+from exactsweep.check import standalone, verify
+from exactsweep.check.standalone import Work
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_slow_certificates_are_read_and_end(kind: str) -> None:
+    certificate = fill(kind, 2, 0.05)
+    assert len(json.dumps(certificate)) < BYTES
+    taken = []
+
+    class Counted(Work):
+        def spend(self, steps: float, of_boxes: float = 0) -> None:
+            taken.append(steps + of_boxes)
+            super().spend(steps, of_boxes)
+
+    with patch.object(standalone, "Work", Counted):
+        verdict = verify(certificate, max_steps=10**6)
+    assert "no object of" not in verdict.reason
+    assert taken
