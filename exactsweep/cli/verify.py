@@ -2,6 +2,7 @@
 
 import sys
 from collections import Counter
+from pathlib import Path
 from typing import Any
 
 import click
@@ -23,9 +24,25 @@ from exactsweep.words import count, write_pair
     metavar="N",
     help="The limit of work, in steps of at most a microsecond; by default it grows with the file.",
 )
+@click.option(
+    "--coq",
+    type=click.Path(dir_okay=False),
+    metavar="OUTPUT",
+    help="Write a proved claim as a theorem for Coq, for example to claim.v.",
+)
+@click.option(
+    "--extracted",
+    is_flag=True,
+    help="Ask the checker extracted from the Coq proof, too; needs coqc, ocamlfind and zarith.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Write the verdict as JSON.")
 def verify_command(
-    file: str, shapes: tuple[str, ...], max_steps: int | None, as_json: bool
+    file: str,
+    shapes: tuple[str, ...],
+    max_steps: int | None,
+    coq: str | None,
+    extracted: bool,
+    as_json: bool,
 ) -> None:
     """Check a certificate by independent code.
 
@@ -52,6 +69,12 @@ def verify_command(
     asked: dict[str, Any] = dict(zip(names, map(read_region, shapes), strict=False))
     with working("checking the certificate"):
         verdict = verify(certificate, **asked, max_steps=max_steps)
+    if extracted and verdict.proved:
+        verdict = _ask_extracted(certificate, verdict)
+    if coq is not None and verdict.proved:
+        from exactsweep.check.theorem import write_theorem
+
+        write(write_theorem(certificate, Path(coq).stem), coq)
     if as_json:
         text = verification_to_json(verdict)
     else:
@@ -65,6 +88,22 @@ def verify_command(
             text += f"witness: {write_pair(verdict.witness)}\n"
     write(text, "-")
     sys.exit(0 if verdict.proved else 1)
+
+
+def _ask_extracted(certificate: Any, verdict: Any) -> Any:
+    """Return the verdict, not proved if the extracted checker does not accept the certificate."""
+    from exactsweep.check.extracted import accept
+
+    try:
+        with working("asking the extracted checker"):
+            (is_accepted,) = accept([certificate])
+    except RuntimeError as error:
+        raise click.ClickException(f"no extracted checker: {error}") from error
+    return (
+        verdict
+        if is_accepted
+        else verdict._replace(proved=False, reason="the extracted checker does not accept it")
+    )
 
 
 def _describe(certificate: dict[str, Any]) -> str:

@@ -1,0 +1,37 @@
+(* What certificates are checked with: a sweep together with its no-fit polygon, and normals by number. *)
+Require Import QArith ZArith List Bool.
+From Exactsweep Require Import Cancel Pieces Layout NoFit InnerFit Sweep.
+From Exactsweep Require Statements.
+Import ListNotations.
+
+(* Exteriors counter-clockwise, holes listed counter-clockwise and walked the other way around *)
+Definition with_holes (exterior : Statements.ring) (holes : list Statements.ring) : list Statements.ring :=
+  exterior :: map (@rev _) holes.
+
+(* T, along which G is swept, is the exterior of the no-fit polygon. *)
+Definition check_whole_sweep (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
+    (fits : list (Statements.point * Statements.point)) (loops : list Statements.ring)
+    (slits : list (Statements.point * Statements.point)) (c : no_fit_certificate) (c' : sweep_certificate) : bool :=
+  check_no_fit D G (with_holes exterior holes) fits c && check_sweep exterior G loops slits c'.
+Theorem whole_sweep_sound D G exterior holes fits loops slits c c' :
+  check_whole_sweep D G exterior holes fits loops slits c c' = true ->
+  Statements.no_fit_claim D G (with_holes exterior holes) fits /\ Statements.sweep_claim exterior G loops slits.
+Proof.
+  unfold check_whole_sweep. intro H. apply andb_prop in H as (A & B). split.
+  - exact (no_fit_sound _ _ _ _ c A).
+  - exact (sweep_sound _ _ _ _ c' B).
+Qed.
+
+(* The normals of a layout: an entry for two pieces, else one for two solids as a whole *)
+Definition entry := (Z * Z * Z * Z * pt)%type.
+Definition is_for (a i b j : Z) (e : entry) : bool :=
+  let '(a', i', b', j', _) := e in ((a =? a') && (i =? i') && (b =? b') && (j =? j'))%Z.
+Definition lookup (l : list entry) (a i b j : Z) : pt :=
+  match find (is_for a i b j) l with
+  | Some e => snd e
+  | None => match find (is_for a (-1) b (-1)) l with Some e => snd e | None => (0, 0)%Z end
+  end.
+Definition normals_of (l : list entry) (a i b j : nat) : pt := lookup l (Z.of_nat a) (Z.of_nat i) (Z.of_nat b) (Z.of_nat j).
+Definition outside_normals_of (l : list entry) (a : Z) (i b j : nat) : pt := lookup l a (Z.of_nat i) (Z.of_nat b) (Z.of_nat j).
+Corollary layout_valid entries l c : check_layout (normals_of entries) (outside_normals_of entries) l c = true -> Statements.valid l.
+Proof. apply layout_sound. Qed.

@@ -1,0 +1,311 @@
+(* Booleans for covers of segments, and winding numbers along segments that avoid the loops *)
+Require Import QArith Qround Lqa ZArith Lia List Bool.
+From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Statements.
+From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints.
+Import ListNotations.
+Open Scope Q_scope.
+
+(* 1. Winding numbers are the same along segments that avoid the loops. *)
+Lemma total_starts (l m : list pt) k : length l = length m ->
+  total (ends (combine l m)) k =
+  (total (map (fun p => ((0, 0, 0, p)%Z, 1%Z)) l) k - total (map (fun p => ((0, 0, 0, p)%Z, 1%Z)) m) k)%Z.
+Proof.
+  revert m. induction l as [|a l IH]; intros [|b m] H; try discriminate; [reflexivity|].
+  injection H as H. specialize (IH m H).
+  change (total (ends (combine (a :: l) (b :: m))) k) with ((if key_dec (0, 0, 0, a)%Z k then 1 else 0) +
+    ((if key_dec (0, 0, 0, b)%Z k then -1 else 0) + total (ends (combine l m)) k))%Z.
+  rewrite IH. cbn [map total]. destruct (key_dec (0, 0, 0, a)%Z k), (key_dec (0, 0, 0, b)%Z k); ring.
+Qed.
+Lemma closed_rings rs : closed (flat_map edges rs).
+Proof.
+  intro k. induction rs as [|r rs IH]; [reflexivity|]. cbn [flat_map].
+  assert (A : forall a b, ends (a ++ b) = ends a ++ ends b) by (intros; apply flat_map_app).
+  rewrite A, total_app, IH. clear A IH.
+  destruct r as [|p t]; [reflexivity|]. cbn [edges]. change (total (ends (combine (p :: t) (t ++ [p]))) k + 0 = 0)%Z.
+  rewrite total_starts; [|rewrite app_length; cbn; lia]. rewrite map_app, total_app. cbn. destruct (key_dec (0, 0, 0, p)%Z k); lia.
+Qed.
+
+Lemma forall2_right {A B} (R : A -> B -> Prop) l m : Forall2 R l m -> forall y, In y m -> exists x, In x l /\ R x y.
+Proof.
+  induction 1 as [|x y l m H _ IH]; intros z; [intros []|]. intros [<-|I]; [exists x; split; [left; reflexivity|exact H]|].
+  destruct (IH z I) as (w & J & K). exists w. split; [right; exact J|exact K].
+Qed.
+
+Theorem constant_rings N loops x y : (0 < N)%Z -> all_integral N loops = true ->
+  (forall e, In e (flat_map Statements.edges loops) -> exists n m, qdot n x * inject_Z N < inject_Z m /\
+    qdot n y * inject_Z N < inject_Z m /\ inject_Z m <= qdot n (fst e) * inject_Z N /\ inject_Z m <= qdot n (snd e) * inject_Z N) ->
+  Statements.winding loops x = Statements.winding loops y.
+Proof.
+  intros P I H. destruct (pat_common x y) as (k & v & u & K & V & X). pose proof (int_rings_at N loops I) as R.
+  rewrite (winding_W N k loops _ x v P K R V), (winding_W N k loops _ y u P K R X). rewrite <- !W_edges.
+  apply constant; [apply closed_rings|]. intros e' E'.
+  assert (G : exists e0, In e0 (flat_map edges (int_rings N loops)) /\ e' = grow_edge k e0).
+  { apply in_flat_map in E' as (r' & R' & E'). apply in_map_iff in R' as (r & <- & R'). rewrite edges_map in E'.
+    apply in_map_iff in E' as (e0 & <- & E'). exists e0. split; [apply in_flat_map; exists r; auto|reflexivity]. }
+  destruct G as (e0 & E0 & ->). destruct (forall2_right _ _ _ (all_edges_at N _ _ R) e0 E0) as (e & E & A & B).
+  destruct (H e E) as (n & m & H1 & H2 & H3 & H4).
+  pose proof (qdot_at n _ _ _ A) as A1. pose proof (qdot_at n _ _ _ B) as B1. unfold at_ in A1, B1.
+  rewrite A1, <- Zle_Qle in H3. rewrite B1, <- Zle_Qle in H4.
+  assert (Side : forall z w, pat k z w -> qdot n z * inject_Z N < inject_Z m -> (dot n (grow N w) < k * m)%Z).
+  { intros z w Z0 L0. pose proof (qdot_at n _ z _ (pat_grow' N k z w Z0)) as Q1. unfold at_ in Q1.
+    rewrite Zlt_Qlt, <- Q1, !inject_Z_mult. pose proof (inject_pos k K) as Kq.
+    pose proof (mono_lt (inject_Z k) _ _ Kq L0). lra. }
+  pose proof (Side x v V H1) as S1. pose proof (Side y u X H2) as S2.
+  exists (2 * fst n, 2 * snd n, 1 - 2 * (k * m))%Z. unfold val, grow_edge. cbn [fst snd].
+  assert (E1 : (dot n (grow k (fst e0)) = k * dot n (fst e0))%Z) by apply dot_grow.
+  assert (E2 : (dot n (grow k (snd e0)) = k * dot n (snd e0))%Z) by apply dot_grow.
+  unfold dot in *. repeat split; nia.
+Qed.
+
+Lemma forall2_left {A B} (R : A -> B -> Prop) l m : Forall2 R l m -> forall x, In x l -> exists y, In y m /\ R x y.
+Proof.
+  induction 1 as [|x y l m H _ IH]; intros z; [intros []|]. intros [<-|I]; [exists y; split; [left; reflexivity|exact H]|].
+  destruct (IH z I) as (w & J & K). exists w. split; [right; exact J|exact K].
+Qed.
+Corollary constant_rings_q N loops x y : (0 < N)%Z -> all_integral N loops = true ->
+  (forall e, In e (flat_map Statements.edges loops) -> exists n m, qdot n x < m /\ qdot n y < m /\
+    m <= qdot n (fst e) /\ m <= qdot n (snd e)) ->
+  Statements.winding loops x = Statements.winding loops y.
+Proof.
+  intros P I H. apply (constant_rings N loops x y P I). intros e E. destruct (H e E) as (n & m & H1 & H2 & H3 & H4).
+  destruct (forall2_left _ _ _ (all_edges_at N _ _ (int_rings_at N loops I)) e E) as (e0 & _ & A & B).
+  pose proof (qdot_at n N _ _ A) as A1. pose proof (qdot_at n N _ _ B) as B1. unfold at_ in A1, B1.
+  assert (Nq : 0 < inject_Z N) by (apply inject_pos, P). exists n, (Qceiling (m * inject_Z N)).
+  pose proof (Qle_ceiling (m * inject_Z N)) as C.
+  assert (Up : forall q z, m <= q -> q * inject_Z N == inject_Z z -> inject_Z (Qceiling (m * inject_Z N)) <= q * inject_Z N).
+  { intros q z L E0. rewrite E0, <- Zle_Qle. rewrite <- (Qceiling_Z z). apply Qceiling_resp_le. rewrite <- E0.
+    apply Qmult_le_compat_r; lra. }
+  assert (S1 : qdot n x * inject_Z N < m * inject_Z N) by (apply Qmult_lt_r; assumption).
+  assert (S2 : qdot n y * inject_Z N < m * inject_Z N) by (apply Qmult_lt_r; assumption).
+  repeat split; [lra|lra|exact (Up _ _ H3 A1)|exact (Up _ _ H4 B1)].
+Qed.
+
+(* 2. Booleans *)
+Definition inS_b (S : list side) (x : qpoint) : bool := forallb (fun f => Statements.less 0 (o f x)) S.
+Lemma less_true x y : Statements.less x y = true <-> x < y.
+Proof. destruct (less_cases x y) as [(H & ->)|(H & ->)]; split; try congruence; try lra; auto. Qed.
+Lemma inS_b_spec S x : inS_b S x = true <-> inS S x.
+Proof. unfold inS_b, inS. rewrite forallb_forall. split; intros H f I; apply less_true, H, I. Qed.
+
+Definition within (a b x : Q) : bool := (Qle_bool a x && Qle_bool x b) || (Qle_bool b x && Qle_bool x a).
+Definition on_b (e : side) (x : qpoint) : bool :=
+  Qeq_bool (o e x) 0 && within (fst (fst e)) (fst (snd e)) (fst x) && within (snd (fst e)) (snd (snd e)) (snd x).
+Lemma within_spec a b x : within a b x = true -> (a <= x <= b) \/ (b <= x <= a).
+Proof.
+  unfold within. intro H. apply orb_prop in H as [H|H]; apply andb_prop in H as (H & H'); apply Qle_bool_iff in H, H'; auto.
+Qed.
+Lemma within_share a b x : within a b x = true -> ~ a == b -> 0 <= (x - a) / (b - a) <= 1 /\ x == a + (x - a) / (b - a) * (b - a).
+Proof.
+  intros H N. apply within_spec in H. split; [|field; lra]. destruct H as [H|H].
+  - split; [apply Qle_shift_div_l; lra|apply Qle_shift_div_r; lra].
+  - assert (E : (x - a) / (b - a) == (a - x) / (a - b)) by (field; lra). rewrite E.
+    split; [apply Qle_shift_div_l; lra|apply Qle_shift_div_r; lra].
+Qed.
+Lemma on_b_spec e x : on_b e x = true -> Statements.on_segment e x.
+Proof.
+  unfold on_b. intro H. apply andb_prop in H as (H & Y). apply andb_prop in H as (O & X). apply Qeq_bool_iff in O.
+  destruct e as [p q]. unfold o, Statements.orient in O. cbn [fst snd] in *.
+  destruct (Qeq_dec (fst p) (fst q)) as [E|E].
+  - destruct (Qeq_dec (snd p) (snd q)) as [F|F].
+    + exists 0. apply within_spec in X, Y. cbn [fst snd]. repeat split; lra.
+    + destruct (within_share _ _ _ Y F) as (S & Eq). exists ((snd x - snd p) / (snd q - snd p)).
+      split; [exact S|]. cbn [fst snd]. split; [|exact Eq]. apply within_spec in X.
+      assert (Z : fst q - fst p == 0) by lra. rewrite Z. lra.
+  - destruct (within_share _ _ _ X E) as (S & Eq). exists ((fst x - fst p) / (fst q - fst p)).
+    split; [exact S|]. cbn [fst snd]. split; [exact Eq|].
+    assert (snd x - snd p == (fst x - fst p) / (fst q - fst p) * (snd q - snd p)); [|lra].
+    apply (Qmult_inj_l _ _ (fst q - fst p)); [lra|].
+    assert (M : (fst q - fst p) * (snd x - snd p) == (snd q - snd p) * (fst x - fst p)) by lra. rewrite M. field. lra.
+Qed.
+
+Lemma within_convex a b s : 0 <= s <= 1 -> within a b (a + s * (b - a)) = true.
+Proof.
+  intros (S0 & S1). unfold within. apply orb_true_intro. destruct (Qlt_le_dec a b) as [L|L]; [left|right]; apply andb_true_intro.
+  - assert (0 <= s * (b - a)) by (apply Qmult_le_0_compat; lra).
+    assert (0 <= (1 - s) * (b - a)) by (apply Qmult_le_0_compat; lra). split; apply Qle_bool_iff; lra.
+  - assert (0 <= s * (a - b)) by (apply Qmult_le_0_compat; lra).
+    assert (0 <= (1 - s) * (a - b)) by (apply Qmult_le_0_compat; lra). split; apply Qle_bool_iff; lra.
+Qed.
+Lemma within_same a b x y : x == y -> within a b x = within a b y.
+Proof. intro E. unfold within. rewrite !E. reflexivity. Qed.
+Lemma on_b_complete e x : Statements.on_segment e x -> on_b e x = true.
+Proof.
+  intros (s & S & X & Y). unfold on_b. apply andb_true_intro. split; [apply andb_true_intro; split|].
+  - apply Qeq_bool_iff. unfold o, Statements.orient. rewrite X, Y. ring.
+  - rewrite (within_same _ _ _ _ X). apply within_convex, S.
+  - rewrite (within_same _ _ _ _ Y). apply within_convex, S.
+Qed.
+Lemma on_any_dec es x : {Statements.on_any es x} + {~ Statements.on_any es x}.
+Proof.
+  destruct (existsb (fun e => on_b e x) es) eqn:E; [left|right].
+  - apply existsb_exists in E as (e & I & H). exists e. split; [exact I|apply on_b_spec, H].
+  - intros (e & I & H). apply on_b_complete in H.
+    assert (existsb (fun e => on_b e x) es = true); [|congruence]. apply existsb_exists. exists e. auto.
+Qed.
+
+Definition same_b (p q : qpoint) : bool := Qeq_bool (fst p) (fst q) && Qeq_bool (snd p) (snd q).
+Definition convex_b (S : list side) : bool :=
+  forallb (fun f =>
+    existsb (fun g => same_b (snd g) (fst f) && Statements.less 0 (o g (snd f))) S &&
+    existsb (fun g => same_b (fst g) (snd f) && Statements.less 0 (o g (fst f))) S &&
+    forallb (fun g => Qle_bool 0 (o g (fst f)) && Qle_bool 0 (o g (snd f)) &&
+      (Statements.less 0 (o g (fst f)) || (Statements.less 0 (o g (snd f)) || Qeq_bool (rise g) (rise f)))) S) S.
+Lemma convex_b_spec S : convex_b S = true -> convex S /\ linked S.
+Proof.
+  unfold convex_b, convex, linked. rewrite forallb_forall. intro H. split.
+  - intros f g I G. specialize (H f I). apply andb_prop in H as (_ & C). rewrite forallb_forall in C. specialize (C g G).
+    apply andb_prop in C as (C & E). apply andb_prop in C as (A & B). apply Qle_bool_iff in A, B.
+    split; [exact A|]. split; [exact B|]. apply orb_prop in E as [E|E]; [left; apply less_true, E|right].
+    apply orb_prop in E as [E|E]; [left; apply less_true, E|right; apply Qeq_bool_iff, E].
+  - intros f I. specialize (H f I). apply andb_prop in H as (H & _). apply andb_prop in H as (A & B).
+    apply existsb_exists in A as (g & G & A). apply andb_prop in A as (A & A').
+    apply existsb_exists in B as (h & Hh & B). apply andb_prop in B as (B & B').
+    apply andb_prop in A as (A1 & A2). apply andb_prop in B as (B1 & B2). apply Qeq_bool_iff in A1, A2, B1, B2.
+    apply less_true in A', B'. split; [exists g|exists h]; repeat split; assumption.
+Qed.
+
+Definition distinct_b (e g : side) : bool :=
+  negb (Qeq_bool (rise e * run g - rise g * run e) 0) || negb (Qeq_bool (o e (fst g)) 0) ||
+  Qle_bool (high e) (low g) || Qle_bool (high g) (low e).
+Lemma negb_eq x : negb (Qeq_bool x 0) = true -> ~ x == 0.
+Proof. intros H E. apply Qeq_bool_iff in E. rewrite E in H. discriminate. Qed.
+Lemma distinct_b_spec e g : distinct_b e g = true -> distinct e g.
+Proof.
+  unfold distinct_b, distinct. intro H. apply orb_prop in H as [H|H]; [|right; right; right; apply Qle_bool_iff, H].
+  apply orb_prop in H as [H|H]; [|right; right; left; apply Qle_bool_iff, H].
+  apply orb_prop in H as [H|H]; [left|right; left]; apply negb_eq, H.
+Qed.
+Lemma distinct_pairs l : all_pairs distinct_b l = true -> ForallOrdPairs distinct l.
+Proof.
+  intro H. apply all_pairs_spec in H. induction H as [|a l A B IH]; [apply FOP_nil|apply FOP_cons; [|exact IH]].
+  rewrite Forall_forall in *. intros g G. apply distinct_b_spec, A, G.
+Qed.
+
+(* 3. Chains of parameters along a segment *)
+Definition point_at (f : side) (s : Q) : qpoint :=
+  (fst (fst f) + s * (fst (snd f) - fst (fst f)), snd (fst f) + s * (snd (snd f) - snd (fst f))).
+Fixpoint chain (step : Q -> Q -> bool) (s : Q) (l : list Q) : bool :=
+  match l with [] => true | r :: m => step s r && chain step r m end.
+Lemma chain_find step x l : forall s, chain step s l = true -> s <= x -> l <> [] -> x <= last l 0 ->
+  exists u v, In u (s :: l) /\ In v (s :: l) /\ step u v = true /\ u <= x <= v.
+Proof.
+  induction l as [|r m IH]; intros s C S N E; [contradiction|]. cbn [chain] in C. apply andb_prop in C as (C1 & C2).
+  destruct (Qlt_le_dec r x) as [R|R].
+  - destruct m as [|q m]; [cbn in E; lra|].
+    destruct (IH r C2 ltac:(lra) ltac:(discriminate) E) as (u & v & U & V & X).
+    exists u, v. split; [right; exact U|]. split; [right; exact V|exact X].
+  - exists s, r. split; [left; reflexivity|]. split; [right; left; reflexivity|]. split; [exact C1|split; assumption].
+Qed.
+
+Definition all_cuts (cuts : list Q) : list Q := cuts ++ [1].
+Lemma cuts_find step cuts x : chain step 0 (all_cuts cuts) = true -> 0 <= x <= 1 ->
+  exists u v, In u (0 :: all_cuts cuts) /\ In v (0 :: all_cuts cuts) /\ step u v = true /\ u <= x <= v.
+Proof.
+  intros C (A & B). apply chain_find; [exact C|exact A| |].
+  - unfold all_cuts. destruct cuts; discriminate.
+  - unfold all_cuts. rewrite last_last. exact B.
+Qed.
+
+Lemma on_same e x y : meets_at x y -> Statements.on_segment e x -> Statements.on_segment e y.
+Proof. intros (A & B) (s & S & X & Y). exists s. split; [exact S|]. rewrite <- A, <- B. split; assumption. Qed.
+Lemma inS_same S x y : meets_at x y -> inS S x -> inS S y.
+Proof. intros M H f I. rewrite <- (o_same f x y M). apply H, I. Qed.
+
+Lemma point_mid f u x v : u <= x <= v -> ~ u == v -> exists s, 0 <= s <= 1 /\ (u < x -> 0 < s) /\ (x < v -> s < 1) /\
+  x == u + s * (v - u) /\
+  fst (point_at f x) == fst (point_at f u) + s * (fst (point_at f v) - fst (point_at f u)) /\
+  snd (point_at f x) == snd (point_at f u) + s * (snd (point_at f v) - snd (point_at f u)).
+Proof.
+  intros (A & B) N. exists ((x - u) / (v - u)).
+  assert (E : x == u + (x - u) / (v - u) * (v - u)) by (field; lra).
+  split; [split; [apply Qle_shift_div_l; lra|apply Qle_shift_div_r; lra]|].
+  split; [intro; apply Qlt_shift_div_l; lra|]. split; [intro; apply Qlt_shift_div_r; lra|]. split; [exact E|].
+  unfold point_at. cbn [fst snd]. revert E. generalize ((x - u) / (v - u)). intros s E. rewrite E. split; ring.
+Qed.
+
+Lemma segment_convex e a b x s : 0 <= s <= 1 -> Statements.on_segment e a -> Statements.on_segment e b ->
+  fst x == fst a + s * (fst b - fst a) -> snd x == snd a + s * (snd b - snd a) -> Statements.on_segment e x.
+Proof.
+  intros (S0 & S1) (u & (U0 & U1) & Ux & Uy) (v & (V0 & V1) & Vx & Vy) X Y. exists (u + s * (v - u)). split.
+  - assert (0 <= s * v) by (apply Qmult_le_0_compat; lra). assert (0 <= (1 - s) * u) by (apply Qmult_le_0_compat; lra).
+    assert (0 <= s * (1 - v)) by (apply Qmult_le_0_compat; lra). assert (0 <= (1 - s) * (1 - u)) by (apply Qmult_le_0_compat; lra). lra.
+  - rewrite X, Y, Ux, Uy, Vx, Vy. split; ring.
+Qed.
+
+Section Cover.
+Variables (sums : list (list side)) (segments : list side).
+
+Definition covered_b (x : qpoint) : bool := existsb (fun S => inS_b S x) sums || existsb (fun e => on_b e x) segments.
+Definition between_b (S : list side) (a b : qpoint) : bool :=
+  forallb (fun g => Qle_bool 0 (o g a) && Qle_bool 0 (o g b) && (Statements.less 0 (o g a) || Statements.less 0 (o g b))) S.
+Definition step_b (f : side) (u v : Q) : bool :=
+  existsb (fun S => between_b S (point_at f u) (point_at f v)) sums ||
+  existsb (fun e => on_b e (point_at f u) && on_b e (point_at f v)) segments.
+Definition cover_b (cuts : list Q) (f : side) : bool :=
+  forallb (fun s => covered_b (point_at f s)) (0 :: all_cuts cuts) && chain (step_b f) 0 (all_cuts cuts).
+
+Definition covered (x : qpoint) : Prop := (exists S, In S sums /\ inS S x) \/ (exists e, In e segments /\ Statements.on_segment e x).
+Lemma covered_b_spec x : covered_b x = true -> covered x.
+Proof.
+  unfold covered_b. intro H. apply orb_prop in H as [H|H]; apply existsb_exists in H as (S & I & H); [left|right]; exists S; split; try exact I.
+  - apply inS_b_spec, H.
+  - apply on_b_spec, H.
+Qed.
+Lemma covered_same x y : meets_at x y -> covered x -> covered y.
+Proof.
+  intros M [(S & I & H)|(e & I & H)]; [left; exists S|right; exists e]; split; try exact I.
+  - exact (inS_same S x y M H).
+  - exact (on_same e x y M H).
+Qed.
+
+Lemma cover_b_spec cuts f x : cover_b cuts f = true -> Statements.on_segment f x -> covered x.
+Proof.
+  unfold cover_b. intros H (s & S & X & Y). apply andb_prop in H as (P & C). rewrite forallb_forall in P.
+  assert (M : meets_at (point_at f s) x) by (split; cbn [fst snd point_at]; symmetry; assumption).
+  destruct (cuts_find _ _ s C S) as (u & v & U & V & St & Uv).
+  assert (End : forall w, In w (0 :: all_cuts cuts) -> w == s -> covered x).
+  { intros w W E. apply (covered_same (point_at f w)); [|apply covered_b_spec, P, W].
+    split; unfold point_at; cbn [fst snd]; rewrite E; symmetry; assumption. }
+  destruct (Qeq_dec u s) as [E1|E1]; [exact (End u U E1)|]. destruct (Qeq_dec v s) as [E2|E2]; [exact (End v V E2)|].
+  destruct (point_mid f u s v Uv) as (r & R & R0 & R1 & _ & Rx & Ry); [lra|].
+  assert (r0 : 0 < r) by (apply R0; lra). assert (r1 : r < 1) by (apply R1; lra).
+  apply (covered_same (point_at f s) x M). unfold step_b in St. apply orb_prop in St as [St|St].
+  - apply existsb_exists in St as (T & I & St). unfold between_b in St. rewrite forallb_forall in St. left. exists T.
+    split; [exact I|]. intros g G. specialize (St g G). apply andb_prop in St as (St & D). apply andb_prop in St as (A & B).
+    apply Qle_bool_iff in A, B. rewrite (o_share g _ _ r _ Rx Ry).
+    assert (0 <= (1 - r) * o g (point_at f u)) by (apply Qmult_le_0_compat; lra).
+    assert (0 <= r * o g (point_at f v)) by (apply Qmult_le_0_compat; lra).
+    apply orb_prop in D as [D|D]; apply less_true in D.
+    + assert (0 < (1 - r) * o g (point_at f u)) by (apply Qmult_lt_0_compat; lra). lra.
+    + assert (0 < r * o g (point_at f v)) by (apply Qmult_lt_0_compat; lra). lra.
+  - apply existsb_exists in St as (e & I & St). apply andb_prop in St as (A & B). apply on_b_spec in A, B.
+    right. exists e. split; [exact I|]. exact (segment_convex e _ _ _ r R A B Rx Ry).
+Qed.
+
+(* Sides along a segment, the same way *)
+Definition same_way (a b : Q) : bool := (Qle_bool a 0 || Statements.less 0 b) && (Qle_bool 0 a || Statements.less b 0).
+Definition along_b (e : side) (u v : Q) : bool :=
+  existsb (fun S => existsb (fun f => on_b f (point_at e u) && on_b f (point_at e v) &&
+    same_way (rise e) (rise f) && same_way (run e) (run f)) S) sums.
+Definition beside_b (cuts : list Q) (e : side) : bool := chain (along_b e) 0 (all_cuts cuts).
+
+Lemma beside_b_spec cuts e x : beside_b cuts e = true -> Statements.on_segment e x ->
+  exists S f, In S sums /\ In f S /\ Statements.on_segment f x /\ (0 < rise e -> 0 < rise f) /\ (rise e < 0 -> rise f < 0).
+Proof.
+  unfold beside_b. intros C (s & S & X & Y).
+  assert (M : meets_at (point_at e s) x) by (split; cbn [fst snd point_at]; symmetry; assumption).
+  destruct (cuts_find _ _ s C S) as (u & v & U & V & St & Uv). unfold along_b in St.
+  apply existsb_exists in St as (T & I & St). apply existsb_exists in St as (f & F & St).
+  apply andb_prop in St as (St & _). apply andb_prop in St as (St & W). apply andb_prop in St as (A & B).
+  apply on_b_spec in A, B. exists T, f. split; [exact I|]. split; [exact F|]. split.
+  - destruct (Qeq_dec u v) as [E|E].
+    + apply (on_same f (point_at e u)); [|exact A]. assert (E' : u == s) by lra.
+      split; unfold point_at; cbn [fst snd]; rewrite E'; symmetry; assumption.
+    + destruct (point_mid e u s v Uv E) as (r & R & _ & _ & _ & Rx & Ry).
+      apply (on_same f (point_at e s) x M). exact (segment_convex f _ _ _ r R A B Rx Ry).
+  - unfold same_way in W. apply andb_prop in W as (W1 & W2). split; intro P.
+    + apply orb_prop in W1 as [W1|W1]; [apply Qle_bool_iff in W1; lra|apply less_true, W1].
+    + apply orb_prop in W2 as [W2|W2]; [apply Qle_bool_iff in W2; lra|apply less_true, W2].
+Qed.
+End Cover.

@@ -1,0 +1,65 @@
+(* The checkers accept: small cases, computed by Coq itself. *)
+Require Import QArith ZArith List Bool.
+From Exactsweep Require Import Cancel Pieces Solid Gaps Layout NoFit Sums.
+From Exactsweep Require Statements.
+Import ListNotations.
+Open Scope Z_scope.
+
+Definition square : Statements.ring := [(0, 0); (1, 0); (1, 1); (0, 1)]%Q.
+Definition unit_square : ring := [(0, 0); (1, 0); (1, 1); (0, 1)].
+Definition no_normals (_ _ _ _ : nat) : pt := (0, 0).
+Definition no_outside_normals (_ : Z) : nat -> nat -> nat -> pt := fun _ _ _ => (0, 0).
+
+(* Two unit squares, one of them rotated by a right angle, half a unit apart in a sheet of 3 by 1; and the disc of
+   radius 1/2 in the middle of a sheet of 1 by 1, which touches its sides. *)
+Definition still (u v : Q) : Statements.motion :=
+  {| Statements.mirrored := false; Statements.cosine := 1; Statements.sine := 0; Statements.shift := (u, v) |}.
+Definition two_squares : Statements.layout :=
+  {| Statements.sheet := Some ([[(0, 0); (3, 0); (3, 1); (0, 1)]%Q], 0%Q); Statements.obstacles := [];
+     Statements.kinds := [{| Statements.outline := [square]; Statements.rounded := []; Statements.error := 0; Statements.demand := Some 2%nat;
+       Statements.rotations := Some [(1, 0); (0, 1)]%Q; Statements.may_mirror := false |}];
+     Statements.placements := [
+       {| Statements.kind := 0; Statements.by_motion := still 0 0; Statements.slack := 0 |};
+       {| Statements.kind := 0; Statements.by_motion :=
+         {| Statements.mirrored := false; Statements.cosine := 0; Statements.sine := 1; Statements.shift := (5 # 2, 0)%Q |}; Statements.slack := 0 |}];
+     Statements.spacing := 1 # 2; Statements.margin := 0 |}.
+Definition evidence : certificate :=
+  {| denominator := 2;
+     part_pieces := [[[(0, 0); (2, 0); (2, 2); (0, 2)]]; [[(5, 0); (5, 2); (3, 2); (3, 0)]]];
+     obstacle_pieces := [];
+     outside_pieces := [[(-2, -2); (8, -2); (6, 0); (0, 0)]; [(8, -2); (8, 4); (6, 2); (6, 0)];
+       [(8, 4); (-2, 4); (0, 2); (6, 2)]; [(-2, 4); (-2, -2); (0, 0); (0, 2)]];
+     frame := (-2, -2, 8, 4) |}.
+Example layout_accepted : check_layout no_normals no_outside_normals two_squares evidence = true.
+Proof. vm_compute. reflexivity. Qed.
+Example layout_valid : Statements.valid two_squares.
+Proof. exact (layout_sound _ _ _ _ layout_accepted). Qed.
+
+Definition disc_in_square (margin : Q) : Statements.layout :=
+  {| Statements.sheet := Some ([square], 0%Q); Statements.obstacles := [];
+     Statements.kinds := [{| Statements.outline := []; Statements.rounded := [([(0, 0)%Q], 1 # 2)]; Statements.error := 0;
+       Statements.demand := None; Statements.rotations := None; Statements.may_mirror := true |}];
+     Statements.placements := [{| Statements.kind := 0; Statements.by_motion := still (1 # 2) (1 # 2); Statements.slack := 0 |}];
+     Statements.spacing := 0; Statements.margin := margin |}.
+Definition disc_evidence : certificate :=
+  {| denominator := 4; part_pieces := [[]]; obstacle_pieces := [];
+     outside_pieces := [[(-4, -4); (8, -4); (4, 0); (0, 0)]; [(8, -4); (8, 8); (4, 4); (4, 0)];
+       [(8, 8); (-4, 8); (0, 4); (4, 4)]; [(-4, 8); (-4, -4); (0, 0); (0, 4)]];
+     frame := (-4, -4, 8, 8) |}.
+Example disc_valid : Statements.valid (disc_in_square 0).
+Proof. apply (layout_sound no_normals no_outside_normals _ disc_evidence). vm_compute. reflexivity. Qed.
+Example disc_too_close : check_layout no_normals no_outside_normals (disc_in_square (1 # 4)) disc_evidence = false.
+Proof. vm_compute. reflexivity. Qed.
+
+(* The no-fit polygon of two unit squares: one sum, each side of which runs along one edge of the loop *)
+Definition loop : Statements.ring := [(-1 # 1, -1 # 1); (1, -1 # 1); (1, 1); (-1 # 1, 1)]%Q.
+Definition no_fit_evidence : no_fit_certificate :=
+  {| unit := 1; NoFit.still := [unit_square]; moving := [unit_square]; listed_sums := [(0%nat, [[-1]; [-2]; [-3]; [-4]])] |}.
+Example no_fit_square : Statements.no_fit_claim [square] [square] [loop] [].
+Proof. apply (no_fit_sound _ _ _ _ no_fit_evidence). vm_compute. reflexivity. Qed.
+
+(* A ring that goes twice around is rejected, although its pieces cancel to it. *)
+Example twice_rejected :
+  is_solid {| rings := [unit_square; unit_square]; pieces := [unit_square; unit_square] |} = true /\
+  simple_solid {| rings := [unit_square; unit_square]; pieces := [unit_square; unit_square] |} = false.
+Proof. vm_compute. split; reflexivity. Qed.

@@ -1,0 +1,86 @@
+(* Faults, proved by a point or two; and what `valid` says of shapes that are known exactly. *)
+Require Import QArith Lqa ZArith Lia List Bool.
+From Exactsweep Require Statements.
+From Exactsweep Require Import HalfOpen Near.
+Import ListNotations.
+Open Scope Q_scope.
+
+Lemma known_self e (S : qpoint -> Prop) : 0 <= e -> Statements.known_to e S S.
+Proof. intros E z I. apply within_self; assumption. Qed.
+Lemma keeps_disjoint d A B : Statements.keeps d (Statements.inside A) (Statements.inside B) ->
+  Statements.disjoint (Statements.inside A) (Statements.inside B).
+Proof. intros (N & _). apply disjoint_iff, N. Qed.
+
+(* Parts that are drawn as rings and known exactly: no two have a point in common, each is in the sheet, off each obstacle. *)
+Lemma drawn_inside l x z : Statements.inside (Statements.placed l x) z -> Statements.drawn l x z.
+Proof. intro I. left. exact I. Qed.
+Lemma shape_inside l x : 0 <= Statements.error (Statements.kind_of l x) + Statements.slack x ->
+  Statements.shape_of l x (Statements.inside (Statements.placed l x)).
+Proof. intros E z I. apply within_self; [exact E|apply drawn_inside, I]. Qed.
+Theorem valid_exact l : Statements.valid l ->
+  (forall x, In x (Statements.placements l) -> 0 <= Statements.error (Statements.kind_of l x) + Statements.slack x) ->
+  (forall i j x y, nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y -> i <> j ->
+    Statements.disjoint (Statements.inside (Statements.placed l x)) (Statements.inside (Statements.placed l y)) /\
+    Statements.at_least (Statements.spacing l) (Statements.inside (Statements.placed l x)) (Statements.inside (Statements.placed l y))) /\
+  (forall x C e, In x (Statements.placements l) -> Statements.sheet l = Some (C, e) -> 0 <= e ->
+    (forall z, Statements.inside (Statements.placed l x) z -> Statements.inside C z) /\
+    Statements.at_least (Statements.margin l) (Statements.inside (Statements.placed l x)) (fun z => ~ Statements.inside C z)) /\
+  (forall x o, In x (Statements.placements l) -> In o (Statements.obstacles l) -> 0 <= snd o ->
+    Statements.disjoint (Statements.inside (Statements.placed l x)) (Statements.inside (fst o)) /\
+    Statements.at_least (Statements.margin l) (Statements.inside (Statements.placed l x)) (Statements.inside (fst o))).
+Proof.
+  intros V E. split; [|split].
+  - intros i j x y X Y Ne. pose proof (Statements.apart l V i j x y _ _ X Y Ne (shape_inside l x (E x (nth_error_In _ _ X)))
+      (shape_inside l y (E y (nth_error_In _ _ Y)))) as K. split; [apply (keeps_disjoint _ _ _ K)|apply K].
+  - intros x C e I Sh E0. pose proof (Statements.contained l V x C e _ _ I Sh (shape_inside l x (E x I)) (known_self e _ E0)) as (K1 & K2).
+    split; [|exact K2]. intros z Z. destruct (Z.eq_dec (Statements.winding C z) 1) as [|N]; [assumption|exfalso]. apply K1.
+    destruct (half_open (Statements.placed l x) z) as (d & D & H). destruct (half_open C z) as (d' & D' & H').
+    destruct (below d d' D D') as (r & R & L & L'). destruct (wedge_square r z R) as (c & q & Q0 & Sq).
+    exists c. split; exists q; (split; [exact Q0|]); intros y Y; specialize (Sq y Y); unfold Statements.inside.
+    + rewrite (H y); [exact Z|]. apply (wedge_less r d z y L Sq).
+    + rewrite (H' y); [exact N|]. apply (wedge_less r d' z y L' Sq).
+  - intros x o I J E0. pose proof (Statements.no_defect l V x o _ _ I J (shape_inside l x (E x I)) (known_self (snd o) _ E0)) as K.
+    split; [apply (keeps_disjoint _ _ _ K)|apply K].
+Qed.
+
+(* Faults of shapes that are known exactly *)
+Definition check_overlap (A B : list Statements.ring) (z : Statements.point) : bool :=
+  (Statements.winding A z =? 1)%Z && (Statements.winding B z =? 1)%Z.
+Theorem overlap_sound A B z : check_overlap A B z = true -> Statements.overlap (Statements.inside A) (Statements.inside B).
+Proof.
+  unfold check_overlap. intro H. apply andb_prop in H as (X & Y). apply Z.eqb_eq in X, Y.
+  exact (overlap_of_point A B z X Y).
+Qed.
+Lemma in_closure (S : Statements.point -> Prop) z : S z -> Statements.closure S z.
+Proof. intros H e E. exists z. split; [exact H|apply close_refl, E]. Qed.
+
+Definition check_too_close (A B : list Statements.ring) (d : Q) (y z : Statements.point) : bool :=
+  (Statements.winding A y =? 1)%Z && (Statements.winding B z =? 1)%Z && negb (Qle_bool (d * d) (Statements.dist2 y z)).
+Theorem too_close_sound A B d y z : check_too_close A B d y z = true -> ~ Statements.at_least d (Statements.inside A) (Statements.inside B).
+Proof.
+  unfold check_too_close. intros H N. apply andb_prop in H as (H & X). apply andb_prop in H as (Y & Z').
+  apply Z.eqb_eq in Y, Z'. specialize (N y z (in_closure _ y Y) (in_closure _ z Z')).
+  apply Qle_bool_iff in N. rewrite N in X. discriminate.
+Qed.
+Definition check_outside (A C : list Statements.ring) (z : Statements.point) : bool :=
+  (Statements.winding A z =? 1)%Z && negb (Statements.winding C z =? 1)%Z.
+Theorem outside_sound A C z : check_outside A C z = true -> ~ (forall y, Statements.inside A y -> Statements.inside C y).
+Proof.
+  unfold check_outside. intros H N. apply andb_prop in H as (X & Y). apply Z.eqb_eq in X.
+  specialize (N z X). unfold Statements.inside in N. rewrite N in Y. discriminate.
+Qed.
+Definition check_shape (A : list Statements.ring) (z : Statements.point) : bool :=
+  negb ((Statements.winding A z =? 0)%Z || (Statements.winding A z =? 1)%Z).
+Theorem shape_sound A z : check_shape A z = true -> ~ Statements.simple A.
+Proof.
+  unfold check_shape. intros H (S & _). destruct (S z) as [E|E]; rewrite E in H; discriminate.
+Qed.
+
+(* So an overlap of drawn parts refutes a layout. *)
+Corollary overlap_refutes l i j x y z : nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y ->
+  i <> j -> 0 <= Statements.error (Statements.kind_of l x) + Statements.slack x -> 0 <= Statements.error (Statements.kind_of l y) + Statements.slack y ->
+  check_overlap (Statements.placed l x) (Statements.placed l y) z = true -> ~ Statements.valid l.
+Proof.
+  intros X Y N E E' H V. destruct (Statements.apart l V i j x y _ _ X Y N (shape_inside l x E) (shape_inside l y E')) as (K & _).
+  apply K. exact (overlap_sound _ _ z H).
+Qed.

@@ -1,0 +1,508 @@
+(* The checker of layouts, and the theorem: what it accepts is valid. *)
+Require Import QArith Lqa ZArith Lia List Bool.
+From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Statements.
+From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums Pairs Near.
+Import ListNotations.
+Open Scope Z_scope.
+
+(* The evidence, in integers at a common denominator: pieces of each placement that is drawn as rings, of each
+   obstacle, and of what a frame (left, bottom, right, top) has outside the sheet. *)
+Record certificate := {
+  denominator : positive;
+  part_pieces : list (list ring); obstacle_pieces : list (list ring);
+  outside_pieces : list ring; frame : Z * Z * Z * Z }.
+
+(* A piece has a radius.  A solid here: its pieces, up to which error it is known, and the extents of its box. *)
+Definition rounded_piece := (ring * Z)%type.
+Record item := { parts : list rounded_piece; reach : Z; extents : list Z }.
+Definition extent (ps : list rounded_piece) (n : pt) : Z :=
+  match ps with [] => 0 | p :: r => fold_right (fun q m => Z.max (most n (fst q) + snd q) m) (most n (fst p) + snd p) r end.
+Definition make_item (ps : list rounded_piece) (e : Z) : item := {| parts := ps; reach := e; extents := map (extent ps) axes |}.
+
+Definition gap (d : Z) (p q : rounded_piece) (n : pt) : bool := far (d + snd p + snd q) n (fst p) (fst q).
+(* Boxes at distance d, in the order of `axes`: right, up, left, down *)
+Definition box_gap (d : Z) (x y : list Z) : bool :=
+  match x, y with
+  | [r; u; l; b], [r'; u'; l'; b'] => (d <=? - l' - r) || (d <=? - b' - u) || (d <=? - r' - l) || (d <=? - u' - b)
+  | _, _ => false
+  end.
+Definition numbered {A} (l : list A) : list (nat * A) := combine (seq 0 (length l)) l.
+Definition is_apart (d : Z) (normals : nat -> nat -> pt) (x y : item) : bool :=
+  let d := d + reach x + reach y in
+  box_gap d (extents x) (extents y) ||
+  forallb (fun p => forallb (fun q => existsb (gap d (snd p) (snd q)) (normals (fst p) (fst q) :: axes)) (numbered (parts y))) (numbered (parts x)).
+Fixpoint all_apart (d : Z) (normals : nat -> nat -> nat -> nat -> pt) (l : list (nat * item)) : bool :=
+  match l with
+  | [] => true
+  | (a, x) :: r => forallb (fun y => is_apart d (fun i j => normals a i (fst y) j) x (snd y)) r && all_apart d normals r
+  end.
+
+Definition planes (f : Z * Z * Z * Z) : list (pt * Z) :=
+  let '(l, b, r, t) := f in [((1, 0), r); ((0, 1), t); ((-1, 0), - l); ((0, -1), - b)].
+Definition within_frame (d : Z) (f : Z * Z * Z * Z) (x : item) : bool :=
+  forallb (fun p => forallb (fun h => most (fst h) (fst p) + snd p + reach x + d <=? snd h) (planes f)) (parts x).
+
+Definition check_allowed (l : Statements.layout) (x : Statements.placement) : bool :=
+  let m := Statements.by_motion x in let k := Statements.kind_of l x in
+  (Statements.kind x <? length (Statements.kinds l))%nat &&
+  Qeq_bool (Statements.cosine m * Statements.cosine m + Statements.sine m * Statements.sine m) 1 &&
+  (negb (Statements.mirrored m) || Statements.may_mirror k) &&
+  match Statements.rotations k with
+  | None => true
+  | Some cs => existsb (fun c => Qeq_bool (fst c) (Statements.cosine m) && Qeq_bool (snd c) (Statements.sine m)) cs
+  end.
+Definition check_supply (l : Statements.layout) : bool :=
+  forallb (fun k => match nth_error (Statements.kinds l) k with
+    | None => true
+    | Some p => match Statements.demand p with
+      | None => true
+      | Some n => (count_occ Nat.eq_dec (map Statements.kind (Statements.placements l)) k =? n)%nat
+      end
+    end) (seq 0 (length (Statements.kinds l))).
+
+Definition is_amount (D : Z) (q : Q) : bool := Qle_bool 0 q && integral D q.
+
+Section Check.
+(* The normals of the certificate: any function at all, no property of it is used.  `outside_normals` -1 is the
+   outside of the sheet, -2 - k obstacle k, on the first side of the normal. *)
+Variables (normals : nat -> nat -> nat -> nat -> pt) (outside_normals : Z -> nat -> nat -> nat -> pt).
+Variables (l : Statements.layout) (c : certificate).
+Let D := Zpos (denominator c).
+
+Definition error_of (x : Statements.placement) : Q := (Statements.error (Statements.kind_of l x) + Statements.slack x)%Q.
+Definition moved (x : Statements.placement) : list (list Statements.point * Q) :=
+  map (fun p => (map (Statements.move (Statements.by_motion x)) (fst p), snd p)) (Statements.rounded (Statements.kind_of l x)).
+Definition item_of (x : Statements.placement * list ring) : item :=
+  make_item (map (fun p => (p, 0)) (snd x) ++ map (fun p => (map (int_point D) (fst p), int D (snd p))) (moved (fst x))) (int D (error_of (fst x))).
+Definition is_solid_part (x : Statements.placement * list ring) : bool :=
+  let rs := Statements.placed l (fst x) in
+  is_amount D (error_of (fst x)) && all_integral D rs &&
+  forallb (fun p => all_integral D [fst p] && is_amount D (snd p) && negb (match fst p with [] => true | _ => false end)) (moved (fst x)) &&
+  match Statements.outline (Statements.kind_of l (fst x)) with
+  | [] => match snd x with [] => true | _ => false end
+  | _ => simple_solid {| rings := int_rings D rs; pieces := snd x |}
+  end.
+Definition obstacle_item (o : list Statements.ring * Q * list ring) : item :=
+  make_item (map (fun p => (p, 0)) (snd o)) (int D (snd (fst o))).
+Definition is_solid_obstacle (o : list Statements.ring * Q * list ring) : bool :=
+  is_amount D (snd (fst o)) && all_integral D (fst (fst o)) && simple_solid {| rings := int_rings D (fst (fst o)); pieces := snd o |}.
+
+Definition items : list (nat * item) := numbered (map item_of (combine (Statements.placements l) (part_pieces c))).
+Definition check_layout : bool :=
+  forallb (check_allowed l) (Statements.placements l) && check_supply l &&
+  (length (Statements.placements l) =? length (part_pieces c))%nat &&
+  (length (Statements.obstacles l) =? length (obstacle_pieces c))%nat &&
+  is_amount D (Statements.spacing l) && is_amount D (Statements.margin l) &&
+  forallb is_solid_part (combine (Statements.placements l) (part_pieces c)) &&
+  forallb is_solid_obstacle (combine (Statements.obstacles l) (obstacle_pieces c)) &&
+  all_apart (int D (Statements.spacing l)) normals items &&
+  forallb (fun o => forallb (fun x => is_apart (int D (Statements.margin l)) (fun i j => outside_normals (-2 - Z.of_nat (fst o)) i (fst x) j) (snd o) (snd x)) items)
+    (numbered (map obstacle_item (combine (Statements.obstacles l) (obstacle_pieces c)))) &&
+  match Statements.sheet l with
+  | None => true
+  | Some (rs, e) =>
+      let '(x0, y0, x1, y1) := frame c in
+      let out := make_item (map (fun p => (p, 0)) (outside_pieces c)) (int D e) in
+      (x0 <? x1) && (y0 <? y1) && is_amount D e && all_integral D rs && forallb is_fan (outside_pieces c) &&
+      cancels (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings D rs)) (edges (box_ring x0 y0 x1 y1)) &&
+      forallb (fun x => within_frame (int D (Statements.margin l) + int D e) (frame c) (snd x) &&
+        is_apart (int D (Statements.margin l)) (fun i j => outside_normals (-1) i (fst x) j) out (snd x)) items
+  end.
+End Check.
+
+(* 2. What it says *)
+Lemma check_allowed_spec l x : check_allowed l x = true -> Statements.allowed l x.
+Proof.
+  unfold check_allowed, Statements.allowed. cbv zeta. intro H.
+  apply andb_prop in H as (H & R). apply andb_prop in H as (H & M). apply andb_prop in H as (I & T).
+  repeat split.
+  - apply Nat.ltb_lt, I.
+  - apply Qeq_bool_iff, T.
+  - intro E. rewrite E in M. exact M.
+  - destruct (Statements.rotations (Statements.kind_of l x)) as [cs|]; [|exact Logic.I].
+    apply existsb_exists in R as (c & J & R). apply andb_prop in R as (R1 & R2).
+    exists c. repeat split; [exact J| |]; apply Qeq_bool_iff; assumption.
+Qed.
+Lemma check_supply_spec l : check_supply l = true -> Statements.supplied l.
+Proof.
+  unfold check_supply, Statements.supplied. rewrite forallb_forall. intros H k p n E F.
+  assert (k < length (Statements.kinds l))%nat by (apply nth_error_Some; congruence).
+  specialize (H k). rewrite E, F in H. apply Nat.eqb_eq, H, in_seq. lia.
+Qed.
+
+Open Scope Q_scope.
+Section Regions.
+Variable N : positive.
+Definition qnormal (n : pt) : qpoint := (inject_Z (fst n), inject_Z (snd n)).
+Definition core (p : ring) (y : qpoint) : Prop := forall n a, (forall v, In v p -> (dot n v <= a)%Z) -> along (qnormal n) y <= a # N.
+Definition region_of (p : rounded_piece) : region := (core (fst p), snd p # N).
+
+Lemma piece_core P y : is_fan P = true -> Statements.winding [qring N P] y = 1%Z -> core P y.
+Proof. intros F W n a B. exact (piece_le N P n a y F B W). Qed.
+Lemma frac_nonneg a : (0 <= a)%Z -> 0 <= a # N.
+Proof. unfold Qle. cbn [Qnum Qden]. lia. Qed.
+Lemma frac_plus a b : (a + b # N) == (a # N) + (b # N).
+Proof. unfold Qeq, Qplus. cbn [Qnum Qden]. rewrite Pos2Z.inj_mul. ring. Qed.
+
+Lemma far_between d n p q s (r r' : Q) : far d n p q = true -> s + r + r' == d # N -> gap_between s (core p, r) (core q, r').
+Proof.
+  intros F E. destruct (far_spec _ _ _ _ F) as (Nz & a & b & A & B & O & W).
+  exists (qnormal n), (a # N), (b # N). cbn [fst snd]. repeat split.
+  - intros y Y. apply Y, A.
+  - intros y Y. assert (H : along (qnormal (opposite n)) y <= - b # N).
+    { apply Y. intros v V. specialize (B v V). unfold dot, opposite in *. cbn [fst snd]. lia. }
+    unfold along, qnormal, opposite in *. cbn [fst snd] in *. rewrite !inject_Z_opp in H.
+    assert (X : (- b # N) == - (b # N)) by (unfold Qeq, Qopp; cbn [Qnum Qden]; ring). lra.
+  - unfold square_of, qnormal. cbn [fst snd]. rewrite <- !inject_Z_mult, <- inject_Z_plus. apply inject_pos.
+    destruct n as [u v]. cbn [fst snd]. assert (u <> 0 \/ v <> 0)%Z by (destruct (Z.eq_dec u 0); [right; congruence|left; assumption]). nia.
+  - apply frac_le, O.
+  - rewrite E. unfold square_of, qnormal. cbn [fst snd]. rewrite (qfrac N d), (qfrac N a), (qfrac N b).
+    assert (W' : inject_Z (d * d * dot n n) <= inject_Z ((b - a) * (b - a))) by (rewrite <- Zle_Qle; exact W).
+    unfold dot, Z.sub in W'. repeat rewrite ?inject_Z_mult, ?inject_Z_plus, ?inject_Z_opp in W'.
+    pose proof (unit_pos N) as P. pose proof (mono_le (unit N * unit N) _ _ ltac:(lra) W') as M.
+    assert (E1 : inject_Z d * unit N * (inject_Z d * unit N) * (inject_Z (fst n) * inject_Z (fst n) + inject_Z (snd n) * inject_Z (snd n)) ==
+      unit N * unit N * (inject_Z d * inject_Z d * (inject_Z (fst n) * inject_Z (fst n) + inject_Z (snd n) * inject_Z (snd n)))) by ring.
+    assert (E2 : (inject_Z b * unit N - inject_Z a * unit N) * (inject_Z b * unit N - inject_Z a * unit N) ==
+      unit N * unit N * ((inject_Z b + - inject_Z a) * (inject_Z b + - inject_Z a))) by ring.
+    rewrite E1, E2. exact M.
+Qed.
+
+(* Boxes *)
+Lemma extent_spec ps n p : In p ps -> (most n (fst p) + snd p <= extent ps n)%Z.
+Proof.
+  destruct ps as [|q ps]; [intros []|]. unfold extent. induction ps as [|w ps IH]; cbn [fold_right]; intros [<-|I]; try lia; [destruct I| |].
+  - specialize (IH (or_introl eq_refl)). lia.
+  - destruct I as [<-|I]; [lia|]. specialize (IH (or_intror I)). lia.
+Qed.
+Lemma axis_between n d p q s (r r' : Q) : In n axes -> (0 <= d)%Z -> (d <= - most (opposite n) q - most n p)%Z ->
+  s + r + r' == d # N -> gap_between s (core p, r) (core q, r').
+Proof.
+  intros I D0 L E. exists (qnormal n), (most n p # N), (- most (opposite n) q # N). cbn [fst snd].
+  assert (S : square_of (qnormal n) == 1) by (destruct I as [<-|[<-|[<-|[<-|[]]]]]; unfold square_of, qnormal; cbn [fst snd]; ring).
+  repeat split.
+  - intros y Y. apply Y. intros v V. apply most_spec, V.
+  - intros y Y. assert (H : along (qnormal (opposite n)) y <= most (opposite n) q # N) by (apply Y; intros v V; apply most_spec, V).
+    unfold along, qnormal, opposite in *. cbn [fst snd] in *. rewrite !inject_Z_opp in H.
+    assert (X : forall i, (- i # N) == - (i # N)) by (intro i; unfold Qeq, Qopp; cbn [Qnum Qden]; ring). rewrite X. lra.
+  - rewrite S. reflexivity.
+  - apply frac_le. lia.
+  - rewrite E, S, Qmult_1_r. assert (G : (d # N) <= (- most (opposite n) q # N) - (most n p # N)).
+    { assert (G : (d # N) <= (- most (opposite n) q - most n p # N)) by (apply frac_le, L).
+      unfold Z.sub in G. rewrite frac_plus in G. assert (X : forall i, (- i # N) == - (i # N)) by (intro i; unfold Qeq, Qopp; cbn [Qnum Qden]; ring).
+      rewrite (X (most n p)) in G. lra. }
+    apply sq_le; [apply frac_nonneg, D0|exact G].
+Qed.
+
+(* Two solids that are apart *)
+Definition sound (x : item) : Prop := (0 <= reach x)%Z /\ extents x = map (extent (parts x)) axes /\ forall p, In p (parts x) -> (0 <= snd p)%Z.
+Definition regions (x : item) : list region := map (fun p => (fst p, (reach x # N) + snd p)) (map region_of (parts x)).
+Lemma numbered_in {A} (l : list A) a : In a l -> exists i, In (i, a) (numbered l).
+Proof.
+  unfold numbered. generalize 0%nat. induction l as [|b l IH]; intros k I; [destruct I|]. cbn [length seq combine].
+  destruct I as [->|I]; [exists k; left; reflexivity|]. destruct (IH (S k) I) as (i & J). exists i. right. exact J.
+Qed.
+Lemma is_apart_between d normals x y s : sound x -> sound y -> (0 <= d)%Z -> is_apart d normals x y = true -> s == d # N ->
+  forall p q, In p (regions x) -> In q (regions y) -> gap_between s p q.
+Proof.
+  intros (Rx & Ex & Px) (Ry & Ey & Py) D0 H Es p' q' Ip Iq.
+  apply in_map_iff in Ip as (p1 & <- & Ip). apply in_map_iff in Ip as (p & <- & Ip).
+  apply in_map_iff in Iq as (q1 & <- & Iq). apply in_map_iff in Iq as (q & <- & Iq). cbn [fst snd region_of].
+  pose proof (Px p Ip) as P0. pose proof (Py q Iq) as Q0.
+  assert (E : s + ((reach x # N) + (snd p # N)) + ((reach y # N) + (snd q # N)) == d + reach x + reach y + snd p + snd q # N).
+  { rewrite Es, !frac_plus. ring. }
+  unfold is_apart in H. cbv zeta in H. apply orb_prop in H as [H|H].
+  - rewrite Ex, Ey in H. unfold box_gap, axes in H. cbn [map] in H.
+    assert (G : exists n, In n axes /\ (d + reach x + reach y <= - extent (parts y) (opposite n) - extent (parts x) n)%Z).
+    { apply orb_prop in H as [H|H]; [apply orb_prop in H as [H|H]; [apply orb_prop in H as [H|H]|]|]; apply Z.leb_le in H.
+      - exists (1, 0)%Z. split; [left; reflexivity|exact H].
+      - exists (0, 1)%Z. split; [right; left; reflexivity|exact H].
+      - exists (-1, 0)%Z. split; [right; right; left; reflexivity|exact H].
+      - exists (0, -1)%Z. split; [right; right; right; left; reflexivity|exact H]. }
+    destruct G as (n & I & G). apply (axis_between n (d + reach x + reach y + snd p + snd q)); [exact I|lia| |exact E].
+    pose proof (extent_spec (parts x) n p Ip). pose proof (extent_spec (parts y) (opposite n) q Iq). lia.
+  - rewrite forallb_forall in H. destruct (numbered_in _ p Ip) as (i & Ji). specialize (H _ Ji). rewrite forallb_forall in H.
+    destruct (numbered_in _ q Iq) as (j & Jj). specialize (H _ Jj). apply existsb_exists in H as (n & _ & H). unfold gap in H. cbn [fst snd] in H.
+    exact (far_between _ n (fst p) (fst q) s _ _ H E).
+Qed.
+Lemma regions_nonneg x : sound x -> forall p, In p (regions x) -> 0 <= snd p.
+Proof.
+  intros (R & _ & P) p' I. apply in_map_iff in I as (p1 & <- & I). apply in_map_iff in I as (p & <- & I). cbn [snd region_of].
+  pose proof (frac_nonneg _ R). pose proof (frac_nonneg _ (P p I)). lra.
+Qed.
+
+(* A solid covers a set: each of its points is within the radius of a piece. *)
+Definition covers_set (x : item) (S : qpoint -> Prop) : Prop := forall y, S y -> in_some (map region_of (parts x)) y.
+Lemma cover_known x e S T : sound x -> e == reach x # N -> covers_set x S -> Statements.known_to e S T -> forall z, T z -> in_some (regions x) z.
+Proof.
+  intros (R & _ & P) E C K z Tz. apply (within_union (reach x # N) (map region_of (parts x)) S z).
+  - apply frac_nonneg, R.
+  - intros p' I. apply in_map_iff in I as (p & <- & I). cbn [snd region_of]. apply frac_nonneg, P, I.
+  - exact C.
+  - intros d D. apply (K z Tz). lra.
+Qed.
+Theorem apart_keeps d normals x y s e e' S T S' T' : sound x -> sound y -> (0 <= d)%Z -> s == d # N -> is_apart d normals x y = true ->
+  e == reach x # N -> e' == reach y # N -> covers_set x S -> covers_set y T -> Statements.known_to e S S' -> Statements.known_to e' T T' ->
+  Statements.keeps s S' T'.
+Proof.
+  intros X Y D0 Es H E E' CS CT KS KT. apply (keeps_regions s (regions x) (regions y)).
+  - rewrite Es. apply frac_nonneg, D0.
+  - apply regions_nonneg, X.
+  - apply regions_nonneg, Y.
+  - exact (cover_known x e S S' X E CS KS).
+  - exact (cover_known y e' T T' Y E' CT KT).
+  - exact (is_apart_between d normals x y s X Y D0 H Es).
+Qed.
+Lemma keeps_sym s S T : Statements.keeps s S T -> Statements.keeps s T S.
+Proof.
+  intros (A & B). split.
+  - intros (z & X & Y). apply A. exists z. auto.
+  - intros y z Y Z. specialize (B z y Z Y). unfold Statements.dist2 in *. lra.
+Qed.
+Lemma solid_covers rs ps e : all_integral (Zpos N) rs = true -> simple_solid {| rings := int_rings (Zpos N) rs; pieces := ps |} = true ->
+  covers_set (make_item (map (fun p => (p, 0%Z)) ps) e) (Statements.inside rs).
+Proof.
+  intros I H y Y K. unfold Statements.inside in Y.
+  apply (count_pieces N {| rings := int_rings (Zpos N) rs; pieces := ps |} rs y H I eq_refl) in Y as (P & IP & W).
+  apply (K (region_of (P, 0%Z))).
+  - unfold make_item. cbn [parts]. rewrite map_map. exact (in_map (fun p => region_of (p, 0%Z)) ps P IP).
+  - apply within_self; [apply frac_nonneg; cbn; lia|]. cbn [fst region_of].
+    apply piece_core; [exact (proj1 (proj2 (simple_spec _ H)) P IP)|exact W].
+Qed.
+Lemma make_sound ps e : (0 <= e)%Z -> (forall p, In p ps -> (0 <= snd p)%Z) -> sound (make_item ps e).
+Proof. intros E P. split; [exact E|]. split; [reflexivity|exact P]. Qed.
+Lemma flat_sound (ps : list ring) e : (0 <= e)%Z -> sound (make_item (map (fun p => (p, 0%Z)) ps) e).
+Proof. intro E. apply make_sound; [exact E|]. intros p I. apply in_map_iff in I as (q & <- & _). cbn. lia. Qed.
+End Regions.
+
+Lemma amount_spec N q : is_amount (Zpos N) q = true -> (0 <= int (Zpos N) q)%Z /\ q == int (Zpos N) q # N.
+Proof.
+  unfold is_amount. intro H. apply andb_prop in H as (A & B). apply Qle_bool_iff in A. apply int_at in B.
+  assert (P : 0 < inject_Z (Zpos N)) by (apply inject_pos; reflexivity). unfold at_ in B. split.
+  - rewrite Zle_Qle. change (inject_Z 0) with 0. rewrite <- B. apply Qmult_le_0_compat; lra.
+  - apply (Qmult_inj_r _ _ (inject_Z (Zpos N))); [lra|]. rewrite B. unfold Qeq, Qmult, inject_Z. cbn [Qnum Qden]. rewrite !Pos.mul_1_r. ring.
+Qed.
+
+(* The frame *)
+Section Frame.
+Variables (N : positive) (x0 y0 x1 y1 : Z) (C : list Statements.ring) (out : list ring).
+Definition beyond_plane (h : pt * Z) (y : qpoint) : Prop := (snd h # N) <= along (qnormal (fst h)) y.
+Hypothesis IC : all_integral (Zpos N) C = true.
+Hypothesis Fx : (x0 < x1)%Z.
+Hypothesis Fy : (y0 < y1)%Z.
+Hypothesis FO : fans out.
+Hypothesis Cn : cancels (flat_map edges out ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring x0 y0 x1 y1)) = true.
+Lemma frame_inside z : (forall h, In h (planes (x0, y0, x1, y1)) -> ~ beyond_plane h z) ->
+  (forall P, In P out -> Statements.winding [qring N P] z <> 1%Z) -> Statements.inside C z.
+Proof.
+  intros NB NP. unfold Statements.inside. destruct (pat_common z z) as (k & v & _ & K & V & _).
+  rewrite (winding_W (Zpos N) k C (int_rings (Zpos N) C) z v); [|reflexivity|exact K|apply int_rings_at, IC|exact V].
+  pose proof (cancels_wind k _ _ (grow (Zpos N) v) K Cn) as E. rewrite map_app, wind_app in E.
+  fold (W k out (grow (Zpos N) v)) (W k (int_rings (Zpos N) C) (grow (Zpos N) v)) in E. rewrite W_count in E.
+  pose proof (box_wind k x0 y0 x1 y1 (grow (Zpos N) v) K Fx Fy) as B. unfold W at 1 in B. cbn [flat_map] in B.
+  rewrite app_nil_r in B. rewrite B in E. clear B.
+  destruct (count_some k out (grow (Zpos N) v) K FO) as (C1 & C2).
+  assert (C3 : ~ (1 <= count k out (grow (Zpos N) v))%Z).
+  { intro H. destruct (C2 H) as (P & IP & X). apply (NP P IP). rewrite (piece_at N k P z v K V). exact X. }
+  assert (Scale : forall a q n, at_ k q n -> ((a # N) <= q <-> (k * a <= Zpos N * n)%Z) /\ (q <= (a # N) <-> (Zpos N * n <= k * a)%Z)).
+  { intros a q n A. assert (X : at_ (k * Zpos N) (a # N) (k * a)).
+    { unfold at_, Qeq, Qmult, inject_Z. cbn [Qnum Qden]. rewrite Pos.mul_1_r. ring. }
+    assert (Y : at_ (k * Zpos N) q (Zpos N * n)) by (unfold at_ in *; rewrite !inject_Z_mult, <- A; ring).
+    split; apply (at_le (k * Zpos N)); try assumption; nia. }
+  destruct V as (Vx & Vy). destruct (Scale x0 _ _ Vx) as (_ & S1). destruct (Scale x1 _ _ Vx) as (S2 & _).
+  destruct (Scale y0 _ _ Vy) as (_ & S3). destruct (Scale y1 _ _ Vy) as (S4 & _).
+  pose proof (NB ((1, 0)%Z, x1) (or_introl eq_refl)) as B1. pose proof (NB ((0, 1)%Z, y1) (or_intror (or_introl eq_refl))) as B2.
+  pose proof (NB ((-1, 0)%Z, (- x0)%Z) (or_intror (or_intror (or_introl eq_refl)))) as B3.
+  pose proof (NB ((0, -1)%Z, (- y0)%Z) (or_intror (or_intror (or_intror (or_introl eq_refl))))) as B4.
+  unfold beyond_plane, along, qnormal in *. cbn [fst snd] in *.
+  change (inject_Z 1) with 1 in *. change (inject_Z 0) with 0 in *. change (inject_Z (-1)) with (- (1)) in *.
+  assert (X : forall i, (- i # N) == - (i # N)) by (intro i; unfold Qeq, Qopp; cbn [Qnum Qden]; ring). rewrite X in B3, B4.
+  assert (D1 : ~ (x1 # N) <= fst z) by (intro L; apply B1; lra). assert (D2 : ~ (y1 # N) <= snd z) by (intro L; apply B2; lra).
+  assert (D3 : ~ fst z <= (x0 # N)) by (intro L; apply B3; lra). assert (D4 : ~ snd z <= (y0 # N)) by (intro L; apply B4; lra).
+  rewrite S2 in D1. rewrite S4 in D2. rewrite S1 in D3. rewrite S3 in D4. unfold grow in E. cbn [fst snd] in E.
+  destruct (Z.leb_spec (k * x0) (Zpos N * fst v)); [|lia]. destruct (Z.ltb_spec (Zpos N * fst v) (k * x1)); [|lia].
+  destruct (Z.leb_spec (k * y0) (Zpos N * snd v)); [|lia]. destruct (Z.ltb_spec (Zpos N * snd v) (k * y1)); [|lia].
+  cbn [andb] in E. unfold grow in *. lia.
+Qed.
+End Frame.
+
+Lemma plane_between N f h q d s (r r' : Q) : In h (planes f) -> (0 <= d)%Z -> (most (fst h) q + d <= snd h)%Z ->
+  s + r + r' == d # N -> gap_between s (beyond_plane N h, r) (core N q, r').
+Proof.
+  intros I D0 L E. set (n := fst h) in *. exists (qnormal (opposite n)), (- snd h # N), (- most n q # N). cbn [fst snd].
+  assert (X : forall i, (- i # N) == - (i # N)) by (intro i; unfold Qeq, Qopp; cbn [Qnum Qden]; ring).
+  assert (F : forall y, along (qnormal (opposite n)) y == - along (qnormal n) y) by (intro y; unfold along, qnormal, opposite; cbn [fst snd]; rewrite !inject_Z_opp; ring).
+  assert (S : square_of (qnormal (opposite n)) == 1).
+  { destruct f as [[[l b] r0] t]. destruct I as [J|[J|[J|[J|[]]]]]; unfold n; rewrite <- J; reflexivity. }
+  repeat split.
+  - intros y Y. unfold beyond_plane in Y. fold n in Y. rewrite F, X. lra.
+  - intros y Y. assert (H : along (qnormal n) y <= most n q # N) by (apply Y; intros v V; apply most_spec, V). rewrite F, X. lra.
+  - rewrite S. reflexivity.
+  - apply frac_le. lia.
+  - rewrite E, S, Qmult_1_r. apply sq_le; [apply frac_nonneg, D0|].
+    assert (G : (most n q + d # N) <= (snd h # N)) by (apply frac_le, L). rewrite frac_plus in G. rewrite !X. lra.
+Qed.
+
+Section Sound.
+Variables (normals : nat -> nat -> nat -> nat -> pt) (outside_normals : Z -> nat -> nat -> nat -> pt).
+Variables (l : Statements.layout) (c : certificate).
+Let N := denominator c.
+
+Lemma hull_core ps z : all_integral (Zpos N) [ps] = true -> Statements.hull ps z -> core N (map (int_point (Zpos N)) ps) z.
+Proof.
+  intros I H n a B. unfold along, qnormal. cbn [fst snd]. apply H. intros p P.
+  pose proof (B _ (in_map (int_point (Zpos N)) ps p P)) as L.
+  unfold all_integral in I. cbn [forallb] in I. rewrite andb_true_r, forallb_forall in I. pose proof (I p P) as Ip. apply andb_prop in Ip as (I1 & I2).
+  pose proof (qdot_at n (Zpos N) p (int_point (Zpos N) p) (conj (int_at _ _ I1) (int_at _ _ I2))) as A. unfold at_ in A.
+  assert (Pn : 0 < inject_Z (Zpos N)) by (apply inject_pos; reflexivity).
+  assert (Q0 : (a # N) * inject_Z (Zpos N) == inject_Z a) by (unfold Qeq, Qmult, inject_Z; cbn [Qnum Qden]; rewrite !Pos.mul_1_r; ring).
+  rewrite Zle_Qle, <- A, <- Q0 in L. apply Qmult_le_r in L; [exact L|exact Pn].
+Qed.
+
+Lemma part_spec x ps : is_solid_part l c (x, ps) = true -> sound (item_of l c (x, ps)) /\
+  error_of l x == reach (item_of l c (x, ps)) # N /\ covers_set N (item_of l c (x, ps)) (Statements.drawn l x) /\
+  (Statements.outline (Statements.kind_of l x) = [] \/ Statements.simple (Statements.placed l x)).
+Proof.
+  unfold is_solid_part. cbn [fst snd]. intro H. apply andb_prop in H as (H & S). apply andb_prop in H as (H & R). apply andb_prop in H as (E & I).
+  destruct (amount_spec N _ E) as (E1 & E2). rewrite forallb_forall in R. split; [|split; [|split]].
+  - apply make_sound; [exact E1|]. intros p Ip. cbn [fst snd] in Ip. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd]; [lia|].
+    specialize (R q Iq). apply andb_prop in R as (R & _). apply andb_prop in R as (_ & R). apply (amount_spec N _ R).
+  - exact E2.
+  - intros y Y K. unfold item_of in K. cbn [fst snd make_item parts] in K.
+    assert (Kl : forall p, In p ps -> ~ core N p y).
+    { intros p Ip Cp. apply (K (region_of N (p, 0%Z))); [apply in_map, in_or_app; left; exact (in_map (fun p => (p, 0%Z)) ps p Ip)|].
+      apply within_self; [apply frac_nonneg; cbn; lia|exact Cp]. }
+    destruct Y as [Y|(p & Ip & Y)].
+    + destruct (Statements.outline (Statements.kind_of l x)) as [|r0 rest] eqn:O.
+      * unfold Statements.inside, Statements.placed in Y. rewrite O in Y. discriminate.
+      * apply (count_pieces N {| rings := int_rings (Zpos N) (Statements.placed l x); pieces := ps |} _ y S I eq_refl) in Y as (P & IP & W).
+        apply (Kl P IP), piece_core; [exact (proj1 (proj2 (simple_spec _ S)) P IP)|exact W].
+    + assert (Im : In (map (Statements.move (Statements.by_motion x)) (fst p), snd p) (moved l x)) by (exact (in_map (fun p => (map (Statements.move (Statements.by_motion x)) (fst p), snd p)) _ p Ip)).
+      specialize (R _ Im). cbn [fst snd] in R. apply andb_prop in R as (R & _). apply andb_prop in R as (R1 & R2).
+      destruct (amount_spec N _ R2) as (R3 & R4).
+      apply (K (region_of N (map (int_point (Zpos N)) (map (Statements.move (Statements.by_motion x)) (fst p)), int (Zpos N) (snd p)))).
+      * apply in_map, in_or_app. right. exact (in_map (fun p => (map (int_point (Zpos N)) (fst p), int (Zpos N) (snd p))) _ _ Im).
+      * cbn [region_of fst snd]. intros d D. assert (Dr : snd p < d) by (fold N in R4; lra).
+        apply (within_more _ _ _ y (fun z Hz => hull_core _ z R1 Hz) Y d Dr).
+  - destruct (Statements.outline (Statements.kind_of l x)) as [|r0 rest] eqn:O; [left; reflexivity|right].
+    pose proof (simple_shape _ S) as (W01 & z & Z1). cbn [rings] in *.
+    pose proof (int_rings_at (Zpos N) _ I) as Ra. split.
+    + intro q. destruct (pat_common q q) as (k & v & _ & K & V & _).
+      rewrite (winding_W (Zpos N) k _ _ q v eq_refl K Ra V). apply W01, K.
+    + apply (interior_of_point _ (third N z)). unfold Statements.inside. rewrite <- Z1, <- W_edges.
+      apply (winding_at (3 * Zpos N)); [lia|apply rings_grow, Ra|apply third_at].
+Qed.
+Lemma obstacle_spec o ps : is_solid_obstacle c (o, ps) = true -> sound (obstacle_item c (o, ps)) /\ snd o == reach (obstacle_item c (o, ps)) # N /\
+  covers_set N (obstacle_item c (o, ps)) (Statements.inside (fst o)) /\ Statements.simple (fst o).
+Proof.
+  unfold is_solid_obstacle. cbn [fst snd]. intro H. apply andb_prop in H as (H & S). apply andb_prop in H as (E & I).
+  destruct (amount_spec N _ E) as (E1 & E2). split; [apply flat_sound, E1|]. split; [exact E2|]. split; [exact (solid_covers N _ ps _ I S)|].
+  pose proof (simple_shape _ S) as (W01 & z & Z1). cbn [rings] in *. pose proof (int_rings_at (Zpos N) _ I) as Ra. split.
+  - intro q. destruct (pat_common q q) as (k & v & _ & K & V & _). rewrite (winding_W (Zpos N) k _ _ q v eq_refl K Ra V). apply W01, K.
+  - apply (interior_of_point _ (third N z)). unfold Statements.inside. rewrite <- Z1, <- W_edges.
+    apply (winding_at (3 * Zpos N)); [lia|apply rings_grow, Ra|apply third_at].
+Qed.
+
+Lemma nth_combine {A B} (a : list A) (b : list B) i x : length a = length b -> nth_error a i = Some x -> exists y, nth_error (combine a b) i = Some (x, y).
+Proof.
+  revert b i. induction a as [|u a IH]; intros [|v b] [|i] L E; try discriminate; cbn in *.
+  - injection E as ->. exists v. reflexivity.
+  - apply IH; [lia|exact E].
+Qed.
+Lemma nth_numbered {A} (m : list A) i x : nth_error m i = Some x -> exists k, nth_error (numbered m) i = Some (k, x).
+Proof.
+  unfold numbered. generalize 0%nat. revert i. induction m as [|u m IH]; intros [|i] k E; try discriminate; cbn in *.
+  - injection E as ->. exists k. reflexivity.
+  - apply IH, E.
+Qed.
+Lemma pairs_nth {A} (R : A -> A -> Prop) m : ForallOrdPairs R m -> forall i j a b, (i < j)%nat ->
+  nth_error m i = Some a -> nth_error m j = Some b -> R a b.
+Proof.
+  induction 1 as [|x m H _ IH]; intros i j a b L E F; [destruct i; discriminate|].
+  destruct j as [|j]; [lia|]. destruct i as [|i]; cbn in *.
+  - injection E as ->. rewrite Forall_forall in H. apply H. eapply nth_error_In, F.
+  - apply (IH i j); [lia|assumption|assumption].
+Qed.
+Lemma all_apart_spec d m : all_apart d normals m = true -> ForallOrdPairs (fun x y => exists f, is_apart d f (snd x) (snd y) = true) m.
+Proof.
+  induction m as [|(a, x) m IH]; cbn [all_apart]; intro H; constructor; apply andb_prop in H as (H & H2); [|apply IH, H2].
+  rewrite forallb_forall in H. rewrite Forall_forall. intros y I. eexists. exact (H y I).
+Qed.
+
+Theorem layout_sound : check_layout normals outside_normals l c = true -> Statements.valid l.
+Proof.
+  unfold check_layout. intro H.
+  apply andb_prop in H as (H & Hs). apply andb_prop in H as (H & Ho). apply andb_prop in H as (H & Ha). apply andb_prop in H as (H & So).
+  apply andb_prop in H as (H & Sp). apply andb_prop in H as (H & Hm). apply andb_prop in H as (H & Hd). apply andb_prop in H as (H & Lo).
+  apply andb_prop in H as (H & Lp). apply andb_prop in H as (Al & Su).
+  rewrite forallb_forall in Al, So, Sp. apply Nat.eqb_eq in Lp, Lo.
+  destruct (amount_spec N _ Hm) as (M0 & M1). destruct (amount_spec N _ Hd) as (D0 & D1).
+  assert (At : forall i x, nth_error (Statements.placements l) i = Some x -> exists ps k, In (x, ps) (combine (Statements.placements l) (part_pieces c)) /\
+    nth_error (items l c) i = Some (k, item_of l c (x, ps))).
+  { intros i x E. destruct (nth_combine _ _ i x Lp E) as (ps & F). exists ps.
+    destruct (nth_numbered (map (item_of l c) (combine (Statements.placements l) (part_pieces c))) i (item_of l c (x, ps))) as (k & G).
+    { rewrite nth_error_map, F. reflexivity. }
+    exists k. split; [eapply nth_error_In, F|exact G]. }
+  assert (In_ : forall x, In x (Statements.placements l) -> exists ps k, In (x, ps) (combine (Statements.placements l) (part_pieces c)) /\ In (k, item_of l c (x, ps)) (items l c)).
+  { intros x I. apply In_nth_error in I as (i & I). destruct (At i x I) as (ps & k & A & B). exists ps, k. split; [exact A|eapply nth_error_In, B]. }
+  assert (Obs : forall o, In o (Statements.obstacles l) -> exists ps, In (o, ps) (combine (Statements.obstacles l) (obstacle_pieces c))).
+  { intros o I. apply In_nth_error in I as (i & I). destruct (nth_combine _ _ i o Lo I) as (ps & F). exists ps. eapply nth_error_In, F. }
+  constructor.
+  - split; [rewrite Forall_forall; intros x I; apply check_allowed_spec, Al, I|apply check_supply_spec, Su].
+  - split.
+    + intros x I. destruct (In_ x I) as (ps & k & A & _). apply (part_spec x ps (Sp _ A)).
+    + intros o I. destruct (Obs o I) as (ps & A). apply (obstacle_spec o ps (So _ A)).
+  - assert (G : forall i j x y S T, (i < j)%nat -> nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y ->
+      Statements.shape_of l x S -> Statements.shape_of l y T -> Statements.keeps (Statements.spacing l) S T).
+    { intros i j x y S T L X Y KS KT. destruct (At i x X) as (ps & k & A & B). destruct (At j y Y) as (qs & k' & A' & B').
+      destruct (pairs_nth _ _ (all_apart_spec _ _ Ha) i j _ _ L B B') as (f & F). cbn [snd] in F.
+      destruct (part_spec x ps (Sp _ A)) as (X1 & X2 & X3 & _). destruct (part_spec y qs (Sp _ A')) as (Y1 & Y2 & Y3 & _).
+      exact (apart_keeps N _ f _ _ _ _ _ _ _ S T X1 Y1 D0 D1 F X2 Y2 X3 Y3 KS KT). }
+    intros i j x y S T X Y Ne KS KT. destruct (Nat.lt_gt_cases i j) as (Lt & _). destruct (Lt Ne) as [L|L].
+    + exact (G i j x y S T L X Y KS KT).
+    + apply keeps_sym. exact (G j i y x T S L Y X KT KS).
+  - intros x C e S U I E KS KU. rewrite E in Hs. destruct (frame c) as [[[x0 y0] x1] y1] eqn:Fr.
+    destruct (In_ x I) as (ps & k & A & B).
+    repeat match type of Hs with _ && _ = true => let X := fresh "X" in apply andb_prop in Hs as (Hs & X) end.
+    rewrite forallb_forall in X, X1. apply Z.ltb_lt in Hs, X4. specialize (X _ B). cbn [fst snd] in X. apply andb_prop in X as (Wf & Ap).
+    destruct (amount_spec N _ X3) as (E0 & E1). set (out := make_item _ _) in Ap.
+    assert (So' : sound out) by (apply flat_sound, E0).
+    destruct (part_spec x ps (Sp _ A)) as (P1 & P2 & P3 & _). set (it := item_of l c (x, ps)) in *.
+    apply keeps_sym.
+    set (base := map (region_of N) (parts out) ++ map (fun h => (beyond_plane N h, 0)) (planes (x0, y0, x1, y1))).
+    apply (keeps_regions _ (map (fun p => (fst p, (reach out # N) + snd p)) base) (regions N it)).
+    + rewrite M1. apply frac_nonneg, M0.
+    + intros p' Ip. apply in_map_iff in Ip as (p & <- & Ip). cbn [snd]. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd region_of].
+      * destruct So' as (_ & _ & So'). pose proof (frac_nonneg N _ (So' q Iq)). pose proof (frac_nonneg N (reach out) E0). lra.
+      * pose proof (frac_nonneg N (reach out) E0). lra.
+    + apply regions_nonneg, P1.
+    + intros z Uz. apply (within_union (reach out # N) base (fun y => ~ Statements.inside C y) z).
+      * apply frac_nonneg, E0.
+      * intros p Ip. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd region_of]; [|lra].
+        destruct So' as (_ & _ & So'). apply frac_nonneg, So', Iq.
+      * intros y Ny K. apply Ny. apply (frame_inside N x0 y0 x1 y1 C (outside_pieces c) X2 Hs X4 X1 X0).
+        -- intros h Ih Bh. apply (K (beyond_plane N h, 0)); [apply in_or_app; right; exact (in_map (fun h => (beyond_plane N h, 0)) _ h Ih)|].
+           apply within_self; [cbn; lra|exact Bh].
+        -- intros P IP Wp. apply (K (region_of N (P, 0%Z))).
+           ++ apply in_or_app. left. apply in_map. unfold out, make_item. cbn [parts]. exact (in_map (fun p => (p, 0%Z)) _ P IP).
+           ++ apply within_self; [apply frac_nonneg; cbn; lia|]. apply piece_core; [apply X1, IP|exact Wp].
+      * intros d Dd. apply (KU z Uz). rewrite E1. exact Dd.
+    + exact (cover_known N it (error_of l x) _ S P1 P2 P3 KS).
+    + intros p' q' Ip Iq. apply in_map_iff in Ip as (p & <- & Ip). apply in_app_or in Ip as [Ip|Ip].
+      * apply (is_apart_between N (int (Zpos N) (Statements.margin l)) _ out it _ So' P1 M0 Ap M1); [|exact Iq].
+        exact (in_map (fun p => (fst p, (reach out # N) + snd p)) _ p Ip).
+      * apply in_map_iff in Ip as (h & <- & Ih). cbn [fst snd].
+        apply in_map_iff in Iq as (q1 & <- & Iq). apply in_map_iff in Iq as (q & <- & Iq). cbn [fst snd region_of].
+        unfold within_frame in Wf. rewrite forallb_forall in Wf. specialize (Wf q Iq). rewrite forallb_forall in Wf. specialize (Wf h Ih). apply Z.leb_le in Wf.
+        destruct P1 as (R0 & _ & Pq). specialize (Pq q Iq).
+        apply (plane_between N _ h (fst q) (int (Zpos N) (Statements.margin l) + int (Zpos N) e + reach it + snd q) _ _ _ Ih).
+        -- lia.
+        -- fold N in Wf. lia.
+        -- rewrite !frac_plus. unfold out, make_item. cbn [reach]. fold N. lra.
+  - intros x o S T I J KS KT. destruct (In_ x I) as (ps & k & A & B). destruct (Obs o J) as (qs & Q0).
+    destruct (numbered_in _ (obstacle_item c (o, qs)) (in_map (obstacle_item c) _ _ Q0)) as (i & Ji).
+    rewrite forallb_forall in Ho. specialize (Ho _ Ji). rewrite forallb_forall in Ho. specialize (Ho _ B). cbn [fst snd] in Ho.
+    destruct (part_spec x ps (Sp _ A)) as (X1 & X2 & X3 & _). destruct (obstacle_spec o qs (So _ Q0)) as (Y1 & Y2 & Y3 & _).
+    apply keeps_sym. exact (apart_keeps N _ _ _ _ _ _ _ _ _ T S Y1 X1 M0 M1 Ho Y2 X2 Y3 X3 KT KS).
+Qed.
+End Sound.

@@ -1,0 +1,181 @@
+(* Cancellation at rational points, and solids: rings with convex pieces that cancel to them.
+
+   Vertices are integers.  The rational point (x / k, y / k) is written as z = (x, y) with all vertices
+   multiplied by k, so what holds for every k > 0 and every z holds at every rational point. *)
+Require Import ZArith Lia List Bool.
+From Exactsweep Require Import Cancel Constant Fans Pieces.
+Import ListNotations.
+Open Scope Z_scope.
+
+Definition grow (k : Z) (p : pt) : pt := (k * fst p, k * snd p).
+Definition grow_edge (k : Z) (e : edge) : edge := (grow k (fst e), grow k (snd e)).
+
+Lemma det_grow k p q r : det (grow k p) (grow k q) (grow k r) = k * k * det p q r.
+Proof. unfold det, grow. cbn. ring. Qed.
+
+Lemma edges_map f r : edges (map f r) = map (fun e => (f (fst e), f (snd e))) (edges r).
+Proof.
+  destruct r as [|p t]; [reflexivity|]. cbn [edges map].
+  change (f p :: map f t) with (map f (p :: t)). replace (map f t ++ [f p]) with (map f (t ++ [p])) by apply map_app.
+  generalize (t ++ [p]). generalize (p :: t). intro l. induction l as [|a l IH]; intros [|b m]; cbn; try reflexivity.
+  f_equal. apply IH.
+Qed.
+
+(* Cancellation, at scale k *)
+Definition Lk (k : Z) (l : Z * Z * Z) (z : pt) : Z :=
+  let '(a, b, c) := l in if a * fst z + b * snd z + c * k <? 0 then 1 else 0.
+Definition phik (k : Z) (z : pt) (x : key) : Z := Lk k (fst x) z * h (grow k (snd x)) z.
+
+Lemma scale_sign_k a b c s k z : a <> 0 -> s = 1 \/ s = -1 ->
+  Lk k (scale (s * g3 (a, b, c)) (a, b, c)) z = if s * (a * fst z + b * snd z + c * k) <? 0 then 1 else 0.
+Proof.
+  intros Ha Hs. pose proof (g3_pos a b c Ha) as Hg.
+  destruct (g3_div a b c) as ((x & Hx) & (y & Hy) & (w & Hw)).
+  set (g := g3 (a,b,c)) in *. clearbody g. unfold scale, Lk.
+  assert (D : forall n m, n = m * g -> n / (s * g) = s * m).
+  { intros n m E. replace n with ((s * m) * (s * g)) by (rewrite E; destruct Hs as [->| ->]; ring).
+    apply Z.div_mul. destruct Hs as [->| ->]; lia. }
+  rewrite (D a x Hx), (D b y Hy), (D c w Hw).
+  replace (s * (a * fst z + b * snd z + c * k)) with ((s * x * fst z + s * y * snd z + s * w * k) * g)
+    by (rewrite Hx, Hy, Hw; ring).
+  destruct (Z.ltb_spec (s * x * fst z + s * y * snd z + s * w * k) 0);
+  destruct (Z.ltb_spec ((s * x * fst z + s * y * snd z + s * w * k) * g) 0); try reflexivity; nia.
+Qed.
+
+Lemma le_grow k a b : 0 < k -> (k * a <? k * b) = (a <? b).
+Proof. intro K. destruct (Z.ltb_spec (k * a) (k * b)); destruct (Z.ltb_spec a b); try reflexivity; nia. Qed.
+
+Lemma cross_phik k e z : 0 < k -> cross (grow_edge k e) z = phik k z (ln e, fst e) - phik k z (ln e, snd e).
+Proof.
+  intro K. destruct e as [p q]. unfold phik, grow_edge. cbn [fst snd].
+  destruct (Z.eq_dec (snd p) (snd q)) as [E|E].
+  - assert (h (grow k p) z = h (grow k q) z) as -> by (unfold h, grow; cbn; rewrite E; reflexivity).
+    unfold cross, grow. cbn [fst snd]. rewrite E.
+    destruct (k * snd q <=? snd z) eqn:A; destruct (snd z <? k * snd q) eqn:B; cbn; try lia.
+  - unfold ln, raw. rewrite !scale_sign_k; [|lia|destruct (snd q <? snd p); auto].
+    set (d := (snd p - snd q) * fst z + (fst q - fst p) * snd z + (fst p * snd q - fst q * snd p) * k).
+    unfold cross, h.
+    replace (det (grow k p) (grow k q) z) with (k * d) by (unfold det, d, grow; cbn; ring).
+    replace (0 <? k * d) with (0 <? d) by (rewrite <- (le_grow k 0 d K); f_equal; ring).
+    replace (k * d <? 0) with (d <? 0) by (rewrite <- (le_grow k d 0 K); f_equal; ring).
+    rewrite <- (le_grow k (snd q) (snd p) K). clearbody d. unfold grow. cbn [fst snd].
+    assert (k * snd p <> k * snd q) by nia. generalize dependent (k * snd p). generalize (k * snd q). clear.
+    intros b a N.
+    destruct (Z.ltb_spec b a);
+    destruct (Z.leb_spec a (snd z)); destruct (Z.leb_spec b (snd z));
+    destruct (Z.ltb_spec (snd z) b); destruct (Z.ltb_spec (snd z) a);
+    destruct (Z.ltb_spec 0 d); destruct (Z.ltb_spec d 0); try lia;
+    rewrite ?Z.mul_1_l, <- ?Z.opp_eq_mul_m1; cbn [andb];
+    try destruct (Z.ltb_spec d 0); try destruct (Z.ltb_spec (- d) 0); try lia;
+    try destruct (Z.ltb_spec (-1 * d) 0); lia.
+Qed.
+
+Lemma wind_weigh_k k es z : 0 < k -> wind (map (grow_edge k) es) z = weigh (phik k z) (signed es).
+Proof.
+  intro K. induction es as [|e r IH]; [reflexivity|].
+  change (cross (grow_edge k e) z + wind (map (grow_edge k) r) z = 1 * phik k z (ln e, fst e)
+    + (-1 * phik k z (ln e, snd e) + weigh (phik k z) (signed r))).
+  rewrite IH, cross_phik by assumption. ring.
+Qed.
+
+(* Level edges never count. *)
+Definition tilted (e : edge) : bool := negb (snd (fst e) =? snd (snd e)).
+Lemma wind_tilted k es z : wind (map (grow_edge k) (filter tilted es)) z = wind (map (grow_edge k) es) z.
+Proof.
+  induction es as [|[p q] r IH]; [reflexivity|]. cbn [filter map]. unfold tilted at 1. cbn [fst snd].
+  destruct (Z.eqb_spec (snd p) (snd q)) as [E|E]; cbn [negb map wind]; rewrite IH; [|reflexivity].
+  assert (cross (grow_edge k (p, q)) z = 0) as ->; [|reflexivity].
+  unfold cross, grow_edge, grow. cbn [fst snd]. rewrite E.
+  destruct (Z.leb_spec (k * snd q) (snd z)); destruct (Z.ltb_spec (snd z) (k * snd q)); cbn; try reflexivity; lia.
+Qed.
+
+Definition cancels (es fs : list edge) : bool :=
+  let l := signed (filter tilted es) ++ neg (signed (filter tilted fs)) in
+  forallb (fun x => total l (fst x) =? 0) l.
+
+Lemma total_none l k : ~ In k (map fst l) -> total l k = 0.
+Proof.
+  induction l as [|[k' s] r IH]; [reflexivity|]. cbn. intro N.
+  destruct (key_dec k' k) as [->|]; [exfalso; apply N; auto|]. rewrite IH; [reflexivity|tauto].
+Qed.
+
+Lemma cancels_wind k es fs z : 0 < k -> cancels es fs = true ->
+  wind (map (grow_edge k) es) z = wind (map (grow_edge k) fs) z.
+Proof.
+  intros K C. rewrite <- (wind_tilted k es), <- (wind_tilted k fs), !wind_weigh_k by assumption.
+  unfold cancels in C. rewrite forallb_forall in C.
+  set (l := signed (filter tilted es)) in *. set (m := signed (filter tilted fs)) in *.
+  assert (weigh (phik k z) (l ++ neg m) = 0) as E.
+  { eapply weigh_zero; [apply le_n|]. intro x.
+    destruct (in_dec key_dec x (map fst (l ++ neg m))) as [I|N]; [|apply total_none, N].
+    apply in_map_iff in I as ((y & s) & <- & I). apply Z.eqb_eq, C in I || (apply C, Z.eqb_eq in I). exact I. }
+  rewrite weigh_app, weigh_neg in E. lia.
+Qed.
+
+(* Winding numbers at scale k *)
+Definition W (k : Z) (rs : list ring) (z : pt) : Z := wind (map (grow_edge k) (flat_map edges rs)) z.
+
+Lemma W_cons k r rs z : W k (r :: rs) z = ring_wind (map (grow k) r) z + W k rs z.
+Proof.
+  unfold W, ring_wind. cbn [flat_map]. rewrite map_app, wind_app, edges_map. reflexivity.
+Qed.
+
+Lemma sorted_grow k p l : 0 < k -> forall q, sorted p q l = true -> sorted (grow k p) (grow k q) (map (grow k) l) = true.
+Proof.
+  intro K. induction l as [|r m IH]; intros q S; [reflexivity|]. cbn [sorted map] in *.
+  apply andb_prop in S as (S & S2). apply andb_prop in S as (S0 & S1).
+  rewrite (IH r S2), andb_true_r. rewrite det_grow. apply andb_true_intro. split.
+  - apply Z.ltb_lt in S0. apply Z.ltb_lt. nia.
+  - rewrite forallb_forall in *. intros x I. apply in_map_iff in I as (y & <- & I). apply S1 in I.
+    apply Z.leb_le in I. rewrite det_grow. apply Z.leb_le. nia.
+Qed.
+
+Lemma is_fan_grow k r : 0 < k -> is_fan r = true -> is_fan (map (grow k) r) = true.
+Proof.
+  intros K H. destruct (fan_shape r H) as (p & q & s & l & -> & S). exact (sorted_grow k p (s :: l) K q S).
+Qed.
+
+(* Solids *)
+Record solid := { rings : list ring; pieces : list ring }.
+Definition is_solid (s : solid) : bool :=
+  forallb is_fan (pieces s) && cancels (flat_map edges (pieces s)) (flat_map edges (rings s)).
+
+Fixpoint count (k : Z) (ps : list ring) (z : pt) : Z :=
+  match ps with [] => 0 | p :: r => ring_wind (map (grow k) p) z + count k r z end.
+
+Lemma W_count k ps z : W k ps z = count k ps z.
+Proof. induction ps as [|p r IH]; [reflexivity|]. rewrite W_cons, IH. reflexivity. Qed.
+
+Lemma solid_count k s z : 0 < k -> is_solid s = true -> W k (rings s) z = count k (pieces s) z.
+Proof.
+  intros K H. unfold is_solid in H. apply andb_prop in H as (_ & C).
+  rewrite <- W_count. unfold W. symmetry. apply cancels_wind; assumption.
+Qed.
+
+Definition fans (ps : list ring) : Prop := forall p, In p ps -> is_fan p = true.
+Lemma solid_fans s : is_solid s = true -> fans (pieces s).
+Proof. unfold is_solid. intro H. apply andb_prop in H as (H & _). rewrite forallb_forall in H. exact H. Qed.
+
+Lemma count_some k ps z : 0 < k -> fans ps ->
+  0 <= count k ps z /\ (1 <= count k ps z -> exists p, In p ps /\ ring_wind (map (grow k) p) z = 1).
+Proof.
+  intros K. induction ps as [|p r IH]; intro H; cbn [count]; [lia|].
+  destruct IH as (N & E); [intros q Q; apply H; right; assumption|].
+  destruct (piece_01 _ z (is_fan_grow k p K (H p (or_introl eq_refl)))) as [Z0|Z1].
+  - split; [lia|]. rewrite Z0. intro P. destruct (E P) as (q & I & Q). exists q. split; [right|]; assumption.
+  - split; [lia|]. intros _. exists p. split; [left; reflexivity|assumption].
+Qed.
+
+(* Pieces of which no two share a point count at most 1. *)
+Lemma count_one k ps z : 0 < k -> fans ps ->
+  ForallOrdPairs (fun p q => ring_wind (map (grow k) p) z + ring_wind (map (grow k) q) z <= 1) ps ->
+  count k ps z = 0 \/ count k ps z = 1.
+Proof.
+  intros K H. induction ps as [|p r IH]; intro A; cbn [count]; [auto|].
+  assert (Hr : fans r) by (intros q Q; apply H; right; assumption).
+  inversion A as [|? ? A1 A2]; subst. specialize (IH Hr A2).
+  destruct (piece_01 _ z (is_fan_grow k p K (H p (or_introl eq_refl)))) as [Z0|Z1]; [rewrite Z0; lia|].
+  destruct IH as [IH|IH]; [lia|exfalso].
+  destruct (proj2 (count_some k r z K Hr)) as (q & I & Q); [lia|].
+  rewrite Forall_forall in A1. specialize (A1 q I). lia.
+Qed.

@@ -1,0 +1,150 @@
+(* Definitions of the claims.  Nothing here is computed by a checker; this is the page to read first.
+
+   The plane is the set of pairs of rational numbers.  All vertices are rational, so every open set that
+   two shapes could share contains a rational point. *)
+Require Import QArith List Bool.
+Import ListNotations.
+Open Scope Q_scope.
+
+Definition point := (Q * Q)%type.
+Definition ring := list point.                                  (* closed: the last vertex joins the first *)
+Definition edges (r : ring) : list (point * point) := match r with [] => [] | p :: t => combine r (t ++ [p]) end.
+
+(* Twice the signed area of the triangle a, b, p: positive where p is left of the line from a to b. *)
+Definition orient (a b p : point) : Q :=
+  (fst b - fst a) * (snd p - snd a) - (snd b - snd a) * (fst p - fst a).
+
+(* How often rings go around z, counter-clockwise: edges that cross the ray from z to the right, upward
+   ones minus downward ones.  The lower end of an edge belongs to it, the upper end does not. *)
+Definition less (x y : Q) : bool := negb (Qle_bool y x).
+Definition crossing (z : point) (e : point * point) : Z :=
+  let (a, b) := e in
+  if Qle_bool (snd a) (snd z) && less (snd z) (snd b) && less 0 (orient a b z) then 1%Z
+  else if Qle_bool (snd b) (snd z) && less (snd z) (snd a) && less (orient a b z) 0 then (-1)%Z
+  else 0%Z.
+Definition winding (rs : list ring) (z : point) : Z :=
+  fold_right Z.add 0%Z (map (crossing z) (flat_map edges rs)).
+
+(* A shape is where the winding number of its rings is 1: exteriors counter-clockwise, holes clockwise.
+   By the rule above a shape contains the points of its left and lower sides, not those of its right and
+   upper ones.  `half_open` in HalfOpen.v: this changes no shape by more than its boundary. *)
+Definition inside (rs : list ring) (z : point) : Prop := winding rs z = 1%Z.
+
+(* Topology and distance *)
+Definition close (e : Q) (y z : point) : Prop :=
+  - e < fst y - fst z < e /\ - e < snd y - snd z < e.
+Definition interior (S : point -> Prop) (z : point) : Prop := exists e, 0 < e /\ forall y, close e y z -> S y.
+Definition closure (S : point -> Prop) (z : point) : Prop := forall e, 0 < e -> exists y, S y /\ close e y z.
+Definition dist2 (y z : point) : Q :=
+  (fst y - fst z) * (fst y - fst z) + (snd y - snd z) * (snd y - snd z).
+Definition overlap (S T : point -> Prop) : Prop := exists z, interior S z /\ interior T z.
+Definition disjoint (S T : point -> Prop) : Prop := forall z, ~ (S z /\ T z).
+Definition at_least (d : Q) (S T : point -> Prop) : Prop :=     (* any two points are at distance d or more *)
+  forall y z, closure S y -> closure T z -> d * d <= dist2 y z.
+
+(* A simple shape: its rings go around each point once or not at all, and it is not empty. *)
+Definition simple (rs : list ring) : Prop :=
+  (forall z, winding rs z = 0%Z \/ winding rs z = 1%Z) /\ exists z, interior (inside rs) z.
+
+(* Layouts.  A part is drawn as rings, or as rounded pieces: all points at distance r or less from the
+   convex hull of points (a disc is one point, a slot two).  A shape is known up to an error e: the true
+   one is any set of points at distance e or less from the drawn one. *)
+Definition hull (ps : list point) (z : point) : Prop :=         (* in every half-plane that contains the points *)
+  forall a b c, (forall p, In p ps -> a * fst p + b * snd p <= c) -> a * fst z + b * snd z <= c.
+Definition within (e : Q) (S : point -> Prop) (z : point) : Prop :=     (* at distance e or less from S and its limits *)
+  forall d, e < d -> ~ forall y, S y -> d * d < dist2 y z.
+Definition known_to (e : Q) (drawn true : point -> Prop) : Prop := forall z, true z -> within e drawn z.
+
+(* A part is mirrored (x to -x) first, then rotated about its origin, then translated. *)
+Record motion := { mirrored : bool; cosine : Q; sine : Q; shift : point }.
+Definition move (m : motion) (p : point) : point :=
+  let x := if mirrored m then - fst p else fst p in
+  (cosine m * x - sine m * snd p + fst (shift m), sine m * x + cosine m * snd p + snd (shift m)).
+Definition place (m : motion) (rs : list ring) : list ring :=
+  map (fun r => map (move m) (if mirrored m then rev r else r)) rs.
+
+Record part := {
+  outline : list ring;
+  rounded : list (list point * Q);         (* points and radius *)
+  error : Q;
+  demand : option nat;                     (* None: any number *)
+  rotations : option (list (Q * Q));       (* allowed (cosine, sine); None: any *)
+  may_mirror : bool }.
+(* `slack`: 0, or where a rational rotation stands for an irrational one, by how much points may be off. *)
+Record placement := { kind : nat; by_motion : motion; slack : Q }.
+Record layout := {
+  sheet : option (list ring * Q);          (* the container with its holes, and its error; None: no container *)
+  obstacles : list (list ring * Q);        (* further defects, which may cross the edge of the sheet *)
+  kinds : list part;
+  placements : list placement;
+  spacing : Q; margin : Q }.
+
+Definition no_part : part :=
+  {| outline := []; rounded := []; error := 0; demand := None; rotations := None; may_mirror := true |}.
+Definition kind_of (l : layout) (x : placement) : part := nth (kind x) (kinds l) no_part.
+Definition placed (l : layout) (x : placement) : list ring := place (by_motion x) (outline (kind_of l x)).
+Definition drawn (l : layout) (x : placement) (z : point) : Prop :=
+  inside (placed l x) z \/
+  exists p, In p (rounded (kind_of l x)) /\ within (snd p) (hull (map (move (by_motion x)) (fst p))) z.
+Definition shape_of (l : layout) (x : placement) : (point -> Prop) -> Prop :=
+  known_to (error (kind_of l x) + slack x) (drawn l x).
+
+Definition allowed (l : layout) (x : placement) : Prop :=
+  let m := by_motion x in
+  (kind x < length (kinds l))%nat /\
+  cosine m * cosine m + sine m * sine m == 1 /\
+  (mirrored m = true -> may_mirror (kind_of l x) = true) /\
+  match rotations (kind_of l x) with
+  | None => True
+  | Some cs => exists c, In c cs /\ fst c == cosine m /\ snd c == sine m
+  end.
+Definition supplied (l : layout) : Prop :=
+  forall k p n, nth_error (kinds l) k = Some p -> demand p = Some n ->
+  count_occ Nat.eq_dec (map kind (placements l)) k = n.
+
+(* Two sets that do not overlap, any two of whose points are at distance d or more *)
+Definition keeps (d : Q) (S T : point -> Prop) : Prop := ~ overlap S T /\ at_least d S T.
+
+Record valid (l : layout) : Prop := {
+  rules : Forall (allowed l) (placements l) /\ supplied l;
+  shapes : (forall x, In x (placements l) -> outline (kind_of l x) = [] \/ simple (placed l x)) /\
+    (forall o, In o (obstacles l) -> simple (fst o));
+  apart : forall i j x y S T, nth_error (placements l) i = Some x -> nth_error (placements l) j = Some y -> i <> j ->
+    shape_of l x S -> shape_of l y T -> keeps (spacing l) S T;
+  (* U: all that is outside the true container *)
+  contained : forall x c e S U, In x (placements l) -> sheet l = Some (c, e) -> shape_of l x S ->
+    known_to e (fun z => ~ inside c z) U -> keeps (margin l) S U;
+  no_defect : forall x o S T, In x (placements l) -> In o (obstacles l) -> shape_of l x S ->
+    known_to (snd o) (inside (fst o)) T -> keeps (margin l) S T }.
+
+(* No-fit polygons.  O is the set of translations at which G + t overlaps D.  The claim on rings (loops)
+   and segments (exact fits): together they are the boundary of O, the translations at which G + t touches
+   D without overlap; and off them, the loops wind once around what is in O, and not around the rest. *)
+Definition translate (t : point) (rs : list ring) : list ring :=
+  map (map (fun p => (fst p + fst t, snd p + snd t))) rs.
+Definition overlaps_at (D G : list ring) (t : point) : Prop := overlap (inside D) (inside (translate t G)).
+Definition on_segment (e : point * point) (z : point) : Prop :=
+  exists s, 0 <= s <= 1 /\ fst z == fst (fst e) + s * (fst (snd e) - fst (fst e)) /\
+                         snd z == snd (fst e) + s * (snd (snd e) - snd (fst e)).
+Definition on_any (es : list (point * point)) (z : point) : Prop := exists e, In e es /\ on_segment e z.
+
+Definition no_fit_claim (D G loops : list ring) (fits : list (point * point)) : Prop :=
+  let L := on_any (flat_map edges loops ++ fits) in
+  (forall t, L t <-> (closure (overlaps_at D G) t /\ ~ overlaps_at D G t)) /\
+  (forall t, ~ L t -> (overlaps_at D G t /\ winding loops t = 1%Z) \/ (~ overlaps_at D G t /\ winding loops t = 0%Z)).
+
+(* Inner fits: the translations at which G + t is in the container C.  The claim on regions (exteriors
+   counter-clockwise, holes clockwise) and exact fits. *)
+Definition fits_at (C G : list ring) (t : point) : Prop := forall z, inside (translate t G) z -> inside C z.
+Definition inner_fit_claim (C G regions : list ring) (fits : list (point * point)) : Prop :=
+  let L := on_any (flat_map edges regions ++ fits) in
+  (forall t, L t <-> (fits_at C G t /\ closure (fun u => ~ fits_at C G u) t)) /\
+  (forall t, ~ L t -> (fits_at C G t /\ winding regions t = 1%Z) \/ (~ fits_at C G t /\ winding regions t = 0%Z)).
+
+(* Swept areas: G travels along the loop T.  The claim on loops, and on slits, which are no part of the
+   answer: off them, the loops wind once around the points that G covers on its way, and not around the rest. *)
+Definition swept (T : ring) (G : list ring) (p : point) : Prop :=
+  exists t, on_any (edges T) t /\ closure (inside (translate t G)) p.
+Definition sweep_claim (T : ring) (G loops : list ring) (slits : list (point * point)) : Prop :=
+  forall p, ~ on_any (flat_map edges loops ++ slits) p ->
+    (swept T G p /\ winding loops p = 1%Z) \/ (~ swept T G p /\ winding loops p = 0%Z).

@@ -1,0 +1,327 @@
+(* `boundary` returns true: the loops and fits are the boundary of the union of all sums. *)
+Require Import QArith Lqa ZArith Lia List Bool.
+From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Statements.
+From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums.
+Import ListNotations.
+Open Scope Q_scope.
+
+Lemma qrings_at N loops : rings_at (Zpos N) (map (qring N) loops) loops.
+Proof. unfold rings_at. induction loops as [|r l IH]; constructor; [apply qring_at|exact IH]. Qed.
+
+Section Accepted.
+Variables (N : positive) (ds hs : list ring) (beyond : list edge) (loops : list ring) (fits : list edge)
+  (listed : list (nat * list (list Z))) (around : list (list Z)) (wanted : Z).
+(* The sum of two pieces, as a set: all that is needed of it *)
+Variable at_sum : ring -> ring -> qpoint -> Prop.
+Notation qe := (qe N).
+Hypothesis Bound : forall P Q n t, In P ds -> In Q hs -> n <> (0, 0)%Z -> at_sum P Q t ->
+  qdot n t * inject_Z (Zpos N) < inject_Z (most n P + most n Q).
+Hypothesis Center : forall P Q, In P ds -> In Q hs -> at_sum P Q (third N (plus (center P) (center Q))).
+Hypothesis Inside : forall P Q t, In P ds -> In Q hs -> add P Q <> [] -> inS (map qe (sum_sides P Q)) t -> at_sum P Q t.
+Definition beyond_at (t : qpoint) : Prop := exists f, In f beyond /\ 0 < o (qe f) t.
+Definition O (t : qpoint) : Prop := (exists P Q, In P ds /\ In Q hs /\ at_sum P Q t) \/ beyond_at t.
+Definition wind_at (t : qpoint) : Z := Statements.winding (map (qring N) loops) t.
+Hypothesis Level : forall t, beyond_at t -> wind_at t = wanted.
+Hypothesis Line : forall f x, In f beyond -> o (qe f) x == 0 -> Statements.on_segment (qe f) x \/ beyond_at x.
+Hypothesis Proper : forall f, In f beyond -> exists x, 0 < o (qe f) x.
+Hypothesis Far : wanted = 1%Z \/ forall t, exists x, fst t <= x /\ beyond_at (at_x t x).
+
+Notation known := (known loops fits).
+Notation loop_edges := (loop_edges loops).
+Notation polygons := (polygons ds hs beyond listed).
+Notation chains := (chains listed around).
+Notation named := (named ds hs beyond listed around).
+Definition on_known (t : qpoint) : Prop := Statements.on_any (map qe known) t.
+
+Hypothesis Edges : forall e, In e loop_edges -> fst e <> snd e.
+Hypothesis Distinct : all_pairs distinct loop_edges = true.
+Hypothesis Clear : forall P Q, In P ds -> In Q hs -> is_clear loops fits wanted P Q = true.
+Hypothesis Outside : forall f e, In f beyond -> In e known -> (det (fst f) (snd f) (fst e) <= 0 /\ det (fst f) (snd f) (snd e) <= 0)%Z.
+Hypothesis Sums_ : forall x, In x listed -> is_sum ds hs (fst x) = true.
+Hypothesis Chains : zip_all (zip_all (fun f chain => negb (same (fst f) (snd f)) && covers (spans_of polygons known f chain))) polygons chains = true.
+Hypothesis Beside : forall k e, nth_error loop_edges k = Some e -> beside named k e true = true.
+Hypothesis Fits : forall k e, nth_error fits k = Some e -> exists i,
+  (if same (fst e) (snd e) then on_side named i e else beside named i e true && beside named i e false) = true.
+
+(* (a) *)
+Lemma clear_bound P Q e : In P ds -> In Q hs -> In e known -> exists n m,
+  (forall t, at_sum P Q t -> qdot n t * inject_Z (Zpos N) < inject_Z m) /\ (m <= dot n (fst e))%Z /\ (m <= dot n (snd e))%Z.
+Proof.
+  intros IP IQ I. pose proof (Clear P Q IP IQ) as H. unfold is_clear in H. apply andb_prop in H as (_ & H). cbv zeta in H.
+  rewrite forallb_forall in H. specialize (H e I). unfold clear in H.
+  assert (G : exists n, is_beyond e (bound P Q n) = true).
+  { apply orb_prop in H as [H|H]; [apply orb_prop in H as [H|H]|].
+    - apply existsb_exists in H as (x & X & H). unfold bounds in X. apply in_map_iff in X as (n & <- & _). exists n. exact H.
+    - eexists. exact H.
+    - eexists. exact H. }
+  destruct G as (n & G). unfold is_beyond, bound in G. apply andb_prop in G as (G & G2). apply andb_prop in G as (G0 & G1).
+  apply same_not in G0. apply Z.leb_le in G1, G2. exists n, (most n P + most n Q)%Z. split; [|split; assumption].
+  intros t T. exact (Bound P Q n t IP IQ G0 T).
+Qed.
+
+Lemma on_ends e x n m : Statements.on_segment (qe e) x -> (m <= dot n (fst e))%Z -> (m <= dot n (snd e))%Z ->
+  inject_Z m <= qdot n x * inject_Z (Zpos N).
+Proof.
+  intros (s & (S0 & S1) & X & Y) A B.
+  assert (E : qdot n x * inject_Z (Zpos N) == (1 - s) * (qdot n (fst (qe e)) * inject_Z (Zpos N)) + s * (qdot n (snd (qe e)) * inject_Z (Zpos N)))
+    by (unfold qdot; rewrite X, Y; ring).
+  change (fst (qe e)) with (qpt N (fst e)) in E. change (snd (qe e)) with (qpt N (snd e)) in E.
+  rewrite !qdot_qpt in E. rewrite E. rewrite Zle_Qle in A, B.
+  assert (0 <= s * (inject_Z (dot n (snd e)) - inject_Z m)) by (apply Qmult_le_0_compat; lra).
+  assert (0 <= (1 - s) * (inject_Z (dot n (fst e)) - inject_Z m)) by (apply Qmult_le_0_compat; lra). lra.
+Qed.
+
+Lemma free t : on_known t -> ~ O t.
+Proof.
+  intros (e' & I & X). apply in_map_iff in I as (e & <- & I). intros [(P & Q & IP & IQ & T)|(f & F & T)].
+  - destruct (clear_bound P Q e IP IQ I) as (n & m & B & A1 & A2). specialize (B t T).
+    pose proof (on_ends e t n m X A1 A2). lra.
+  - destruct (Outside f e F I) as (A & B). destruct X as (s & (S0 & S1) & X & Y). rewrite (o_share _ _ _ s t X Y) in T.
+    change (fst (qe e)) with (qpt N (fst e)) in T. change (snd (qe e)) with (qpt N (snd e)) in T.
+    assert (A' : o (qe f) (qpt N (fst e)) <= 0) by (destruct (Qlt_le_dec 0 (o (qe f) (qpt N (fst e)))) as [L|L]; [apply o_pos in L; lia|exact L]).
+    assert (B' : o (qe f) (qpt N (snd e)) <= 0) by (destruct (Qlt_le_dec 0 (o (qe f) (qpt N (snd e)))) as [L|L]; [apply o_pos in L; lia|exact L]).
+    assert (0 <= s * - o (qe f) (qpt N (snd e))) by (apply Qmult_le_0_compat; lra).
+    assert (0 <= (1 - s) * - o (qe f) (qpt N (fst e))) by (apply Qmult_le_0_compat; lra). lra.
+Qed.
+
+(* (d) *)
+Lemma once t : O t -> wind_at t = wanted.
+Proof.
+  intros [(P & Q & IP & IQ & T)|B]; [|exact (Level t B)].
+  pose proof (Clear P Q IP IQ) as H. unfold is_clear in H. apply andb_prop in H as (H & _). apply Z.eqb_eq in H. rewrite <- H.
+  transitivity (wind_at (third N (plus (center P) (center Q)))).
+  - apply constant_loops. intros e I. destruct (clear_bound P Q e IP IQ) as (n & m & B & A1 & A2); [apply in_or_app; left; exact I|].
+    exists n, m. split; [exact (B t T)|]. split; [apply B, Center; assumption|]. split; assumption.
+  - unfold wind_at. rewrite (winding_at (3 * Zpos N) (map (qring N) loops) (map (map (grow 3)) loops) _ (plus (center P) (center Q)));
+      [|lia|apply rings_grow, qrings_at|apply third_at].
+    rewrite W_edges. reflexivity.
+Qed.
+
+(* The listed polygons *)
+Lemma pair_in k : (k < length ds * length hs)%nat -> In (fst (pair_of ds hs k)) ds /\ In (snd (pair_of ds hs k)) hs.
+Proof.
+  intro K. unfold pair_of. cbn [fst snd]. assert (H : (length hs <> 0)%nat) by (intro E; rewrite E, Nat.mul_0_r in K; lia).
+  split; apply nth_In.
+  - apply Nat.div_lt_upper_bound; [exact H|lia].
+  - apply Nat.mod_upper_bound, H.
+Qed.
+Lemma polygon_cases p : In p polygons -> (exists x, In x listed /\ p = sides_of ds hs (fst x)) \/ (exists f, In f beyond /\ p = [f]).
+Proof.
+  intro I. apply in_app_or in I as [I|I]; apply in_map_iff in I as (x & <- & I); [left|right]; exists x; auto.
+Qed.
+Lemma listed_spec x : In x listed -> let p := map qe (sides_of ds hs (fst x)) in
+  convex p /\ linked p /\ (exists z, inS p z) /\ (forall t, inS p t -> O t).
+Proof.
+  intro I. pose proof (Sums_ x I) as H. unfold is_sum in H. destruct (pair_of ds hs (fst x)) as (P, Q) eqn:E.
+  apply andb_prop in H as (H & C). apply andb_prop in H as (K & H). apply andb_prop in K as (K & Ne). apply Nat.ltb_lt in K.
+  pose proof (pair_in (fst x) K) as (IP & IQ). rewrite E in IP, IQ. cbn [fst snd] in IP, IQ.
+  destruct (is_convex_sum_spec N _ H) as (A & B). cbv zeta. split; [exact A|]. split; [exact B|]. split.
+  - exists (third N (plus (center P) (center Q))). intros f' F. apply in_map_iff in F as (f & <- & F).
+    rewrite forallb_forall in C. apply left_of_spec, C, F.
+  - intros t T. left. exists P, Q. split; [exact IP|]. split; [exact IQ|].
+    assert (S : sides_of ds hs (fst x) = sum_sides P Q) by (unfold sides_of; rewrite E; reflexivity).
+    rewrite S in *. apply Inside; [exact IP|exact IQ| |exact T]. intro Ad. unfold sum_sides in Ne. rewrite Ad in Ne. discriminate.
+Qed.
+Lemma beyond_half f : In f beyond -> let p := map qe [f] in convex p /\ (exists z, inS p z) /\ (forall t, inS p t -> O t).
+Proof.
+  intro I. cbv zeta. cbn [map]. split; [|split].
+  - intros g h [<-|[]] [<-|[]].
+    assert (A : o (qe f) (fst (qe f)) == 0) by (unfold o, Statements.orient; ring).
+    assert (B : o (qe f) (snd (qe f)) == 0) by (unfold o, Statements.orient; ring).
+    split; [lra|]. split; [lra|]. right. right. reflexivity.
+  - destruct (Proper f I) as (x & X). exists x. intros g [<-|[]]. exact X.
+  - intros t T. right. exists f. split; [exact I|]. apply T. left. reflexivity.
+Qed.
+
+Definition sums : list (list side) := map (map qe) polygons.
+Lemma sum_cases S : In S sums -> exists p, In p polygons /\ S = map qe p.
+Proof. intro I. apply in_map_iff in I as (p & <- & I). exists p. auto. Qed.
+Lemma sum_convex S : In S sums -> convex S.
+Proof.
+  intro I. destruct (sum_cases S I) as (p & J & ->). destruct (polygon_cases p J) as [(x & X & ->)|(f & F & ->)].
+  - apply (listed_spec x X).
+  - apply (beyond_half f F).
+Qed.
+Lemma sum_inner S : In S sums -> exists z, inS S z.
+Proof.
+  intro I. destruct (sum_cases S I) as (p & J & ->). destruct (polygon_cases p J) as [(x & X & ->)|(f & F & ->)].
+  - apply (listed_spec x X).
+  - apply (beyond_half f F).
+Qed.
+Lemma sum_O S t : In S sums -> inS S t -> O t.
+Proof.
+  intro I. destruct (sum_cases S I) as (p & J & ->). destruct (polygon_cases p J) as [(x & X & ->)|(f & F & ->)].
+  - apply (listed_spec x X).
+  - apply (beyond_half f F).
+Qed.
+Notation edges_of := (map qe).
+Lemma known_app t : on_known t <-> L (edges_of loop_edges) (edges_of fits) t.
+Proof. unfold on_known, L. unfold Sums.known. rewrite map_app. reflexivity. Qed.
+Lemma beyond_U t : beyond_at t -> U sums t.
+Proof.
+  intros (f & I & F). exists (map qe [f]). split.
+  - apply in_map, in_or_app. right. apply (in_map (fun f => [f])), I.
+  - intros g [<-|[]]. exact F.
+Qed.
+
+(* (b) *)
+Lemma chain_of p f : In p polygons -> In f p -> exists c, In (f, c) named /\ fst f <> snd f /\ covers (spans_of polygons known f c) = true.
+Proof.
+  intros I F. destruct (zip_all_in _ _ _ Chains p I) as (cs & J & H). destruct (zip_all_in _ _ _ H f F) as (c & K & C).
+  apply andb_prop in C as (C1 & C2). exists c. split; [|split; [apply same_not, C1|exact C2]].
+  apply in_flat_map. exists (p, cs). split; assumption.
+Qed.
+Lemma covered_side p f x : In p polygons -> In f p -> Statements.on_segment (qe f) x -> U sums x \/ on_known x.
+Proof.
+  intros I F X. destruct (chain_of p f I F) as (c & _ & Ne & C). destruct (on_point_at _ _ X) as (s & S & M).
+  destruct (covers_spec _ s C S) as (y & Y & Sp). unfold spans_of in Y. apply in_flat_map in Y as (n & _ & Y).
+  destruct (0 <=? n)%Z.
+  - destruct (nth_error polygons (Z.to_nat n)) as [q|] eqn:Q; [|destruct Y].
+    destruct (clip q (fst f) (snd f)) as [(u, v)|] eqn:Cl; [|destruct Y]. destruct Y as [<-|[]]. cbn [in_span] in Sp.
+    left. exists (map qe q). split; [apply in_map, (nth_error_In _ _ Q)|]. apply (inS_same _ _ _ M).
+    exact (clip_inside N q f u v s Cl Sp S).
+  - destruct (nth_error known (Z.to_nat (-1 - n))) as [e|] eqn:E; [|destruct Y].
+    destruct (share f e) as [(u, v)|] eqn:Sh; [|destruct Y]. destruct Y as [<-|[]]. cbn [in_span] in Sp.
+    right. exists (qe e). split; [apply in_map, (nth_error_In _ _ E)|]. apply (on_same _ _ _ M).
+    exact (share_on N f e u v s Ne Sh Sp).
+Qed.
+Lemma cover S f x : In S sums -> In f S -> o f x == 0 -> (forall g, In g S -> 0 <= o g x) -> U sums x \/ on_known x.
+Proof.
+  intros I F X A. destruct (sum_cases S I) as (p & J & ->). pose proof F as F'. apply in_map_iff in F as (g & <- & G).
+  destruct (polygon_cases p J) as [(y & Y & E)|(h & Hh & E)].
+  - apply (covered_side p g x J G). destruct (listed_spec y Y) as (_ & Lk & _). rewrite <- E in Lk. exact (closed_on_side _ _ x Lk F' X A).
+  - subst p. destruct G as [<-|[]]. destruct (Line h x Hh X) as [On|B]; [|left; apply beyond_U, B].
+    apply (covered_side [h] h x J (or_introl eq_refl) On).
+Qed.
+
+(* (c) *)
+Lemma along_spec k e left x : fst e <> snd e -> beside named k e left = true -> Statements.on_segment (qe e) x ->
+  exists p f, In p polygons /\ In f p /\ Statements.on_segment (qe f) x /\
+    (left = true -> (0 < rise (qe e) -> 0 < rise (qe f)) /\ (rise (qe e) < 0 -> rise (qe f) < 0)) /\
+    (left = false -> rise (qe e) < 0 -> 0 < rise (qe f)).
+Proof.
+  intros Ne H X. unfold beside in H. destruct (on_point_at _ _ X) as (s & S & M). destruct (covers_spec _ s H S) as (y & Y & Sp).
+  apply in_flat_map in Y as ((f, c) & I & Y). cbn [fst snd] in Y. destruct (names k c); [|destruct Y].
+  apply in_flat_map in I as ((p, cs) & I & J). apply in_combine_l in I, J. cbn [fst snd] in J.
+  unfold along in Y. destruct ((det (fst e) (snd e) (fst f) =? 0)%Z && (det (fst e) (snd e) (snd f) =? 0)%Z && negb (same (fst f) (snd f)) &&
+    Bool.eqb (Bool.eqb (rightwards e) (rightwards f)) left) eqn:T; [|destruct Y].
+  destruct (share e f) as [(u, v)|] eqn:Sh; [|destruct Y]. destruct Y as [<-|[]]. cbn [in_span] in Sp.
+  apply andb_prop in T as (T & T4). apply andb_prop in T as (T & T3). apply andb_prop in T as (T1 & T2).
+  apply Z.eqb_eq in T1, T2. apply same_not in T3. apply Bool.eqb_prop in T4.
+  destruct (along_rise e f T1 T2 Ne T3) as (R1 & R2).
+  exists p, f. split; [exact I|]. split; [exact J|]. split.
+  - apply (on_same _ _ _ M). exact (share_on N e f u v s Ne Sh Sp).
+  - split; intros ->.
+    + apply Bool.eqb_prop in T4. destruct (R1 T4) as (R3 & R4). rewrite !rise_pos, !rise_neg. split; assumption.
+    + apply Bool.eqb_false_iff in T4. rewrite rise_pos, rise_neg. exact (R2 T4).
+Qed.
+Lemma left_side e' x : In e' (edges_of loop_edges) -> Statements.on_segment e' x -> exists S f, In S sums /\ In f S /\
+  Statements.on_segment f x /\ (0 < rise e' -> 0 < rise f) /\ (rise e' < 0 -> rise f < 0).
+Proof.
+  intros I X. apply in_map_iff in I as (e & <- & I). pose proof (Edges e I) as Ne. apply In_nth_error in I as (k & I).
+  destruct (along_spec k e true x Ne (Beside k e I) X) as (p & f & P & F & On & R & _).
+  exists (map qe p), (qe f). split; [apply in_map, P|]. split; [apply in_map, F|]. split; [exact On|]. exact (R eq_refl).
+Qed.
+Lemma both_sides e' x : In e' (edges_of fits) -> ~ rise e' == 0 -> Statements.on_segment e' x -> exists S f, In S sums /\ In f S /\
+  Statements.on_segment f x /\ 0 < rise f.
+Proof.
+  intros I R X. apply in_map_iff in I as (e & <- & I). apply In_nth_error in I as (k & I).
+  destruct (Fits k e I) as (i & H). destruct (same (fst e) (snd e)) eqn:Sm.
+  - exfalso. apply same_spec in Sm. apply R. unfold rise, Spans.qe. cbn [fst snd]. rewrite Sm. ring.
+  - assert (Ne : fst e <> snd e) by (intro E; apply same_spec in E; congruence). apply andb_prop in H as (H1 & H2).
+    destruct (Qlt_le_dec 0 (rise (qe e))) as [P|P].
+    + destruct (along_spec i e true x Ne H1 X) as (p & f & Pp & F & On & Rf & _).
+      exists (map qe p), (qe f). split; [apply in_map, Pp|]. split; [apply in_map, F|]. split; [exact On|]. apply Rf; [reflexivity|exact P].
+    + destruct (along_spec i e false x Ne H2 X) as (p & f & Pp & F & On & _ & Rf).
+      exists (map qe p), (qe f). split; [apply in_map, Pp|]. split; [apply in_map, F|]. split; [exact On|]. apply Rf; [reflexivity|lra].
+Qed.
+Lemma touch e' x : In e' (edges_of loop_edges ++ edges_of fits) -> Statements.on_segment e' x -> exists S f, In S sums /\ In f S /\ Statements.on_segment f x.
+Proof.
+  intros I X. apply in_app_or in I as [I|I].
+  - destruct (left_side e' x I X) as (S & f & A & B & C & _). exists S, f. auto.
+  - apply in_map_iff in I as (e & <- & I). apply In_nth_error in I as (k & I). destruct (Fits k e I) as (i & H).
+    destruct (same (fst e) (snd e)) eqn:Sm.
+    + apply same_spec in Sm. unfold on_side in H. apply existsb_exists in H as ((f, c) & J & H). cbn [fst snd] in H.
+      apply andb_prop in H as (H & Ne). apply andb_prop in H as (_ & H). apply same_not in Ne.
+      apply in_flat_map in J as ((p, cs) & J & K). apply in_combine_l in J, K. cbn [fst snd] in K.
+      destruct (share f e) as [(s, t)|] eqn:Sh; [|discriminate]. apply andb_prop in H as (H1 & H2). apply Qle_bool_iff in H1, H2.
+      assert (St : s <= t).
+      { unfold share in Sh. destruct f as (a, b), e as (p0, q0). cbn [fst snd] in Sm. subst q0.
+        destruct ((det a b p0 =? 0)%Z && (det a b p0 =? 0)%Z).
+        - set (y := ratio _ _) in Sh at 1. destruct (leb_cases y y) as [(_ & Z0)|(Z0 & _)]; [|lra].
+          change (ratio ((if (fst a =? fst b)%Z then snd else fst) p0 - (if (fst a =? fst b)%Z then snd else fst) a)
+            ((if (fst a =? fst b)%Z then snd else fst) b - (if (fst a =? fst b)%Z then snd else fst) a))%Z with y in Sh.
+          rewrite Z0 in Sh. destruct (Qle_bool y 1 && Qle_bool 0 y); [|discriminate]. injection Sh as <- <-. lra.
+        - destruct (_ && _ && _)%bool in Sh; [|discriminate]. injection Sh as <- <-. lra. }
+      pose proof (share_on N f e s t s Ne Sh ltac:(lra)) as On.
+      exists (map qe p), (qe f). split; [apply in_map, J|]. split; [apply in_map, K|].
+      exists s. split; [lra|]. destruct On as (r & _ & Rx & Ry). destruct X as (r' & _ & Xx & Xy).
+      unfold Spans.qe in Rx, Ry, Xx, Xy. rewrite Sm in Rx, Ry, Xx, Xy. cbn [fst snd point_at] in Rx, Ry, Xx, Xy. unfold Spans.qe. cbn [fst snd].
+      split; [rewrite Xx; transitivity (fst (qpt N (fst f)) + s * (fst (qpt N (snd f)) - fst (qpt N (fst f)))); [rewrite Rx; ring|reflexivity]|].
+      rewrite Xy. transitivity (snd (qpt N (fst f)) + s * (snd (qpt N (snd f)) - snd (qpt N (fst f)))); [rewrite Ry; ring|reflexivity].
+    + assert (Ne : fst e <> snd e) by (intro E; apply same_spec in E; congruence). apply andb_prop in H as (H1 & _).
+      destruct (along_spec i e true x Ne H1 X) as (p & f & Pp & F & On & _).
+      exists (map qe p), (qe f). split; [apply in_map, Pp|]. split; [apply in_map, F|]. exact On.
+Qed.
+Lemma all_distinct : ForallOrdPairs Boundary.distinct (edges_of loop_edges).
+Proof.
+  pose proof (all_pairs_spec _ _ Distinct) as H. revert H. generalize loop_edges. intros edges_ H. induction H as [|a l A B IH]; [apply FOP_nil|]. cbn [map]. apply FOP_cons; [|exact IH].
+  rewrite Forall_forall in *. intros g G. apply in_map_iff in G as (f & <- & G). apply distinct_spec, A, G.
+Qed.
+
+Lemma winding_sides t : wind_sides (edges_of loop_edges) t = wind_at t.
+Proof. apply wind_sides_qe. Qed.
+Lemma far_U : wanted = 1%Z \/ forall t, exists x, fst t <= x /\ U sums (at_x t x).
+Proof.
+  destruct Far as [F|F]; [left; exact F|right]. intro t. destruct (F t) as (x & X & B). exists x. split; [exact X|apply beyond_U, B].
+Qed.
+
+(* Off loops and fits, the winding number is as wanted on the sums, and one less elsewhere. *)
+Theorem boundary_core t : ~ on_known t -> (O t /\ wind_at t = wanted) \/ (~ O t /\ wind_at t = (wanted - 1)%Z).
+Proof.
+  intro NL. rewrite <- winding_sides.
+  apply (core sums (edges_of loop_edges) (edges_of fits) O wanted sum_convex sum_O); [| |exact far_U| |exact left_side|exact both_sides|exact all_distinct|].
+  - intros u Lu. apply free, known_app, Lu.
+  - intros u Ou. rewrite winding_sides. apply once, Ou.
+  - intros S f x I F X A. destruct (cover S f x I F X A) as [|K]; [left; assumption|right; apply known_app, K].
+  - intro Lt. apply NL, known_app, Lt.
+Qed.
+
+(* Loops and fits are all limits of sums that are in no sum. *)
+Theorem boundary_limits t : on_known t <-> (Statements.closure O t /\ ~ O t).
+Proof.
+  rewrite known_app.
+  apply (Boundary.boundary sums (edges_of loop_edges) (edges_of fits) O wanted sum_convex sum_O); [| |exact far_U| |exact left_side|exact both_sides|exact all_distinct|exact sum_inner|exact touch|].
+  - intros u Lu. apply free, known_app, Lu.
+  - intros u Ou. rewrite winding_sides. apply once, Ou.
+  - intros S f x I F X A. destruct (cover S f x I F X A) as [|K]; [left; assumption|right; apply known_app, K].
+  - intro u. unfold L. apply on_any_dec.
+Qed.
+End Accepted.
+
+(* All of it from one Boolean *)
+Lemma boundary_parts ds hs beyond loops fits listed around wanted : Sums.boundary ds hs beyond loops fits listed around wanted = true ->
+  (forall e, In e (loop_edges loops) -> fst e <> snd e) /\ all_pairs distinct (loop_edges loops) = true /\
+  (forall P Q, In P ds -> In Q hs -> is_clear loops fits wanted P Q = true) /\
+  (forall f e, In f beyond -> In e (known loops fits) -> (det (fst f) (snd f) (fst e) <= 0 /\ det (fst f) (snd f) (snd e) <= 0)%Z) /\
+  (forall x, In x listed -> is_sum ds hs (fst x) = true) /\
+  zip_all (zip_all (fun f chain => negb (same (fst f) (snd f)) && covers (spans_of (polygons ds hs beyond listed) (known loops fits) f chain)))
+    (polygons ds hs beyond listed) (chains listed around) = true /\
+  (forall k e, nth_error (loop_edges loops) k = Some e -> beside (named ds hs beyond listed around) k e true = true) /\
+  (forall k e, nth_error fits k = Some e -> exists i, (if same (fst e) (snd e) then on_side (named ds hs beyond listed around) i e
+    else beside (named ds hs beyond listed around) i e true && beside (named ds hs beyond listed around) i e false) = true).
+Proof.
+  unfold Sums.boundary. intro H.
+  repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
+  rewrite forallb_forall in H, X3, X4, X5. repeat split.
+  - intros e I. apply same_not, H, I.
+  - exact X6.
+  - intros P Q IP IQ. specialize (X5 P IP). rewrite forallb_forall in X5. exact (X5 Q IQ).
+  - specialize (X4 f H0). rewrite forallb_forall in X4. specialize (X4 e H1). apply andb_prop in X4 as (A & _). apply Z.leb_le, A.
+  - specialize (X4 f H0). rewrite forallb_forall in X4. specialize (X4 e H1). apply andb_prop in X4 as (_ & A). apply Z.leb_le, A.
+  - exact X3.
+  - exact X1.
+  - intros k e E. exact (zip_seq _ _ 0 X0 k e E).
+  - intros k e E. exists (length (loop_edges loops) + k)%nat. exact (zip_seq _ _ _ X k e E).
+Qed.

@@ -1,0 +1,86 @@
+(* Reads claims as plain numbers, as terms.py beside this folder writes them, and prints the answer of the
+   extracted checker to each. *)
+open Checker
+module B = Big_int_Z
+
+let scan = ref (Scanf.Scanning.from_string "")
+let token () = Scanf.bscanf !scan " %s" Fun.id
+let integer () = B.big_int_of_string (token ())
+let nat () = int_of_string (token ())
+let list f = List.init (nat ()) (fun _ -> f ())      (* List.init goes from the first on *)
+let option f = if nat () = 1 then Some (f ()) else None
+let pair f g = let a = f () in let b = g () in (a, b)
+let rational () =
+  match String.split_on_char '/' (token ()) with
+  | [n; d] -> { qnum = B.big_int_of_string n; qden = B.big_int_of_string d }
+  | _ -> failwith "not a fraction"
+let point () = pair integer integer
+let rational_point () = pair rational rational
+let ring () = list point
+let rational_ring () = list rational_point
+let segment () = pair rational_point rational_point
+let sums () = list (fun () -> pair nat (fun () -> list (fun () -> list integer)))
+let quadruple () = let a = integer () in let b = integer () in let c = integer () in let d = integer () in (((a, b), c), d)
+
+let no_fit_certificate () =
+  let unit0 = integer () in let still = list ring in let moving = list ring in let listed_sums = sums () in
+  { unit0; still; moving; listed_sums }
+let sweep_certificate () =
+  let unit2 = integer () in let moving0 = list ring in let listed_sums1 = sums () in { unit2; moving0; listed_sums1 }
+let inner_fit_certificate () =
+  let unit1 = integer () in let box = quadruple () in let outside = list ring in let part0 = list ring in
+  let listed_sums0 = sums () in let around = list (fun () -> list integer) in
+  { unit1; box; outside; part0; listed_sums0; around }
+
+let part () =
+  let outline = list rational_ring in let rounded = list (fun () -> pair rational_ring rational) in
+  let error = rational () in let demand = option nat in let rotations = option (fun () -> list rational_point) in
+  let may_mirror = nat () = 1 in { outline; rounded; error; demand; rotations; may_mirror }
+let placement () =
+  let kind = nat () in let mirrored = nat () = 1 in let cosine = rational () in let sine = rational () in
+  let shift = rational_point () in let slack = rational () in
+  { kind; by_motion = { mirrored; cosine; sine; shift }; slack }
+let layout () =
+  let shape () = pair (fun () -> list rational_ring) rational in
+  let sheet = option shape in let obstacles = list shape in let kinds = list part in let placements = list placement in
+  let spacing = rational () in let margin = rational () in { sheet; obstacles; kinds; placements; spacing; margin }
+let certificate () =
+  let denominator = integer () in let part_pieces = list (fun () -> list ring) in let obstacle_pieces = list (fun () -> list ring) in
+  let outside_pieces = list ring in let frame = quadruple () in
+  { denominator; part_pieces; obstacle_pieces; outside_pieces; frame }
+(* Normals are hints: whatever this table gives, the theorem holds. *)
+let normals () =
+  let table = Hashtbl.create 1000 in
+  ignore (list (fun () -> let (((a, i), b), j) = quadruple () in
+    let int = B.int_of_big_int in Hashtbl.replace table (int a, int i, int b, int j) (point ())));
+  fun a i b j -> match Hashtbl.find_opt table (a, i, b, j) with
+    | Some n -> n
+    | None -> (match Hashtbl.find_opt table (a, -1, b, -1) with Some n -> n | None -> (B.zero_big_int, B.zero_big_int))
+
+let answer = function
+  | "no_fit" ->
+    let d = list rational_ring in let g = list rational_ring in let loops = list rational_ring in let fits = list segment in
+    check_no_fit d g loops fits (no_fit_certificate ())
+  | "inner_fit" ->
+    let c = list rational_ring in let g = list rational_ring in let regions = list rational_ring in let fits = list segment in
+    check_inner_fit c g regions fits (inner_fit_certificate ())
+  | "sweep" ->
+    let d = list rational_ring in let g = list rational_ring in let exterior = rational_ring () in let holes = list rational_ring in
+    let fits = list segment in let loops = list rational_ring in let slits = list segment in
+    let c = no_fit_certificate () in check_whole_sweep d g exterior holes fits loops slits c (sweep_certificate ())
+  | "layout" ->
+    let l = layout () in let c = certificate () in let n = normals () in
+    check_layout n (fun a i b j -> n (B.int_of_big_int a) i b j) l c
+  | word -> failwith ("unknown claim " ^ word)
+
+(* One claim a line; a line that is none is an error of the program that writes it. *)
+let () =
+  try
+    while true do
+      scan := Scanf.Scanning.from_string (read_line ());
+      print_endline (match answer (token ()) with
+        | true -> "accepted"
+        | false -> "rejected"
+        | exception (Failure _ | Invalid_argument _ | Scanf.Scan_failure _ | End_of_file) -> "unreadable")
+    done
+  with End_of_file -> ()

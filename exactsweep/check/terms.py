@@ -1,0 +1,324 @@
+"""Certificates as input of the checker in Coq: terms, written as plain numbers or as Coq.
+
+A term is an int (an integer in Coq), a Fraction (a rational), a `Nat`, a bool, a list, a tuple, a
+`Record`, or a `Some` or None. Vertices of pieces are multiplied by a common denominator. Whoever
+believes an answer of the extracted checker about a file trusts this module to have read the file.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterable
+from fractions import Fraction
+from math import ceil, lcm
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from exactsweep.check.standalone import FORMAT, VERSION, rotation_error
+
+Pair = tuple[Fraction, Fraction]
+AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))
+SLACK = 2**40  # errors of rotations are rounded up to one in so many of the common denominator
+
+
+class Nat(int):
+    """A natural number, of Coq's type nat."""
+
+
+class Some(NamedTuple):
+    """A value that may be missing."""
+
+    value: Any
+
+
+class Record(NamedTuple):
+    """Named fields, in the order of the record in Coq."""
+
+    fields: dict[str, Any]
+
+
+class Claim(NamedTuple):
+    """A claim for the checker in Coq.
+
+    `statement` are the arguments of the claim, by name and type; `evidence` the others, of which
+    no property is used.
+    """
+
+    kind: str
+    statement: dict[str, tuple[str, Any]]
+    evidence: dict[str, tuple[str, Any]]
+
+
+def to_claim(certificate: Any) -> Claim:
+    """Return the claim of a certificate of version 3 that is valid by the schema.
+
+    A layout with faults has no claim here.
+    """
+    kinds = {"no_fit": _no_fit, "sweep": _sweep, "inner_fit": _inner_fit, "layout": _layout}
+    if (certificate["format"], certificate["version"]) != (FORMAT, VERSION):
+        raise ValueError(f"not a certificate of version {VERSION}")
+    return kinds[certificate["claim"]](certificate)
+
+
+def write_numbers(claim: Claim) -> str:
+    """Return a claim as words that the extracted checker reads."""
+    terms = [term for part in claim[1:] for _, term in part.values()]
+    return " ".join([claim.kind, *(word for term in terms for word in _words(term))])
+
+
+# --- Reading --------------------------------------------------------------------------------------
+
+
+def _points(items: Any) -> list[Pair]:
+    return [(Fraction(x), Fraction(y)) for x, y in items]
+
+
+def _ring(items: Any) -> list[Pair]:
+    points = _points(items)
+    return [p for k, p in enumerate(points) if p != points[k - 1]]
+
+
+def _fits(items: Any) -> list[tuple[Pair, Pair]]:
+    return [(start, end) for start, end in map(_points, items)]
+
+
+def _area(ring: list[Pair]) -> Fraction:
+    ends = zip(ring, ring[1:] + ring[:1], strict=True)
+    return sum((p[0] * q[1] - p[1] * q[0] for p, q in ends), Fraction(0))
+
+
+def _rings(shape: Any) -> list[list[Pair]]:
+    """Return the rings of a shape, the exterior counter-clockwise, holes clockwise."""
+    rings = [_ring(shape["exterior"]), *map(_ring, shape.get("holes") or [])]
+    return [e if (_area(e) > 0) != bool(k) else e[::-1] for k, e in enumerate(rings)]
+
+
+def _sums(items: Any) -> list[Any]:
+    return [(Nat(k), [_chain(chain) for chain in chains]) for k, *chains in items]
+
+
+def _chain(item: Any) -> list[int]:
+    return [item] if type(item) is int else item
+
+
+def _unit(*rings: Iterable[Pair]) -> int:
+    return lcm(*(n.denominator for ring in rings for p in ring for n in p))
+
+
+def _scaled(pieces: list[list[Pair]], unit: int) -> list[Any]:
+    return [[(int(x * unit), int(y * unit)) for x, y in ring] for ring in pieces]
+
+
+# --- Claims ---------------------------------------------------------------------------------------
+
+RINGS, RING = "list Statements.ring", "Statements.ring"
+SEGMENTS = "list (Statements.point * Statements.point)"
+
+
+def _no_fit(c: Any) -> Claim:
+    d, g, exterior, holes, fits = _answer(c)
+    loops = [exterior, *(hole[::-1] for hole in holes)]
+    statement = {"directrix": (RINGS, d), "generatrix": (RINGS, g), "loops": (RINGS, loops)}
+    evidence = _evidence(c["proof"], d, g, loops, fits)
+    return Claim("no_fit", {**statement, "exact_fits": (SEGMENTS, fits)}, {"evidence": evidence})
+
+
+def _answer(c: Any) -> tuple[Any, ...]:
+    fits = _fits(c["exact_fits"])
+    shapes = _rings(c["directrix"]), _rings(c["generatrix"])
+    return *shapes, _ring(c["exterior"]), [*map(_ring, c["holes"])], fits
+
+
+def _evidence(proof: Any, d: Any, g: Any, loops: Any, fits: Any) -> tuple[str, Record]:
+    still, moving = ([*map(_ring, proof[k])] for k in ("directrix", "generatrix"))
+    unit = _unit(*d, *g, *loops, *fits, *still, *moving)
+    pieces = {"NoFit.still": _scaled(still, unit), "NoFit.moving": _scaled(moving, unit)}
+    sums = _sums(proof["sums"])
+    return "no_fit_certificate", Record({"NoFit.unit": unit, **pieces, "NoFit.listed_sums": sums})
+
+
+def _sweep(c: Any) -> Claim:
+    d, g, exterior, holes, fits = _answer(c)
+    proof, rings = c["proof"], [_ring(r) for r in (c["outer"], c["inner"], *c["unswept"])]
+    loops, slits = (
+        [rings[0], *(r[::-1] for r in rings[1:])],
+        _fits(c["proof"]["slits"]),
+    )
+    moving = [*map(_ring, proof["generatrix"])]
+    unit = _unit(exterior, *g, *loops, *slits, *moving)
+    swept = {"Sweep.unit": unit, "Sweep.moving": _scaled(moving, unit)}
+    swept["Sweep.listed_sums"] = _sums(proof["swept"])
+    statement = {"directrix": (RINGS, d), "generatrix": (RINGS, g), "exterior": (RING, exterior)}
+    statement |= {"holes": (RINGS, holes), "exact_fits": (SEGMENTS, fits)}
+    statement |= {"loops": (RINGS, loops), "slits": (SEGMENTS, slits)}
+    around = [exterior, *(hole[::-1] for hole in holes)]
+    evidence = {"evidence": _evidence(proof, d, g, around, fits)}
+    return Claim("sweep", statement, {**evidence, "swept": ("sweep_certificate", Record(swept))})
+
+
+def _inner_fit(c: Any) -> Claim:
+    proof, container, part = c["proof"], _rings(c["container"]), _rings(c["part"])
+    regions = [
+        ring
+        for region in c["regions"]
+        for ring in (_ring(region["exterior"]), *(_ring(hole)[::-1] for hole in region["holes"]))
+    ]
+    fits = _fits(c["exact_fits"])
+    outside, moving = ([*map(_ring, proof[k])] for k in ("outside", "part"))
+    ends = [Fraction(n) for n in proof["frame"]]
+    unit = _unit(
+        *container,
+        *part,
+        *regions,
+        *fits,
+        *outside,
+        *moving,
+        [(ends[0], ends[1]), (ends[2], ends[3])],
+    )
+    statement: dict[str, tuple[str, Any]] = {"container": (RINGS, container)}
+    statement["part"] = RINGS, part
+    statement |= {"regions": (RINGS, regions), "exact_fits": (SEGMENTS, fits)}
+    found = {"InnerFit.unit": unit, "InnerFit.box": tuple(int(n * unit) for n in ends)}
+    found |= {"InnerFit.outside": _scaled(outside, unit), "InnerFit.part": _scaled(moving, unit)}
+    found |= {"InnerFit.listed_sums": _sums(proof["sums"])}
+    found |= {"InnerFit.around": [_chain(chain) for chain in proof["around"]]}
+    return Claim("inner_fit", statement, {"evidence": ("inner_fit_certificate", Record(found))})
+
+
+def _rotation(turn: Any) -> Any:
+    """Return cosine and sine, or degrees where these are irrational."""
+    if type(turn) is list:
+        return Fraction(turn[0]), Fraction(turn[1])
+    degrees = Fraction("0" if turn is None else turn) % 360
+    return degrees if degrees % 90 else tuple(map(Fraction, AXES[int(degrees) // 90]))
+
+
+def _layout(c: Any) -> Claim:
+    if c["valid"] is not True:
+        raise ValueError("a layout with faults has no theorem")
+    given, proof, zero = c["layout"], c["proof"], Fraction(0)
+    parts, placed = given["parts"], given["placements"]
+    index = {part["id"]: k for k, part in enumerate(parts)}
+    solids = [given.get("container"), *(given.get("defects") or [])]
+    shapes = [(_rings(e), Fraction(e.get("error") or 0)) if e else ([], zero) for e in solids]
+    outside = [[_ring(e) for e in pieces] for pieces in proof["outside"]]
+    drawn, cut = [_rings(part) for part in parts], [[*map(_ring, e)] for e in proof["pieces"]]
+    spacing, margin = (Fraction(given.get(key) or 0) for key in ("spacing", "margin"))
+    frame = [Fraction(n) for n in proof["frame"]]
+    allowed = [[*map(_rotation, part.get("turns") or [])] for part in parts]
+    pieces, moves = [], []
+    for item, turn in zip(placed, c["turns"], strict=True):
+        k, asked, to = index[item["part"]], _rotation(item.get("turn")), _rotation(turn)
+        slack = zero
+        if asked != to:  # irrational, or refused
+            far = max(abs(x) + abs(y) for ring in cut[k] for x, y in ring)
+            slack = far * rotation_error(to, asked) if type(asked) is Fraction else Fraction(-1)
+            allowed[k] += [to] * (asked in allowed[k])
+        motion = bool(item.get("mirrored")), *to, _points([item["move"]])[0]
+        moves.append((k, motion, slack))
+        pieces.append([_move(motion, ring) for ring in cut[k]])
+    rings = [_move(motion, ring) for k, motion, _ in moves for ring in drawn[k]]
+    numbers = [
+        spacing,
+        margin,
+        *frame,
+        *(e for _, e in shapes),
+        *(Fraction(p.get("error") or 0) for p in parts),
+    ]
+    every = [
+        *rings,
+        *(r for e in pieces for r in e),
+        *(r for e in outside for r in e),
+        *(r for e, _ in shapes for r in e),
+    ]
+    unit = _unit(*every, [(n, n) for n in numbers]) * (SLACK if any(s for *_, s in moves) else 1)
+    listed = [
+        Record(
+            {
+                "Statements.kind": Nat(k),
+                "Statements.by_motion": Record(
+                    {
+                        "Statements.mirrored": flag,
+                        "Statements.cosine": x,
+                        "Statements.sine": y,
+                        "Statements.shift": shift,
+                    }
+                ),
+                "Statements.slack": Fraction(ceil(slack * unit), unit),
+            }
+        )
+        for k, (flag, x, y, shift), slack in moves
+    ]
+    kinds = [
+        Record(
+            {
+                "Statements.outline": drawn[k],
+                "Statements.rounded": [],
+                "Statements.error": Fraction(part.get("error") or 0),
+                "Statements.demand": None
+                if part.get("demand") is None
+                else Some(Nat(part["demand"])),
+                "Statements.rotations": None
+                if part.get("turns") is None
+                else Some([e for e in allowed[k] if type(e) is tuple]),
+                "Statements.may_mirror": part.get("mirrored") is not False,
+            }
+        )
+        for k, part in enumerate(parts)
+    ]
+    sheet = Some(shapes[0]) if solids[0] else None
+    body = {
+        "Statements.sheet": sheet,
+        "Statements.obstacles": shapes[1:],
+        "Statements.kinds": kinds,
+        "Statements.placements": listed,
+    }
+    found = {"Layout.denominator": unit, "Layout.part_pieces": [_scaled(e, unit) for e in pieces]}
+    found |= {"Layout.obstacle_pieces": [_scaled(e, unit) for e in outside[1:]]}
+    found |= {
+        "Layout.outside_pieces": _scaled(outside[0], unit),
+        "Layout.frame": tuple(int(n * unit) for n in frame),
+    }
+    normals = [(*key, _whole(x, y)) for *key, x, y in proof["apart"]]
+    statement = {
+        "layout": (
+            "Statements.layout",
+            Record({**body, "Statements.spacing": spacing, "Statements.margin": margin}),
+        )
+    }
+    evidence = {"evidence": ("certificate", Record(found)), "entries": ("list entry", normals)}
+    return Claim("layout", statement, evidence)
+
+
+def _move(motion: Any, ring: list[Pair]) -> list[Pair]:
+    flag, c, s, (u, v) = motion
+    points = [(-x if flag else x, y) for x, y in (ring[::-1] if flag else ring)]
+    return [(c * x - s * y + u, s * x + c * y + v) for x, y in points]
+
+
+def _whole(x: str, y: str) -> tuple[int, int]:
+    """Return a normal as two integers."""
+    unit = lcm(Fraction(x).denominator, Fraction(y).denominator)
+    return int(Fraction(x) * unit), int(Fraction(y) * unit)
+
+
+# --- Plain numbers --------------------------------------------------------------------------------
+
+
+def _words(term: Any) -> Iterable[str]:
+    if isinstance(term, Some):
+        return ["1", *_words(term.value)]
+    if isinstance(term, Record):
+        return [word for value in term.fields.values() for word in _words(value)]
+    if isinstance(term, list):
+        return [str(len(term)), *(word for value in term for word in _words(value))]
+    if isinstance(term, tuple):
+        return [word for value in term for word in _words(value)]
+    if isinstance(term, Fraction):
+        return [f"{term.numerator}/{term.denominator}"]
+    return ["0" if term is None else str(int(term))]
+
+
+if __name__ == "__main__":
+    print(write_numbers(to_claim(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))))

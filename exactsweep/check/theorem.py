@@ -1,0 +1,106 @@
+"""A certificate as a theorem: a file for Coq, proved by soundness and computation.
+
+The first half of the file is the statement, with the numbers of the certificate; the second half is
+the evidence, and a proof of one line. `proof/README.md` says how to check it.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from exactsweep.check.terms import Nat, Record, Some, to_claim
+
+CLAIMS = {
+    "no_fit": ("Statements.no_fit_claim {}", "no_fit_sound {0} {1}"),
+    "inner_fit": ("Statements.inner_fit_claim {}", "inner_fit_sound {0} {1}"),
+    "sweep": (
+        "Statements.no_fit_claim directrix generatrix (with_holes exterior holes) exact_fits /\\\n"
+        "  Statements.sweep_claim exterior generatrix loops slits",
+        "whole_sweep_sound {0} {1}",
+    ),
+    "layout": ("Statements.valid {}", "layout_valid entries {0} evidence"),
+}
+CHECKS = {
+    "no_fit": "check_no_fit {0} {1}",
+    "inner_fit": "check_inner_fit {0} {1}",
+    "sweep": "check_whole_sweep {0} {1}",
+    "layout": "check_layout (normals_of entries) (outside_normals_of entries) {0} evidence",
+}
+HEAD = """(* {title}
+
+   Check it with: coqc -R PROOF Exactsweep {name}.v
+   PROOF is the folder exactsweep/check/proof, after `make` there. *)
+Require Import QArith ZArith List.
+From Exactsweep Require Import Layout NoFit InnerFit Sweep Claims.
+From Exactsweep Require Statements.
+Import ListNotations.
+
+(* The statement.  Statements.v says what it means. *)
+Open Scope Q_scope.
+"""
+TITLES = {
+    "no_fit": "A no-fit polygon: exterior, holes walked clockwise, and exact fits.",
+    "inner_fit": "An inner fit: regions, and exact fits.",
+    "sweep": "A no-fit polygon, and the area swept along its exterior.",
+    "layout": "A valid layout.",
+}
+
+
+def write_theorem(certificate: Any, name: str = "certificate") -> str:
+    """Return a file for Coq with the claim of a certificate as a theorem.
+
+    Args:
+        certificate: a certificate of version 3, valid by the schema.
+        name: the name of the file, without its ending.
+
+    Returns:
+        The text of the file. Coq accepts it if and only if the checker in Coq accepts the
+        certificate.
+
+    Raises:
+        ValueError: the certificate is of another version, or a layout with faults.
+    """
+    claim = to_claim(certificate)
+    statement, sound = CLAIMS[claim.kind]
+    names = [" ".join(part) for part in (claim.statement, claim.evidence)]
+    lines = [HEAD.format(title=TITLES[claim.kind], name=name)]
+    lines += _define(claim.statement)
+    lines += ["\n(* The evidence, in integers at a common denominator *)", "Open Scope Z_scope.\n"]
+    lines += _define(claim.evidence)
+    lines += [
+        f"\nTheorem proved : {statement.format(names[0])}.",
+        f"Proof.\n  apply ({sound.format(*names)}).",
+        f"  vm_cast_no_check (eq_refl ({CHECKS[claim.kind].format(*names)})).\nQed.",
+        "Print Assumptions proved.\n",
+    ]
+    return "\n".join(lines)
+
+
+def _define(terms: dict[str, tuple[str, Any]]) -> list[str]:
+    return [f"Definition {key} : {kind} :=\n  {_coq(term)}." for key, (kind, term) in terms.items()]
+
+
+def _coq(term: Any) -> str:
+    """Return a term as Coq reads it: integers and rationals in the scopes that are open."""
+    if isinstance(term, Some):
+        return f"Some {_coq(term.value)}"
+    if isinstance(term, Record):
+        return "{| " + ";\n   ".join(f"{k} := {_coq(v)}" for k, v in term.fields.items()) + " |}"
+    if isinstance(term, list):
+        return f"[{'; '.join(map(_coq, term))}]"
+    if isinstance(term, tuple):
+        return f"({', '.join(map(_coq, term))})"
+    if isinstance(term, Fraction):
+        return (
+            str(term.numerator)
+            if term.denominator == 1
+            else f"{term.numerator} # {term.denominator}"
+        )
+    if isinstance(term, Nat):
+        return f"{int(term)}%nat"
+    return (
+        {None: "None", True: "true", False: "false"}[term]
+        if term is None or type(term) is bool
+        else str(term)
+    )
