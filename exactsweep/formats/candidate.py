@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
 from functools import partial
 from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
@@ -29,11 +30,14 @@ class NamedPolygon(NamedTuple):
         polygon: the Polygon.
         name: its id, or None.
         layer: the layer of a DXF file that it is on, else None.
+        error: a bound on the distance between its boundary and the drawn curve, in both directions;
+            0 if no curve was flattened.
     """
 
     polygon: Polygon
     name: str | None = None
     layer: str | None = None
+    error: Fraction = Fraction(0)
 
 
 class NamedRegion(NamedTuple):
@@ -43,11 +47,13 @@ class NamedRegion(NamedTuple):
         region: the Region.
         name: its id, or None.
         layer: the layer of a DXF file that it is on, else None.
+        error: as for `NamedPolygon`.
     """
 
     region: Region
     name: str | None = None
     layer: str | None = None
+    error: Fraction = Fraction(0)
 
     def turned(self) -> Self:
         """Return the polygon with Y reversed."""
@@ -65,6 +71,8 @@ class Candidate(NamedTuple):
         holes: a function that finds its inner rings, in order, or raises FormatError.
         fault: the reason why it is not a polygon, if that is known before reading; else "".
         ornament: whether it cannot be part of any outline, so that nothing is lost without it.
+        error: a bound on the distance between its rings and the drawn curves, in both directions; 0
+            if no curve is flattened.
     """
 
     place: str
@@ -74,6 +82,7 @@ class Candidate(NamedTuple):
     holes: Callable[[], Sequence[Candidate]] = tuple
     fault: str = ""
     ornament: bool = False
+    error: Fraction = Fraction(0)
 
     @classmethod
     def refused(
@@ -99,6 +108,7 @@ class Candidate(NamedTuple):
         place: str = "",
         name: str | None = None,
         layer: str | None = None,
+        error: Fraction = Fraction(0),
     ) -> Self:
         """Make a candidate of rings, the exterior first, each by its place and its reader.
 
@@ -107,10 +117,15 @@ class Candidate(NamedTuple):
             place: the place of the whole; by default that of the exterior.
             name: its id.
             layer: its layer.
+            error: that of all rings.
         """
         exterior, *holes = (cls(where, read) for where, read in rings)
         return exterior._replace(
-            place=place or exterior.place, name=name, layer=layer, holes=partial(tuple, holes)
+            place=place or exterior.place,
+            name=name,
+            layer=layer,
+            holes=partial(tuple, holes),
+            error=error,
         )
 
     def turned(self) -> Self:
@@ -161,11 +176,11 @@ class Candidate(NamedTuple):
 
     def named_polygon(self) -> NamedPolygon:
         """Read the polygon, as `polygon` does, with its name and layer."""
-        return NamedPolygon(self.polygon(), self.name, self.layer)
+        return NamedPolygon(self.polygon(), self.name, self.layer, self.error)
 
     def named_region(self) -> NamedRegion:
         """Read the region, as `region` does, with its name and layer."""
-        return NamedRegion(self.region(), self.name, self.layer)
+        return NamedRegion(self.region(), self.name, self.layer, self.error)
 
 
 def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:

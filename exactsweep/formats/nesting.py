@@ -172,7 +172,12 @@ def nest_candidates(outlines: Sequence[Candidate], nested: bool | str = True) ->
 def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
     """Turn outlines inside others into holes; each outline has its number."""
     rings = [
-        (k, ring._replace(vertices=partial(list, ring.vertices()), holes=tuple))
+        (
+            k,
+            ring._replace(
+                vertices=partial(list, ring.vertices()), holes=tuple, error=outline.error
+            ),
+        )
         for k, outline in members
         for ring in (outline, *outline.holes())
     ]
@@ -186,7 +191,13 @@ def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate
         if parent is not None:
             holes[parent].append(ring)
     return [
-        (k, ring._replace(holes=partial(tuple, holes[i])))
+        (
+            k,
+            ring._replace(
+                holes=partial(tuple, holes[i]),
+                error=max(one.error for one in (ring, *holes[i])),
+            ),
+        )
         for i, (k, ring) in enumerate(rings)
         if not is_hole[i]
     ]

@@ -109,6 +109,11 @@ class Reading:
         self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copies = self.copied = 0
 
+    @property
+    def error(self) -> Fraction:
+        """The bound on the distance of curves and the lines that replace them: the tolerance."""
+        return self.tolerance or Fraction(0)
+
     def allow_curve(self, count: int = 0) -> Fraction:
         """Allow a curve to become a number of lines, before it does.
 

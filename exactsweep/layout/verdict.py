@@ -1,4 +1,4 @@
-"""The relation of two solids at their true turns, proved by increasingly precise rational turns.
+"""The relation of two solids as they are meant, proved by increasingly precise rational turns.
 
 Let d be the sum of the slacks of two solids, and s their required distance.
 
@@ -6,6 +6,8 @@ Let d be the sum of the slacks of two solids, and s their required distance.
     s + d, the true distance is at least s; if it is less than s - d, the true one is less than s.
 (2) A point inside a convex piece of a solid, farther from its sides than the slack, is inside the
     true solid.
+(3) More precise turns lower only the share of the slack that turns have. Where flattened curves have
+    nearly all of it, only a finer flattening can decide.
 """
 
 from __future__ import annotations
@@ -26,6 +28,9 @@ from exactsweep.numbers.number import Point
 MOST_BITS = 256
 """The greatest precision, in bits, of rational turns for angles that have none."""
 
+# Turns that have a smaller share of the slack than this one are precise enough, by (3).
+_SHARE = 1000
+
 
 class PairVerdict(NamedTuple):
     """The relation of two solids.
@@ -35,7 +40,8 @@ class PairVerdict(NamedTuple):
         gap: the SquaredDistance, if their distance is less than required.
         too_close: whether the distance is less than required; None if it is undecided.
         bits: the precision of the turns that decided.
-        slack: the sum of both slacks, 0 for exact turns.
+        slack: the sum of both slacks, 0 for exact turns of polygons.
+        error: the share of it that is due to flattened curves.
     """
 
     meeting: Relation | None
@@ -43,6 +49,7 @@ class PairVerdict(NamedTuple):
     too_close: bool | None
     bits: int
     slack: Fraction
+    error: Fraction = Fraction(0)
 
 
 class CommonPoint(NamedTuple):
@@ -69,7 +76,8 @@ def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
     while True:
         a, b = share_scale(*refine(bits))
         found = _decide(a, b, bits, spacing)
-        if found.too_close is not None or bits >= MOST_BITS:
+        turns = found.slack - found.error
+        if found.too_close is not None or bits >= MOST_BITS or turns * _SHARE <= found.error:
             return found
         bits *= 2
 
@@ -91,7 +99,7 @@ def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
         elif gap is not None and spacing:
             is_closer = spacing > slack and gap.value < (spacing - slack) ** 2
             too_close = True if is_closer else None
-    return PairVerdict(meeting, gap, too_close, bits, slack)
+    return PairVerdict(meeting, gap, too_close, bits, slack, a.error + b.error)
 
 
 def find_witness(a: Solid, b: Solid) -> CommonPoint | None:

@@ -62,7 +62,7 @@ def test_decimals_come_back_whole(
             None if form == "wkt" else name,
             name if form == "dxf" else None,
         )
-        for polygon, name, _ in polygons
+        for polygon, name, *_ in polygons
     ]
     if form == "dxf":
         scaled = [part._replace(name=None) for part in scaled]

@@ -58,7 +58,7 @@ def show(polygon: AnyPolygon) -> str:
 
 def list_contents(text: str, options: dict[str, Any]) -> dict[str, object]:
     found = parse_regions(text, **options)
-    parts = [[name, layer, show(region)] for region, name, layer in found]
+    parts = [[name, layer, show(region)] for region, name, layer, _ in found]
     unit = None if found.coordinates.unit is None else str(found.coordinates.unit)
     told = {"left_out": found.left_out, "notes": found.notes, "unit": unit}
     return {"parts": parts, **{name: value for name, value in told.items() if value}}

@@ -132,13 +132,16 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
         if kind not in _READERS:
             raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
         drawn = _READERS[kind](placed.entity, placed.image, reading)
+        is_curved = placed.image.off or placed.entity.is_curved
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
+    error = reading.error if is_curved else _ZERO
     if not isinstance(drawn, OpenLine):
-        return Candidate(place, partial(_name_place, place, drawn, _ALL), layer=layer)
+        vertices = partial(_name_place, place, drawn, _ALL)
+        return Candidate(place, vertices, layer=layer, error=error)
     inner = partial(_name_place, place, drawn.inner, _INNER) if drawn.shape else tuple
-    return drawn._replace(place=place, inner=inner, layer=layer)
+    return drawn._replace(place=place, inner=inner, layer=layer, error=error)
 
 
 def _name_place(place: str, points: _PointReader, part: slice) -> Sequence[Point]:

@@ -33,6 +33,7 @@ class OpenLine(NamedTuple):
         name: its id, or None.
         layer: its layer, or None.
         split: makes an OpenLine of each line of a chain; else None.
+        error: how far it may be from the curve that is drawn.
     """
 
     place: str
@@ -43,6 +44,7 @@ class OpenLine(NamedTuple):
     name: str | None = None
     layer: str | None = None
     split: Callable[[], Sequence[OpenLine]] | None = None
+    error: Fraction = Fraction(0)
 
 
 class _Joined(NamedTuple):
@@ -124,7 +126,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
                     lost[i].append(joined)
             elif _is_long(line, 4 * joints.reach):
                 vertices = partial(_walk, [joined], {i: (0, 0)}, joints.points, 0)
-                yield order, Candidate(line.place, vertices, line.name, layer)
+                yield order, Candidate(line.place, vertices, line.name, layer, error=line.error)
             elif line.ends[0] != line.ends[1]:
                 lost[i].append(joined)
         except FormatError as error:
@@ -241,7 +243,8 @@ def _outlines(
             yield order, Candidate.refused(fault, name, start.layer, ornament=alone)
         else:
             vertices = partial(_walk, lines, at, points, first)
-            yield order, Candidate(start.place, vertices, name, start.layer)
+            error = max(line.error for line in joined)
+            yield order, Candidate(start.place, vertices, name, start.layer, error=error)
 
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:

@@ -176,6 +176,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         matrix = shape.matrix
     except FormatError as error:
         return [Candidate.refused(str(error), name, layer)]
+    lines = reading.lines
     try:
         found = SHAPES[name_kind(shape.element)](shape, matrix, reading)
         closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
@@ -189,15 +190,16 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return [Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)]
+    error = reading.error if matrix.off or reading.lines > lines else Fraction(0)
     drawn: list[Candidate | OpenLine] = []
     for region in regions:
         readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
-        drawn.append(Candidate.of_rings(readers, shape.place, name, layer))
+        drawn.append(Candidate.of_rings(readers, shape.place, name, layer, error))
     for points in opened:
         first, *inner, last = points
         shaped = tuple(points) if inner else ()
         line = OpenLine(shape.place, (first, last), inner.copy, shaped, not matrix.off, name, layer)
-        drawn.append(line)
+        drawn.append(line._replace(error=error))
     return drawn
 
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.node import Data, JsonNode, write_ring, write_shape
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
@@ -147,4 +148,5 @@ def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
 def write_rings(outline: Candidate) -> Data:
     """Write an outline and its holes as Layout JSON has them; crossings are for the judge."""
     holes = [write_ring(hole.vertices()) for hole in outline.holes()]
-    return write_shape(write_ring(outline.vertices()), holes)
+    shape = write_shape(write_ring(outline.vertices()), holes)
+    return shape | ({"error": format_fraction(outline.error)} if outline.error else {})
