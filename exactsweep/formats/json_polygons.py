@@ -21,7 +21,8 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
         document: a list of vertices, or of such lists; an object with a list of vertices as
             "vertices", or as "exterior" and with a list of these as "holes"; an object whose
             "polygons" is a list of all these; or a result, with "trajectory", "inner", "outer" and
-            "unswept", or with "regions". "id" in an object is the name.
+            "unswept", or with "regions". "id" in an object is the name, "error" the bound on the
+            distance between its rings and the curves that they stand for.
         path: where the document is, for messages.
 
     Returns:
@@ -109,4 +110,9 @@ def _read_one(node: JsonNode) -> Candidate:
     for hole in holes:
         hole.entries("a list of vertices")
     readers = ((ring.path, partial(read_vertices, *ring)) for ring in (exterior, *holes))
-    return Candidate.of_rings(readers, path, name)
+    if "error" not in value:
+        return Candidate.of_rings(readers, path, name)
+    bound = (node / "error").fraction
+    if bound < 0:
+        raise FormatError(f"{path}.error is negative")
+    return Candidate.of_rings(readers, path, name, error=bound)

@@ -109,6 +109,13 @@ class Reading:
         self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copies = self.copied = 0
 
+    def at(self, tolerance: Fraction) -> Reading:
+        """Return the settings for another reading of the same text, at another tolerance."""
+        nested, join, unit = self.nested, self.join, self.unit
+        return Reading(
+            tolerance, nested=nested, join=join, unit=unit, hidden=self.hidden, y_down=self.y_down
+        )
+
     @property
     def error(self) -> Fraction:
         """The bound on the distance of curves and the lines that replace them: the tolerance."""

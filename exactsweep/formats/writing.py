@@ -87,11 +87,12 @@ def _json(
     number: Callable[[Fraction], str] = quote_fraction,
 ) -> str:
     lines = []
-    for region, name, *_ in regions:
+    for region, name, _, error in regions:
         exterior, *holes = region.rings
         rings = {"exterior": exterior, "holes": holes} if holes else {"vertices": exterior}
-        lines.append(write_json(({} if name is None else {"id": name}) | rings, number))
-    if len(regions) == 1 and regions[0].name is None and not fits:
+        known = {"error": error} if error else {}
+        lines.append(write_json(({} if name is None else {"id": name}) | rings | known, number))
+    if len(regions) == 1 and regions[0].name is None and not (fits or regions[0].error):
         region = regions[0].region
         return (lines[0] if region.holes else write_json(region.vertices, number)) + "\n"
     after = f',\n "exact_fits": {write_json(fits, number)}' if fits else ""

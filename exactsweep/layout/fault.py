@@ -45,8 +45,8 @@ class Fault:
         number: the number of missing or surplus placements.
         distance_squared: the squared distance, for "too close".
         bound: the greatest error of the placed parts because of angles that have no rational turn,
-            and of flattened curves; 0 if all is exact. The proof of a fault holds for the true turns
-            and curves; `move` may be off by the bound.
+            and of flattened curves; 0 if all is exact. The proof of a fault holds for the true
+            turns and curves; `move` may be off by the bound.
         error: the share of the bound that is due to flattened curves.
         wall: the obstacle of a fault with one placement: 0 for the outside, k for defect k - 1.
     """

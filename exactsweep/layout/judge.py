@@ -165,13 +165,19 @@ def _name_faults(
     board: Board, placements: tuple[int, ...], found: PairVerdict, kind: FaultKind, wall: int = 0
 ) -> Iterator[Fault]:
     fault = partial(
-        Fault, placements=placements, bound=found.slack, _board=board, _bits=found.bits, wall=wall
+        Fault,
+        placements=placements,
+        bound=found.slack,
+        error=found.error,
+        _board=board,
+        _bits=found.bits,
+        wall=wall,
     )
     if found.meeting is None or found.too_close is None:
         what = "overlap" if found.meeting is None else "distance"
         why = " of flattened curves" if found.error else ""
         reason = f"the {what} is undecided within {abridge(found.slack)}{why}"
-        yield fault(kind="undecided", reason=reason, error=found.error)
+        yield fault(kind="undecided", reason=reason)
     elif found.meeting is Relation.OVERLAP:
         yield fault(kind=kind)
     elif found.too_close:

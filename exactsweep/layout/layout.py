@@ -235,7 +235,10 @@ class Layout:
 
 def _read_container(data: object) -> tuple[Region, Fraction]:
     found = read_object(data, "container", ("exterior",), ("holes", "error"))
-    rings, error = read_rings(found, "container"), read_gap(found.get("error", 0), "container.error")
+    rings, error = (
+        read_rings(found, "container"),
+        read_gap(found.get("error", 0), "container.error"),
+    )
     try:
         return Region(*rings), error
     except PolygonError as error:

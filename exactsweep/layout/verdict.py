@@ -6,13 +6,13 @@ Let d be the sum of the slacks of two solids, and s their required distance.
     s + d, the true distance is at least s; if it is less than s - d, the true one is less than s.
 (2) A point inside a convex piece of a solid, farther from its sides than the slack, is inside the
     true solid.
-(3) More precise turns lower only the share of the slack that turns have. Where flattened curves have
-    nearly all of it, only a finer flattening can decide.
+(3) More precise turns lower only the share of the slack that turns have. Where flattened curves
+    have nearly all of it, only a finer flattening can decide.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
@@ -21,13 +21,14 @@ from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.distance import SquaredDistance, measure_to_edge
 from exactsweep.geometry.overlap import Relation
 from exactsweep.layout.nearest import find_gap
-from exactsweep.layout.pieces import bound_piece, find_common_point
-from exactsweep.layout.solid import Solid, meet, share_scale
-from exactsweep.numbers.number import Point
+from exactsweep.layout.pieces import bound_piece, clip, find_common_point
+from exactsweep.layout.solid import LatticeBox, Solid, meet, share_scale
+from exactsweep.numbers.number import Point, Vertex
 
 MOST_BITS = 256
 """The greatest precision, in bits, of rational turns for angles that have none."""
 
+_MANY = 32
 # Turns that have a smaller share of the slack than this one are precise enough, by (3).
 _SHARE = 1000
 
@@ -115,7 +116,9 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
     for i, ((left, right, low, high), one) in enumerate(ours):
         for j, ((west, east, south, north), other) in enumerate(theirs):
             if left < east and west < right and low < north and south < high:
-                point = find_common_point(one, other)
+                # Pieces of flattened curves have thousands of vertices, most of them far away.
+                box = max(left, west), min(right, east), max(low, south), min(high, north)
+                point = find_common_point(_cut(one, box), _cut(other, box))
                 if (
                     point is not None
                     and _is_deep(point, one, a.slack * a.scale)
@@ -123,6 +126,18 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
                 ):
                     return CommonPoint(a.leave(*point), (i, j))
     return None
+
+
+def _cut(piece: ConvexRing, box: LatticeBox) -> Sequence[Vertex]:
+    """Cut a piece to a box around its common part with another one."""
+    if len(piece) < _MANY:
+        return piece
+    left, right, low, high = box
+    ring: Sequence[Vertex] = piece
+    for axis, least, most in ((0, left, right), (1, low, high)):
+        ring = [*clip(ring, [most - point[axis] for point in ring])]
+        ring = [*clip(ring, [point[axis] - least for point in ring])]
+    return ring
 
 
 def _is_deep(point: Point, piece: ConvexRing, slack: Fraction) -> bool:

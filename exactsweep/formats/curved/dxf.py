@@ -136,12 +136,12 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
-    error = reading.error if is_curved else _ZERO
+    bound = reading.error if is_curved else _ZERO
     if not isinstance(drawn, OpenLine):
         vertices = partial(_name_place, place, drawn, _ALL)
-        return Candidate(place, vertices, layer=layer, error=error)
+        return Candidate(place, vertices, layer=layer, error=bound)
     inner = partial(_name_place, place, drawn.inner, _INNER) if drawn.shape else tuple
-    return drawn._replace(place=place, inner=inner, layer=layer, error=error)
+    return drawn._replace(place=place, inner=inner, layer=layer, error=bound)
 
 
 def _name_place(place: str, points: _PointReader, part: slice) -> Sequence[Point]:

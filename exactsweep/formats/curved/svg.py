@@ -190,16 +190,16 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return [Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)]
-    error = reading.error if matrix.off or reading.lines > lines else Fraction(0)
+    bound = reading.error if matrix.off or reading.lines > lines else Fraction(0)
     drawn: list[Candidate | OpenLine] = []
     for region in regions:
         readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
-        drawn.append(Candidate.of_rings(readers, shape.place, name, layer, error))
+        drawn.append(Candidate.of_rings(readers, shape.place, name, layer, bound))
     for points in opened:
         first, *inner, last = points
         shaped = tuple(points) if inner else ()
         line = OpenLine(shape.place, (first, last), inner.copy, shaped, not matrix.off, name, layer)
-        drawn.append(line._replace(error=error))
+        drawn.append(line._replace(error=bound))
     return drawn
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+from functools import partial
 from typing import Any, Unpack
 
 from exactsweep.formats.candidate import Candidate, choose
@@ -71,7 +73,7 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayo
         [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
     """
     instance, container, reading = _take_options(**options)
-    return _parse(text, _parse_instance(instance, reading), container, reading)
+    return _parse_each(text, _parse_instance(instance, reading), container, reading)
 
 
 @tells_arguments
@@ -103,7 +105,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
     with name_file(instance or file):
         known = _parse_instance(None if instance is None else read_text(instance), reading)
     with name_file(file):
-        found = _parse(read_text(file), known, container, reading)
+        found = _parse_each(read_text(file), known, container, reading)
         if choice is None:
             return found
         if choice.isascii() and choice.isdigit() and int(choice) < len(found):
@@ -130,6 +132,21 @@ def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | Non
     if found is None:
         raise FormatError("not an instance of a nesting program")
     return found
+
+
+def _parse_each(
+    text: str, known: NestingInstance | None, container: str | None, reading: Reading
+) -> list[FoundLayout]:
+    """Read the layouts of a text so that each can be read again, more finely."""
+    found = _parse(text, known, container, reading)
+
+    def flatten(k: int, tolerance: Fraction) -> FoundLayout:
+        return _parse(text, known, container, reading.at(tolerance))[k]
+
+    return [
+        one._replace(flatten=partial(flatten, k)) if one.error else one
+        for k, one in enumerate(found)
+    ]
 
 
 def _parse(
