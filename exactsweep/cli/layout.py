@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from exactsweep.layout import Judgement
 
 
-# How much finer curves are flattened each time, and how often.
+# The factor of the tolerance each time that curves are flattened again, and the most times.
 _FINER, _MOST_FINER = Fraction(1, 100), 3
 
 
@@ -209,7 +209,8 @@ def _judge(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement
     """Judge a layout, and flatten the curves of what is undecided more finely, up to a budget."""
     from exactsweep.layout import judge_layout
 
-    tolerance, data, judgement = found.error, found.data, judge_layout(_make(found, gaps, title))
+    data, judgement = found.data, judge_layout(_make(found, gaps, title))
+    tolerance = judgement.layout.greatest_error
     for _ in range(_MOST_FINER):
         open_pairs = [f for f in judgement.faults if f.kind == "undecided" and f.error]
         if not open_pairs or found.flatten is None:

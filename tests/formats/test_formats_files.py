@@ -39,7 +39,8 @@ from exactsweep.formats.parsing import measure_written
 TRIANGLE = Polygon([(0, 0), (1, 0), (0, 1)])
 DECIMALS = [form for form in FORMATS if form != "json"]
 names = st.text("abc<>&'\" é#7", min_size=1, max_size=5).filter(lambda name: name == name.strip())
-parts = st.builds(NamedPolygon, strategies.simple_polygons(), names, st.none())
+errors = st.fractions(0, 2, max_denominator=9)
+parts = st.builds(NamedPolygon, strategies.simple_polygons(), names, st.none(), errors)
 several = st.lists(parts, min_size=1, max_size=4)
 
 

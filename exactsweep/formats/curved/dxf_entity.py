@@ -164,7 +164,7 @@ class Entity:
 
     @property
     def is_curved(self) -> bool:
-        """Whether it draws a curve: an arc, a spline, or a polyline with a bulge."""
+        """Decide whether it draws an arc, a spline, or a polyline with a bulge."""
         if self.kind in _CURVED:
             return True
         bulges = [t for e in (self, *self.vertices) for t in _find_texts(e, _BULGE)]

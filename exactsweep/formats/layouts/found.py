@@ -25,20 +25,14 @@ class FoundLayout(NamedTuple):
         name: which one of several it is; "" where it is the only one.
         data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
         notes: what the reader passed over, a sentence each.
-        flatten: reads the layout again, with curves flattened at another tolerance; None if it has
-            no curves. The result has the same parts in the same order.
+        flatten: reads the layout again, with curves flattened at another tolerance; None if none
+            are read. The result has the same parts in the same order.
     """
 
     name: str
     data: Data
     notes: tuple[str, ...] = ()
     flatten: Callable[[Fraction], FoundLayout] | None = None
-
-    @property
-    def error(self) -> Fraction:
-        """The greatest error of the container and the parts; 0 without curves."""
-        shapes = (self.data["container"], *self.data["parts"])
-        return max(Fraction(str(shape.get("error", 0))) for shape in shapes)
 
 
 class NestingInstance(NamedTuple):

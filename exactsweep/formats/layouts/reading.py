@@ -143,8 +143,13 @@ def _parse_each(
     def flatten(k: int, tolerance: Fraction) -> FoundLayout:
         return _parse(text, known, container, reading.at(tolerance))[k]
 
+    if not reading.lines:
+        # Layout JSON has its errors as they are.
+        return found
     return [
-        one._replace(flatten=partial(flatten, k)) if one.error else one
+        one._replace(flatten=partial(flatten, k))
+        if any("error" in shape for shape in (one.data["container"], *one.data["parts"]))
+        else one
         for k, one in enumerate(found)
     ]
 
