@@ -143,7 +143,7 @@ def _parse_each(
     def flatten(k: int, tolerance: Fraction) -> FoundLayout:
         return _parse(text, known, container, reading.at(tolerance))[k]
 
-    if not reading.lines:
+    if text.lstrip()[:1] in "[{":
         # Layout JSON has its errors as they are.
         return found
     return [
