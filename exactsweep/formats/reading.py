@@ -71,11 +71,13 @@ class Reading:
 
     Args:
         tolerance: the largest distance between curves and the lines that replace them, a positive
-            number as `to_fraction` reads it; None to refuse curves.
+            number as `to_fraction` reads it; None for about a thousandth of each outline.
         nested, join, unit, hidden, y_down: as for `Options`.
 
     Attributes:
         tolerance, join: Fractions, or None.
+        joining: the tolerance by whose fourth ends of curves are joined; None to choose one by the
+            size of the drawing.
         nested, unit, hidden, y_down: as given.
         found_unit: the millimetres of the file's unit; None if the file does not state it.
         passed: the number of omitted elements for each reason.
@@ -101,7 +103,7 @@ class Reading:
     ) -> None:
         if unit is not None and not (isinstance(unit, str) and unit in UNITS):
             raise FormatError(f"the unit {quote(unit)} is none of {', '.join(UNITS)}")
-        self.tolerance = read_positive(tolerance, "the tolerance")
+        self.tolerance = self.joining = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the distance of ends that are joined")
         self.nested, self.unit, self.hidden, self.y_down = nested, unit, hidden, y_down
         self.found_unit: Fraction | None = None
@@ -112,32 +114,17 @@ class Reading:
     def at(self, tolerance: Fraction) -> Reading:
         """Return the settings for another reading of the same text, at another tolerance."""
         nested, join, unit = self.nested, self.join, self.unit
-        return Reading(
+        found = Reading(
             tolerance, nested=nested, join=join, unit=unit, hidden=self.hidden, y_down=self.y_down
         )
+        found.joining = self.joining
+        return found
 
-    @property
-    def error(self) -> Fraction:
-        """The bound on the distance of curves and the lines that replace them: the tolerance."""
-        return self.tolerance or Fraction(0)
+    def allow_lines(self, count: int) -> None:
+        """Count the lines that a curve becomes; raises FormatError beyond the limits.
 
-    def allow_curve(self, count: int = 0) -> Fraction:
-        """Allow a curve to become a number of lines, before it does.
-
-        Args:
-            count: the number of lines.
-
-        Returns:
-            The tolerance.
-
-        Raises:
-            FormatError: the tolerance is missing, or the number of lines exceeds the limit for one
-                curve or for all curves of a file.
+        There is one limit for one curve, and one for all curves of a file.
         """
-        if self.tolerance is None:
-            raise FormatError(
-                "a curve, which is read only with a tolerance for its lines (--flatten)"
-            )
         if count > MAX_LINES:
             shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
@@ -149,7 +136,6 @@ class Reading:
                 f"with this one, the curves of the file would become {self.lines:,} lines at this "
                 f"tolerance, more than {get_max_bytes() // VERTEX:,} (max_mib)"
             )
-        return self.tolerance
 
     def allow_vertices(self, count: int) -> None:
         """Count drawn vertices; raises FormatError beyond the limit."""
@@ -162,15 +148,6 @@ class Reading:
         if self.copies > MAX_COPIES:
             raise FormatError(f"{draw} more than {MAX_COPIES:,} {things}")
         require_size(self.copied, f"{draw} ")
-
-    def allow_angle(self, degrees: Fraction) -> Fraction:
-        """Allow an irrational rotation, and return the largest error of its matrix."""
-        if self.tolerance is None:
-            raise FormatError(
-                f"an angle of {abridge(degrees)} degrees, which is irrational and read only with "
-                "a tolerance (--flatten)"
-            )
-        return min(self.tolerance, Fraction(1)) / 10**30
 
     def scale(self, unit: Fraction | None) -> Fraction:
         """Return the factor for the numbers of a file.

@@ -23,6 +23,7 @@ from exactsweep.formats.layouts.found import (
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.parsing import parse_candidates
+from exactsweep.formats.part_list import Said
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
@@ -255,7 +256,15 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
         *drawn.notes,
         *(f"left out: {one.fault}" for one in drawn if one.fault),
     ]
-    outlines = [one for one in drawn if not one.ornament]
+    said = Said(notes, notes)
+    outlines: list[Candidate] = []
+    for one in drawn:
+        if not one.ornament:
+            try:
+                outlines += one.split(said)
+            except PolygonError:
+                # The judge reports the shape.
+                outlines.append(one)
     if not outlines:
         raise FormatError(notes[0] if notes else "no outline is drawn")
     around = _find_around(outlines) if container is None else choose(outlines, container)
