@@ -128,9 +128,7 @@ def tell_error(error: Fraction) -> str:
     if not error:
         return ""
     about = approximate(error, up=True)
-    return (
-        f"curves        drawn as lines; what is free is free for the curves {about} farther away\n"
-    )
+    return f"note: curves drawn as lines; free positions are certain {about} from the boundary\n"
 
 
 def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:

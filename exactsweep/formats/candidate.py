@@ -184,7 +184,8 @@ class Candidate(NamedTuple):
             self.region()
         except PolygonError as refusal:
             if self.even_odd is not None:
-                pieces = [*self.fill([self.vertices()], even_odd=self.even_odd)]
+                rings = [self.vertices(), *(hole.vertices() for hole in self.holes())]
+                pieces = [*self.fill(rings, even_odd=self.even_odd)]
             if self.even_odd is None or not pieces:
                 raise
             rule = "evenodd" if self.even_odd else "nonzero"

@@ -175,7 +175,10 @@ def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate
         (
             k,
             ring._replace(
-                vertices=partial(list, ring.vertices()), holes=tuple, error=outline.error
+                vertices=partial(list, ring.vertices()),
+                holes=tuple,
+                error=outline.error,
+                even_odd=outline.even_odd,
             ),
         )
         for k, outline in members
@@ -196,6 +199,7 @@ def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate
             ring._replace(
                 holes=partial(tuple, holes[i]),
                 error=max(one.error for one in (ring, *holes[i])),
+                even_odd=True if ring.even_odd is not None and holes[i] else ring.even_odd,
             ),
         )
         for i, (k, ring) in enumerate(rings)

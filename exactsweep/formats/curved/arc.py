@@ -1,6 +1,6 @@
 """Angles, whose sines are irrational, and the arcs between two of them.
 
-The end of such an arc is a rational point of the circle that is at most 10**-30 radii from the true
+The end of such an arc is a rational point of the circle that is at most 10**-40 radii from the true
 one, which interval arithmetic proves.
 """
 
@@ -19,7 +19,7 @@ from exactsweep.numbers.number import Point
 
 _PI_DIGITS = 120
 _MAX_TURN = 10**6
-_NEAR = Fraction(1, 10**30)
+_NEAR = Fraction(1, 10**40)
 _FULL = Fraction(360)
 
 
@@ -32,7 +32,7 @@ def make_arc(image: Affine, start: Fraction, end: Fraction) -> Path:
         image._replace(off=Fraction(0)), float(start % _FULL) * radians, float(span) * radians
     )
     size = Fraction(sum(map(abs, image[:4])))
-    return Path(points, {0: (arc, True)}, image.error([Point(size, size)]) + 2 * _NEAR * size)
+    return Path(points, {0: (arc, True)}, image.error([Point(size, size)]))
 
 
 def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
@@ -40,7 +40,7 @@ def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
 
     Args:
         degrees: the angle.
-        power: to which power of 10**-30 it is true.
+        power: to which power of 10**-40 it is true.
 
     >>> make_rotation(Fraction(90)).point(Fraction(1), Fraction(0))
     Point(x=Fraction(0, 1), y=Fraction(1, 1))

@@ -122,7 +122,8 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
             placed.append((order, line, ends or [*map(joints.find, line.ends)]))
         except FormatError as error:
             yield order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
-    _note_gaps(placed, joints, reading)
+    if not all(exact):
+        _note_gaps(placed, joints, reading)
     meeting = Counter(chain.from_iterable(ends[1:] + ends[:-1] for _, _, ends in placed))
     single: list[tuple[int, OpenLine, Sequence[int]]] = []
     for order, line, ends in placed:
@@ -130,7 +131,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
             single.append((order, line, ends))
         elif ends[0] == ends[-1] and all(meeting[joint] == 2 for joint in ends):
             outline = [joints.points[joint] for joint in ends[:-1]]
-            yield order, Candidate(line.place, outline.copy, None, layer)
+            yield order, Candidate(line.place, outline.copy, None, layer, even_odd=False)
         else:
             single += zip(count_from(order), line.split(), pairwise(ends), strict=False)
     found: dict[tuple[int, int, Hashable], _Joined] = {}
@@ -176,18 +177,18 @@ def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
 def _note_gaps(
     placed: Sequence[tuple[int, OpenLine, list[int]]], joints: Joints, reading: Reading
 ) -> None:
-    """Note ends of curves that were moved, unless they are as near as rounded decimals are."""
+    """Note ends of curves that meet others with a gap that is more than rounding of decimals."""
+    first: dict[int, Point] = {}
     gaps = []
     for _, line, ends in placed:
-        for end, joint in zip(line.ends, ends, strict=True) if not line.is_exact else ():
-            x, y = joints.points[joint]
-            gap = max(abs(x - end.x), abs(y - end.y))
+        for end, joint in zip(line.ends, ends, strict=True):
+            x, y = first.setdefault(joint, end)
+            gap = max(abs(x - end.x), abs(y - end.y)) if end is not first[joint] else 0
             if gap * _ROUNDED > joints.reach and gap > (reading.join or 0):
                 gaps.append((gap, line.place))
     if gaps:
         gap, where = max(gaps)
-        moved = count(len(gaps), "end")
-        note = f"{moved} of curves joined to others up to {float(gap):.2g} away ({where})"
+        note = f"{count(len(gaps), 'gap')} up to {float(gap):.2g} closed beside curves ({where})"
         reading.notes[note] = None
 
 

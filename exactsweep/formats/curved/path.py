@@ -182,10 +182,10 @@ class Path:
 
     def draw(self, tolerance: Fraction, reading: Reading, *, fine: bool = False) -> list[Point]:
         """Turn the path into lines within a tolerance."""
-        if self.off * 16 > tolerance:
-            raise FormatError("numbers too large to be turned by an irrational angle")
         grid = find_grid(tolerance / (1000 if fine else 1))
         places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
+        if self.off * 16 > tolerance:
+            raise FormatError("numbers too large to be turned by an irrational angle")
         for before, after in self._corners():
             self._part(before, after, places, tolerance)
         points = self.points
@@ -226,12 +226,13 @@ class Path:
             ]
             reach: float = min(row[-1][0] for row in rows)
             new: tuple[list[int], list[int]] = ([], [])
-            for distance in sorted({d for row in rows for d, _ in row}):
+            distances: set[float] = {d for row in rows for d, _ in row}
+            for distance in sorted(distances):
                 if distance > reach:
                     break
                 found = [_find_place(e, row, distance) for e, row in zip(ends, rows, strict=True)]
                 p, q = (end.near(place) for end, place in zip(ends, found, strict=True))
-                if abs(p - q) > min(_APART * tolerance, distance):
+                if abs(p - q) > min(_APART * float(tolerance), distance):
                     break
                 for row, place in zip(new, found, strict=True):
                     row.append(place)

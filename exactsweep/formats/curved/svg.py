@@ -201,7 +201,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         straight = len(path.points) == 2 and path.is_exact
         ends = path.points[0], path.points[-1]
         line = OpenLine(shape.place, ends, None if straight else path, not matrix.off, name, layer)
-        drawn.append(line._replace(filled=shape.is_even_odd if is_filled(shape) else None))
+        drawn.append(line._replace(filled=find_rule(shape) if is_filled(shape) else None))
     return drawn
 
 
@@ -210,18 +210,27 @@ def is_filled(shape: PlacedElement) -> bool:
     return shape.inherited("fill", "black") not in _UNPAINTED
 
 
+def find_rule(shape: PlacedElement) -> bool | None:
+    """Return whether the fill rule of a shape is evenodd; None for one that SVG does not have."""
+    try:
+        return shape.is_even_odd
+    except FormatError:
+        return None
+
+
 def _draw_regions(
     closed: Sequence[Path], shape: PlacedElement, reading: Reading
 ) -> Sequence[Candidate]:
     """Read the regions that closed paths draw together, by the fill rule."""
     if not closed:
         return ()
-    place, even_odd = shape.place, shape.is_even_odd
+    place = shape.place
     whole = Candidate(place, list, _name(shape), shape.layer)
     whole = whole._replace(error=max(path.find_error(reading) for path in closed))
     if len(closed) == 1:
         vertices = partial(flatten_named, place, closed[0], reading)
-        return [whole._replace(vertices=vertices, even_odd=even_odd)]
+        return [whole._replace(vertices=vertices, even_odd=find_rule(shape))]
+    even_odd = shape.is_even_odd
     rings, regions = flatten_together(closed, reading, partial(find_regions, even_odd=even_odd))
     if regions is None:
         found = whole.fill(rings, even_odd=even_odd)
