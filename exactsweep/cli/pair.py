@@ -65,9 +65,15 @@ def to_point(pair: Iterable[str]) -> Point:
 
 
 def _make_reading(
-    tolerance: object, join: object, nested: str | None, unit: str, hidden: bool, y_down: bool
+    tolerance: object,
+    join: object,
+    nested: str | None,
+    unit: str,
+    hidden: bool,
+    y_down: bool,
+    clean: object,
 ) -> ReadingOptions:
-    reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden}
+    reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden, "clean": clean}
     return reading | {"nested": nested == SAME_LAYER or nested or False, "y_down": y_down}
 
 
@@ -94,6 +100,12 @@ takes_reading = gather(
         metavar="[all|OUTER,INNER]",
         help="Treat closed outlines inside others of their layer as holes, as in DXF. 'all' treats "
         "all layers as one, and names of layers these layers.",
+    ),
+    click.option(
+        "--clean",
+        callback=checked(lambda text: how.Reading(clean=text).clean),
+        metavar="AREA",
+        help="Leave out polygons of a smaller area, and report them.",
     ),
     click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too."),
     click.option(

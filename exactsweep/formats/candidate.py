@@ -320,7 +320,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
     Args:
         candidates: the candidates of a file, in order.
-        choice: a name, an index from 0 or a layer, tried in this order.
+        choice: a name, an index from 0 or a layer, tried in this order; or "layer:" and a layer.
 
     Returns:
         list of Candidate, at least one; of a layer only those without a fault, if there are any.
@@ -329,8 +329,17 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
         FormatError: none.
     """
     named = [candidate for candidate in candidates if candidate.name == choice]
+    prefix, _, layer = choice.partition("layer:")
+    if not (named or prefix):
+        choice = layer
     # A name may look like an index, and so may a layer: DXF's first one is "0".
-    index = int(choice) if choice.isascii() and choice.isdigit() and len(choice) < 10 else -1
+    index = (
+        -1
+        if layer
+        else int(choice)
+        if choice.isascii() and choice.isdigit() and len(choice) < 10
+        else -1
+    )
     if len(named) != 1 and 0 <= index < len(candidates):
         return [candidates[index]]
     layered = [candidate for candidate in candidates if candidate.layer == choice]

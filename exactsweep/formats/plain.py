@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from functools import partial
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.decimals import read_decimals, read_points
 from exactsweep.formats.error import FormatError
+from exactsweep.numbers.number import make_points
 
 _PLAIN = re.compile(r"[-+.,;0-9eE\s()\[\]{}]++")
 _TO_LISTS = str.maketrans("(){};", "[][],")
@@ -52,7 +54,7 @@ def to_json_text(text: str) -> str:
     ('[[0,0],[1,0],[0,1]]', '[[0,0], [1,0], [0,1]]')
     """
     lists = re.sub(r",(?=\s*(?:\]|\Z))", "", text.translate(_TO_LISTS)).strip()
-    return lists if lists.startswith("[[") or lists.startswith("[ [") else f"[{lists}]"
+    return lists if re.match(r"\[\s*\[", lists) else f"[{lists}]"
 
 
 def parse_numbers(text: str) -> list[Candidate]:
@@ -81,17 +83,17 @@ def _read_lines(lines: Sequence[str]) -> Iterator[Candidate]:
     for k in range(len(lines) + 1):
         if k == len(lines) or not lines[k]:
             if k > start:
-                yield Candidate(f"line {start + 1}", partial(read_points, "\n".join(lines[start:k])))
+                points = partial(read_points, "\n".join(lines[start:k]))
+                yield Candidate(f"line {start + 1}", points)
             start = k + 1
 
 
-def _read_counted(numbers: Sequence[object]) -> Iterator[Candidate]:
+def _read_counted(numbers: Sequence[Fraction]) -> Iterator[Candidate]:
     k = 0
     while k < len(numbers):
-        size = numbers[k]
-        end = k + 1 + 2 * int(size)  # type: ignore[call-overload]
-        if size != int(size) or not k < end <= len(numbers):  # type: ignore[call-overload]
+        size, first = numbers[k], k + 1
+        k = first + 2 * int(size)
+        if size.denominator != 1 or not first < k <= len(numbers):
             raise FormatError("neither pairs of numbers, one a line, nor a count and as many pairs")
-        text = " ".join(map(str, ()))
-        yield Candidate("", partial(_pair, numbers[k + 1 : end]))
-        k = end
+        points = make_points(numbers[first:k:2], numbers[first + 1 : k : 2])
+        yield Candidate("", points.copy)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from copy import copy
 from fractions import Fraction
 from typing import TypedDict
 
@@ -57,6 +58,8 @@ class Options(TypedDict, total=False):
             off or frozen, and its paper space; elements of SVG without display or visibility, or in
             `defs`.
         y_down: whether Y points down in the file; by default in SVG only.
+        clean: the least area of a polygon, a positive number; smaller ones are left out, with the
+            reason. By default none are.
     """
 
     nested: bool | str
@@ -64,6 +67,7 @@ class Options(TypedDict, total=False):
     unit: str | None
     hidden: bool
     y_down: bool | None
+    clean: object
 
 
 class Reading:
@@ -72,7 +76,7 @@ class Reading:
     Args:
         tolerance: the largest distance between curves and the lines that replace them, a positive
             number as `to_fraction` reads it; None for about a thousandth of each outline.
-        nested, join, unit, hidden, y_down: as for `Options`.
+        nested, join, unit, hidden, y_down, clean: as for `Options`.
 
     Attributes:
         tolerance, join: Fractions, or None.
@@ -100,24 +104,31 @@ class Reading:
         unit: str | None = None,
         hidden: bool = False,
         y_down: bool | None = None,
+        clean: object = None,
     ) -> None:
         if unit is not None and not (isinstance(unit, str) and unit in UNITS):
             raise FormatError(f"the unit {quote(unit)} is none of {', '.join(UNITS)}")
         self.tolerance = self.joining = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the distance of ends that are joined")
+        self.clean = read_positive(clean, "the least area") or Fraction(0)
         self.nested, self.unit, self.hidden, self.y_down = nested, unit, hidden, y_down
         self.found_unit: Fraction | None = None
         self.passed: Counter[str] = Counter()
         self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copies = self.copied = 0
 
+    def without_nesting(self) -> Reading:
+        """Return the same settings, but that no outline is a hole of another."""
+        found = copy(self)
+        found.nested = False
+        return found
+
     def at(self, tolerance: Fraction) -> Reading:
         """Return the settings for another reading of the same text, at another tolerance."""
-        nested, join, unit = self.nested, self.join, self.unit
-        found = Reading(
-            tolerance, nested=nested, join=join, unit=unit, hidden=self.hidden, y_down=self.y_down
-        )
-        found.joining = self.joining
+        found = self.without_nesting()
+        found.tolerance, found.nested = tolerance, self.nested
+        found.passed, found.notes = Counter(), {}
+        found.lines = found.vertices = found.copies = found.copied = 0
         return found
 
     def allow_lines(self, count: int) -> None:

@@ -22,7 +22,7 @@ from exactsweep.formats.layouts.found import (
 )
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data, JsonNode
-from exactsweep.formats.parsing import parse_candidates
+from exactsweep.formats.parsing import parse_by
 from exactsweep.formats.part_list import Said
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
@@ -129,7 +129,7 @@ def _take_options(
 def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | None:
     if text is None:
         return None
-    found = _read_instance(JsonNode(parse_json(text)), reading)
+    found = read_instance(JsonNode(parse_json(text)), reading)
     if found is None:
         raise FormatError("not an instance of a nesting program")
     return found
@@ -191,7 +191,7 @@ def _read_json(
         if known is not None:
             raise FormatError("Layout JSON has its own parts and rules, and no instance")
         return [FoundLayout("", _with_counts(document))]
-    instance = known or _read_instance(document, reading)
+    instance = known or read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_solution":
         return cgshop.read_solution(document, instance)
     if document.has("bins") and not document.has("items"):
@@ -213,7 +213,8 @@ def _with_counts(document: JsonNode) -> Data:
     return {**document.value, "parts": parts}
 
 
-def _read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
+def read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
+    """Read the instance of a nesting program; None if no known program wrote it."""
     if document.has("item_types"):
         return packingsolver.read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_instance":
@@ -249,8 +250,7 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
 
     Raises FormatError if one of them cannot be read: with it, the layout may be wrong.
     """
-    options: Options = {"join": reading.join, "unit": reading.unit, "hidden": reading.hidden}
-    drawn = parse_candidates(text, reading.tolerance, **options)
+    drawn = parse_by(text, reading.without_nesting())
     notes = [
         *drawn.left_out,
         *drawn.notes,

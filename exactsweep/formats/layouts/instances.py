@@ -1,0 +1,29 @@
+"""The parts of instances of nesting programs, as polygons."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.exact_json import read_number, read_vertices
+from exactsweep.formats.layouts.reading import read_instance
+from exactsweep.formats.node import Data, JsonNode
+from exactsweep.formats.reading import Reading
+
+
+def read_parts(document: object, reading: Reading) -> list[Candidate] | None:
+    """Find the parts of an instance; None if the document is none."""
+    found = read_instance(JsonNode(document), reading)
+    if found is None:
+        return None
+    reading.notes |= dict.fromkeys(found.notes)
+    return [_make_candidate(name, part) for name, part in found.parts.items()]
+
+
+def _make_candidate(name: str, part: Data) -> Candidate:
+    place = f"item {name}"
+    rings = [part["exterior"], *part.get("holes", [])]
+    readers = [(place, partial(read_vertices, ring, place)) for ring in rings]
+    return Candidate.of_rings(
+        readers, place, name, error=read_number(part.get("error", "0"), place)
+    )
