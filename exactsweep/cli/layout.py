@@ -210,24 +210,25 @@ def _judge(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement
     from exactsweep.layout import judge_layout
 
     data, judgement = found.data, judge_layout(_make(found, gaps, title))
-    tolerance = judgement.layout.greatest_error
     for _ in range(_MOST_FINER):
-        open_pairs = [f for f in judgement.faults if f.kind == "undecided" and f.error]
-        if not open_pairs or found.flatten is None:
+        layout = judgement.layout
+        unsure = [f for f in judgement.faults if f.kind == "undecided" and f.error]
+        if not unsure or found.flatten is None:
             break
-        tolerance *= _FINER
+        names: set[str | None] = {layout.placements[k].part for f in unsure for k in f.placements}
+        if any(len(f.placements) == 1 for f in unsure):
+            names.add(None)
+        errors = [layout.error if n is None else layout.part_by_id[n].error for n in names]
+        names -= {name for name, error in zip(names, errors, strict=True) if not error}
         try:
-            finer = found.flatten(tolerance).data
+            finer = found.flatten(names, max(errors) * _FINER)
         except FormatError:
             # Too many lines.
             break
-        placed = judgement.layout.placements
-        coarse = {placed[k].part for f in open_pairs for k in f.placements}
-        pairs = zip(data["parts"], finer["parts"], strict=True)
-        parts = [new if old["id"] in coarse else old for old, new in pairs]
-        walled = any(len(f.placements) == 1 for f in open_pairs)
-        container = finer["container"] if walled else data["container"]
-        data = {**data, "container": container, "parts": parts}
+        if not finer:
+            break
+        parts = [{**part, **finer.get(part["id"], {})} for part in data["parts"]]
+        data = {**data, "container": finer.get(None, data["container"]), "parts": parts}
         judgement = judge_layout(_make(found._replace(data=data), gaps, title))
     return judgement
 

@@ -77,6 +77,7 @@ class Candidate(NamedTuple):
             if no curve is flattened.
         even_odd: the fill rule of a ring that touches or crosses itself; None to refuse it.
         clean: the least area of regions that are read.
+        finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
     """
 
     place: str
@@ -89,6 +90,7 @@ class Candidate(NamedTuple):
     error: Fraction = Fraction(0)
     even_odd: bool | None = None
     clean: Fraction = Fraction(0)
+    finer: Callable[[Fraction], Candidate | None] | None = None
 
     @classmethod
     def refused(
@@ -208,11 +210,19 @@ class Candidate(NamedTuple):
 
         filled = fill(rings, even_odd=even_odd, measured=bool(self.error))
         error = self.error + (bound_root(filled.hidden) if self.error else 0)
-        found = []
+        found: list[Self] = []
         for region in filled.regions:
             readers = [(f"{self.place}: ring {k}", ring.copy) for k, ring in enumerate(region)]
-            found.append(self.of_rings(readers, self.place, self.name, self.layer, error))
+            finer = partial(self._find_finer, len(found), len(filled.regions)) if error else None
+            piece = self.of_rings(readers, self.place, self.name, self.layer, error)
+            found.append(piece._replace(finer=finer))
         return found
+
+    def _find_finer(self, k: int, number: int, tolerance: Fraction) -> Candidate | None:
+        """Find a piece with finer lines, if these fill as many."""
+        finer = self.finer(tolerance) if self.finer else None
+        pieces = finer.split(Said([], [])) if finer else []
+        return pieces[k] if len(pieces) == number else None
 
     def shape(self) -> AnyPolygon:
         """Read a Region if there are holes, else a Polygon."""

@@ -328,7 +328,12 @@ def draw_outline(path: Path, line: OpenLine, reading: Reading) -> Candidate:
     """Make the candidate of a closed path, which is filled as SVG fills it if it is not simple."""
     vertices = partial(flatten_named, line.place, path, reading)
     found = Candidate(line.place, vertices, line.name, line.layer, error=path.find_error(reading))
-    return found._replace(even_odd=bool(line.filled))
+    finer = partial(_draw_finer, path, line, reading) if found.error else None
+    return found._replace(even_odd=bool(line.filled), finer=finer)
+
+
+def _draw_finer(path: Path, line: OpenLine, reading: Reading, tolerance: Fraction) -> Candidate:
+    return draw_outline(path, line, reading.at(tolerance))
 
 
 def flatten_named(place: str, path: Path, reading: Reading) -> list[Point]:

@@ -65,7 +65,7 @@ class Path:
         gap: how far ends have been moved to those of other lines.
     """
 
-    __slots__ = ("curves", "gap", "off", "points", "soft")
+    __slots__ = ("_lines", "curves", "gap", "off", "points", "soft")
 
     def __init__(
         self,
@@ -76,6 +76,7 @@ class Path:
         self.points, self.off, self.gap = [*points], off, Fraction(0)
         self.curves = {} if curves is None else curves
         self.soft: set[int] = set()
+        self._lines: tuple[Fraction, list[Point]] | None = None
 
     def add_curve(self, curve: Curve, end: Point, *, forward: bool) -> None:
         """Add a curve to the last point."""
@@ -175,10 +176,15 @@ class Path:
         if self.is_exact:
             return self.points
         tolerance = self.find_tolerance(reading) / 10**finer
+        if self._lines and self._lines[0] == tolerance:
+            # They are read several times: for their box, their shape and their vertices.
+            return self._lines[1]
         found = self.draw(tolerance, reading, fine=finer > 0)
-        if finer or not self.is_closed or not self.curves:
-            return found
-        return flatten_together([self], reading, lambda rings: Polygon(rings[0]), found)[0][0]
+        if not finer:
+            if self.is_closed and self.curves:
+                found = flatten_together([self], reading, lambda r: Polygon(r[0]), found)[0][0]
+            self._lines = tolerance, found
+        return found
 
     def draw(self, tolerance: Fraction, reading: Reading, *, fine: bool = False) -> list[Point]:
         """Turn the path into lines within a tolerance."""

@@ -229,7 +229,8 @@ def _draw_regions(
     whole = whole._replace(error=max(path.find_error(reading) for path in closed))
     if len(closed) == 1:
         vertices = partial(flatten_named, place, closed[0], reading)
-        return [whole._replace(vertices=vertices, even_odd=find_rule(shape))]
+        whole = whole._replace(vertices=vertices, even_odd=find_rule(shape))
+        return [whole._replace(finer=partial(_draw_finer, closed, shape, reading, 0))]
     even_odd = shape.is_even_odd
     rings, regions = flatten_together(closed, reading, partial(find_regions, even_odd=even_odd))
     if regions is None:
@@ -239,11 +240,20 @@ def _draw_regions(
             None
         )
         return found
-    drawn = []
+    drawn: list[Candidate] = []
     for region in regions:
         readers = [(f"{place}: subpath {k}", rings[k].copy) for k in region]
-        drawn.append(Candidate.of_rings(readers, place, whole.name, whole.layer, whole.error))
+        one = Candidate.of_rings(readers, place, whole.name, whole.layer, whole.error)
+        finer = partial(_draw_finer, closed, shape, reading, len(drawn))
+        drawn.append(one._replace(finer=finer))
     return drawn
+
+
+def _draw_finer(
+    closed: Sequence[Path], shape: PlacedElement, reading: Reading, k: int, tolerance: Fraction
+) -> Candidate | None:
+    found = _draw_regions(closed, shape, reading.at(tolerance))
+    return found[k] if k < len(found) else None
 
 
 def _name(shape: PlacedElement) -> str | None:

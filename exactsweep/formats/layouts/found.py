@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -18,6 +18,10 @@ STANDING: Data = {"turn": "0", "move": ["0", "0"]}
 """Where a part stands as it is drawn."""
 
 
+Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
+"""What finds finer shapes, as `FoundLayout.flatten`."""
+
+
 class FoundLayout(NamedTuple):
     """A layout of a file.
 
@@ -25,14 +29,15 @@ class FoundLayout(NamedTuple):
         name: which one of several it is; "" where it is the only one.
         data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
         notes: what the reader passed over, a sentence each.
-        flatten: reads the layout again, with curves flattened at another tolerance; None if none
-            are read. The result has the same parts in the same order.
+        flatten: finds the shapes of some parts, by id, and of the container, None, with curves
+            flattened at another tolerance; those that it cannot find are left out. None if no
+            curve was read.
     """
 
     name: str
     data: Data
     notes: tuple[str, ...] = ()
-    flatten: Callable[[Fraction], FoundLayout] | None = None
+    flatten: Flatten | None = None
 
 
 class NestingInstance(NamedTuple):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import partial
 from typing import Any, Unpack
@@ -140,19 +141,27 @@ def _parse_each(
 ) -> list[FoundLayout]:
     """Read the layouts of a text so that each can be read again, more finely."""
     found = _parse(text, known, container, reading)
-
-    def flatten(k: int, tolerance: Fraction) -> FoundLayout:
-        return _parse(text, known, container, reading.at(tolerance))[k]
-
     if text.lstrip()[:1] in "[{":
         # Layout JSON has its errors as they are.
         return found
+
+    def flatten(
+        k: int, names: Collection[str | None], tolerance: Fraction
+    ) -> Mapping[str | None, Data]:
+        data = _parse(text, known, container, reading.at(tolerance))[k].data
+        shapes = {part["id"]: part for part in data["parts"]} | {None: data["container"]}
+        return {name: shapes[name] for name in names if name in shapes}
+
     return [
-        one._replace(flatten=partial(flatten, k))
-        if any("error" in shape for shape in (one.data["container"], *one.data["parts"]))
-        else one
+        one
+        if one.flatten or not _list_curved(one.data)
+        else one._replace(flatten=partial(flatten, k))
         for k, one in enumerate(found)
     ]
+
+
+def _list_curved(data: Data) -> list[Data]:
+    return [shape for shape in (data["container"], *data["parts"]) if "error" in shape]
 
 
 def _parse(
@@ -281,7 +290,18 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
     parts = [{"id": name, **write_rings(one)} for name, one in zip(names, rest, strict=True)]
     placements = [STANDING | {"part": name} for name in names]
     data: Data = {"container": write_rings(around), "parts": parts, "placements": placements}
-    return FoundLayout("", data, tuple(notes))
+    drawn_as = dict(zip(names, rest, strict=True)) | {None: around}
+
+    def flatten(names: Collection[str | None], tolerance: Fraction) -> Mapping[str | None, Data]:
+        found: dict[str | None, Data] = {}
+        for name in names:
+            finer = drawn_as[name].finer
+            one = finer(tolerance) if finer else None
+            if one is not None:
+                found[name] = write_rings(one)
+        return found
+
+    return FoundLayout("", data, tuple(notes), flatten if _list_curved(data) else None)
 
 
 def _find_around(outlines: list[Candidate]) -> Candidate:
