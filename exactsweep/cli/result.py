@@ -135,7 +135,7 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
     """Write a result in a form of `takes_form`."""
     columns, writers = measure_columns(form.output), _WRITERS[type(result)]
     first, second = errors_of_files()
-    # What stays is the second file of a sweep.
+    # The second file of a sweep has the polygon that stays.
     stays, moves = (second, first) if isinstance(result, Sweep) else (first, second)
     bound = stays + moves
     with working("computing"):

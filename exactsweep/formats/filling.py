@@ -3,7 +3,8 @@
 All edges are cut where they meet. From left to right, in the order of a sweep line, each piece gets
 the winding numbers on both of its sides. Pieces with the filled area on one side only are its
 boundary. Walked with the area on the left, and at each vertex by the next piece clockwise, they
-make the faces; where a face comes to a vertex again, it is cut into two rings.
+make the faces. Faces are cut into two rings at vertices that
+they visit twice.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ from exactsweep.formats.reading import Options, Reading
 from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
 
-# What instances of nesting programs have.
+# Keys of instances of nesting programs.
 _INSTANCES = {"items", "item_types"}
 # A group code 0 and the name that follows it.
 _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")

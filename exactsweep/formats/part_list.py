@@ -73,7 +73,7 @@ class PartList(list[_Listed]):
 
 
 class Said(NamedTuple):
-    """What is said of the outlines of a file that are read.
+    """Remarks on the outlines of a file that are read.
 
     Attributes:
         notes: remarks.

@@ -21,7 +21,7 @@ from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import name_refusals, tells_arguments
 
 _Taken = TypeVar("_Taken")
-_Shape = TypeVar("_Shape")
+_OneRead = TypeVar("_OneRead")
 
 
 @tells_arguments
@@ -268,8 +268,8 @@ def read_choice(
 
 
 def _read_one(
-    one: Candidate, read: Callable[[Candidate], _Shape], tolerance: object = None
-) -> _Shape:
+    one: Candidate, read: Callable[[Candidate], _OneRead], tolerance: object = None
+) -> _OneRead:
     """Read the only polygon of a candidate; a curve only at a tolerance that the caller knows."""
     if one.error and tolerance is None:
         raise FormatError(
@@ -279,7 +279,7 @@ def _read_one(
     return read_single(one, read)
 
 
-def read_single(one: Candidate, read: Callable[[Candidate], _Shape]) -> _Shape:
+def read_single(one: Candidate, read: Callable[[Candidate], _OneRead]) -> _OneRead:
     """Read the only polygon of a candidate; raises FormatError if it fills several."""
     said = Said([], [])
     found = one.read(read, said)

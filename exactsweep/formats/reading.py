@@ -121,14 +121,14 @@ class Reading:
         """Return the same settings, but that no outline is a hole of another."""
         found = copy(self)
         found.nested = False
+        found.passed, found.notes = Counter(), {}
+        found.lines = found.vertices = found.copies = found.copied = 0
         return found
 
     def at(self, tolerance: Fraction) -> Reading:
         """Return the settings for another reading of the same text, at another tolerance."""
         found = self.without_nesting()
         found.tolerance, found.nested = tolerance, self.nested
-        found.passed, found.notes = Counter(), {}
-        found.lines = found.vertices = found.copies = found.copied = 0
         return found
 
     def allow_lines(self, count: int) -> None:

@@ -29,7 +29,7 @@ Curve = Callable[[Fraction], tuple[object, object]]
 
 
 def lie_within(curve: Curve, line: Sequence[Point], tolerance: Fraction) -> bool:
-    """Whether points of a curve, by intervals, are within the tolerance of a line."""
+    """Decide whether points of a curve, by intervals, are within the tolerance of a line."""
     for k in range(_SAMPLES + 1):
         x, y = curve(Fraction(k, _SAMPLES))
         best = min(measure(x, y, a, b) for a, b in pairwise(line))

@@ -55,7 +55,7 @@ class OpenLine(NamedTuple):
 
     @property
     def key(self) -> Hashable:
-        """What tells it from others with the same ends; () for a straight line."""
+        """A value that differs for other lines with the same ends; () for a straight line."""
         return self.path.key if self.path else ()
 
     def run(self, start: Point, end: Point) -> Path:

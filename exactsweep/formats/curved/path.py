@@ -117,7 +117,7 @@ class Path:
 
     @property
     def key(self) -> Hashable:
-        """What it shares with equal paths in either direction; () for a straight line."""
+        """A value that equal paths share in either direction; () for a straight line."""
         if len(self.points) == 2 and not self.curves:
             return ()
         curves = frozenset(curve for curve, _ in self.curves.values())
@@ -125,12 +125,12 @@ class Path:
 
     @property
     def is_closed(self) -> bool:
-        """Whether it ends where it begins."""
+        """Decide whether its last point is its first."""
         return self.points[0] == self.points[-1]
 
     @property
     def is_exact(self) -> bool:
-        """Whether its lines are those that are meant: it has no curve, and no irrational place."""
+        """Decide whether it has neither a curve nor an irrational place."""
         return not self.curves and not self.off
 
     @property

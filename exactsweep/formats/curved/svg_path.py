@@ -55,10 +55,10 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
 
     Cost: linear in the length of the data and the number of the vertices.
     """
-    return _Path(data, matrix, reading).lines()
+    return _PathData(data, matrix, reading).lines()
 
 
-class _Path:
+class _PathData:
     """Path data, read from left to right."""
 
     def __init__(self, data: str, matrix: Affine, reading: Reading) -> None:

@@ -19,7 +19,7 @@ STANDING: Data = {"turn": "0", "move": ["0", "0"]}
 
 
 Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
-"""What finds finer shapes, as `FoundLayout.flatten`."""
+"""A function that finds finer shapes, as `FoundLayout.flatten`."""
 
 
 class FoundLayout(NamedTuple):

@@ -1,4 +1,4 @@
-"""The parts of instances of nesting programs, as polygons."""
+"""Instances of nesting programs, and their parts as polygons."""
 
 from __future__ import annotations
 
@@ -6,9 +6,19 @@ from functools import partial
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.exact_json import read_number, read_vertices
-from exactsweep.formats.layouts.reading import read_instance
+from exactsweep.formats.layouts import cgshop, jagua, packingsolver
+from exactsweep.formats.layouts.found import NestingInstance
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.reading import Reading
+
+
+def read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
+    """Read the instance of a nesting program; None if no known program wrote it."""
+    if document.has("item_types"):
+        return packingsolver.read_instance(document, reading)
+    if document.get("type", "").value == "cgshop2024_instance":
+        return cgshop.read_instance(document)
+    return jagua.read_instance(document) if document.has("items") else None
 
 
 def read_parts(document: object, reading: Reading) -> list[Candidate] | None:

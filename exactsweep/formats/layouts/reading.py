@@ -21,6 +21,7 @@ from exactsweep.formats.layouts.found import (
     require_within_strip,
     write_rings,
 )
+from exactsweep.formats.layouts.instances import read_instance
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.parsing import parse_by
@@ -220,15 +221,6 @@ def _with_counts(document: JsonNode) -> Data:
         parts.append({**part.value, **counts} if isinstance(part.value, dict) else part.value)
     assert isinstance(document.value, dict)
     return {**document.value, "parts": parts}
-
-
-def read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
-    """Read the instance of a nesting program; None if no known program wrote it."""
-    if document.has("item_types"):
-        return packingsolver.read_instance(document, reading)
-    if document.get("type", "").value == "cgshop2024_instance":
-        return cgshop.read_instance(document)
-    return jagua.read_instance(document) if document.has("items") else None
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
