@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 # The factor of the tolerance each time that curves are flattened again, and the most times.
-_FINER, _MOST_FINER = Fraction(1, 100), 3
+_FINER, _MOST_FINER = Fraction(1, 100), 2
 
 
 class LayoutRow(NamedTuple):

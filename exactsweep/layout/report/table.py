@@ -151,9 +151,10 @@ def write_layout_json(judgement: Judgement, notes: Iterable[str] = ()) -> str:
         "density": judgement.density,
         "distance_squared": None if nearest is None else format_fraction(nearest.square),
         "nearest": None if nearest is None else list(nearest.placements),
-        "error": format_fraction(judgement.layout.greatest_error),
         "notes": list(notes),
     }
+    error = judgement.layout.greatest_error
+    data |= {"error": error} if error else {}
     return write_object({name: write_json(value) for name, value in data.items()})
 
 
