@@ -180,7 +180,7 @@ def _judge_one(
 
     placed = len(found.data["placements"])
     with working(f"judging {placed} placements") as tell:
-        judgement = _judge(found, gaps, title)
+        judgement = judge_finely(found, gaps, title)
         notes = [*map(spell_out, found.notes), *diagnose(judgement)]
         ranked = report.rank_faults(judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"))
         tell("writing")
@@ -205,7 +205,7 @@ def _judge_one(
     return judgement.valid
 
 
-def _judge(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
+def judge_finely(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
     """Judge a layout, and flatten the curves of what is undecided more finely, up to a budget."""
     from exactsweep.layout import judge_layout
 
@@ -269,7 +269,7 @@ def judge_file(
     try:
         for found in read():
             name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
-            row = _sum_up(name, _judge(found, gaps, name))
+            row = _sum_up(name, judge_finely(found, gaps, name))
             rows.append(row._replace(notes=[*map(spell_out, found.notes)]))
     except ValueError as error:
         rows.append(LayoutRow(show_path(path), str(error), None))

@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
+from random import Random
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import iv, mp
+from rounded import compare_rounded, draw_rounded
 from tiers import examples
 
 from exactsweep.formats import parse_polygons, parse_regions
@@ -201,6 +203,12 @@ def draw_polyline(points: Sequence[tuple[object, object]], bulges: Sequence[obje
             numbers.append(format_decimal(Fraction(round(exact * 10**15), 10**15)))
         tags += "10\n{}\n20\n{}\n42\n{}\n".format(*numbers)
     return f"{tags}0\nENDSEC\n0\nEOF\n"
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_rounded_shapes_near_contact_are_never_judged_wrongly(seed: int) -> None:
+    rng = Random(seed)
+    assert not compare_rounded(draw_rounded(rng), rng, True)
 
 
 def test_outlines_that_cross_are_filled_by_their_rule() -> None:
