@@ -169,7 +169,7 @@ class Candidate(NamedTuple):
             FormatError, PolygonError: as by the function; of a ring without a fill rule, too.
 
         Cost: that of the function, and for a ring that is not simple that of
-            `exactsweep.formats.filling.fill`.
+            `exactsweep.geometry.filling.fill`.
         """
         if not self.clean:
             try:
@@ -206,7 +206,7 @@ class Candidate(NamedTuple):
 
     def fill(self, rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[Self]:
         """Return the regions that rings fill."""
-        from exactsweep.formats.filling import fill
+        from exactsweep.geometry.filling import fill
 
         filled = fill(rings, even_odd=even_odd, measured=bool(self.error))
         error = self.error + (bound_root(filled.hidden) if self.error else 0)
