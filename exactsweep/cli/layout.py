@@ -16,7 +16,7 @@ from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.reports import to_gap
 from exactsweep.cli.working import show_bar, working
-from exactsweep.formats import show_path
+from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.folder import find_files
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import name_refusals
@@ -26,6 +26,10 @@ from exactsweep.words import spell_out
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
     from exactsweep.layout import Judgement
+
+
+# The factor of the tolerance each time that curves are flattened again, and the most times.
+_FINER, _MOST_FINER = Fraction(1, 100), 2
 
 
 class LayoutRow(NamedTuple):
@@ -171,12 +175,12 @@ def _judge_one(
     found: FoundLayout, gaps: Mapping[str, str], title: str, wanted: _Wanted, *, y_down: bool
 ) -> bool:
     """Judge a layout, write what is wanted, and tell whether it is valid."""
-    from exactsweep.layout import LayoutError, judge_layout, report
+    from exactsweep.layout import LayoutError, report
     from exactsweep.layout.diagnose import diagnose
 
-    layout = _make_layout(found, gaps, title)
-    with working(f"judging {len(layout.placements)} placements") as tell:
-        judgement = judge_layout(layout)
+    placed = len(found.data["placements"])
+    with working(f"judging {placed} placements") as tell:
+        judgement = judge_finely(found, gaps, title)
         notes = [*map(spell_out, found.notes), *diagnose(judgement)]
         ranked = report.rank_faults(judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"))
         tell("writing")
@@ -201,7 +205,35 @@ def _judge_one(
     return judgement.valid
 
 
-def _make_layout(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Any:
+def judge_finely(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
+    """Judge a layout, and flatten the curves of what is undecided more finely, up to a budget."""
+    from exactsweep.layout import judge_layout
+
+    data, judgement = found.data, judge_layout(_make(found, gaps, title))
+    for _ in range(_MOST_FINER):
+        layout = judgement.layout
+        unsure = [f for f in judgement.faults if f.kind == "undecided" and f.error]
+        if not unsure or found.flatten is None:
+            break
+        names: set[str | None] = {layout.placements[k].part for f in unsure for k in f.placements}
+        if any(len(f.placements) == 1 for f in unsure):
+            names.add(None)
+        errors = [layout.error if n is None else layout.part_by_id[n].error for n in names]
+        names -= {name for name, error in zip(names, errors, strict=True) if not error}
+        try:
+            finer = found.flatten(names, max(errors) * _FINER)
+        except FormatError:
+            # Too many lines.
+            break
+        if not finer:
+            break
+        parts = [{**part, **finer.get(part["id"], {})} for part in data["parts"]]
+        data = {**data, "container": finer.get(None, data["container"]), "parts": parts}
+        judgement = judge_layout(_make(found._replace(data=data), gaps, title))
+    return judgement
+
+
+def _make(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Any:
     from exactsweep.layout import Layout
 
     with name_refusals(title):
@@ -233,13 +265,11 @@ def judge_file(
     path: str, read: Callable[[], Sequence[FoundLayout]], gaps: Mapping[str, str]
 ) -> list[LayoutRow]:
     """Judge the layouts of a file; one that cannot be read is a row as well."""
-    from exactsweep.layout import judge_layout
-
     rows = []
     try:
         for found in read():
             name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
-            row = _sum_up(name, judge_layout(_make_layout(found, gaps, name)))
+            row = _sum_up(name, judge_finely(found, gaps, name))
             rows.append(row._replace(notes=[*map(spell_out, found.notes)]))
     except ValueError as error:
         rows.append(LayoutRow(show_path(path), str(error), None))

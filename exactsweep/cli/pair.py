@@ -1,6 +1,7 @@
 """The polygons that a command works on: its files and options."""
 
 from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
 from typing import Any
 
 import click
@@ -16,13 +17,14 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.cli.options import PATH, Decorator, checked, gather
-from exactsweep.cli.parts import find_parts, read_named, say_all, say_left_out
+from exactsweep.cli.parts import find_parts, read_named, say_all, say_error, say_left_out
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.folder import bring_to_one
-from exactsweep.formats.part_list import Coordinates
-from exactsweep.formats.polygons import name_file, read_choice, split_choice
+from exactsweep.formats.part_list import Coordinates, Said
+from exactsweep.formats.polygons import name_file, read_choice, read_single, split_choice
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import name_refusals
@@ -40,6 +42,8 @@ SAME_LAYER = "layer"
 """The value of --nested that `give_values` adds if it is missing."""
 
 _COORDINATES = "exactsweep.coordinates"
+_ERRORS = "exactsweep.errors"
+_NONE = Fraction(0)
 
 
 def give_values(arguments: Sequence[str]) -> list[str]:
@@ -61,9 +65,15 @@ def to_point(pair: Iterable[str]) -> Point:
 
 
 def _make_reading(
-    tolerance: object, join: object, nested: str | None, unit: str, hidden: bool, y_down: bool
+    tolerance: object,
+    join: object,
+    nested: str | None,
+    unit: str,
+    hidden: bool,
+    y_down: bool,
+    clean: object,
 ) -> ReadingOptions:
-    reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden}
+    reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden, "clean": clean}
     return reading | {"nested": nested == SAME_LAYER or nested or False, "y_down": y_down}
 
 
@@ -75,8 +85,8 @@ takes_reading = gather(
         "tolerance",
         callback=checked(lambda text: how.Reading(text).tolerance),
         metavar="TOLERANCE",
-        help="Replace curves of SVG and DXF by lines within this distance. By default curves are "
-        "refused.",
+        help="Replace curves of SVG and DXF by lines within this distance; by default about a "
+        "thousandth of each outline. All answers state the error.",
     ),
     click.option(
         "--join",
@@ -90,6 +100,12 @@ takes_reading = gather(
         metavar="[all|OUTER,INNER]",
         help="Treat closed outlines inside others of their layer as holes, as in DXF. 'all' treats "
         "all layers as one, and names of layers these layers.",
+    ),
+    click.option(
+        "--clean",
+        callback=checked(lambda text: how.Reading(clean=text).clean),
+        metavar="AREA",
+        help="Leave out polygons of a smaller area, and report them.",
     ),
     click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too."),
     click.option(
@@ -237,6 +253,20 @@ def keep_coordinates(coordinates: Coordinates, notes: Iterable[str] = ()) -> Non
     say_all(notes)
 
 
+def keep_errors(stays: Fraction, moves: Fraction = _NONE) -> None:
+    """Keep the errors of curves for what the command writes."""
+    known = errors_of_files()
+    errors = max(stays, known[0]), max(moves, known[1])
+    click.get_current_context().meta[_ERRORS] = errors
+
+
+def errors_of_files() -> tuple[Fraction, Fraction]:
+    """Return the errors of the polygons that the command has read: what stays, what moves."""
+    meta = click.get_current_context().meta
+    found: tuple[Fraction, Fraction] = meta.get(_ERRORS, (_NONE, _NONE))
+    return found
+
+
 def _require_one_input(first: str, second: str) -> None:
     if first == second == "-":
         raise click.UsageError("Only one polygon can be read from standard input.")
@@ -261,10 +291,18 @@ def read_placed(
     if not placed:
         return first, second, regions
     listing = find_parts(placed, reading)
+    said = Said([], [])
+    errors = [Fraction(0)]
     for part in listing.parts:
         # None may be left out as not simple.
         with name_refusals(part.file):
-            regions.append(part.candidate.named_region().region)
+            found = part.candidate.named_regions(said)
+        regions += [one.region for one in found]
+        errors += [one.error for one in found]
+    say_left_out(said.left_out)
+    say_all(said.notes)
+    keep_errors(max(errors))
+    say_error(max(errors), reading)
     if listing.coordinates.y_down != coordinates_of_files().y_down:
         say_all([f"{', '.join(map(show_path, placed))}: Y turned, to point as in the other files"])
         regions = [region.scaled((1, -1)) for region in regions]
@@ -277,11 +315,13 @@ def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, R
     with working("reading"):
         files = [(path, read_choice(path, **reading)) for path in (stays, moves)]
     keep_coordinates(*bring_to_one([(show_path(path), found) for path, found in files]))
-    regions = []
+    regions: list[NamedRegion] = []
     for path, found in files:
         name = split_choice(path)[0]
         say_left_out([f"{show_path(name)}: {reason}" for reason in found.left_out])
         say_all(f"{show_path(name)}: {note}" for note in found.notes)
         with working("reading"), name_file(name):
-            regions.append(found[0].region())
-    return regions[0], regions[1]
+            regions.append(read_single(found[0], Candidate.named_region))
+    keep_errors(*(one.error for one in regions))
+    say_error(max(one.error for one in regions), reading)
+    return regions[0].region, regions[1].region

@@ -173,7 +173,15 @@ def nest_candidates(outlines: Sequence[Candidate], nested: bool | str = True) ->
 def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
     """Turn outlines inside others into holes; each outline has its number."""
     rings = [
-        (k, ring._replace(vertices=partial(list, ring.vertices()), holes=tuple))
+        (
+            k,
+            ring._replace(
+                vertices=partial(list, ring.vertices()),
+                holes=tuple,
+                error=outline.error,
+                even_odd=outline.even_odd,
+            ),
+        )
         for k, outline in members
         for ring in (outline, *outline.holes())
     ]
@@ -187,10 +195,33 @@ def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate
         if parent is not None:
             holes[parent].append(ring)
     return [
-        (k, ring._replace(holes=partial(tuple, holes[i])))
+        (
+            k,
+            ring._replace(
+                holes=partial(tuple, holes[i]),
+                error=max(one.error for one in (ring, *holes[i])),
+                finer=partial(_find_finer, ring, holes[i]),
+                even_odd=True if ring.even_odd is not None and holes[i] else ring.even_odd,
+            ),
+        )
         for i, (k, ring) in enumerate(rings)
         if not is_hole[i]
     ]
+
+
+def _find_finer(
+    ring: Candidate, holes: Sequence[Candidate], tolerance: Fraction
+) -> Candidate | None:
+    """Find a ring and its holes with finer lines."""
+    found = []
+    for one in (ring, *holes):
+        finer = one.finer(tolerance) if one.finer else None if one.error else one
+        if finer is None:
+            return None
+        found.append(finer)
+    first, *others = found
+    error = max(one.error for one in found)
+    return first._replace(holes=partial(tuple, others), error=error)
 
 
 def _simple(ring: Sequence[Point], name: str) -> Polygon:

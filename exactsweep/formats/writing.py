@@ -87,11 +87,12 @@ def _json(
     number: Callable[[Fraction], str] = quote_fraction,
 ) -> str:
     lines = []
-    for region, name, _ in regions:
+    for region, name, _, error in regions:
         exterior, *holes = region.rings
         rings = {"exterior": exterior, "holes": holes} if holes else {"vertices": exterior}
-        lines.append(write_json(({} if name is None else {"id": name}) | rings, number))
-    if len(regions) == 1 and regions[0].name is None and not fits:
+        known = {"error": error} if error else {}
+        lines.append(write_json(({} if name is None else {"id": name}) | rings | known, number))
+    if len(regions) == 1 and regions[0].name is None and not (fits or regions[0].error):
         region = regions[0].region
         return (lines[0] if region.holes else write_json(region.vertices, number)) + "\n"
     after = f',\n "exact_fits": {write_json(fits, number)}' if fits else ""
@@ -138,7 +139,7 @@ def write_wkt_points(name: str, points: Sequence[Point]) -> str:
 
 def _geojson(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
     features = []
-    for rows, (_, name, _) in zip(_rows(regions, "GeoJSON"), regions, strict=True):
+    for rows, (_, name, *_) in zip(_rows(regions, "GeoJSON"), regions, strict=True):
         rings = [_positions([*row, row[0]]) for row in rows]
         identity = "" if name is None else f'"id": {json.dumps(name)}, '
         features.append(_FEATURE % (identity, "", "Polygon", f"[{', '.join(rings)}]"))
@@ -207,7 +208,7 @@ def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
     code = next((code for code, known in INSUNITS.items() if known == unit), 0)
     tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code)]
     tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
-    for rows, (_, name, layer) in zip(_rows(regions, "DXF"), regions, strict=True):
+    for rows, (_, name, layer, _) in zip(_rows(regions, "DXF"), regions, strict=True):
         on = (8, _printable(layer or name or "0", "DXF"))
         for row in rows:
             tags += [(0, "POLYLINE"), on, (66, 1), (10, 0), (20, 0), (30, 0), (70, 1)]
@@ -224,7 +225,7 @@ def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
 
 def _csv(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
     rows = [("polygon", "name", "ring", "x", "y")]
-    for k, (rings, (_, name, _)) in enumerate(zip(_rows(regions, "CSV"), regions, strict=True)):
+    for k, (rings, (_, name, *_)) in enumerate(zip(_rows(regions, "CSV"), regions, strict=True)):
         for j, ring in enumerate(rings):
             shown = f"hole {j - 1}" if j else "exterior"
             rows += [(str(k), _encodable(name or ""), shown, x, y) for x, y in ring]
@@ -249,7 +250,8 @@ def _name(polygon: AnyPolygon | NamedPolygon | NamedRegion) -> NamedRegion:
     if isinstance(polygon, NamedRegion):
         return polygon
     if isinstance(polygon, NamedPolygon):
-        return NamedRegion(Region(polygon.polygon), polygon.name, polygon.layer)
+        name, layer, error = polygon[1:]
+        return NamedRegion(Region(polygon.polygon), name, layer, error)
     return NamedRegion(Region(polygon))
 
 

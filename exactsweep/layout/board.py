@@ -95,10 +95,11 @@ class Board:
             # Moves may have other denominators.
             finer = lcm_within((scale, x.denominator, y.denominator)) or scale
             form, scale = form.scaled(finer // scale), finer
-        slack = _NONE
+        slack = error = self.layout.part_by_id[part].error
         if turn.exact is None:
-            slack = measure_slack(self._regions[part], turn.near(bits).error)
-        return Solid(form, put_on_lattice(x, scale), put_on_lattice(y, scale), scale, slack)
+            slack += measure_slack(self._regions[part], turn.near(bits).error)
+        place = put_on_lattice(x, scale), put_on_lattice(y, scale)
+        return Solid(form, *place, scale, slack, error)
 
     @cached_property
     def frame(self) -> tuple[int, int, int, int]:
@@ -114,7 +115,7 @@ class Board:
             if solid.slack:
                 slack = max(slack, solid.slack)
         # A more precise turn may err to the other side.
-        room = ceil(self.layout.margin + 2 * slack) + _ROOM
+        room = ceil(self.layout.margin + self.layout.error + 2 * slack) + _ROOM
         return min(xs) - room, min(ys) - room, max(xs) + room, max(ys) + room
 
     @cached_property
@@ -131,7 +132,8 @@ class Board:
         found = []
         for scale, form in ((own, outside), *(make_form(Region(h)) for h in container.holes)):
             finer = self._scale or scale
-            found.append(Solid(form.scaled(finer // scale), 0, 0, finer, _NONE))
+            error = self.layout.error
+            found.append(Solid(form.scaled(finer // scale), 0, 0, finer, error, error))
         return found
 
     @cached_property
@@ -142,7 +144,7 @@ class Board:
             return None
         if self.layout.container.exterior.area != (high.x - low.x) * (high.y - low.y):
             return None
-        margin, scale = self.layout.margin, self._scale
+        margin, scale = self.layout.margin + self.layout.error, self._scale
         return (
             ceil((low.x + margin) * scale),
             floor((high.x - margin) * scale),
@@ -152,10 +154,9 @@ class Board:
 
     def is_clear(self, k: int) -> bool:
         """Decide from its box alone whether a part keeps the margin inside the container."""
-        solid = self.solid(k)
-        if self._room is None or solid.slack:
+        if self._room is None or self._scale is None:
             return False
-        left, right, low, high = solid.box
+        left, right, low, high = _enlarge(self.solid(k), self._scale)
         west, east, south, north = self._room
         return left >= west and right <= east and low >= south and high <= north
 

@@ -38,15 +38,16 @@ class Fault:
             defect; "missing", "surplus": a part has fewer or more placements than its demand;
             "turn", "mirror": a placement has a turn or a mirroring that its part forbids; "shape":
             a part is not simple, so its placements are not judged; "undecided": an angle without a
-            rational turn leaves the verdict open within the bound.
+            rational turn, or flattened curves, leave the verdict open within the bound.
         placements: the numbers of the placements, ascending.
         part: the id of the part, for "missing", "surplus" and "shape".
         reason: the refusal of a part that is not simple, or the undecided question.
         number: the number of missing or surplus placements.
         distance_squared: the squared distance, for "too close".
-        bound: the greatest error of the placed parts because of angles that have no rational turn;
-            0 if all turns are exact. The proof of a fault holds for the true turns; `move` may be
-            off by the bound.
+        bound: the greatest error of the placed parts because of angles that have no rational turn,
+            and of flattened curves; 0 if all is exact. The proof of a fault holds for the true
+            turns and curves; `move` may be off by the bound.
+        error: the share of the bound that is due to flattened curves.
         wall: the obstacle of a fault with one placement: 0 for the outside, k for defect k - 1.
     """
 
@@ -61,6 +62,7 @@ class Fault:
     _board: Board | None = field(default=None, repr=False, compare=False)
     _bits: int = field(default=0, repr=False, compare=False)
     wall: int = field(default=0, repr=False, compare=False)
+    error: Fraction = Fraction(0)
 
     @cached_property
     def points(self) -> tuple[Point, ...]:
@@ -137,6 +139,7 @@ class Fault:
             "distance_squared": self.distance_squared,
             "move": self.move,
             "bound": self.bound or None,
+            "error": self.error or None,
         }
         given = {name: value for name, value in found.items() if value is not None}
         return to_plain({"kind": self.kind, "placements": self.placements, **given})

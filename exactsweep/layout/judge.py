@@ -4,6 +4,10 @@ A layout is valid if it meets all of these conditions: every placed part, as a c
 the container; no two interiors meet; any two parts are at least the spacing apart; every part is at
 least the margin from the boundary of the container and of its defects; demand, turns and mirroring
 obey the rules; and all parts are simple.
+
+A part that was drawn with curves is known within its error, and what is found holds for the curves:
+parts are apart only if their gap is at least the spacing and both errors, they overlap only if a
+point is deeper in both than their errors, and all else is undecided.
 """
 
 from __future__ import annotations
@@ -80,8 +84,8 @@ class Judgement:
     def distance(self) -> NearestPair | None:
         """The least squared distance of two placed parts, and where; None for fewer than two.
 
-        Overlaps and contacts have distance 0. If turns have no rational value, the distance may be
-        off by the bound.
+        Overlaps and contacts have distance 0. If turns have no rational value, or curves are
+        flattened, the distance may be off by the bound; see `Layout.greatest_error`.
 
         Cost: about that of finding the pairs of boxes at that distance.
         """
@@ -161,13 +165,19 @@ def _name_faults(
     board: Board, placements: tuple[int, ...], found: PairVerdict, kind: FaultKind, wall: int = 0
 ) -> Iterator[Fault]:
     fault = partial(
-        Fault, placements=placements, bound=found.slack, _board=board, _bits=found.bits, wall=wall
+        Fault,
+        placements=placements,
+        bound=found.slack,
+        error=found.error,
+        _board=board,
+        _bits=found.bits,
+        wall=wall,
     )
     if found.meeting is None or found.too_close is None:
         what = "overlap" if found.meeting is None else "distance"
-        yield fault(
-            kind="undecided", reason=f"the {what} is undecided within {abridge(found.slack)}"
-        )
+        why = " of flattened curves" if found.error else ""
+        reason = f"the {what} is undecided within {abridge(found.slack)}{why}"
+        yield fault(kind="undecided", reason=reason)
     elif found.meeting is Relation.OVERLAP:
         yield fault(kind=kind)
     elif found.too_close:

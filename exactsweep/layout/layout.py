@@ -38,6 +38,8 @@ class LayoutPart:
         demand: the required number of placements; None for any number.
         turns: the allowed turns, a tuple of Turn; None for all turns.
         mirrored: whether a placement may be mirrored; None also allows it.
+        error: a bound on the distance between the rings and the curves that they stand for, in both
+            directions; 0 for a polygon.
     """
 
     id: str
@@ -46,12 +48,13 @@ class LayoutPart:
     demand: int | None = None
     turns: tuple[Turn, ...] | None = None
     mirrored: bool | None = None
+    error: Fraction = Fraction(0)
 
     @classmethod
     def from_json(cls, data: object, path: str) -> LayoutPart:
         """Read a part; messages begin with the path."""
         found = read_object(
-            data, path, ("id", "exterior"), ("holes", "demand", "turns", "mirrored")
+            data, path, ("id", "exterior"), ("holes", "demand", "turns", "mirrored", "error")
         )
         exterior, holes = read_rings(found, path)
         demand, turns = found.get("demand"), found.get("turns")
@@ -64,6 +67,7 @@ class LayoutPart:
             demand,
             None if turns is None else read_list(turns, f"{path}.turns", read_turn),
             read_flag(found.get("mirrored"), f"{path}.mirrored"),
+            read_gap(found.get("error", 0), f"{path}.error"),
         )
 
     @cached_property
@@ -130,6 +134,8 @@ class Layout:
         spacing: the least allowed distance of two placed parts, at least 0.
         margin: the least allowed distance of a part from the container's boundary and its defects,
             at least 0.
+        error: a bound on the distance between the rings of the container and the curves that they
+            stand for; 0 for a polygon.
     """
 
     container: Region
@@ -137,6 +143,7 @@ class Layout:
     placements: tuple[Placement, ...]
     spacing: Fraction = Fraction(0)
     margin: Fraction = Fraction(0)
+    error: Fraction = Fraction(0)
 
     @classmethod
     def from_json(cls, data: object) -> Layout:
@@ -178,12 +185,14 @@ class Layout:
                 raise LayoutError(
                     f"placements[{k}].part: no part has the id {quote(placement.part)}"
                 )
+        container, error = _read_container(found["container"])
         return cls(
-            _read_container(found["container"]),
+            container,
             parts,
             placements,
             read_gap(found.get("spacing", 0), "spacing"),
             read_gap(found.get("margin", 0), "margin"),
+            error,
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -195,6 +204,7 @@ class Layout:
             "container": {
                 "exterior": self.container.exterior.vertices,
                 "holes": [hole.vertices for hole in self.container.holes],
+                **_list_error(self.error),
             },
             "parts": [_list_fields(part) for part in self.parts],
             "placements": [
@@ -211,16 +221,26 @@ class Layout:
         }
         return to_plain(data)
 
+    @property
+    def greatest_error(self) -> Fraction:
+        """The greatest error of the container and of the placed parts; 0 without curves."""
+        placed = {placement.part for placement in self.placements}
+        return max([self.error, *(part.error for part in self.parts if part.id in placed)])
+
     @cached_property
     def part_by_id(self) -> Mapping[str, LayoutPart]:
         """The parts by their ids."""
         return {part.id: part for part in self.parts}
 
 
-def _read_container(data: object) -> Region:
-    rings = read_rings(read_object(data, "container", ("exterior",), ("holes",)), "container")
+def _read_container(data: object) -> tuple[Region, Fraction]:
+    found = read_object(data, "container", ("exterior",), ("holes", "error"))
+    rings, error = (
+        read_rings(found, "container"),
+        read_gap(found.get("error", 0), "container.error"),
+    )
     try:
-        return Region(*rings)
+        return Region(*rings), error
     except PolygonError as error:
         raise LayoutError(f"container: {error}") from None
 
@@ -233,4 +253,9 @@ def _list_fields(part: LayoutPart) -> dict[str, Any]:
         "exterior": part.exterior,
         "holes": part.holes,
         **{name: value for name, value in allowed.items() if value is not None},
+        **_list_error(part.error),
     }
+
+
+def _list_error(error: Fraction) -> dict[str, Fraction]:
+    return {"error": error} if error else {}

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.convex import ConvexRing, IntRing
+from exactsweep.geometry.convex import IntRing
 from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.number import Point, Rational, Vertex
 
@@ -18,7 +18,7 @@ def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def find_common_point(one: ConvexRing, other: ConvexRing) -> Point | None:
+def find_common_point(one: Sequence[Vertex], other: Sequence[Vertex]) -> Point | None:
     """Find a point inside two convex pieces; None if their interiors are disjoint.
 
     Args:
@@ -31,6 +31,8 @@ def find_common_point(one: ConvexRing, other: ConvexRing) -> Point | None:
     Point(x=Fraction(3, 2), y=Fraction(3, 2))
     """
     common: list[Vertex] = [*one]
+    if not (one and other):
+        return None
     for a, b in pairwise((*other, other[0])):
         sides = [turn(a, b, p) for p in common]
         common = [*clip(common, sides)]

@@ -10,6 +10,8 @@
     its boundary is within the slack of a point of the true boundary, and vice versa. Certificates
     bound e and r by sums of coordinates instead of roots: 3/2 e, which is more than 2^(1/2) e, and
     |x| + |y| for r.
+(4) A flattened curve has an error, a bound on the distance between its lines and the curve. It adds
+    to the slack, and a more precise turn does not lower it.
 """
 
 from __future__ import annotations
@@ -85,7 +87,8 @@ class Solid(NamedTuple):
         x: its move in x.
         y: its move in y.
         scale: the scale of the lattice.
-        slack: a bound on the distance of each point from its true place, by (3).
+        slack: a bound on the distance of each point from its true place, by (3) and (4).
+        error: the share of the slack that is due to flattened curves.
     """
 
     form: LatticeForm
@@ -93,6 +96,7 @@ class Solid(NamedTuple):
     y: int
     scale: int
     slack: Fraction
+    error: Fraction = Fraction(0)
 
     @property
     def box(self) -> LatticeBox:
@@ -106,7 +110,8 @@ class Solid(NamedTuple):
         factor = scale // self.scale
         if factor == 1:
             return self
-        return Solid(self.form.scaled(factor), self.x * factor, self.y * factor, scale, self.slack)
+        form, x, y = self.form.scaled(factor), self.x * factor, self.y * factor
+        return self._replace(form=form, x=x, y=y, scale=scale)
 
     @property
     def pieces(self) -> list[ConvexRing]:

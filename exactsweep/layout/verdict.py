@@ -1,4 +1,4 @@
-"""The relation of two solids at their true turns, proved by increasingly precise rational turns.
+"""The relation of two solids as they are meant, proved by increasingly precise rational turns.
 
 Let d be the sum of the slacks of two solids, and s their required distance.
 
@@ -6,11 +6,13 @@ Let d be the sum of the slacks of two solids, and s their required distance.
     s + d, the true distance is at least s; if it is less than s - d, the true one is less than s.
 (2) A point inside a convex piece of a solid, farther from its sides than the slack, is inside the
     true solid.
+(3) More precise turns lower only the share of the slack that turns have. Where flattened curves
+    have nearly all of it, only a finer flattening can decide.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
@@ -19,12 +21,16 @@ from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.distance import SquaredDistance, measure_to_edge
 from exactsweep.geometry.overlap import Relation
 from exactsweep.layout.nearest import find_gap
-from exactsweep.layout.pieces import bound_piece, find_common_point
-from exactsweep.layout.solid import Solid, meet, share_scale
-from exactsweep.numbers.number import Point
+from exactsweep.layout.pieces import bound_piece, clip, find_common_point
+from exactsweep.layout.solid import LatticeBox, Solid, meet, share_scale
+from exactsweep.numbers.number import Point, Vertex
 
 MOST_BITS = 256
 """The greatest precision, in bits, of rational turns for angles that have none."""
+
+_MANY = 32
+# Turns that have a smaller share of the slack than this one are precise enough, by (3).
+_SHARE = 1000
 
 
 class PairVerdict(NamedTuple):
@@ -35,7 +41,8 @@ class PairVerdict(NamedTuple):
         gap: the SquaredDistance, if their distance is less than required.
         too_close: whether the distance is less than required; None if it is undecided.
         bits: the precision of the turns that decided.
-        slack: the sum of both slacks, 0 for exact turns.
+        slack: the sum of both slacks, 0 for exact turns of polygons.
+        error: the share of it that is due to flattened curves.
     """
 
     meeting: Relation | None
@@ -43,6 +50,7 @@ class PairVerdict(NamedTuple):
     too_close: bool | None
     bits: int
     slack: Fraction
+    error: Fraction = Fraction(0)
 
 
 class CommonPoint(NamedTuple):
@@ -69,7 +77,8 @@ def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
     while True:
         a, b = share_scale(*refine(bits))
         found = _decide(a, b, bits, spacing)
-        if found.too_close is not None or bits >= MOST_BITS:
+        turns = found.slack - found.error
+        if found.too_close is not None or bits >= MOST_BITS or turns * _SHARE <= found.error:
             return found
         bits *= 2
 
@@ -91,7 +100,7 @@ def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
         elif gap is not None and spacing:
             is_closer = spacing > slack and gap.value < (spacing - slack) ** 2
             too_close = True if is_closer else None
-    return PairVerdict(meeting, gap, too_close, bits, slack)
+    return PairVerdict(meeting, gap, too_close, bits, slack, a.error + b.error)
 
 
 def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
@@ -107,7 +116,9 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
     for i, ((left, right, low, high), one) in enumerate(ours):
         for j, ((west, east, south, north), other) in enumerate(theirs):
             if left < east and west < right and low < north and south < high:
-                point = find_common_point(one, other)
+                # Pieces of flattened curves have thousands of vertices, most of them far away.
+                box = max(left, west), min(right, east), max(low, south), min(high, north)
+                point = find_common_point(_cut(one, box), _cut(other, box))
                 if (
                     point is not None
                     and _is_deep(point, one, a.slack * a.scale)
@@ -115,6 +126,18 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
                 ):
                     return CommonPoint(a.leave(*point), (i, j))
     return None
+
+
+def _cut(piece: ConvexRing, box: LatticeBox) -> Sequence[Vertex]:
+    """Cut a piece to a box around its common part with another one."""
+    if len(piece) < _MANY:
+        return piece
+    left, right, low, high = box
+    ring: Sequence[Vertex] = piece
+    for axis, least, most in ((0, left, right), (1, low, high)):
+        ring = [*clip(ring, [most - point[axis] for point in ring])]
+        ring = [*clip(ring, [point[axis] - least for point in ring])]
+    return ring
 
 
 def _is_deep(point: Point, piece: ConvexRing, slack: Fraction) -> bool:

@@ -34,7 +34,9 @@ def find_outcome(case: dict[str, Any]) -> object:
     """Read the text of a case, in the way that the case names."""
     text, options = case["text"], case.get("options", {})
     if case.get("as") == "layout":
-        return attempt(lambda: json.loads(json.dumps(parse_layouts(text, **options))))
+        return attempt(
+            lambda: json.loads(json.dumps([one[:3] for one in parse_layouts(text, **options)]))
+        )
     if case.get("as") == "written":
         return {form: attempt(partial(write, text, form, options)) for form in WRITTEN}
     if case.get("as") == "rounded":
@@ -58,7 +60,7 @@ def show(polygon: AnyPolygon) -> str:
 
 def list_contents(text: str, options: dict[str, Any]) -> dict[str, object]:
     found = parse_regions(text, **options)
-    parts = [[name, layer, show(region)] for region, name, layer in found]
+    parts = [[name, layer, show(region)] for region, name, layer, _ in found]
     unit = None if found.coordinates.unit is None else str(found.coordinates.unit)
     told = {"left_out": found.left_out, "notes": found.notes, "unit": unit}
     return {"parts": parts, **{name: value for name, value in told.items() if value}}

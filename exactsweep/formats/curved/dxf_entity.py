@@ -154,10 +154,8 @@ class Entity:
     def plane(self) -> Affine:
         """The map of the entity's own plane to that of x and y, as seen from above."""
         normal = [self.number(code, default) for code, default in _NORMAL.items()]
-        if normal == [0, 0, 1]:
-            return IDENTITY
-        if normal == [0, 0, -1]:
-            return _MIRRORED
+        if normal[:2] == [0, 0] and normal[2]:
+            return IDENTITY if normal[2] > 0 else _MIRRORED
         raise FormatError("drawn in a plane of its own (groups 210 to 230)")
 
     @property

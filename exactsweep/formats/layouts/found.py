@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -11,10 +11,15 @@ from typing import Any, NamedTuple
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.node import Data, JsonNode, write_ring, write_shape
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
 """Where a part stands as it is drawn."""
+
+
+Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
+"""A function that finds finer shapes, as `FoundLayout.flatten`."""
 
 
 class FoundLayout(NamedTuple):
@@ -24,11 +29,15 @@ class FoundLayout(NamedTuple):
         name: which one of several it is; "" where it is the only one.
         data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
         notes: what the reader passed over, a sentence each.
+        flatten: finds the shapes of some parts, by id, and of the container, None, with curves
+            flattened at another tolerance; those that it cannot find are left out. None if no
+            curve was read.
     """
 
     name: str
     data: Data
     notes: tuple[str, ...] = ()
+    flatten: Flatten | None = None
 
 
 class NestingInstance(NamedTuple):
@@ -147,4 +156,5 @@ def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
 def write_rings(outline: Candidate) -> Data:
     """Write an outline and its holes as Layout JSON has them; crossings are for the judge."""
     holes = [write_ring(hole.vertices()) for hole in outline.holes()]
-    return write_shape(write_ring(outline.vertices()), holes)
+    shape = write_shape(write_ring(outline.vertices()), holes)
+    return shape | ({"error": format_fraction(outline.error)} if outline.error else {})

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from fractions import Fraction
 
-from exactsweep.formats.curved.affine import IDENTITY
-from exactsweep.formats.curved.curves import flatten_arc
+from exactsweep.formats.curved.affine import make_affine
+from exactsweep.formats.curved.path import draw_circle
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import (
     STANDING,
@@ -27,7 +28,6 @@ from exactsweep.formats.node import Data, JsonNode, write_box, write_ring, write
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
-from exactsweep.numbers.number import Point
 
 
 def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
@@ -59,6 +59,9 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
         for defect in bin.get("defects", []).each():
             shape = _shape(defect, reading)
             container.setdefault("holes", []).append(shape["exterior"])
+            if "error" in shape:
+                errors = shape["error"], container.get("error", "0")
+                container["error"] = max(errors, key=Fraction)
             if "holes" in shape:
                 raise FormatError(f"{defect.path}: a defect with holes is not read")
             apart = defect.get("item_defect_minimum_spacing", "0")
@@ -131,11 +134,13 @@ def _allowed(item: JsonNode, notes: list[str]) -> Data:
 
 
 def _shape(value: JsonNode, reading: Reading) -> Data:
-    holes = [_outline(hole, reading) for hole in value.get("holes", []).each()]
-    return write_shape(_outline(value, reading), holes)
+    errors: list[Fraction] = []
+    holes = [_outline(hole, reading, errors) for hole in value.get("holes", []).each()]
+    shape = write_shape(_outline(value, reading, errors), holes)
+    return shape | ({"error": format_fraction(max(errors))} if errors else {})
 
 
-def _outline(value: JsonNode, reading: Reading) -> list[list[str]]:
+def _outline(value: JsonNode, reading: Reading, errors: list[Fraction]) -> list[list[str]]:
     kind = (value / "type").name
     if kind == "polygon":
         return (value / "vertices").ring
@@ -145,8 +150,10 @@ def _outline(value: JsonNode, reading: Reading) -> list[list[str]]:
     if kind == "rectangle":
         return write_box(x, y, (value / "width").fraction, (value / "height").fraction)
     if kind == "circle":
-        start = Point(x + (value / "radius").fraction, y)
-        return write_ring(flatten_arc(Point(x, y), start, start, True, IDENTITY, reading))
+        radius = (value / "radius").fraction
+        path = draw_circle(make_affine(radius, 0, 0, radius, x, y))
+        errors.append(path.find_error(reading))
+        return write_ring(path.flatten(reading))
     raise FormatError(f"{value.path}.type: {quote(kind)} is not a shape")
 
 

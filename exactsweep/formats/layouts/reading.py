@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
+from fractions import Fraction
+from functools import partial
 from typing import Any, Unpack
 
 from exactsweep.formats.candidate import Candidate, choose
@@ -18,9 +21,11 @@ from exactsweep.formats.layouts.found import (
     require_within_strip,
     write_rings,
 )
+from exactsweep.formats.layouts.instances import read_instance
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data, JsonNode
-from exactsweep.formats.parsing import parse_candidates
+from exactsweep.formats.parsing import parse_by
+from exactsweep.formats.part_list import Said
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
@@ -71,7 +76,7 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayo
         [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
     """
     instance, container, reading = _take_options(**options)
-    return _parse(text, _parse_instance(instance, reading), container, reading)
+    return _parse_each(text, _parse_instance(instance, reading), container, reading)
 
 
 @tells_arguments
@@ -103,7 +108,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
     with name_file(instance or file):
         known = _parse_instance(None if instance is None else read_text(instance), reading)
     with name_file(file):
-        found = _parse(read_text(file), known, container, reading)
+        found = _parse_each(read_text(file), known, container, reading)
         if choice is None:
             return found
         if choice.isascii() and choice.isdigit() and int(choice) < len(found):
@@ -126,10 +131,38 @@ def _take_options(
 def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | None:
     if text is None:
         return None
-    found = _read_instance(JsonNode(parse_json(text)), reading)
+    found = read_instance(JsonNode(parse_json(text)), reading)
     if found is None:
         raise FormatError("not an instance of a nesting program")
     return found
+
+
+def _parse_each(
+    text: str, known: NestingInstance | None, container: str | None, reading: Reading
+) -> list[FoundLayout]:
+    """Read the layouts of a text so that each can be read again, more finely."""
+    found = _parse(text, known, container, reading)
+    if text.lstrip()[:1] in "[{":
+        # Layout JSON has its errors as they are.
+        return found
+
+    def flatten(
+        k: int, names: Collection[str | None], tolerance: Fraction
+    ) -> Mapping[str | None, Data]:
+        data = _parse(text, known, container, reading.at(tolerance))[k].data
+        shapes = {part["id"]: part for part in data["parts"]} | {None: data["container"]}
+        return {name: shapes[name] for name in names if name in shapes}
+
+    return [
+        one
+        if one.flatten or not _list_curved(one.data)
+        else one._replace(flatten=partial(flatten, k))
+        for k, one in enumerate(found)
+    ]
+
+
+def _list_curved(data: Data) -> list[Data]:
+    return [shape for shape in (data["container"], *data["parts"]) if "error" in shape]
 
 
 def _parse(
@@ -168,7 +201,7 @@ def _read_json(
         if known is not None:
             raise FormatError("Layout JSON has its own parts and rules, and no instance")
         return [FoundLayout("", _with_counts(document))]
-    instance = known or _read_instance(document, reading)
+    instance = known or read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_solution":
         return cgshop.read_solution(document, instance)
     if document.has("bins") and not document.has("items"):
@@ -188,14 +221,6 @@ def _with_counts(document: JsonNode) -> Data:
         parts.append({**part.value, **counts} if isinstance(part.value, dict) else part.value)
     assert isinstance(document.value, dict)
     return {**document.value, "parts": parts}
-
-
-def _read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
-    if document.has("item_types"):
-        return packingsolver.read_instance(document, reading)
-    if document.get("type", "").value == "cgshop2024_instance":
-        return cgshop.read_instance(document)
-    return jagua.read_instance(document) if document.has("items") else None
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
@@ -226,14 +251,21 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
 
     Raises FormatError if one of them cannot be read: with it, the layout may be wrong.
     """
-    options: Options = {"join": reading.join, "unit": reading.unit, "hidden": reading.hidden}
-    drawn = parse_candidates(text, reading.tolerance, **options)
+    drawn = parse_by(text, reading.without_nesting())
     notes = [
         *drawn.left_out,
         *drawn.notes,
         *(f"left out: {one.fault}" for one in drawn if one.fault),
     ]
-    outlines = [one for one in drawn if not one.ornament]
+    said = Said(notes, notes)
+    outlines: list[Candidate] = []
+    for one in drawn:
+        if not one.ornament:
+            try:
+                outlines += one.split(said)
+            except PolygonError:
+                # The judge reports the shape.
+                outlines.append(one)
     if not outlines:
         raise FormatError(notes[0] if notes else "no outline is drawn")
     around = _find_around(outlines) if container is None else choose(outlines, container)
@@ -250,7 +282,18 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
     parts = [{"id": name, **write_rings(one)} for name, one in zip(names, rest, strict=True)]
     placements = [STANDING | {"part": name} for name in names]
     data: Data = {"container": write_rings(around), "parts": parts, "placements": placements}
-    return FoundLayout("", data, tuple(notes))
+    drawn_as = dict(zip(names, rest, strict=True)) | {None: around}
+
+    def flatten(names: Collection[str | None], tolerance: Fraction) -> Mapping[str | None, Data]:
+        found: dict[str | None, Data] = {}
+        for name in names:
+            finer = drawn_as[name].finer
+            one = finer(tolerance) if finer else None
+            if one is not None:
+                found[name] = write_rings(one)
+        return found
+
+    return FoundLayout("", data, tuple(notes), flatten if _list_curved(data) else None)
 
 
 def _find_around(outlines: list[Candidate]) -> Candidate:

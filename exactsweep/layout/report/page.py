@@ -8,7 +8,7 @@ from importlib.resources import files
 from exactsweep import __version__
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.report.picture import SIDE, draw_parts, enlarge_faults, write_style
-from exactsweep.layout.report.table import tell_fault, write_verdict
+from exactsweep.layout.report.table import tell_error, tell_fault, write_verdict
 from exactsweep.layout.report.worst import WorstFirst
 from exactsweep.numbers.digits import abridge
 from exactsweep.text.report import approximate, take_root
@@ -45,6 +45,7 @@ def write_layout_page(
     template = files("exactsweep.layout.report").joinpath("page.html.j2").read_text("utf-8")
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
     environment.filters |= {"about": approximate, "exactly": abridge, "root": take_root}
+    environment.filters["tell_error"] = tell_error
     return environment.from_string(template).render(
         side=SIDE,
         title=title,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 from typing import Any
 
 from exactsweep.formats.exact_json import write_json
@@ -66,6 +67,8 @@ def report_layout(
         "density": _about(approximate(judgement.density), abridge(judgement.density)),
         "contacts": str(len(judgement.contacts)),
     }
+    if layout.greatest_error:
+        facts["curves"] = tell_error(layout.greatest_error)
     nearest = judgement.distance
     if nearest is not None and not (judgement.faults or judgement.contacts):
         first, second = nearest.placements
@@ -81,6 +84,11 @@ def report_layout(
     if len(ranked) > _MOST_LISTED and not everything:
         text += f"... {len(ranked) - _MOST_LISTED} more (--all)\n"
     return text + "".join(f"note: {note}\n" for note in notes)
+
+
+def tell_error(error: Fraction) -> str:
+    """Say how near lines are to curves, and what the verdict is about."""
+    return f"judged as curves; drawn as lines within {approximate(error, up=True)} of them"
 
 
 def write_verdict(judgement: Judgement) -> str:
@@ -145,6 +153,8 @@ def write_layout_json(judgement: Judgement, notes: Iterable[str] = ()) -> str:
         "nearest": None if nearest is None else list(nearest.placements),
         "notes": list(notes),
     }
+    error = judgement.layout.greatest_error
+    data |= {"error": error} if error else {}
     return write_object({name: write_json(value) for name, value in data.items()})
 
 
