@@ -80,7 +80,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
       exactsweep corpus list families
     """
     from exactsweep.corpus import FAMILIES, notes, themes
-    from exactsweep.corpus.shipped import list_summaries
+    from exactsweep.corpus.shipped import list_summaries, require_start
 
     what = names[0] if len(names) == 1 and names[0] in _LISTS else "cases"
     starts = [prefix or ""] if names in ((), ("cases",)) else names
@@ -97,7 +97,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
             rows = (
                 (case.id, case.kind, f"{case.size:3}", case.title)
                 for start in starts
-                for case in list_summaries(prefix=_require_start(start), **filters)
+                for case in list_summaries(prefix=require_start(start), **filters)
             )
     write(_columns([*rows]), "-")
 
@@ -255,28 +255,16 @@ def schema_command() -> None:
 def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:
     """The cases of these names; the names are looked at at once, the cases one by one."""
     from exactsweep.corpus import cases, find_case
-    from exactsweep.corpus.shipped import list_ids
+    from exactsweep.corpus.shipped import list_ids, require_start
 
     ids = list_ids()
     found: list[Iterable[Case]] = [
         [find_case(name)]
         if name in ids or name.startswith("gen-")
-        else cases(prefix=_require_start(name), **filters)
+        else cases(prefix=require_start(name), **filters)
         for name in names or ("",)
     ]
     return chain.from_iterable(found)
-
-
-def _require_start(name: str) -> str:
-    """Return the beginning of ids of cases; refuse one of none."""
-    from exactsweep.corpus import themes
-    from exactsweep.corpus.names import require_known
-    from exactsweep.corpus.shipped import list_ids
-
-    ids = list_ids()
-    if not any(id.startswith(name) for id in ids):
-        require_known(name, [*_LISTS, *themes(), *ids], "theme or case")
-    return name
 
 
 def _columns(rows: Sequence[tuple[str, ...]]) -> str:

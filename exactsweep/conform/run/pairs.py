@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterator, Sequence
 from itertools import product
 from pathlib import Path
-from typing import BinaryIO, Unpack
+from typing import BinaryIO, NamedTuple, Unpack
 
 from exactsweep.conform.run.cases import read_lines
 from exactsweep.corpus import Case, case_from_json, find_case
@@ -27,18 +27,44 @@ from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import ORIGIN, Point, PointRings
 from exactsweep.words import suggest
 
-_ROLES = ("directrix", "generatrix")
-_MEMBERS = (*_ROLES, "reference", "id")
+
+class _PairForm(NamedTuple):
+    """How a JSON document writes a pair.
+
+    Attributes:
+        stays: the member that is D.
+        moves: the member that is G.
+        others: further members that it may have.
+    """
+
+    stays: str
+    moves: str
+    others: tuple[str, ...]
+
+
+_FORMS = (
+    _PairForm(
+        "directrix",
+        "generatrix",
+        (
+            *("directrix_holes", "generatrix_holes", "title", "note", "version", "ask"),
+            *("class", "flags", "integer_scale", "representable"),
+            *("kind", "direction", "trajectory", "inner", "outer", "unswept", "area"),
+        ),
+    ),
+    _PairForm("stationary", "orbiting", ("kind", "exterior", "holes", "exact_fits", "area")),
+    _PairForm("container", "part", ("placed", "regions", "exact_fits", "area")),
+)
+"""A case or a line of the protocol, or `sweep --json`; `nfp --json`; `ifp --json`."""
 
 
 def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
     """Read pairs of polygons as cases.
 
     Args:
-        path: of a file, or "-" for standard input. Either lines of JSON, {"directrix": ...,
-            "generatrix": ...}, perhaps with "reference" and "id", a polygon being anything that
-            `parse_region` reads of JSON; or polygons in any format that `parse_regions` reads,
-            each of which is put around each, itself included.
+        path: of a file, or "-" for standard input. Either lines of JSON, each a case or a pair as
+            `read_case` reads it, or one such object over several lines; or polygons in any format
+            that `parse_regions` reads, each of which is put around each, itself included.
         tolerance: as for `parse_regions`.
         options: likewise.
 
@@ -65,9 +91,10 @@ def read_case(name: str) -> Case:
 
     Args:
         name: the path of a file, "-" for standard input, or the id of a case of the corpus or of
-            a generated one. The file holds a case as `case_from_json` reads it; or just a pair, an
-            object with "directrix" and "generatrix" and, if wanted, "reference", such as
-            `exactsweep sweep --json` writes.
+            a generated one. The file holds a case as `case_from_json` reads it; or a pair: what
+            `sweep`, `nfp` or `ifp` write with --json, or an object with "directrix" and
+            "generatrix" and any other member of a case. A polygon is anything that `parse_region`
+            reads of JSON. Answers in a pair are computed anew.
 
     Returns:
         The Case; of a pair without "id", the name of the file is the id.
@@ -78,11 +105,7 @@ def read_case(name: str) -> Case:
     if name != "-" and not Path(name).exists():
         return find_case(name)
     with name_refusals(show_path(name), FormatError):
-        text = read_text(name)
-        document = _require_object(parse_json(text))
-        if "expected" in document:
-            return case_from_json(parse_certificate(text))
-        return _make_pair(document, show_path(name))
+        return _read_document(read_text(name), show_path(name))
 
 
 def _read(
@@ -93,56 +116,94 @@ def _read(
         first = file.readline(get_max_bytes() + 1)
     file.seek(0)
     if _is_pair(first):
-        yield from read_lines(file, path, _read_pair)
+        yield from read_lines(
+            file, path, lambda number, line: _read_document(line, f"pair-{number}")
+        )
         return
     with name_refusals(show_path(path), FormatError):
         text = file.read().decode() if path == "-" else read_text(path)
+        if text.lstrip().startswith("{") and _is_pair(text):
+            yield _read_document(text, show_path(path))
+            return
         parts = _name(parse_candidates(text, tolerance, **options))
         for (d, directrix), (g, generatrix) in product(parts, repeat=2):
             yield _make_case(f"{d}/{g}", directrix, generatrix)
 
 
-def _is_pair(line: bytes) -> bool:
-    """Decide whether a line looks like a pair, valid or not."""
+def _is_pair(text: str | bytes) -> bool:
+    """Decide whether a text looks like a pair, valid or not."""
     try:
-        document = json.loads(line)
+        document = json.loads(text)
     except (ValueError, RecursionError):
         return False
-    return isinstance(document, dict) and not {*_ROLES}.isdisjoint(document)
+    return isinstance(document, dict) and any(
+        {form.stays, form.moves} & document.keys() for form in _FORMS
+    )
 
 
-def _read_pair(number: int, line: str) -> Case:
-    document = _require_object(parse_json(line))
-    for member in document:
-        if member not in _MEMBERS:
-            raise FormatError(f"$ has {quote(member)}{suggest(member, _MEMBERS)}")
-    return _make_pair(document, f"pair-{number}")
-
-
-def _require_object(document: object) -> dict[str, object]:
+def _read_document(text: str, name: str) -> Case:
+    """Read a case, or a pair, whose id is the name if it has none."""
+    document = parse_json(text)
     if not isinstance(document, dict):
         raise FormatError(f"$ is {describe_kind(document)}, not an object")
-    return document
+    if "expected" in document:
+        return case_from_json(parse_certificate(text))
+    return _make_pair(document, name)
 
 
 def _make_pair(document: dict[str, object], name: str) -> Case:
-    """Make the case of a pair, whose id is the name if it has none."""
-    for role in _ROLES:
+    form = next((one for one in _FORMS if {one.stays, one.moves} & document.keys()), None)
+    if form is None:
+        roles = ", ".join(f"{one.stays} and {one.moves}" for one in _FORMS)
+        raise FormatError(f"$ is no pair, which has one of: {roles}")
+    members = (form.stays, form.moves, "reference", "id", *form.others)
+    for member in document:
+        if member not in members:
+            raise FormatError(f"$ has {quote(member)}{suggest(member, members)}")
+    for role in (form.stays, form.moves):
         if role not in document:
             raise FormatError(f"$ has no {role}")
+    if document.get("placed"):
+        raise FormatError("$.placed: a case has no placed shapes")
     id = document.get("id", name)
     if not isinstance(id, str):
         raise FormatError(f"$.id is {describe_kind(id)}, not a string or a number")
     (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
-    d, g = (_read_rings(choose(find_candidates(document[role]), None), role) for role in _ROLES)
-    return _make_case(id, d, g, reference)
+    d, g = (_read_shape(document, role) for role in (form.stays, form.moves))
+    return _make_case(id, d, g, reference, inner_fit=form.stays == "container")
+
+
+def _read_shape(document: dict[str, object], role: str) -> PointRings:
+    """Read a polygon with its holes, which stand in it or beside it."""
+    rings = _read_rings(choose(find_candidates(document[role]), None), role)
+    beside = f"{role}_holes"
+    holes = document.get(beside, [])
+    if not isinstance(holes, list):
+        raise FormatError(f"$.{beside} is {describe_kind(holes)}, not a list of holes")
+    if holes and len(rings) > 1:
+        raise FormatError(f"$.{beside}: {role} has holes of its own")
+    return [*rings, *(read_vertices(hole, f"$.{beside}[{k}]") for k, hole in enumerate(holes))]
 
 
 def _make_case(
-    id: str, directrix: PointRings, generatrix: PointRings, reference: Point = ORIGIN
+    id: str,
+    directrix: PointRings,
+    generatrix: PointRings,
+    reference: Point = ORIGIN,
+    *,
+    inner_fit: bool = False,
 ) -> Case:
     (d, *d_holes), (g, *g_holes) = directrix, generatrix
-    return Case.of(id, "", d, g, reference, directrix_holes=d_holes, generatrix_holes=g_holes)
+    return Case.of(
+        id,
+        "",
+        d,
+        g,
+        reference,
+        directrix_holes=d_holes,
+        generatrix_holes=g_holes,
+        inner_fit=inner_fit,
+    )
 
 
 def _read_rings(candidate: Candidate, name: str) -> PointRings:

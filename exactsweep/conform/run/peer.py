@@ -4,21 +4,25 @@ from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from itertools import islice
 from typing import Any, NamedTuple, Protocol
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import Point
 
 SECONDS = 10.0
 """Seconds that an answer may take, unless the caller says otherwise."""
-MAX_STDERR = 4096
+MAX_STDERR = 16384
 """The most bytes that are kept of what it wrote to standard error, the last of it."""
 _MAX_REASON = 200
+_MOST_ITEMS = 10**6
 
 
 Function = Callable[[list[Any], list[Any], Any], Mapping[str, Any]]
@@ -88,6 +92,41 @@ def tell_bytes(number: int) -> str:
     return f"{number / 2**20:.1f} MiB"
 
 
+def make_plain(value: Any) -> Any:
+    """Return vertices and rings in any form of Python as lists; leave all else as it is.
+
+    Args:
+        value: a Polygon or a Region; an array or a number of numpy; geometry of shapely or its
+            coordinates; a generator or another iterable of these; or anything.
+
+    Example:
+        >>> make_plain(iter([(0, 0), range(2)]))
+        [[0, 0], [0, 1]]
+    """
+    if isinstance(value, Region):
+        value = value.rings if value.holes else value.vertices
+    elif isinstance(value, Polygon):
+        value = value.vertices
+    elif hasattr(value, "tolist"):
+        value = value.tolist()
+    elif hasattr(value, "__geo_interface__"):
+        value = _list_rings(value.__geo_interface__)
+    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
+        return value
+    # No answer has so many rings or vertices; a generator may have no end.
+    return [make_plain(one) for one in islice(value, _MOST_ITEMS)]
+
+
+def _list_rings(shape: Mapping[str, Any]) -> list[Any]:
+    """List the rings of a polygon, or of several, as GeoJSON has them."""
+    if "geometries" in shape:
+        return [ring for one in shape["geometries"] for ring in _list_rings(one)]
+    places = list(shape["coordinates"])
+    if shape["type"] == "MultiPolygon":
+        return [ring for polygon in places for ring in polygon]
+    return places
+
+
 class CallablePeer:
     """A function in this process.
 
@@ -116,9 +155,11 @@ class CallablePeer:
         began = time.monotonic()
         try:
             result = self._function(d, g, reference)
+            if isinstance(result, Mapping):
+                result = {name: make_plain(value) for name, value in result.items()}
         except NotImplementedError as error:
             return Answer(verdict=Verdict.UNSUPPORTED, reason=cut(str(error)))
-        except Exception as error:  # it may fail in any way, and that is its answer
+        except (Exception, SystemExit) as error:  # it may fail in any way, and that is its answer
             reason = cut(f"{type(error).__name__}: {error}")
             seconds = time.monotonic() - began
             # The innermost frames tell one fault from another.

@@ -44,6 +44,7 @@ from exactsweep.geometry.point_set import PointSet
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
 from exactsweep.numbers.number import ORIGIN, Point
+from exactsweep.words import suggest
 
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]
@@ -55,6 +56,7 @@ LOOPS = ("trajectory", "inner", "outer")
 NUMBERS: tuple[Numbers, ...] = get_args(Numbers)
 REFERENCES: tuple[Reference, ...] = get_args(Reference)
 QUESTIONS: tuple[Question, ...] = get_args(Question)
+_MEMBERS = ("hello", "loops", "numbers", "reference", "questions", "shapes")
 BYE = '{"bye": true}'
 MAX_NAME = 200
 
@@ -124,6 +126,9 @@ def make_hello(said: Mapping[str, object]) -> Hello:
     Raises:
         ProtocolError: it may not say that; the message says what is wrong.
     """
+    for member in said:
+        if member not in _MEMBERS:
+            raise ProtocolError(f"the hello has {quote(member)}{suggest(member, _MEMBERS)}")
     said = {"questions": ["sweep"], "shapes": "monotone", **said}
     name, questions = said["hello"], _choose_some(said, "questions", QUESTIONS)
     if not isinstance(name, str) or not 0 < len(name) <= MAX_NAME or not name.isprintable():
