@@ -61,7 +61,7 @@ NAMED = {
     RUST: (
         "thread 'main' (14066) panicked at src/main.rs:1:118: "
         "index out of bounds: the len is 2 but the index is 9",
-        "",
+        "main.rs line 1",
     ),
     JAVA: (
         'Exception in thread "main" java.lang.RuntimeException: outer',

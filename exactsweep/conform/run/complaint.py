@@ -59,7 +59,7 @@ def find_error(stderr: str) -> str:
         named = [line for line in lines[lines.index(_TRACEBACK) :] if _NAMED.search(line)]
         # An exception of its own name is the last line, too.
         return (named or lines)[-1].strip()
-    for line, after in zip(lines, [*lines[1:], ""], strict=True):
+    for line, after in zip(lines, [*lines, ""][1:], strict=True):
         if _PANIC.match(line):
             return f"{line} {after.strip()}" if line.endswith(":") else line
         if thrown := _THROWN.match(line):
