@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from itertools import chain
+from math import ulp
 from typing import Any, NamedTuple
 
 from exactsweep import Point
@@ -170,6 +171,41 @@ def join_touching(rings: Rings, fits: list[Fit]) -> Any:
     return left if joined else None
 
 
+def open_pinches(ulps: int) -> Callable[[Rings, list[Fit]], Any]:
+    """Rings that touch as one, with a neck at the common place that is some ulps wide."""
+
+    def change(rings: Rings, fits: list[Fit]) -> Any:
+        left = [list(ring) for ring in rings]
+        joined = False
+        for ring in list(left):
+            touched = next(
+                ((other, p) for other in left if other is not ring for p in ring if p in other),
+                None,
+            )
+            if touched is None:
+                continue
+            other, p = touched
+            k, j = other.index(p), ring.index(p)
+            off = ulps * Fraction(ulp(float(max(map(abs, p)))))
+            other[k : k + 1] = [Point(p.x + off, p.y), *turn(ring, j)[1:], Point(p.x, p.y - off)]
+            left.remove(ring)
+            joined = True
+        return left if joined else None
+
+    return change
+
+
+def close_pinches(rings: Rings, fits: list[Fit]) -> Any:
+    """Rings that touch, each moved by an ulp at the common place, in directions of their own."""
+    shared = {p for k, ring in enumerate(rings) for p in ring for r in rings[:k] if p in r}
+
+    def move(p: Point, k: int) -> Point:
+        off = Fraction(ulp(float(max(map(abs, p)))))
+        return Point(p.x + off * (k % 3 - 1), p.y + off * (k % 2)) if p in shared else p
+
+    return [[move(p, k) for p in ring] for k, ring in enumerate(rings)] if shared else None
+
+
 def slit(ring: Ring) -> Ring:
     """From its first vertex straight to another one and back, wherever that leads."""
     middle = ring[len(ring) // 2]
@@ -267,6 +303,15 @@ WRITINGS: dict[str, Writing] = {
     ),
     "the nearest doubles, fits as whiskers": Writing(
         hang, lambda fits: [], float, "binary64", ROUNDED
+    ),
+    "the nearest doubles, pinches opened": Writing(
+        open_pinches(1), number=float, numbers="binary64", verdicts=ROUNDED
+    ),
+    "the nearest doubles, pinches crossed": Writing(
+        open_pinches(-1), number=float, numbers="binary64", verdicts=ROUNDED
+    ),
+    "the nearest doubles, pinches closed": Writing(
+        close_pinches, number=float, numbers="binary64", verdicts=ROUNDED
     ),
     "the nearest integers": Writing(number=round, numbers="integer", verdicts=ROUNDED),
 }

@@ -7,21 +7,24 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
 from operator import itemgetter
-from typing import NamedTuple
 
 from exactsweep.conform.judge.boundary import (
+    RingBoundary,
     are_bridges,
     find_boundary,
     subtract_fits,
     trace_rings,
 )
+from exactsweep.conform.judge.closeness import (
+    are_boundaries_close,
+    covers,
+    is_close,
+    is_near,
+    take_pairs,
+)
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.distance import bound_distance
-from exactsweep.conform.judge.fits import (
-    find_rounded_fit,
-    judge_fits,
-    trace_whiskers,
-)
+from exactsweep.conform.judge.fits import judge_fits
 from exactsweep.conform.judge.region import (
     RegionError,
     Trapezoid,
@@ -41,7 +44,6 @@ from exactsweep.conform.judge.verdict import (
     read_number,
     read_segments,
 )
-from exactsweep.conform.judge.walk import match_rings
 from exactsweep.conform.judge.witness import (
     FITS_OF,
     INSIDE,
@@ -58,12 +60,14 @@ from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import quote, tells_arguments
-from exactsweep.numbers.number import Fit, Loop
+from exactsweep.numbers.number import Fit, Loop, Point
+from exactsweep.words import write_pair
 
 MOST_MEASURED = 3000
 """The most edges, exact and theirs together, of loops whose area and distance are measured."""
 MOST_PAIRS = 20_000
 """The most pairs of rings that are near each other which are examined for overlap: some seconds."""
+_NUMBERS = {2: "two", 3: "three", 4: "four"}
 _MOST_SHOWN = 100
 """The number of places that are enough to choose a witness from."""
 
@@ -180,20 +184,6 @@ def _list_parts(
         yield INSIDE
 
 
-class _Writing(NamedTuple):
-    """The region of some rings, and how it is written.
-
-    Attributes:
-        rings: as answered; or of the region alone, nothing doubled, if these are faulty.
-        traced: segments on exact fits that rings go along and back.
-        fault: why the rings determine no region, or None.
-    """
-
-    rings: Sequence[Loop]
-    traced: Sequence[Fit]
-    fault: str | None
-
-
 def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> JudgedLoop:
     """Compare an answered loop with the exact one.
 
@@ -210,28 +200,32 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         WitnessError: the expected answer of the case is refuted by the definition.
 
     Cost: linear for an exact answer, O(n log n) for an equivalent one; otherwise that of
-        `find_differences`, `bound_distance`, `match_rings` and `diagnose`, all of which are bounded
-        by counts, and of a witness.
+        `find_differences`, `bound_distance`, `covers` and `diagnose`, and of a witness.
     """
     exact = list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
         return _same(name, Verdict.EXACT), ()
     fits = list_exact_fits(case, FITS_OF[name]) if name in FITS_OF else ()
-    boundary = find_boundary(loop.rings)
+    boundary, right = find_boundary(loop.rings), find_boundary(exact)
     on_fits, others = subtract_fits(boundary.doubled, fits)
     is_bridged = are_bridges(others, [*boundary.solid, *on_fits])
-    if is_bridged and boundary.solid == find_boundary(exact).solid:
+    if is_bridged and boundary.solid == right.solid:
         kind = "whisker" if on_fits else ""
         reason = "exact fits are traced by the loop" if kind else ""
         return _same(name, Verdict.EQUIVALENT, reason, kind), on_fits
-    writing = _Writing(loop.rings, on_fits, find_fault(loop.rings, f"$.{name}"))
-    if writing.fault is not None and is_bridged:
-        rings = trace_rings(boundary)
-        if find_fault(rings, "") is None:
-            writing = _Writing(rings, on_fits, None)
-    traced = _match_rounded(loop.rings, writing, exact, fits, rounding)
-    part = _measure(case, name, loop.rings, writing, exact, traced, rounding)
-    return part, writing.traced if traced is None else traced
+    traced = _match_rounded(boundary, right, fits, rounding)
+    if traced is not None:
+        return _measure_rounded(case, name, loop.rings, boundary, traced, rounding), traced
+    rings, fault = loop.rings, find_fault(loop.rings, f"$.{name}")
+    if fault is not None and is_bridged:
+        plain = tuple(trace_rings(boundary))
+        if find_fault(plain, "") is None:
+            rings, fault = plain, None
+    # Other mistakes than those of numbers make sound rings of sound ones.
+    diagnosis = (
+        name_arithmetic(exact, loop.rings) if fault else diagnose(case, name, rings, rounding)
+    )
+    return _measure(case, name, rings, fault, diagnosis, rounding), on_fits
 
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:
@@ -260,60 +254,87 @@ def _meet(one: EdgeIndex, other: EdgeIndex) -> bool:
 
 
 def _match_rounded(
-    rings: Sequence[Loop],
-    writing: _Writing,
-    exact: Sequence[Loop],
-    fits: Sequence[Fit],
-    rounding: Fraction,
-) -> Sequence[Fit] | None:
+    theirs: RingBoundary, exact: RingBoundary, fits: Sequence[Fit], rounding: Fraction
+) -> list[Fit] | None:
     """Return the fits that rings trace if they are the exact ones except for rounding, or None."""
     if not rounding:
         return None
-    if match_rings(exact, rings, rounding):
+    known = [*exact.solid, *fits]
+    near = [line for line in theirs.doubled if covers(known, [line], rounding)]
+    far = [line for line in theirs.doubled if line not in near]
+    if not (
+        are_bridges(far, [*theirs.solid, *near])
+        and are_boundaries_close(exact, theirs, rounding, fits)
+    ):
+        return None
+    if not fits:
         return []
-    if fits and match_rings(trace_whiskers(exact, fits), rings, rounding):
-        return fits
-    is_traced = writing.fault is None and writing.rings is not rings
-    plain = trace_rings(find_boundary(exact)) if is_traced else exact
-    # Rings that are nowhere so far from an exact fit trace it.
-    thin = [find_rounded_fit(ring, fits, rounding) for ring in writing.rings]
-    rest = [ring for ring, fit in zip(writing.rings, thin, strict=True) if fit is None]
-    if match_rings(plain, writing.rings, rounding):
-        return writing.traced
-    if match_rings(plain, rest, rounding):
-        return [*writing.traced, *(fit for fit in thin if fit is not None)]
-    return None
+    # Lines that are near fits, and nowhere so near the loop, trace them.
+    lines = [line for line in (*theirs.solid, *near) if not covers(exact.solid, [line], rounding)]
+    return [fit for fit in fits if covers(lines, [fit], rounding)]
+
+
+def _measure_rounded(
+    case: Case,
+    name: str,
+    rings: Sequence[Loop],
+    boundary: RingBoundary,
+    traced: Sequence[Fit],
+    rounding: Fraction,
+) -> PartComparison:
+    """Compare a loop that is the exact one except for rounding."""
+    joint = _name_joint(list_exact_rings(case, name), trace_rings(boundary), name, rounding)
+    said = ("rounded", "exact fits traced by the loop" if traced else "", joint)
+    return replace(
+        _measure(case, name, rings, None, (), rounding, is_rounded=True),
+        verdict=Verdict.WITHIN,
+        reason=", ".join(filter(None, said)),
+        kind="whisker" if traced else "",
+    )
+
+
+def _name_joint(
+    exact: Sequence[Loop], theirs: Sequence[Loop], name: str, rounding: Fraction
+) -> str:
+    """Say which rings rounding has joined or parted, and where; "" if it has not."""
+    if len(exact) == len(theirs):
+        return ""
+    left = list[Sequence[Point]](theirs)
+    missing = list(take_pairs(exact, left, rounding))
+    is_joined = len(missing) > len(left)
+    several, verb = (missing, "joins") if is_joined else (left, "parts")
+    has_outer = name != "inner_fit" and exact[0] in missing
+    what = "rings" if has_outer or name == "inner_fit" else "holes"
+    for k, ring in enumerate(several):
+        edges = [(other[j - 1], p) for other in several[:k] for j, p in enumerate(other)]
+        place = next((p for p in ring if any(is_close(p, e, 2 * rounding) for e in edges)), None)
+        if place is not None:
+            corners = (p for one in exact for p in one if is_near(p, place, 2 * rounding))
+            at = write_pair(next(corners, place))
+            return f"the rounding {verb} {_NUMBERS.get(len(several), 'several')} {what} at {at}"
+    return f"the rounding leaves {len(theirs)} of {len(exact)} rings"
 
 
 def _measure(
     case: Case,
     name: str,
-    given: Sequence[Loop],
-    writing: _Writing,
-    exact: Sequence[Loop],
-    traced: Sequence[Fit] | None,
+    rings: Sequence[Loop],
+    fault: str | None,
+    diagnosis: tuple[str, ...],
     rounding: Fraction,
+    is_rounded: bool = False,
 ) -> PartComparison:
     """Compare a loop whose region is not the exact one."""
-    rings, fault = writing.rings, writing.fault
+    exact = list_exact_rings(case, name)
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
     lost: list[Trapezoid] = []
     extra: list[Trapezoid] = []
     is_whole = False
-    if is_small or (traced is None and not fault):
+    if is_small or not (fault or is_rounded):
         lost, extra, is_whole = _find_cells(exact, rings, is_small)
-    diagnosis: tuple[str, ...] = ()
-    if traced is not None:
-        verdict = Verdict.WITHIN
-        reason = f"rounded{', exact fits traced by the loop' if traced else ''}"
-    else:
-        # Other mistakes than those of numbers make sound rings of sound ones.
-        diagnosis = (
-            name_arithmetic(exact, given) if fault else diagnose(case, name, rings, rounding)
-        )
-        verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
-        if diagnosis:
-            reason = f"{diagnosis[0]}; {reason}"
+    verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
+    if diagnosis:
+        reason = f"{diagnosis[0]}; {reason}"
     is_measured = is_small and is_whole
     # An inner fit tells where G may be, and not where it may not.
     overlapping, free = (extra, lost) if name == "inner_fit" else (lost, extra)
@@ -327,7 +348,7 @@ def _measure(
         find_witness(case, name, rings, overlapping) if overlapping else None,
         find_witness(case, name, rings, free) if free else None,
         rounding,
-        "whisker" if traced else "",
+        "",
         diagnosis,
     )
 

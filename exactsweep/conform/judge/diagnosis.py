@@ -14,8 +14,8 @@ from itertools import chain
 from operator import itemgetter
 from typing import NamedTuple
 
+from exactsweep.conform.judge.closeness import are_close, find_box, is_near, take_pairs
 from exactsweep.conform.judge.rounding import name_arithmetic
-from exactsweep.conform.judge.walk import find_box, is_near, match_rings, take_pairs
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_centroid, find_doubled_area
@@ -55,13 +55,8 @@ class _DiagnosedRings(NamedTuple):
     high: Point
 
     def are(self, others: PointRings, times: int = 1) -> bool:
-        """Decide whether they are some others but for so many roundings; boxes tell most."""
-        if not (others and len(others) == len(self.rings)):
-            return False
-        (low, high), bound = find_box(others), times * self.rounding
-        if not (is_near(low, self.low, bound) and is_near(high, self.high, bound)):
-            return False
-        return match_rings(others, self.rings, bound)
+        """Decide whether they are some others but for so many roundings."""
+        return bool(others) and are_close(others, self.rings, times * self.rounding)
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
@@ -77,7 +72,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         Tuple of phrases that go with "exact for" or stand alone, the likeliest first; () where
         nothing is found. All that hold are there: in one case two reference points may be one.
 
-    Cost: that of a sweep and of a few times `walk_together`; linear where no box fits.
+    Cost: that of a sweep and of a few times `are_close`; linear where no box fits.
     """
     if not any(map(find_doubled_area, rings)):
         return () if rings else ("says that G does not fit",)
@@ -115,7 +110,8 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
         return
     if not missing:
         is_around = name in ("trajectory", "no_fit")
-        if is_around and match_rings(_find_inside(theirs.case), left, theirs.rounding):
+        inside = _find_inside(theirs.case) if is_around else []
+        if inside and left and are_close(inside, left, theirs.rounding):
             yield "the sum of the boundaries: where one polygon is inside the other is left open"
         yield f"all exact rings, and {len(left)} more"
     elif not left and name != "inner_fit" and exact[0] not in missing:
