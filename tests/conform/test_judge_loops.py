@@ -218,7 +218,7 @@ def test_a_pinch_opened_or_closed_by_an_ulp_is_rounding(off: float) -> None:
         part = judge(PINCH, answer, "no_fit", numbers="binary64")
         assert (part.verdict, part.reason) == (Verdict.WITHIN, f"rounded{said}")
     exactly = judge(PINCH, opened, "no_fit", rounding=Fraction(0))
-    assert exactly.verdict in (Verdict.UNSOUND, Verdict.CONSERVATIVE, Verdict.WRONG)
+    assert exactly.verdict.severity > Verdict.WITHIN.severity
     # A neck that is wider than what is granted is no rounding.
     opened[1] = [*below, [3.001, 3.0], *above, [2.999, 3.0]]
     far = judge(PINCH, opened, "no_fit", numbers="binary64")

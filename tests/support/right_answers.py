@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from fractions import Fraction
 from itertools import chain
 from math import ulp
@@ -12,7 +12,7 @@ from exactsweep import Point
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.region import find_differences
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.judge.witness import list_exact_rings
+from exactsweep.conform.judge.witness import list_exact_fits, list_exact_rings
 from exactsweep.conform.run.protocol import Hello, Numbers, UnsupportedError, adapt
 from exactsweep.corpus import Case
 from exactsweep.numbers.digits import format_fraction
@@ -23,6 +23,7 @@ Rings = list[Ring]
 Parts = dict[str, Rings]
 
 FITS_OF = {"no_fit": "exact_fits", "inner_fit": "inner_exact_fits"}
+SUM = "minkowski_sum"
 
 
 class Writing(NamedTuple):
@@ -324,7 +325,11 @@ def write(case: Case, name: str, writing: Writing) -> dict[str, Any] | None:
         OverflowError: the numbers are too large for that.
     """
     listed = FITS_OF.get(name, "")
-    fits = list(getattr(case, listed)) if listed else []
+    fits = (
+        list(list_exact_fits(case, SUM if name == SUM else listed))
+        if name in (*FITS_OF, SUM)
+        else []
+    )
     rings = writing.rings([list(ring) for ring in list_exact_rings(case, name)], fits)
     if rings is None:
         return None
@@ -341,7 +346,7 @@ def _write(ring: Ring, writing: Writing) -> list[list[object]]:
 def list_parts(case: Case) -> Iterator[str]:
     """The parts that an answer to a case may have."""
     inside = ("inner_fit",) if case.inner_regions is not None else ()
-    return chain(("inner", "outer", "no_fit"), inside)
+    return chain(("inner", "outer", "no_fit", "minkowski_sum"), inside)
 
 
 class Conviction(NamedTuple):
@@ -360,8 +365,10 @@ class JudgedWriting(NamedTuple):
     convicted: list[Conviction]
 
 
-def judge_writing(writing: Writing, chosen: Iterable[Case]) -> JudgedWriting:
-    """Write all parts of exact answers in a way, and judge them."""
+def judge_writing(
+    writing: Writing, chosen: Iterable[Case], parts: Collection[str] = ()
+) -> JudgedWriting:
+    """Write parts of exact answers in a way, all if none is named, and judge them."""
     hello = Hello("right", numbers=writing.numbers, shapes="any")
     count, convicted = 0, []
     for case in chosen:
@@ -370,6 +377,8 @@ def judge_writing(writing: Writing, chosen: Iterable[Case]) -> JudgedWriting:
         except UnsupportedError:
             continue
         for name, answer in _write_all(put, writing):
+            if parts and name not in parts:
+                continue
             count += 1
             found = compare(put, answer, numbers=writing.numbers)
             if found.verdict not in (*writing.verdicts, *_but_fits(name, writing)):

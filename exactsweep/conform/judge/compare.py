@@ -49,6 +49,7 @@ from exactsweep.conform.judge.witness import (
     INSIDE,
     LOOP_NAMES,
     NAME,
+    SUM,
     find_witness,
     list_exact_fits,
     list_exact_rings,
@@ -89,8 +90,8 @@ def compare(
     Args:
         case: the case.
         result: the answer, plain data: a mapping with any of "trajectory", "inner", "outer",
-            "no_fit" and "inner_fit", each a loop as `read_loop` takes it, an "inner_fit" perhaps
-            empty; "exact_fits", a list of pairs of points, and "inner_exact_fits". It may have the
+            "no_fit", "minkowski_sum" and "inner_fit", each a loop as `read_loop` takes it, an
+            "inner_fit" perhaps empty; "exact_fits", a list of pairs of points, and "inner_exact_fits". It may have the
             "id" of the case, and in "rounding" a claim by how much less a coordinate may be off,
             of which `limit_claim` says how much is granted.
         rounding: the same, without limits, before what the answer says; `grant_rounding` says what
@@ -151,7 +152,7 @@ def compare(
             raise AnswerError(f"{place} is missing")
         loop = read_loop(result[name], place, may_be_empty=name == "inner_fit")
         part, traced = judge_loop(case, name, loop, grant(name, loop))
-        if name in FITS_OF:
+        if name in FITS_OF and name != SUM:
             whiskers[FITS_OF[name]] += traced
         if part.verdict is Verdict.WITHIN and claim is not None:
             return replace(part, reason=f"{part.reason}, as it claims for itself")
@@ -205,7 +206,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     exact = list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
         return _same(name, Verdict.EXACT), ()
-    fits = list_exact_fits(case, FITS_OF[name]) if name in FITS_OF else ()
+    fits = list_exact_fits(case, name if name == SUM else FITS_OF[name]) if name in FITS_OF else ()
     boundary, right = find_boundary(loop.rings), find_boundary(exact)
     on_fits, others = subtract_fits(boundary.doubled, fits)
     is_bridged = are_bridges(others, [*boundary.solid, *on_fits])

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from exactsweep.conform.judge.closeness import are_close, find_box, is_near, take_pairs
 from exactsweep.conform.judge.rounding import name_arithmetic
-from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
+from exactsweep.conform.judge.witness import LOOP_NAMES, SUM, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_centroid, find_doubled_area
 from exactsweep.geometry.polygon import Polygon
@@ -29,7 +29,7 @@ from exactsweep.words import write_pair
 
 _MOST_ROUNDED = 16
 _NEARLY = 4
-_POSITIONS = ("trajectory", "no_fit", "inner_fit")
+_POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")
 """Loops of positions, which depend on the reference point."""
 
 
@@ -53,6 +53,11 @@ class _DiagnosedRings(NamedTuple):
     rounding: Fraction
     low: Point
     high: Point
+
+    @property
+    def reference(self) -> Point:
+        """The point of G whose positions they are; of a Minkowski sum the origin."""
+        return ORIGIN if self.name == SUM else self.case.reference
 
     def are(self, others: PointRings, times: int = 1) -> bool:
         """Decide whether they are some others but for so many roundings."""
@@ -100,6 +105,8 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         found += spoilt or _name_vertices(exact, rings)
     if not found and len(missing) < len(exact):
         found.append(f"{len(exact) - len(missing)} of {len(exact)} rings are exact")
+    if name == SUM:
+        found = [_SUMS.get(words.removeprefix("exact for "), words) for words in found]
     return tuple(dict.fromkeys(found))
 
 
@@ -109,8 +116,8 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
     if len(missing) == len(exact):
         return
     if not missing:
-        is_around = name in ("trajectory", "no_fit")
-        inside = _find_inside(theirs.case) if is_around else []
+        is_around = name in ("trajectory", "no_fit", SUM)
+        inside = _find_inside(theirs.case, theirs.reference) if is_around else []
         if inside and left and are_close(inside, left, theirs.rounding):
             yield "the sum of the boundaries: where one polygon is inside the other is left open"
         yield f"all exact rings, and {len(left)} more"
@@ -121,12 +128,12 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
         yield f"lacks {len(missing)} of {len(exact)} rings"
 
 
-def _find_inside(case: Case) -> PointRings:
+def _find_inside(case: Case, reference: Point) -> PointRings:
     """Find where G is inside D, or D inside G: where their boundaries do not meet."""
     shapes = case.directrix, case.generatrix
-    inside = inner_fit_polygon(*shapes, reference=case.reference)
+    inside = inner_fit_polygon(*shapes, reference=reference)
     around = inner_fit_polygon(*shapes[::-1])
-    turned = [_map(region.rings, -1, 0, 0, -1, case.reference) for region in around.regions]
+    turned = [_map(region.rings, -1, 0, 0, -1, reference) for region in around.regions]
     return [*chain.from_iterable(region.rings for region in inside.regions), *chain(*turned)]
 
 
@@ -147,7 +154,7 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
 def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
     """Name loops of the case that are not the one asked for."""
     case, exact = theirs.case, theirs.exact
-    for other, words in LOOP_NAMES.items():
+    for other, words in LOOP_NAMES.items() if theirs.name != SUM else ():
         loop = list_exact_rings(case, other)
         if loop not in ((), exact) and theirs.are(loop):
             yield f"exact for the {words} instead"
@@ -172,7 +179,7 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     is turned or added, and that before others.
     """
     case, rings = theirs.case, theirs.exact
-    positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, case.reference))
+    positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, theirs.reference))
     shapes: list[tuple[str, PointRings]] = [("", positions)]
     if theirs.name != "inner_fit":
         shapes.append(("D + G, G not reflected", _add(case, theirs.name)))
@@ -182,7 +189,7 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
         offset = _find_offset(shape, theirs)
         if offset is None:
             continue
-        points = [*_name_offsets(case, offset, theirs.rounding)]
+        points = [*_name_offsets(theirs, offset)]
         if words and _GIVEN in points:
             found.append((1, f"exact for {words}"))
             continue
@@ -192,7 +199,7 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
             for point in points
         )
         if not points:
-            by = write_pair(subtract(offset, case.reference))
+            by = write_pair(subtract(offset, theirs.reference))
             found.append((4, f"exact for {joint}another reference point: all is moved by {by}"))
     factor = _find_scale(theirs)
     if factor is not None:
@@ -200,6 +207,13 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     return [words for _, words in sorted(found, key=itemgetter(0))]
 
 
+_SUMS = {
+    "D + G, G not reflected": "exact for a + (-b), b reflected",
+    "exchanged roles, D around G": "exact for -(a + b)",
+    "D itself": "a itself",
+    "G itself": "-b",
+}
+"""What a diagnosis is of a Minkowski sum of a = D and b = -G."""
 _GIVEN = "the reference point given"
 _USUAL = ("G's first vertex as reference", "G's origin as reference")
 _AXES = {
@@ -220,12 +234,17 @@ def _map(rings: PointRings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) 
 
 def _add(case: Case, name: str) -> PointRings:
     found = no_fit_polygon(case.directrix, case.generatrix.reflected())
-    holes = found.holes if name == "no_fit" else ()
+    holes = found.holes if name in ("no_fit", SUM) else ()
     return [loop.vertices for loop in (found.exterior, *holes)]
 
 
-def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str]:
+def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
     """Name the point of G whose path a trajectory is, if G's origin moved by it draws it."""
+    case = theirs.case
+    if theirs.name == SUM:
+        if is_near(ORIGIN, offset, theirs.rounding):
+            yield _GIVEN
+        return
     ring, (low, high) = case.generatrix_ring, case.generatrix.bounding_box
     first, base = ring[0], case.directrix_ring[0]
     d_low, _ = case.directrix.bounding_box
@@ -249,7 +268,7 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "positions relative to the lower left corner of D's box": subtract(low, d_low),
     }
     for name, point in named.items():
-        if is_near(point, offset, rounding):
+        if is_near(point, offset, theirs.rounding):
             yield name
 
 

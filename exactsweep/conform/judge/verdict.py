@@ -197,8 +197,8 @@ class Comparison:
         return vars(self) | {"verdict": self.verdict.value, "parts": parts}
 
 
-LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")
-"""The members of an answer: the loops of a sweep, and the rings of the two fits."""
+LOOPS = ("trajectory", "inner", "outer", "no_fit", "minkowski_sum", "inner_fit")
+"""The members of an answer: loops of a sweep, rings of the fits, and those of a + b."""
 
 
 class AnswerError(ExactSweepError):

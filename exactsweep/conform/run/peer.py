@@ -10,7 +10,7 @@ from itertools import islice
 from typing import Any, NamedTuple, Protocol
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.protocol import SUM, Hello, list_reflected_rings
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.geometry.polygon import Polygon
@@ -25,7 +25,7 @@ _MAX_REASON = 200
 _MOST_ITEMS = 10**6
 
 
-Function = Callable[[list[Any], list[Any], Any], Mapping[str, Any]]
+Function = Callable[..., Any]
 
 
 class Answer(NamedTuple):
@@ -92,6 +92,14 @@ def tell_bytes(number: int) -> str:
     return f"{number / 2**20:.1f} MiB"
 
 
+def is_shape(value: object) -> bool:
+    """Decide whether a value is one loop, or one region, and no answer with names."""
+    is_named = isinstance(value, (str, Mapping))
+    return isinstance(value, (Polygon, Region)) or (
+        not is_named and (isinstance(value, Iterable) or hasattr(value, "__geo_interface__"))
+    )
+
+
 def make_plain(value: Any) -> Any:
     """Return vertices and rings in any form of Python as lists; leave all else as it is.
 
@@ -144,17 +152,21 @@ class CallablePeer:
 
     def ask(self, case: Case) -> Answer:
         """Call the function on a case."""
-        d, g = (
-            list(map(self._points, rings))
-            for rings in (case.directrix_rings, case.generatrix_rings)
-        )
+        parts = self.hello.parts(case)
+        rings = case.directrix_rings, case.generatrix_rings
+        if self.hello.questions == (SUM,):
+            rings = case.directrix_rings, list_reflected_rings(case)
+        given: list[Any] = [list(map(self._points, shape)) for shape in rings]
         if self.hello.shapes != "any":
             # Without holes there is one ring.
-            (d,), (g,) = d, g
-        (reference,) = self._points([case.reference])
+            given = [shape[0] for shape in given]
+        if self.hello.questions != (SUM,):
+            given += self._points([case.reference])
         began = time.monotonic()
         try:
-            result = self._function(d, g, reference)
+            result = self._function(*given)
+            if len(parts) == 1 and is_shape(result):
+                result = {parts[0]: result}
             if isinstance(result, Mapping):
                 result = {name: make_plain(value) for name, value in result.items()}
         except NotImplementedError as error:
