@@ -20,6 +20,7 @@ from exactsweep.conform.run.protocol import (
 )
 from exactsweep.conform.run.protocol import write_case_line as write_line
 from exactsweep.corpus import Case, cases, find_case
+from exactsweep.geometry.vectors import is_on_segment
 
 HELLO = '{"hello": "mine", "questions": ["minkowski_sum"], "shapes": "any", "numbers": "rational"}'
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -106,9 +107,9 @@ def test_mistakes_are_named_in_terms_of_sums() -> None:
 
 def test_a_slit_may_be_traced_or_left_out() -> None:
     slot = find_case("fits-square")
-    exact, fit = slot.trajectory.vertices, slot.exact_fits[0]
-    k = exact.index(fit[0])
-    traced = [*exact[: k + 1], fit[1], *exact[k:]]
+    exact, ((foot, tip),) = slot.trajectory.vertices, slot.exact_fits
+    k = next(k for k, b in enumerate(exact) if is_on_segment(foot, exact[k - 1], b))
+    traced = [*exact[:k], foot, tip, foot, *exact[k:]]
     for ring in (exact, traced):
         found = compare(slot, {"minkowski_sum": ring})
         assert found.verdict in ("exact", "equivalent")

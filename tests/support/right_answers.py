@@ -325,11 +325,7 @@ def write(case: Case, name: str, writing: Writing) -> dict[str, Any] | None:
         OverflowError: the numbers are too large for that.
     """
     listed = FITS_OF.get(name, "")
-    fits = (
-        list(list_exact_fits(case, SUM if name == SUM else listed))
-        if name in (*FITS_OF, SUM)
-        else []
-    )
+    fits = list(list_exact_fits(case, listed or name)) if listed or name == SUM else []
     rings = writing.rings([list(ring) for ring in list_exact_rings(case, name)], fits)
     if rings is None:
         return None

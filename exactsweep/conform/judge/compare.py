@@ -91,9 +91,9 @@ def compare(
         case: the case.
         result: the answer, plain data: a mapping with any of "trajectory", "inner", "outer",
             "no_fit", "minkowski_sum" and "inner_fit", each a loop as `read_loop` takes it, an
-            "inner_fit" perhaps empty; "exact_fits", a list of pairs of points, and "inner_exact_fits". It may have the
-            "id" of the case, and in "rounding" a claim by how much less a coordinate may be off,
-            of which `limit_claim` says how much is granted.
+            "inner_fit" perhaps empty; "exact_fits", a list of pairs of points, and
+            "inner_exact_fits". It may have the "id" of the case, and in "rounding" a claim by how
+            much less a coordinate may be off, of which `limit_claim` says how much is granted.
         rounding: the same, without limits, before what the answer says; `grant_rounding` says what
             it is otherwise.
         promised: names of loops that must be there.

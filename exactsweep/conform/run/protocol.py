@@ -98,7 +98,7 @@ class Hello:
     shapes: Shapes = "monotone"
 
     def parts(self, case: Case) -> tuple[str, ...]:
-        """Return what an answer to a case must hold: loops of a sweep, "no_fit", "minkowski_sum", "inner_fit"."""
+        """Return what an answer to a case must hold: loops of a sweep, and all other questions."""
         fits = [name for name in self.questions if name != "sweep"]
         if case.inner_regions is None:
             fits = [name for name in fits if name != "inner_fit"]
@@ -291,9 +291,8 @@ def adapt(case: Case, hello: Hello) -> Case:
         if SUM not in hello.questions or hello.numbers == "integer":
             return scaled
         # One of these types holds a number whose negative it does not hold.
-        if hello.numbers in find_types(
-            [c for p in chain(*list_reflected_rings(scaled)) for c in p], 1
-        ):
+        reflected = chain.from_iterable(chain.from_iterable(list_reflected_rings(scaled)))
+        if hello.numbers in find_types([*reflected], 1):
             return scaled
     raise UnsupportedError(f"{hello.numbers} does not hold the case")
 
