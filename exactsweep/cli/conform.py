@@ -148,7 +148,7 @@ def conform_command(
         raise click.UsageError("Give either --cases or --pairs.")
     if any(reading.values()) and pairs is None:
         raise click.UsageError("The options of how files are read go with --pairs.")
-    require_own_files([journal, reports.junit, reports.json, reports.html])
+    require_own_files([journal, *reports.list_files()])
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
     most = None if most_memory is None else most_memory * 2**20
