@@ -16,7 +16,7 @@ from exactsweep.lessons import list_titles, read_notebook
 _PARTS = """
 geometry procedures procedures.cc procedures.cm procedures.mm procedures.ss
 procedures.lower_envelope evidence evidence.steps check layout text formats batch draw
-view lessons corpus conform conform.adapters paper
+view lessons corpus conform paper
 """
 MODULES = ("exactsweep", *(f"exactsweep.{name}" for name in _PARTS.split()))
 """The modules that have a page, in the order of the first page."""
