@@ -286,7 +286,7 @@ def test_close_regions_are_close_at_many_places(one: Ring, other: Ring, bound: F
 
 
 def measure(p: Point, ring: Ring) -> Fraction:
-    """How far a point is from a ring, by the larger of the differences in x and in y."""
+    """The distance of a point from a ring, by the larger of the differences in x and in y."""
     return min(measure_edge(p, a, b) for a, b in pairwise([*ring, ring[0]]))
 
 

@@ -19,27 +19,27 @@ HELLO = {
 MOST = 2500
 """Pairs of edges; the sum below takes their square."""
 
-Point = tuple[float, float]
-Ring = list[Point]
-Shape = list[Ring]
+XY = tuple[float, float]
+Contour = list[XY]
+Contours = list[Contour]
 """A polygon: its exterior, then its holes, in either orientation."""
 
 
-def no_fit(d: Shape, g: Shape, reference: Point) -> list[Ring]:
+def no_fit(d: Contours, g: Contours, reference: XY) -> Contours:
     """Return the rings around the positions of the reference point at which g overlaps d."""
     reflected = [[(-x, -y) for x, y in ring] for ring in g]
     rings = minkowski_sum(d, reflected)
     return [[(x + reference[0], y + reference[1]) for x, y in ring] for ring in rings]
 
 
-def minkowski_sum(a: Shape, b: Shape) -> list[Ring]:
+def minkowski_sum(a: Contours, b: Contours) -> Contours:
     """Return the rings of a + b: edges of each at convex corners of the other, cut, and chosen."""
     a, b = orient(a), orient(b)
     lines = [*place_edges(a, b), *place_edges(b, a)]
     near = 1e-13 * max(abs(c) for line in lines for p in line for c in p)
-    nodes: Ring = []
+    nodes: Contour = []
 
-    def find_node(p: Point) -> Point:
+    def find_node(p: XY) -> XY:
         for q in nodes:
             if abs(p[0] - q[0]) < near and abs(p[1] - q[1]) < near:
                 return q
@@ -64,7 +64,7 @@ def minkowski_sum(a: Shape, b: Shape) -> list[Ring]:
     return join(pieces)
 
 
-def orient(shape: Shape) -> Shape:
+def orient(shape: Contours) -> Contours:
     """Turn rings so that the inside is on the left; leave out repeated vertices."""
     found = []
     for k, given in enumerate(shape):
@@ -75,7 +75,7 @@ def orient(shape: Shape) -> Shape:
     return found
 
 
-def place_edges(edges: Shape, corners: Shape) -> list[tuple[Point, Point]]:
+def place_edges(edges: Contours, corners: Contours) -> list[tuple[XY, XY]]:
     """Put each edge at the corners of the other shape between whose sides its direction is."""
     lines = []
     for ring in corners:
@@ -91,7 +91,7 @@ def place_edges(edges: Shape, corners: Shape) -> list[tuple[Point, Point]]:
     return lines
 
 
-def find_cuts(p: Point, q: Point, r: Point, s: Point, near: float) -> list[float]:
+def find_cuts(p: XY, q: XY, r: XY, s: XY, near: float) -> list[float]:
     """Find where on pq, from 0 to 1, the segment rs crosses it or has an end on it."""
     dx, dy, ex, ey = q[0] - p[0], q[1] - p[1], s[0] - r[0], s[1] - r[1]
     if min(r[0], s[0]) > max(p[0], q[0]) + near or max(r[0], s[0]) < min(p[0], q[0]) - near:
@@ -111,7 +111,7 @@ def find_cuts(p: Point, q: Point, r: Point, s: Point, near: float) -> list[float
     return [t for t in found if 0 < t < 1]
 
 
-def is_inside(x: float, y: float, a: Shape, b: Shape) -> bool:
+def is_inside(x: float, y: float, a: Contours, b: Contours) -> bool:
     """Decide whether (x, y) is inside a + b: whether a meets (x, y) - b."""
     c = [[(x - u, y - v) for u, v in ring] for ring in b]
     edges = [(ring[k - 1], p) for ring in c for k, p in enumerate(ring)]
@@ -124,12 +124,12 @@ def is_inside(x: float, y: float, a: Shape, b: Shape) -> bool:
     return holds(a, c[0][0]) or holds(c, a[0][0])
 
 
-def turn(p: Point, q: Point, r: Point) -> float:
+def turn(p: XY, q: XY, r: XY) -> float:
     """Return a number that is positive if r is on the left of pq."""
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
-def holds(shape: Shape, p: Point) -> bool:
+def holds(shape: Contours, p: XY) -> bool:
     """Decide whether a point is inside a shape: a ray from it crosses an odd number of edges."""
     inside = False
     for ring in shape:
@@ -140,7 +140,7 @@ def holds(shape: Shape, p: Point) -> bool:
     return inside
 
 
-def join(pieces: set[tuple[Point, Point]]) -> list[Ring]:
+def join(pieces: set[tuple[XY, XY]]) -> Contours:
     """Join pieces to rings; where several go on, the one farthest to the right is next."""
     rings = []
     while pieces:
@@ -164,7 +164,7 @@ def join(pieces: set[tuple[Point, Point]]) -> list[Ring]:
 def answer(case: dict[str, Any]) -> dict[str, Any]:
     """Answer all that a case asks."""
 
-    def read(name: str) -> Shape:
+    def read(name: str) -> Contours:
         rings = [case[name], *case.get(f"{name}_holes", [])]
         return [[(float(x), float(y)) for x, y in ring] for ring in rings]
 

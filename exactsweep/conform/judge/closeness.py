@@ -30,12 +30,12 @@ _DEEPEST = 24
 """Cuts of a trapezoid, one within the other; a difference that thin is a tie of (2)."""
 
 
-class _Interval(NamedTuple):
+class _OpenInterval(NamedTuple):
     low: Fraction
     high: Fraction
 
 
-_EDGE = _Interval(Fraction(-1), Fraction(2))
+_EDGE = _OpenInterval(Fraction(-1), Fraction(2))
 
 
 class _NearEdge(NamedTuple):
@@ -74,7 +74,7 @@ class _NearEdge(NamedTuple):
             self.left < high.x and low.x < self.right and self.bottom < high.y and low.y < self.top
         )
 
-    def cut(self, a: Point, b: Point) -> _Interval | None:
+    def cut(self, a: Point, b: Point) -> _OpenInterval | None:
         """Find the places a + t (b - a) that are closer than the bound; None if there are none."""
         low, high = _EDGE
         for u, v, middle, half in self.strips:
@@ -85,7 +85,7 @@ class _NearEdge(NamedTuple):
                 continue
             first, last = sorted(((-half - start) / step, (half - start) / step))
             low, high = max(low, first), min(high, last)
-        return _Interval(low, high) if low < high else None
+        return _OpenInterval(low, high) if low < high else None
 
 
 def is_close(p: Point, edge: Fit, bound: Fraction) -> bool:

@@ -15,13 +15,6 @@ from exactsweep.conform.judge.boundary import (
     subtract_fits,
     trace_rings,
 )
-from exactsweep.conform.judge.closeness import (
-    are_boundaries_close,
-    covers,
-    is_close,
-    is_near,
-    take_pairs,
-)
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.distance import bound_distance
 from exactsweep.conform.judge.fits import judge_fits
@@ -31,6 +24,7 @@ from exactsweep.conform.judge.region import (
     add_areas,
     find_differences,
 )
+from exactsweep.conform.judge.rounded import match_rounded, name_joint
 from exactsweep.conform.judge.rounding import grant_rounding, limit_claim, name_arithmetic
 from exactsweep.conform.judge.verdict import (
     LOOPS,
@@ -61,14 +55,12 @@ from exactsweep.geometry.overlap import EdgeIndex, Relation, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import quote, tells_arguments
-from exactsweep.numbers.number import Fit, Loop, Point
-from exactsweep.words import write_pair
+from exactsweep.numbers.number import Fit, Loop
 
 MOST_MEASURED = 3000
 """The most edges, exact and theirs together, of loops whose area and distance are measured."""
 MOST_PAIRS = 20_000
 """The most pairs of rings that are near each other which are examined for overlap: some seconds."""
-_NUMBERS = {2: "two", 3: "three", 4: "four"}
 _MOST_SHOWN = 100
 """The number of places that are enough to choose a witness from."""
 
@@ -214,7 +206,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         kind = "whisker" if on_fits else ""
         reason = "exact fits are traced by the loop" if kind else ""
         return _same(name, Verdict.EQUIVALENT, reason, kind), on_fits
-    traced = _match_rounded(boundary, right, fits, rounding)
+    traced = match_rounded(boundary, right, fits, rounding)
     if traced is not None:
         return _measure_rounded(case, name, loop.rings, boundary, traced, rounding), traced
     rings, fault = loop.rings, find_fault(loop.rings, f"$.{name}")
@@ -254,27 +246,6 @@ def _meet(one: EdgeIndex, other: EdgeIndex) -> bool:
     return relate(one, other, 0, 0)[0] is Relation.OVERLAP
 
 
-def _match_rounded(
-    theirs: RingBoundary, exact: RingBoundary, fits: Sequence[Fit], rounding: Fraction
-) -> list[Fit] | None:
-    """Return the fits that rings trace if they are the exact ones except for rounding, or None."""
-    if not rounding:
-        return None
-    known = [*exact.solid, *fits]
-    near = [line for line in theirs.doubled if covers(known, [line], rounding)]
-    far = [line for line in theirs.doubled if line not in near]
-    if not (
-        are_bridges(far, [*theirs.solid, *near])
-        and are_boundaries_close(exact, theirs, rounding, fits)
-    ):
-        return None
-    if not fits:
-        return []
-    # Lines that are near fits, and nowhere so near the loop, trace them.
-    lines = [line for line in (*theirs.solid, *near) if not covers(exact.solid, [line], rounding)]
-    return [fit for fit in fits if covers(lines, [fit], rounding)]
-
-
 def _measure_rounded(
     case: Case,
     name: str,
@@ -284,7 +255,7 @@ def _measure_rounded(
     rounding: Fraction,
 ) -> PartComparison:
     """Compare a loop that is the exact one except for rounding."""
-    joint = _name_joint(list_exact_rings(case, name), trace_rings(boundary), name, rounding)
+    joint = name_joint(list_exact_rings(case, name), trace_rings(boundary), name, rounding)
     said = ("rounded", "exact fits traced by the loop" if traced else "", joint)
     return replace(
         _measure(case, name, rings, None, (), rounding, is_rounded=True),
@@ -292,28 +263,6 @@ def _measure_rounded(
         reason=", ".join(filter(None, said)),
         kind="whisker" if traced else "",
     )
-
-
-def _name_joint(
-    exact: Sequence[Loop], theirs: Sequence[Loop], name: str, rounding: Fraction
-) -> str:
-    """Say which rings rounding has joined or parted, and where; "" if it has not."""
-    if len(exact) == len(theirs):
-        return ""
-    left = list[Sequence[Point]](theirs)
-    missing = list(take_pairs(exact, left, rounding))
-    is_joined = len(missing) > len(left)
-    several, verb = (missing, "joins") if is_joined else (left, "parts")
-    has_outer = name != "inner_fit" and exact[0] in missing
-    what = "rings" if has_outer or name == "inner_fit" else "holes"
-    for k, ring in enumerate(several):
-        edges = [(other[j - 1], p) for other in several[:k] for j, p in enumerate(other)]
-        place = next((p for p in ring if any(is_close(p, e, 2 * rounding) for e in edges)), None)
-        if place is not None:
-            corners = (p for one in exact for p in one if is_near(p, place, 2 * rounding))
-            at = write_pair(next(corners, place))
-            return f"the rounding {verb} {_NUMBERS.get(len(several), 'several')} {what} at {at}"
-    return f"the rounding leaves {len(theirs)} of {len(exact)} rings"
 
 
 def _measure(

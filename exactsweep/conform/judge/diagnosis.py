@@ -213,7 +213,7 @@ _SUMS = {
     "D itself": "a itself",
     "G itself": "-b",
 }
-"""What a diagnosis is of a Minkowski sum of a = D and b = -G."""
+"""Diagnoses in terms of a Minkowski sum of a = D and b = -G."""
 _GIVEN = "the reference point given"
 _USUAL = ("G's first vertex as reference", "G's origin as reference")
 _AXES = {

@@ -1,4 +1,4 @@
-"""What services for continuous integration show of a run: annotations and a badge."""
+"""Annotations and a badge of a run, for continuous integration."""
 
 from __future__ import annotations
 

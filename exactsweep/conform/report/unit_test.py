@@ -12,7 +12,7 @@ from exactsweep.numbers.number import PointRings
 
 
 class _Language(NamedTuple):
-    """How a language writes rings.
+    """The notation of rings in a language.
 
     Attributes:
         pattern: of a command or a name of a program in it.

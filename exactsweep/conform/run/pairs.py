@@ -29,7 +29,7 @@ from exactsweep.words import suggest
 
 
 class _PairForm(NamedTuple):
-    """How a JSON document writes a pair.
+    """The members of a JSON document that is a pair.
 
     Attributes:
         stays: the member that is D.
