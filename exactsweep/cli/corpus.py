@@ -162,17 +162,8 @@ def layouts_command(name: str | None, as_json: bool) -> None:
     default="json",
     help="The format; by default json.",
 )
-@click.option(
-    "--all",
-    "whole",
-    is_flag=True,
-    help="Write the whole corpus as a folder: JSON lines by theme, schema, checksums, licence, a "
-    "page on how to read a case, and a small reader in each of six languages.",
-)
 @takes_output
-def export_command(
-    whole: bool, names: tuple[str, ...], filters: dict[str, Any], form: str, output: str
-) -> None:
+def export_command(names: tuple[str, ...], filters: dict[str, Any], form: str, output: str) -> None:
     """Write cases for other programs.
 
     An ID names a case. gen-FAMILY-SEED-NUMBER names a generated case, and the beginning of an id,
@@ -193,15 +184,9 @@ def export_command(
     Example:
       exactsweep corpus export directions --to svg -o directions.svg
     """
-    from exactsweep.corpus import export, publish
+    from exactsweep.corpus import export
     from exactsweep.corpus.case_json import case_to_line
 
-    if whole:
-        if names or _is_any(filters) or form != "json":
-            raise click.UsageError("--all goes with -o alone.")
-        folder = Path(f"exactsweep-corpus-{publish.VERSION}" if output == "-" else output)
-        click.echo(f"{folder}: {count(publish.write_corpus(folder), 'file')}", err=True)
-        return
     writers: dict[str, Callable[[Iterable[Case]], Iterable[str]]] = {
         "json": partial(map, case_to_line),
         "wkt": export.cases_to_wkt,
@@ -211,6 +196,24 @@ def export_command(
     parts = writers[form](_choose(names, filters))
     for text in parts if output == "-" else ["".join(parts)]:
         write(text, output)
+
+
+@corpus_command.command("release")
+@takes_output
+def release_command(output: str) -> None:
+    """Write the whole corpus as a folder of data, for programs in any language.
+
+    The folder has the cases as JSON lines by theme, the schema, a page on how to read a case, a
+    small reader in each of six languages, the changelog, the licence, and checksums. By default it
+    is exactsweep-corpus-VERSION. A version never changes: later ones only add cases.
+
+    Example:
+      exactsweep corpus release -o answers
+    """
+    from exactsweep.corpus import publish
+
+    folder = Path(f"exactsweep-corpus-{publish.VERSION}" if output == "-" else output)
+    click.echo(f"{folder}: {count(publish.write_corpus(folder), 'file')}", err=True)
 
 
 @corpus_command.command("generate")
