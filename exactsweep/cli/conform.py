@@ -130,18 +130,18 @@ def conform_command(
       exactsweep conform --pairs parts.svg -- node adapter.js
     """
     from exactsweep.conform.report.text import write_counts
-    from exactsweep.conform.run.cases import (
+    from exactsweep.conform.run.journal import Journal
+    from exactsweep.conform.run.pool import Judges
+    from exactsweep.conform.run.process import Terms
+    from exactsweep.conform.run.runner import judge_cases
+    from exactsweep.corpus.pairs import read_pairs
+    from exactsweep.corpus.selection import (
         SelectionError,
         read_cases,
         read_filters,
         require_distinct,
         select,
     )
-    from exactsweep.conform.run.journal import Journal
-    from exactsweep.conform.run.pairs import read_pairs
-    from exactsweep.conform.run.pool import Judges
-    from exactsweep.conform.run.process import Terms
-    from exactsweep.conform.run.runner import judge_cases
     from exactsweep.corpus.shipped import cases, list_summaries, require_start
 
     if path is not None and pairs is not None:

@@ -9,9 +9,9 @@ import pytest
 from command import refusal, run
 from judged import CONVEX, CORRECT, FAULTY, SLOT, SQUARE
 
-from exactsweep.conform.run.cases import require_distinct
-from exactsweep.conform.run.pairs import read_case, read_pairs
 from exactsweep.corpus import Case, case_to_json, find_case
+from exactsweep.corpus.pairs import read_case, read_pairs
+from exactsweep.corpus.selection import require_distinct
 from exactsweep.formats import FormatError
 
 SVG = '<svg><rect id="plate" width="6" height="4"/><circle id="disc" r="1"/></svg>'

@@ -10,9 +10,9 @@ from judged import CONVEX, SQUARE
 
 from exactsweep import Polygon, Region, no_fit_polygon
 from exactsweep.conform import conform
-from exactsweep.conform.run.cases import SelectionError, read_filters, select
 from exactsweep.conform.run.peer import make_plain
 from exactsweep.corpus import Case, cases
+from exactsweep.corpus.selection import SelectionError, read_filters, select
 from exactsweep.corpus.shipped import list_summaries
 
 NOTCHED = [(0, 0), (9, 0), (9, 5), (7, 2), (4, 5), (0, 5)]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.cases import require_distinct
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import Outcome, digest_case, judge_case, shrink_outcome
 from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
@@ -14,6 +13,7 @@ from exactsweep.conform.run.protocol import make_hello
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import ACCEPTED
 from exactsweep.corpus import Case
+from exactsweep.corpus.selection import require_distinct
 from exactsweep.numbers.error import tells_arguments
 
 TO_MAKE_SMALLER = 20.0

@@ -9,8 +9,10 @@ from itertools import product
 from pathlib import Path
 from typing import BinaryIO, NamedTuple, Unpack
 
-from exactsweep.conform.run.cases import read_lines
-from exactsweep.corpus import Case, case_from_json, find_case
+from exactsweep.corpus.case import Case
+from exactsweep.corpus.case_json import case_from_json
+from exactsweep.corpus.selection import read_lines
+from exactsweep.corpus.shipped import find_case
 from exactsweep.formats import FormatError, read_text, show_path
 from exactsweep.formats.candidate import Candidate, choose
 from exactsweep.formats.exact_json import (

@@ -1,15 +1,15 @@
-"""Selection of the cases for an implementation, from the corpus or a stream."""
+"""Selection of cases, from the corpus or a file."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, BinaryIO
 
-from exactsweep.conform.run.protocol import read_object
-from exactsweep.corpus import Case, case_from_json
-from exactsweep.corpus.case import KINDS
+from exactsweep.corpus.case import KINDS, Case
+from exactsweep.corpus.case_json import case_from_json
 from exactsweep.corpus.shipped import to_names
 from exactsweep.formats import FormatError, show_path
+from exactsweep.formats.exact_json import parse_certificate
 from exactsweep.formats.files import open_bytes, split_lines
 from exactsweep.formats.size import require_size
 from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
@@ -101,7 +101,9 @@ def read_cases(path: str) -> Iterator[Case]:
         FormatError: not to be read, or a line that is no case; the message names the file and line.
     """
     with open_bytes(path) as file:
-        yield from read_lines(file, path, lambda number, line: case_from_json(read_object(line)))
+        yield from read_lines(
+            file, path, lambda number, line: case_from_json(parse_certificate(line))
+        )
 
 
 def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> Iterator[Case]:
