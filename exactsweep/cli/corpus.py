@@ -97,7 +97,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
             rows = (
                 (case.id, case.kind, f"{case.size:3}", case.title)
                 for start in starts
-                for case in list_summaries(prefix=require_start(start), **filters)
+                for case in list_summaries(prefix=require_start(start, *_LISTS), **filters)
             )
     write(_columns([*rows]), "-")
 
@@ -264,7 +264,7 @@ def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:
     found: list[Iterable[Case]] = [
         [find_case(name)]
         if name in ids or name.startswith("gen-")
-        else cases(prefix=require_start(name), **filters)
+        else cases(prefix=require_start(name, *_LISTS), **filters)
         for name in names or ("",)
     ]
     return chain.from_iterable(found)

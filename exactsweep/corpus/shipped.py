@@ -142,15 +142,19 @@ def read_schema() -> str:
     return files("exactsweep.corpus").joinpath("schema.json").read_text(encoding="utf-8")
 
 
-def require_start(name: str) -> str:
+def require_start(name: str, *others: str) -> str:
     """Return the beginning of ids of shipped cases.
+
+    Args:
+        name: the beginning.
+        others: further words that may be meant.
 
     Raises:
         UnknownNameError: no id begins so; the message suggests a theme or an id.
     """
     ids = list_ids()
     if not any(id.startswith(name) for id in ids):
-        require_known(name, [*themes(), *ids], "theme or case")
+        require_known(name, [*others, *themes(), *ids], "theme or case")
     return name
 
 

@@ -208,7 +208,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         return _same(name, Verdict.EQUIVALENT, reason, kind), on_fits
     traced = match_rounded(boundary, right, fits, rounding)
     if traced is not None:
-        return _measure_rounded(case, name, loop.rings, boundary, traced, rounding), traced
+        return _measure_rounded(case, name, boundary, traced, rounding), traced
     rings, fault = loop.rings, find_fault(loop.rings, f"$.{name}")
     if fault is not None and is_bridged:
         plain = tuple(trace_rings(boundary))
@@ -249,16 +249,16 @@ def _meet(one: EdgeIndex, other: EdgeIndex) -> bool:
 def _measure_rounded(
     case: Case,
     name: str,
-    rings: Sequence[Loop],
     boundary: RingBoundary,
     traced: Sequence[Fit],
     rounding: Fraction,
 ) -> PartComparison:
     """Compare a loop that is the exact one except for rounding."""
-    joint = name_joint(list_exact_rings(case, name), trace_rings(boundary), name, rounding)
+    plain = tuple(trace_rings(boundary))
+    joint = name_joint(list_exact_rings(case, name), plain, name, rounding)
     said = ("rounded", "exact fits traced by the loop" if traced else "", joint)
     return replace(
-        _measure(case, name, rings, None, (), rounding, is_rounded=True),
+        _measure(case, name, plain, None, (), rounding, is_rounded=True),
         verdict=Verdict.WITHIN,
         reason=", ".join(filter(None, said)),
         kind="whisker" if traced else "",

@@ -154,7 +154,9 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
 def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
     """Name loops of the case that are not the one asked for."""
     case, exact = theirs.case, theirs.exact
-    for other, words in LOOP_NAMES.items() if theirs.name != SUM else ():
+    for other, words in LOOP_NAMES.items():
+        if SUM in (other, theirs.name):
+            continue
         loop = list_exact_rings(case, other)
         if loop not in ((), exact) and theirs.are(loop):
             yield f"exact for the {words} instead"
