@@ -22,10 +22,10 @@ from typing import Any, NamedTuple
 from rich.table import Table
 
 from benchmarks.clock import milliseconds
+from benchmarks.peers.adapters import MissingError
 from benchmarks.peers.cgal import compile_program
 from benchmarks.peers.process import run
 from exactsweep import Point, Region
-from exactsweep.conform.adapters import MissingError
 from exactsweep.layout import Layout, judge_layout
 
 SOURCE = Path(__file__).parent / "cgal" / "layouts.cpp"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from benchmarks.peers.adapters import load
+from benchmarks.peers.adapters.adapter import prepare_shape
 from benchmarks.peers.worker import Loop
-from exactsweep.conform.adapters import load
-from exactsweep.conform.adapters.adapter import prepare_shape
 from exactsweep.corpus.generator.shapes import Ring
 
 NAMES = ("pysfcgal", "shapely", "pyclipper", "klayout")

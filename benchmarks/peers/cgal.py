@@ -1,6 +1,6 @@
 """CGAL: its exact Minkowski sums by every strategy it has, timed in the program of the adapter.
 
-The program (`cgal_sums.cpp` in `exactsweep/conform/adapters`) times what is between reading exact
+The program (`cgal_sums.cpp` in `benchmarks/peers/adapters`) times what is between reading exact
 numbers and having exact coordinates of the result. The three loops are three runs: D + I(G); the
 result plus G; and the result eroded by I(G), each by the strategy that is fastest for it.
 """
@@ -15,13 +15,13 @@ from shutil import which
 from typing import NamedTuple
 
 from benchmarks.clock import Times
+from benchmarks.peers.adapters import MissingError
+from benchmarks.peers.adapters.cgal_sum import SOURCE, TAKE_HOLES
+from benchmarks.peers.adapters.names import CGAL_STRATEGIES
+from benchmarks.peers.adapters.program import write_shape
 from benchmarks.peers.process import StoppedError, TooSlowError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
-from exactsweep.conform.adapters import MissingError
-from exactsweep.conform.adapters.cgal_sum import SOURCE, TAKE_HOLES
-from exactsweep.conform.adapters.names import CGAL_STRATEGIES
-from exactsweep.conform.adapters.program import write_shape
 from exactsweep.geometry.canonical import PolygonError
 
 SECONDS = 0.5

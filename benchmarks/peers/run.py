@@ -20,10 +20,10 @@ from benchmarks.families import ANY_SHAPE, FAMILIES
 from benchmarks.outlines import list_outlines
 from benchmarks.peers import ours
 from benchmarks.peers.adapted import NAMES, version
+from benchmarks.peers.adapters import MissingError
 from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
-from exactsweep.conform.adapters import MissingError
 from exactsweep.corpus.generator.shapes import Ring
 
 OURS, CHECKED = "exactsweep", "with checks"

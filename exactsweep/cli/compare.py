@@ -57,8 +57,8 @@ def compare_command(
     from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import describe
     from exactsweep.conform.run.outcome import compare_in_time
-    from exactsweep.conform.run.pairs import read_case
     from exactsweep.conform.run.tally import fails
+    from exactsweep.corpus.pairs import read_case
 
     if case == result == "-":
         raise click.UsageError("Only one file can be read from standard input.")

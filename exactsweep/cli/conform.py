@@ -28,7 +28,27 @@ def _refuse_nan(seconds: float) -> float:
     return seconds
 
 
-@click.command("conform", context_settings={"allow_interspersed_args": False})
+class _ProgramCommand(click.Command):
+    """A command whose options end where a program begins, with options of its own."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Refuse options of this command that stand after the program, unless -- parts them."""
+        given = [*args]
+        rest = super().parse_args(ctx, args)
+        program: tuple[str, ...] = ctx.params.get("command") or ()
+        is_parted = "--" in given[: len(given) - len(program)]
+        own = {name for option in self.params for name in option.opts if name.startswith("--")}
+        for word in () if is_parted else program[1:]:
+            name = word.partition("=")[0]
+            if name in own:
+                raise click.UsageError(
+                    f"{name} stands after the program, which would get it. Write it before "
+                    f"{program[0]}; or write -- before {program[0]} if it is for the program."
+                )
+        return rest
+
+
+@click.command("conform", cls=_ProgramCommand, context_settings={"allow_interspersed_args": False})
 @click.argument("command", nargs=-1, required=True, type=click.UNPROCESSED)
 @click.option(
     "--filter",
@@ -37,7 +57,7 @@ def _refuse_nan(seconds: float) -> float:
     metavar="NAME=VALUE",
     shell_complete=offer(list_filters),
     help="Select cases: id=... by the beginning of the id, flag=..., class=CC to SS, size=... by "
-    "the largest number of vertices. May be repeated.",
+    "the largest number of vertices. May be repeated: any of the ids and classes, all flags.",
 )
 @takes_file("--cases path", "Cases as JSON lines; by default the corpus.")
 @takes_file(
@@ -96,9 +116,10 @@ def conform_command(
 ) -> None:
     """Judge a program by exact answers.
 
-    COMMAND is started, with its arguments, and gets a JSON case a line on its standard input; it
-    answers with a JSON result a line on its standard output. PROTOCOL.md in
-    exactsweep/conform describes the protocol. Write -- before COMMAND.
+    COMMAND is started, with all arguments that follow it, and gets a JSON case a line on its
+    standard input; it answers with a JSON result a line on its standard output. PROTOCOL.md in
+    exactsweep/conform describes the protocol. Options of this command stand before COMMAND, with
+    -- between them.
 
     Prints how many cases of each class and flag got which verdict, and each fault with its smallest
     case. The exit code is 0 if no verdict is worse than --accept, the program ended well, and
@@ -109,25 +130,25 @@ def conform_command(
       exactsweep conform --pairs parts.svg -- node adapter.js
     """
     from exactsweep.conform.report.text import write_counts
-    from exactsweep.conform.run.cases import (
+    from exactsweep.conform.run.journal import Journal
+    from exactsweep.conform.run.pool import Judges
+    from exactsweep.conform.run.process import Terms
+    from exactsweep.conform.run.runner import judge_cases
+    from exactsweep.corpus.pairs import read_pairs
+    from exactsweep.corpus.selection import (
         SelectionError,
         read_cases,
         read_filters,
         require_distinct,
         select,
     )
-    from exactsweep.conform.run.journal import Journal
-    from exactsweep.conform.run.pairs import read_pairs
-    from exactsweep.conform.run.pool import Judges
-    from exactsweep.conform.run.process import Terms
-    from exactsweep.conform.run.runner import judge_cases
-    from exactsweep.corpus.shipped import cases, list_summaries
+    from exactsweep.corpus.shipped import cases, list_summaries, require_start
 
     if path is not None and pairs is not None:
         raise click.UsageError("Give either --cases or --pairs.")
     if any(reading.values()) and pairs is None:
         raise click.UsageError("The options of how files are read go with --pairs.")
-    require_own_files([journal, reports.junit, reports.json, reports.html])
+    require_own_files([journal, *reports.list_files()])
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
     most = None if most_memory is None else most_memory * 2**20
@@ -137,6 +158,9 @@ def conform_command(
     given = read_cases(path) if path is not None else None
     if pairs is not None:
         given = read_pairs(pairs, **reading)
+    if given is None:
+        for prefix in wanted.get("prefix", ()):
+            require_start(prefix)
     if given is None and sys.stderr is not None and sys.stderr.isatty():
         total = sum(1 for _ in list_summaries(**wanted))
     chosen = cases(**wanted) if given is None else select(given, **wanted)

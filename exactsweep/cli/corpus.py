@@ -80,7 +80,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
       exactsweep corpus list families
     """
     from exactsweep.corpus import FAMILIES, notes, themes
-    from exactsweep.corpus.shipped import list_summaries
+    from exactsweep.corpus.shipped import list_summaries, require_start
 
     what = names[0] if len(names) == 1 and names[0] in _LISTS else "cases"
     starts = [prefix or ""] if names in ((), ("cases",)) else names
@@ -97,7 +97,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
             rows = (
                 (case.id, case.kind, f"{case.size:3}", case.title)
                 for start in starts
-                for case in list_summaries(prefix=_require_start(start), **filters)
+                for case in list_summaries(prefix=require_start(start, *_LISTS), **filters)
             )
     write(_columns([*rows]), "-")
 
@@ -162,17 +162,8 @@ def layouts_command(name: str | None, as_json: bool) -> None:
     default="json",
     help="The format; by default json.",
 )
-@click.option(
-    "--all",
-    "whole",
-    is_flag=True,
-    help="Write the whole corpus as a folder: JSON lines by theme, schema, checksums, licence, a "
-    "page on how to read a case, and a small reader in each of six languages.",
-)
 @takes_output
-def export_command(
-    whole: bool, names: tuple[str, ...], filters: dict[str, Any], form: str, output: str
-) -> None:
+def export_command(names: tuple[str, ...], filters: dict[str, Any], form: str, output: str) -> None:
     """Write cases for other programs.
 
     An ID names a case. gen-FAMILY-SEED-NUMBER names a generated case, and the beginning of an id,
@@ -193,15 +184,9 @@ def export_command(
     Example:
       exactsweep corpus export directions --to svg -o directions.svg
     """
-    from exactsweep.corpus import export, publish
+    from exactsweep.corpus import export
     from exactsweep.corpus.case_json import case_to_line
 
-    if whole:
-        if names or _is_any(filters) or form != "json":
-            raise click.UsageError("--all goes with -o alone.")
-        folder = Path(f"exactsweep-corpus-{publish.VERSION}" if output == "-" else output)
-        click.echo(f"{folder}: {count(publish.write_corpus(folder), 'file')}", err=True)
-        return
     writers: dict[str, Callable[[Iterable[Case]], Iterable[str]]] = {
         "json": partial(map, case_to_line),
         "wkt": export.cases_to_wkt,
@@ -211,6 +196,24 @@ def export_command(
     parts = writers[form](_choose(names, filters))
     for text in parts if output == "-" else ["".join(parts)]:
         write(text, output)
+
+
+@corpus_command.command("release")
+@takes_output
+def release_command(output: str) -> None:
+    """Write the whole corpus as a folder of data, for programs in any language.
+
+    The folder has the cases as JSON lines by theme, the schema, a page on how to read a case, a
+    small reader in each of six languages, the changelog, the licence, and checksums. By default it
+    is exactsweep-corpus-VERSION. A version never changes: later ones only add cases.
+
+    Example:
+      exactsweep corpus release -o answers
+    """
+    from exactsweep.corpus import publish
+
+    folder = Path(f"exactsweep-corpus-{publish.VERSION}" if output == "-" else output)
+    click.echo(f"{folder}: {count(publish.write_corpus(folder), 'file')}", err=True)
 
 
 @corpus_command.command("generate")
@@ -255,28 +258,16 @@ def schema_command() -> None:
 def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:
     """The cases of these names; the names are looked at at once, the cases one by one."""
     from exactsweep.corpus import cases, find_case
-    from exactsweep.corpus.shipped import list_ids
+    from exactsweep.corpus.shipped import list_ids, require_start
 
     ids = list_ids()
     found: list[Iterable[Case]] = [
         [find_case(name)]
         if name in ids or name.startswith("gen-")
-        else cases(prefix=_require_start(name), **filters)
+        else cases(prefix=require_start(name, *_LISTS), **filters)
         for name in names or ("",)
     ]
     return chain.from_iterable(found)
-
-
-def _require_start(name: str) -> str:
-    """Return the beginning of ids of cases; refuse one of none."""
-    from exactsweep.corpus import themes
-    from exactsweep.corpus.names import require_known
-    from exactsweep.corpus.shipped import list_ids
-
-    ids = list_ids()
-    if not any(id.startswith(name) for id in ids):
-        require_known(name, [*_LISTS, *themes(), *ids], "theme or case")
-    return name
 
 
 def _columns(rows: Sequence[tuple[str, ...]]) -> str:

@@ -17,25 +17,26 @@ from exactsweep.formats import FormatError, show_path
 def example_command(name: str | None, output: str) -> None:
     """Show programs to begin with, for 'exactsweep conform'.
 
-    Each of them speaks the protocol and does convex pairs only. Without NAME, their paths are
-    printed; with NAME, such as convex.py, the program, or it is copied by -o FILE.
+    Each speaks the protocol and has one function to replace with your own. Without NAME, the
+    command lists them, a line each; with NAME, such as doubles.cpp, it writes the program. The head
+    of a program says how to build it.
 
     Example:
       exactsweep example
-      exactsweep example convex.py -o adapter.py
+      exactsweep example doubles.cpp -o mine.cpp
     """
     from importlib.resources import files
 
+    from exactsweep.conform.examples import SUMMARIES
     from exactsweep.corpus.names import require_known
 
-    folder = files("exactsweep.conform.examples")
-    programs = {entry.name: entry for entry in folder.iterdir() if entry.name.startswith("convex.")}
     if name is None:
-        write("".join(f"{programs[each]}\n" for each in sorted(programs)), output)
+        width = max(map(len, SUMMARIES))
+        lines = (f"{each.ljust(width)}  {words}\n" for each, words in SUMMARIES.items())
+        write("".join(lines), output)
         return
+    require_known(name, SUMMARIES, "example")
     if output != "-" and Path(output).exists():
         raise FormatError(f"{show_path(output)}: is there already")
-    write(
-        programs[require_known(name, sorted(programs), "example")].read_text(encoding="utf-8"),
-        output,
-    )
+    program = files("exactsweep.conform.examples").joinpath(name)
+    write(program.read_text(encoding="utf-8"), output)

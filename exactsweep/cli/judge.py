@@ -30,10 +30,10 @@ def judge_command(path: str | None, reports: Reports) -> None:
     Example:
       exactsweep judge --cases cases.jsonl
     """
-    from exactsweep.conform.run.cases import read_cases, require_distinct
     from exactsweep.conform.run.stream import Stream
     from exactsweep.corpus import Case, find_case
     from exactsweep.corpus.names import require_known
+    from exactsweep.corpus.selection import read_cases, require_distinct
 
     if path == "-":
         raise click.UsageError("Standard input is for the answers; give the cases as a file.")

@@ -41,16 +41,22 @@ class Reports:
     junit: str | None
     json: str | None
     html: str | None
+    badge: str | None
+    annotations: bool
 
     def __post_init__(self) -> None:
         """Refuse, before a long run, what would fail after it."""
-        paths = [path for path in (self.junit, self.json, self.html) if path is not None]
+        paths = [path for path in self.list_files() if path is not None]
         if paths.count("-") > 1:
             raise click.UsageError("Only one report can go to standard output.")
         require_own_files(paths)
         for path in paths:
             if path != "-" and not Path(path).parent.is_dir():
                 raise FormatError(f"{show_path(path)}: its folder is not there")
+
+    def list_files(self) -> list[str | None]:
+        """The files, None where one is not asked for."""
+        return [self.junit, self.json, self.html, self.badge]
 
     def begin(self, hello: Hello, command: Sequence[str] = ()) -> Run:
         """Begin a run that is measured so."""
@@ -69,7 +75,7 @@ class Reports:
         """
         from exactsweep.conform.report.text import close, write_table
 
-        if "-" not in (self.junit, self.json, self.html):
+        if "-" not in self.list_files():
             columns = measure_columns("-")
             closing = close(run, is_timed=columns is not None)
             write(f"{write_table(run.summary, columns)}\n{closing}", "-")
@@ -83,6 +89,13 @@ class Reports:
             from exactsweep.conform.report.html import write_html
 
             write(write_html(run), self.html)
+        if self.badge is not None or self.annotations:
+            from exactsweep.conform.report.ci import write_annotations, write_badge
+
+            if self.badge is not None:
+                write(write_badge(run), self.badge)
+            if self.annotations:
+                click.echo(write_annotations(run), nl=False, err="-" in self.list_files())
         sys.exit(0 if run.passed else 1)
 
 
@@ -143,5 +156,9 @@ takes_reports = gather(
     takes_file("--junit", "Write JUnit XML, for CI."),
     takes_file("--json", "Write all outcomes as JSON."),
     takes_file("--html", "Write a page with a picture of each failure."),
+    takes_file("--badge", "Write how many answers are exact, as JSON for a badge."),
+    click.option(
+        "--annotations", is_flag=True, help="Print the first failures as GitHub Actions shows them."
+    ),
 )
 """Gives a command the options of its reports, as `reports`."""

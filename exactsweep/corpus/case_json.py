@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -17,6 +17,7 @@ from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.error import name_refusals, quote, tells_arguments
 from exactsweep.numbers.number import Fit, Loop
+from exactsweep.words import suggest
 
 
 @tells_arguments
@@ -95,7 +96,7 @@ def case_from_json(data: object) -> Case:
     Raises:
         CaseError: anything else, and a case that `case_to_json` would write otherwise: with
             numbers that are not reduced, loops that are not canonical, counts or number types that
-            contradict the rest. The message starts with the path to what is wrong.
+            contradict the rest, unknown members. The message starts with the path to what is wrong.
 
     Cost: linear, and O(n log n) for each polygon.
 
@@ -185,6 +186,12 @@ def _require_same(right: Any, found: JsonNode) -> None:
     if isinstance(right, dict):
         for name, part in right.items():
             _require_same(part, found / name)
+        assert isinstance(found.value, Mapping)
+        defaults = _DEFAULTS if found.path == "$" else {}
+        for name, value in found.value.items():
+            if name not in right and (name not in defaults or value not in (None, defaults[name])):
+                known = (*right, *defaults)
+                raise CaseError(f"{found.path} has {quote(name)}{suggest(name, known)}")
         return
     value = found.value
     if isinstance(right, list) and isinstance(value, list) and len(right) == len(value):
@@ -192,6 +199,15 @@ def _require_same(right: Any, found: JsonNode) -> None:
             _require_same(part, other)
     elif value != right:
         raise CaseError(f"{found.path} is not {quote(right)}")
+
+
+_DEFAULTS: dict[str, object] = {
+    "version": 1,
+    "note": "",
+    "directrix_holes": [],
+    "generatrix_holes": [],
+}
+"""Members that a case may have even where `case_to_json` leaves them out."""
 
 
 def _types(held: Iterable[str]) -> list[str]:

@@ -12,6 +12,11 @@ from exactsweep.corpus.shipped import cases, read_schema, themes
 
 VERSION = 3
 """The version of the corpus. New cases increase it; existing cases never change."""
+_ANSWERED = (
+    *("id", "class", "directrix", "directrix_holes", "generatrix", "generatrix_holes"),
+    *("reference", "expected"),
+)
+"""The members of a case that are digested: the question and the answers."""
 
 
 def write_corpus(folder: Path) -> int:
@@ -22,7 +27,7 @@ def write_corpus(folder: Path) -> int:
 
     Returns:
         The number of files: cases by theme as JSON lines, the schema, notes on flags, a page on how
-        to read a case, the licence, a reader in each of six languages, checksums.
+        to read a case, the changelog, the licence, a reader in each of six languages, checksums.
 
     Raises:
         OSError: a file cannot be written.
@@ -37,6 +42,30 @@ def write_corpus(folder: Path) -> int:
         sums.append(f"{sha256(data).hexdigest()}  {name}\n")
     (folder / "SHA256SUMS").write_text("".join(sums), encoding="utf-8", newline="")
     return len(sums) + 1
+
+
+def digest_release(version: int) -> str:
+    """Return the SHA-256 of all questions and answers of a version, for `release/versions.json`.
+
+    Args:
+        version: at most VERSION.
+
+    Returns:
+        That of the cases up to this version, sorted by id, each a line of JSON without blanks, its
+        members sorted and only those that ask and answer.
+
+    Cost: linear.
+    """
+    lines = sorted(
+        json.dumps(
+            {name: value for name, value in case_to_json(case).items() if name in _ANSWERED},
+            sort_keys=True,
+            separators=(",", ":"),
+        )
+        for case in cases()
+        if case.version <= version
+    )
+    return sha256("".join(f"{line}\n" for line in lines).encode()).hexdigest()
 
 
 def _list_files() -> Iterator[tuple[str, bytes]]:

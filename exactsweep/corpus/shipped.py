@@ -31,17 +31,18 @@ def themes() -> dict[str, str]:
 @tells_arguments
 def cases(
     *,
-    prefix: str = "",
+    prefix: str | Iterable[str] = "",
     flags: Iterable[str] = (),
-    kind: str | None = None,
+    kind: str | Iterable[str] | None = None,
     max_size: int | None = None,
 ) -> Iterator[Case]:
     """Yield the shipped cases, in the order of themes, reading them one by one.
 
     Args:
-        prefix: how the id starts; the name of a theme and a hyphen give that theme.
+        prefix: how the id starts, or several such beginnings; the name of a theme and a hyphen
+            give that theme.
         flags: flags that the case must all have.
-        kind: "CC", "CM", "MM" or "SS".
+        kind: "CC", "CM", "MM" or "SS", or several of these.
         max_size: the most vertices of D and G together.
 
     Returns:
@@ -80,23 +81,36 @@ def list_summaries(**filters: Any) -> Iterator[Summary]:
 
 
 def _match(
-    prefix: str = "",
+    prefix: str | Iterable[str] = "",
     flags: Iterable[str] = (),
-    kind: str | None = None,
+    kind: str | Iterable[str] | None = None,
     max_size: int | None = None,
 ) -> Iterator[dict[str, Any]]:
-    if not (isinstance(prefix, str) and isinstance(max_size, int | None)):
+    prefixes, kinds = to_names(prefix), to_names(KINDS if kind is None else kind)
+    if not isinstance(max_size, int | None):
         raise TypeError  # here, and not where the first case is asked for
     wanted = {require_known(flag, notes(), "flag") for flag in flags}
-    if kind is not None:
-        require_known(kind, KINDS, "class")
+    for one in kinds:
+        require_known(one, KINDS, "class")
     return (
         data
-        for data in _entries(prefix)
+        for data in _entries(prefixes)
         if wanted <= set(data["flags"])
-        and kind in (None, data["class"])
+        and data["class"] in kinds
         and (max_size is None or _size(data) <= max_size)
     )
+
+
+def to_names(given: str | Iterable[str]) -> tuple[str, ...]:
+    """Return one name, or several, as a tuple; raise TypeError if one is no str.
+
+    >>> to_names("CC"), to_names(["CC", "CM"])
+    (('CC',), ('CC', 'CM'))
+    """
+    names = (given,) if isinstance(given, str) else tuple(given)
+    if not all(isinstance(name, str) for name in names):
+        raise TypeError
+    return names
 
 
 def _size(data: dict[str, Any]) -> int:
@@ -115,12 +129,12 @@ def find_shipped_case(id: str) -> Case:
         'Figure 10: one tooth, two peaks and a tip of four flat edges'
     """
     require_known(id, list_ids(), "case")
-    return case_from_json(next(data for data in _entries(id) if data["id"] == id))
+    return case_from_json(next(data for data in _entries((id,)) if data["id"] == id))
 
 
 def list_ids() -> list[str]:
     """Return the ids of the shipped cases, in their order."""
-    return [data["id"] for data in _entries("")]
+    return [data["id"] for data in _entries(("",))]
 
 
 def read_schema() -> str:
@@ -128,11 +142,27 @@ def read_schema() -> str:
     return files("exactsweep.corpus").joinpath("schema.json").read_text(encoding="utf-8")
 
 
-def _entries(prefix: str) -> Iterator[dict[str, Any]]:
+def require_start(name: str, *others: str) -> str:
+    """Return the beginning of ids of shipped cases.
+
+    Args:
+        name: the beginning.
+        others: further words that may be meant.
+
+    Raises:
+        UnknownNameError: no id begins so; the message suggests a theme or an id.
+    """
+    ids = list_ids()
+    if not any(id.startswith(name) for id in ids):
+        require_known(name, [*others, *themes(), *ids], "theme or case")
+    return name
+
+
+def _entries(prefixes: tuple[str, ...]) -> Iterator[dict[str, Any]]:
     for name in _names():
         start = f"{name}-"
-        if start.startswith(prefix) or prefix.startswith(start):
-            yield from (data for data in _theme(name)["cases"] if data["id"].startswith(prefix))
+        if any(start.startswith(prefix) or prefix.startswith(start) for prefix in prefixes):
+            yield from (data for data in _theme(name)["cases"] if data["id"].startswith(prefixes))
 
 
 @cache

@@ -103,7 +103,7 @@ class Effort:
         return Prng(f"{self.seed} {label}")
 
     def cases(self, count: int) -> int:
-        """Return how many cases to try where a check names a number: thrice that, or a tenth."""
+        """Return how many cases to try: three times `count`, or a thirtieth of that if quick."""
         return max(1, count // 10) if self.quick else 3 * count
 
     def sizes(self, first: int = 16, quick: int = 2, full: int = 4) -> list[tuple[int, int]]:

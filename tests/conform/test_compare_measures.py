@@ -13,6 +13,7 @@ from tiers import examples
 
 from exactsweep import Point, Polygon
 from exactsweep.check.location import locate
+from exactsweep.conform.judge.closeness import are_close
 from exactsweep.conform.judge.distance import (
     LoopEdge,
     Place,
@@ -21,7 +22,6 @@ from exactsweep.conform.judge.distance import (
     bound_distance,
 )
 from exactsweep.conform.judge.region import RegionError, add_areas, find_differences, find_simplest
-from exactsweep.conform.judge.walk import walk_together
 from exactsweep.geometry.distance import measure_to_edge
 
 Ring = Sequence[Point]
@@ -255,55 +255,93 @@ def test_an_irrational_distance_is_bounded() -> None:
 
 @patient
 @given(polygons(), st.data())
-def test_a_loop_whose_vertices_are_moved_can_be_walked_along(
-    ring: Ring, data: st.DataObject
-) -> None:
+def test_a_loop_whose_vertices_are_moved_is_close(ring: Ring, data: st.DataObject) -> None:
     small = st.fractions(Fraction(-9, 10), Fraction(9, 10), max_denominator=10)
     moved = [Point(x + data.draw(small), y + data.draw(small)) for x, y in ring]
     k = data.draw(st.integers(0, len(moved) - 1))
     turned = [*moved[k:], *moved[:k]]
-    assert walk_together(ring, turned, Fraction(1))
-    assert walk_together(ring, [ring[0], *ring, ring[-1]], Fraction(1, 10**9))
-    if any(p != q for p, q in zip(ring, moved, strict=True)):
-        far = [Point(x + 2, y) for x, y in moved]
-        assert not walk_together(ring, far, Fraction(1))
+    for other in (turned, turned[::-1]):
+        assert are_close([ring], [other], Fraction(1))
+        assert are_close([other], [ring], Fraction(1))
+    assert are_close([ring], [[ring[0], *ring, ring[-1]]], Fraction(1, 10**9))
+    far = [Point(x + 2, y) for x, y in moved]
+    assert not are_close([ring], [far], Fraction(1))
+
+
+@patient
+@given(polygons(), polygons(), st.fractions(Fraction(1, 9), 9, max_denominator=9))
+def test_close_regions_are_close_at_many_places(one: Ring, other: Ring, bound: Fraction) -> None:
+    """The definition, tried at places of the boundaries and of the trapezoids between."""
+    if not are_close([one], [other], bound):
+        return
+    for ring, target in ((one, other), (other, one)):
+        for a, b in pairwise([*ring, ring[0]]):
+            for k in range(8):
+                share = Fraction(k, 8)
+                p = Point(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y))
+                assert measure(p, target) < bound
+    for cell in find_differences([one], [other]):
+        for p in cell.points():
+            assert min(measure(p, one), measure(p, other)) < bound / 2
+
+
+def measure(p: Point, ring: Ring) -> Fraction:
+    """The distance of a point from a ring, by the larger of the differences in x and in y."""
+    return min(measure_edge(p, a, b) for a, b in pairwise([*ring, ring[0]]))
+
+
+def measure_edge(p: Point, a: Point, b: Point) -> Fraction:
+    """Convex along an edge, so least at an end, or where two of the differences are equal."""
+    (u, v), (x, y) = (b.x - a.x, b.y - a.y), (a.x - p.x, a.y - p.y)
+    lines = ((u, x), (v, y), (u - v, x - y), (u + v, x + y))
+    shares = (-start / step for step, start in lines if step)
+    places = [Fraction(0), Fraction(1), *(t for t in shares if 0 < t < 1)]
+    return min(max(abs(x + t * u), abs(y + t * v)) for t in places)
 
 
 @pytest.mark.parametrize(
     ("ring", "bound", "found"),
     [
-        # A corner cut by one in x: the walk stays below two.
+        # A corner cut by one in x and in y: its middle is a half from either edge.
         (points((1, 0), (4, 0), (4, 4), (0, 4), (0, 1)), "1/2", False),
-        (points((1, 0), (4, 0), (4, 4), (0, 4), (0, 1)), "51/100", True),
+        (points((1, 0), (4, 0), (4, 4), (0, 4), (0, 1)), "101/100", True),
         # The bound itself is too far.
         (points((-1, 0), (4, 0), (4, 4), (0, 4)), "1", False),
         (points((-1, 0), (4, 0), (4, 4), (0, 4)), "1001/1000", True),
         # A slot that is narrow and deep, and one that is narrow and shallow.
         (points((0, 0), (4, 0), (4, 4), (2, 4), (2, 1), ("19/10", 4), (0, 4)), "1", False),
         (points((0, 0), (4, 0), (4, 4), (2, 4), (2, "7/2"), ("19/10", 4), (0, 4)), "1", True),
-        # Near everywhere, and the other way round.
-        (SQUARE[::-1], "1", False),
+        # The other way round; the same place three times; and twice, which encloses nothing.
+        (SQUARE[::-1], "1", True),
+        (SQUARE * 3, "1", True),
+        (SQUARE * 2, "1", False),
     ],
 )
-def test_walks_by_hand(ring: Ring, bound: str, found: bool) -> None:
-    assert walk_together(SQUARE, ring, Fraction(bound)) is found
+def test_closeness_by_hand(ring: Ring, bound: str, found: bool) -> None:
+    assert are_close([SQUARE], [ring], Fraction(bound)) is found
 
 
-def test_a_walk_may_not_turn_back() -> None:
-    # A zigzag of depth 2 along an edge is near it everywhere, but goes back on the way.
-    zigzag = points((0, 0), (3, 0), (1, "1/100"), (4, "1/50"), (4, 4), (0, 4))
-    assert not walk_together(SQUARE, zigzag, Fraction(99, 100))
-    assert walk_together(SQUARE, zigzag, Fraction(101, 100))
+def test_a_band_along_the_boundary_is_not_the_region() -> None:
+    """All of its boundary is near, on both sides; what it encloses is not."""
+    e = Fraction(1, 100)
+    inner = points((e, e), (4 - e, e), (4 - e, 4 - e), (e, 4 - e))
+    assert not are_close([SQUARE], [SQUARE, inner], Fraction(1, 10))
+    assert are_close([SQUARE], [SQUARE, inner], Fraction(5))
 
 
-def test_a_bound_that_is_large_beside_the_loops_is_given_up(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_difference_along_a_wall_of_pieces_is_thin() -> None:
+    """No one edge is near all of it."""
+    wall = points(*((Fraction(k % 2, 100), k) for k in range(5)))
+    straight = points((Fraction(1, 200), 0), (9, 0), (9, 4), (Fraction(1, 200), 4))
+    ragged = [*points((9, 0), (9, 4)), *wall[::-1]]
+    assert are_close([straight], [ragged], Fraction(1, 50))
+    assert not are_close([straight], [ragged], Fraction(1, 300))
+
+
+def test_a_difference_of_too_many_parts_is_not_close(monkeypatch: pytest.MonkeyPatch) -> None:
     ripple = [Point(Fraction(x), Fraction(x % 2)) for x in range(40)]
     ring = [*ripple, Point(Fraction(40), Fraction(9)), Point(Fraction(-1), Fraction(9))]
-    turned = [Point(x, y + 20) for x, y in ring]
-    assert walk_together(ring, turned, Fraction(21))
-    monkeypatch.setattr("exactsweep.conform.judge.walk.MAX_CELLS", 1000)
-    assert not walk_together(ring, turned, Fraction(21))
-    # Fewer cells are enough where edges are close to few others.
-    assert walk_together(ring, [Point(x, y + Fraction(1, 9)) for x, y in ring], Fraction(1, 8))
+    moved = [Point(x, y + Fraction(1, 9)) for x, y in ring]
+    assert are_close([ring], [moved], Fraction(1, 8))
+    monkeypatch.setattr("exactsweep.conform.judge.region.MAX_WORK", 10)
+    assert not are_close([ring], [moved], Fraction(1, 8))

@@ -1,15 +1,19 @@
 """The protocol as the README tells it, and the programs to begin with."""
 
 import json
+import os
 import re
 import shutil
 import subprocess
+import sys
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from command import ROOT, refusal, run, shell
-from judged import EXAMPLES
+from command import ROOT, refusal, run
+from judged import EXAMPLES, write_cases
+from shipped_cases import shipped_cases
 
 from exactsweep.conform.run.outcome import judge_answer
 from exactsweep.conform.run.peer import read_answer
@@ -44,44 +48,92 @@ def test_the_protocol_shows_what_a_case_asks() -> None:
     assert judge_answer(case, case, answer, said).verdict == "exact"
 
 
-@pytest.mark.long
-def test_the_javascript_example_is_exact_or_declines() -> None:
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("node is not installed")
-    program = [node, str(EXAMPLES / "convex.js")]
-    done = run("conform", "--filter", "class=CC", "--", *program)
-    assert done.exit_code == 0
-    assert re.match(r" +cases  exact\n", done.stdout)
-    piped = shell(f"exactsweep corpus export worked | {' '.join(program)} | exactsweep judge")
-    assert piped.returncode == 0
-    assert re.match(r" +cases  exact  unsupported\n", piped.stdout)
-
-
-def test_an_example_is_shown_and_copied(tmp_path: Path) -> None:
-    paths = [Path(line) for line in run("example").stdout.splitlines()]
-    assert [path.name for path in paths] == ["convex.cpp", "convex.js", "convex.py"]
-    for path in paths:
-        assert run("example", path.name).stdout == path.read_text(encoding="utf-8")
+def test_examples_are_listed_shown_and_copied(tmp_path: Path) -> None:
+    names = {path.name for path in EXAMPLES.iterdir() if path.is_file()} - {"__init__.py"}
+    assert {line.split()[0] for line in run("example").stdout.splitlines()} == names
+    for name in names:
+        assert run("example", name).stdout == (EXAMPLES / name).read_text(encoding="utf-8")
     mine = tmp_path / "mine.py"
     assert run("example", "convex.py", "-o", str(mine)).exit_code == 0
-    assert mine.read_bytes() == paths[2].read_bytes()
-    assert "is there already" in refusal(run("example", "convex.js", "-o", str(mine)))
-    assert mine.read_bytes() == paths[2].read_bytes()
+    assert mine.read_bytes() == (EXAMPLES / "convex.py").read_bytes()
+    assert "is there already" in refusal(run("example", "doubles.js", "-o", str(mine)))
+    assert mine.read_bytes() == (EXAMPLES / "convex.py").read_bytes()
     assert refusal(run("example", "convex.p")) == "no example 'convex.p'; did you mean 'convex.py'?"
 
 
-@pytest.mark.long
-def test_the_cpp_example_is_exact_or_declines(tmp_path: Path) -> None:
+# In doubles, any shape.
+
+PAIRS = [
+    # A slot, caves, a room, a hole in a hole's place, and coordinates that doubles only round.
+    *("worked-u-shape", "holes-room", "fits-square"),
+    *("jigsaw-triangles-slanted", "touching-edge", "vertical-wall-up-and-down"),
+]
+CRATES = Path("/usr/share/cargo/registry")
+"""Where Debian puts crates."""
+
+
+def build_cpp(folder: Path) -> list[str]:
     compiler = shutil.which("g++")
-    if compiler is None:
-        pytest.skip("g++ is not installed")
-    program = str(tmp_path / "convex")
+    if compiler is None or not header_is_there(compiler):
+        pytest.skip("g++ or nlohmann-json3-dev is not installed")
+    program = str(folder / "doubles")
     flags = ["-std=c++17", "-O1", "-Wall", "-Wextra", "-Werror"]
-    subprocess.run([compiler, *flags, "-o", program, str(EXAMPLES / "convex.cpp")], check=True)
-    done = run("conform", "--filter", "class=CC", "--", program)
-    assert done.exit_code == 0
-    assert re.match(r" +cases  exact  unsupported\n", done.stdout)
-    piped = shell(f"exactsweep corpus export worked | {program} | exactsweep judge")
-    assert piped.returncode == 0
-    assert re.match(r" +cases  exact  unsupported\n", piped.stdout)
+    subprocess.run([compiler, *flags, "-o", program, str(EXAMPLES / "doubles.cpp")], check=True)
+    return [program]
+
+
+def header_is_there(compiler: str) -> bool:
+    given = "#include <nlohmann/json.hpp>"
+    command = [compiler, "-fsyntax-only", "-x", "c++", "-"]
+    return not subprocess.run(command, input=given, text=True, capture_output=True).returncode
+
+
+def build_javascript(folder: Path) -> list[str]:
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("node is not installed")
+    return [node, str(EXAMPLES / "doubles.js")]
+
+
+def build_python(folder: Path) -> list[str]:
+    return [sys.executable, str(EXAMPLES / "doubles.py")]
+
+
+def build_rust(folder: Path) -> list[str]:
+    cargo = shutil.which("cargo")
+    if cargo is None or not any(CRATES.glob("serde_json-*")):
+        pytest.skip("cargo or librust-serde-json-dev is not installed")
+    (folder / "src").mkdir()
+    shutil.copy(EXAMPLES / "doubles.rs", folder / "src" / "main.rs")
+    manifest = '[package]\nname = "doubles"\nversion = "0.1.0"\nedition = "2021"\n'
+    (folder / "Cargo.toml").write_text(f'{manifest}[dependencies]\nserde_json = "1"\n')
+    source = f'source.crates-io.replace-with="d"\nsource.d.directory="{CRATES}"\n'
+    (folder / ".cargo").mkdir()
+    (folder / ".cargo" / "config.toml").write_text(source)
+    environment = {**os.environ, "RUSTFLAGS": "-D warnings"}
+    command = [cargo, "build", "--offline", "--quiet"]
+    subprocess.run(command, cwd=folder, env=environment, check=True)
+    return [str(folder / "target" / "debug" / "doubles")]
+
+
+BUILDS = [
+    pytest.param(build_python, id="python"),
+    pytest.param(build_javascript, id="javascript"),
+    pytest.param(build_cpp, id="cpp", marks=pytest.mark.long),
+    pytest.param(build_rust, id="rust", marks=pytest.mark.long),
+]
+
+
+@pytest.mark.parametrize("build", BUILDS)
+def test_examples_are_right_in_doubles_and_decline_what_is_large(
+    build: Callable[[Path], list[str]], tmp_path: Path
+) -> None:
+    program = build(tmp_path)
+    small = [case for case in shipped_cases() if case.size <= 9]
+    chosen = [case for case in small if "binary64" in case.representable][::12]
+    chosen += [case for case in shipped_cases() if case.id in PAIRS]
+    ring = [(k, k * k) for k in range(60)]
+    path = write_cases(tmp_path / "cases.jsonl", [*chosen, Case.of("large", "", ring, ring)])
+    done = run("conform", "--accept", "within", "--cases", path, "--", *program)
+    assert done.exit_code == 0, done.stdout
+    assert f"passed, {len(chosen)} of {len(chosen) + 1} cases judged" in done.stdout

@@ -12,6 +12,7 @@ from judged import HOSTILE, SQUARE
 
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.conform.run.outcome import judge_case
+from exactsweep.conform.run.peer import MAX_STDERR
 from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import ProtocolError
 from exactsweep.corpus import Case
@@ -86,7 +87,7 @@ def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> Non
         assert outcome.verdict == verdict
         assert reason in outcome.reason
     assert len(outcome.reason) < 300
-    assert len(outcome.stderr) <= 4096
+    assert len(outcome.stderr) <= MAX_STDERR
     assert peak() - before < 100 * MEGABYTES
     peer.kill()
 

@@ -9,9 +9,9 @@ import pytest
 from command import refusal, run
 from judged import CONVEX, CORRECT, FAULTY, SLOT, SQUARE
 
-from exactsweep.conform.run.cases import require_distinct
-from exactsweep.conform.run.pairs import read_pairs
-from exactsweep.corpus import Case
+from exactsweep.corpus import Case, case_to_json, find_case
+from exactsweep.corpus.pairs import read_case, read_pairs
+from exactsweep.corpus.selection import require_distinct
 from exactsweep.formats import FormatError
 
 SVG = '<svg><rect id="plate" width="6" height="4"/><circle id="disc" r="1"/></svg>'
@@ -62,6 +62,63 @@ def test_own_polygons_may_have_holes(tmp_path: Path) -> None:
     crossing = json.dumps({"directrix": {**plate, "holes": [ring]}, "generatrix": SQUARE})
     with pytest.raises(FormatError, match="hole 0"):
         list(read_pairs(write(tmp_path, crossing)))
+
+
+def test_holes_beside_the_polygon_are_holes_of_it(tmp_path: Path) -> None:
+    """These are the keys of the corpus, and of the lines that a program gets."""
+    case = find_case("holes-room")
+    data = case_to_json(case)
+    hole = data["directrix_holes"][0]
+    line = {k: data[k] for k in ("directrix", "directrix_holes", "generatrix", "reference")}
+    path = write(tmp_path, json.dumps({**line, "class": "SS", "ask": ["no_fit"]}))
+    assert [(one.holes, one.directrix_holes) for one in (*read_pairs(path), read_case(path))] == [
+        (case.holes, case.directrix_holes)
+    ] * 2
+    write(tmp_path, json.dumps(data))
+    assert [*read_pairs(path), read_case(path)] == [case, case]
+    within = {"exterior": data["directrix"], "holes": [hole]}
+    write(tmp_path, json.dumps({**line, "directrix": within}))
+    with pytest.raises(FormatError, match="directrix has holes of its own"):
+        read_case(path)
+
+
+@pytest.mark.parametrize("name", ["directrix_hole", "expect", "exact_fits"])
+def test_unknown_members_of_a_pair_are_refused_everywhere(tmp_path: Path, name: str) -> None:
+    path = write(tmp_path, json.dumps({**LINES[0], name: []}))
+    for read in (lambda: [*read_pairs(path)], lambda: read_case(path)):
+        with pytest.raises(FormatError, match=re.escape(f"$ has '{name}'")):
+            read()
+    data = case_to_json(find_case("fits-square"))
+    write(tmp_path, json.dumps({**data, name: []}))
+    with pytest.raises(ValueError, match=re.escape(f"$ has '{name}'")):
+        read_case(path)
+    data["expected"][f"{name}s"] = []
+    write(tmp_path, json.dumps(data))
+    with pytest.raises(ValueError, match=re.escape(f"$.expected has '{name}s'")):
+        read_case(path)
+
+
+def test_results_of_other_commands_are_cases(tmp_path: Path) -> None:
+    d, g = (write_file(tmp_path / name, ring) for name, ring in (("d", SLOT), ("g", SQUARE)))
+    of_slot = Case.of("", "", SLOT, SQUARE, (1, 2), inner_fit=True)
+    for command, first, second in (("sweep", g, d), ("nfp", d, g), ("ifp", d, g)):
+        path = str(tmp_path / command)
+        reference = ("--reference", "1", "2", "--json", "-o", path)
+        assert run(command, first, second, *reference).exit_code == 0
+        case = read_case(path)
+        assert (case.trajectory, case.exact_fits) == (of_slot.trajectory, of_slot.exact_fits)
+        inside = of_slot.inner_regions if command == "ifp" else None
+        assert case.inner_regions == inside
+        assert next(read_pairs(path)).trajectory == case.trajectory
+    placed = ("--placed", g, "--json", "-o", path)
+    assert run("ifp", d, g, *placed).exit_code == 0
+    with pytest.raises(FormatError, match="a case has no placed shapes"):
+        read_case(path)
+
+
+def write_file(path: Path, ring: object) -> str:
+    path.write_text(json.dumps(ring))
+    return str(path)
 
 
 def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:

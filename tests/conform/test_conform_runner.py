@@ -19,7 +19,6 @@ from judged import CORRECT, FAULTY, HOSTILE, SQUARE, WATCHED, write_cases
 
 from exactsweep import limits, sweep
 from exactsweep.conform import Verdict
-from exactsweep.conform.run.cases import SelectionError
 from exactsweep.conform.run.journal import Journal, JournalError
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.peer import CallablePeer
@@ -36,6 +35,7 @@ from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.runner import conform, judge_cases
 from exactsweep.conform.run.tally import Tally
 from exactsweep.corpus import Case, cases
+from exactsweep.corpus.selection import SelectionError
 from exactsweep.processes import lock
 
 LOOPS = ("trajectory", "inner", "outer")

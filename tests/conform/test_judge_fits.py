@@ -7,7 +7,7 @@ import pytest
 from strategies import points
 
 from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.fits import _places, _unite_to_one, trace_whiskers
+from exactsweep.conform.judge.fits import _places, _unite_to_one
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.judge.witness import NAME, at_position
 from exactsweep.corpus import Case
@@ -32,14 +32,6 @@ def test_fits_that_are_rounded_are_no_worse_than_none(to: Any) -> None:
     )
     assert answered.parts[1].kind == "rounded"
     assert answered.verdict == left_out.verdict == Verdict.WITHIN
-
-
-def test_a_fit_is_a_whisker_of_the_ring_that_it_hangs_on() -> None:
-    one, other = points((0, 0), (2, 0), (0, 2)), points((5, 0), (7, 0), (5, 2))
-    foot, tip = points((6, 0), (6, -1))
-    assert trace_whiskers([one, other], [(tip, foot)]) == (one, other)
-    a, b, c = other
-    assert trace_whiskers([one, other], [(foot, tip)]) == (one, (a, foot, tip, foot, b, c))
 
 
 def test_a_point_unites_with_the_end_of_a_segment_but_segments_do_not_at_an_end() -> None:

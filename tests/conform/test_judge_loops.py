@@ -1,5 +1,6 @@
 """Loops of answers: all rings count, rounding is what numbers hold there, mistakes are named."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -10,10 +11,10 @@ from shipped_cases import shipped_cases
 from tiers import examples
 
 from exactsweep import Point
+from exactsweep.conform.judge.closeness import are_close, take_pairs
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
-from exactsweep.conform.judge.walk import match_rings
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.vectors import find_hull, is_on_segment
@@ -109,8 +110,8 @@ def test_rounding_may_make_a_loop_flat_either_way(flat: list[tuple[int, int]]) -
     e = Fraction(1, 1000)
     rounded = [Point(Fraction(x), Fraction(y)) for x, y in flat]
     thin = [Point(Fraction(x), e * k) for x, k in ((0, 0), (4, 0), (2, 1), (3, 2))]
-    assert match_rings([thin], [rounded], Fraction(1, 100))
-    assert not match_rings([thin], [rounded], e)
+    assert are_close([thin], [rounded], Fraction(1, 100))
+    assert not are_close([thin], [rounded], e)
 
 
 def test_crossing_combs_are_wrong_whose_boxes_differ_already(
@@ -178,10 +179,61 @@ def test_sets_of_rings_are_matched_one_to_one() -> None:
     hole, other = ring((1, 1), (3, 1), (3, 3), (1, 3)), ring((5, 5), (7, 5), (7, 7), (5, 7))
     near = tuple(Point(x + Fraction(1, 9), y) for x, y in hole)
     bound = Fraction(1, 8)
-    assert match_rings([outer, hole, other], [other[::-1], near, outer], bound)
-    assert not match_rings([outer, hole, other], [outer, near, near], bound)
-    assert not match_rings([outer, hole, other], [outer, near], bound)
-    assert not match_rings([outer, hole, other], [outer, near, other], Fraction(1, 10))
+
+    def match(*rings: tuple[Point, ...], bound: Fraction = bound) -> tuple[int, int]:
+        left = list[Sequence[Point]](rings)
+        return len([*take_pairs([outer, hole, other], left, bound)]), len(left)
+
+    assert match(other[::-1], near, outer) == (0, 0)
+    assert match(outer, near, near) == (1, 1)
+    assert match(outer, near) == (1, 0)
+    assert match(outer, near, other, bound=Fraction(1, 10)) == (1, 1)
+
+
+# Rounding that changes which rings touch.
+
+
+WALLS = [(-2, -2), (8, -2), (8, 1), (4, 3), (8, 5), (8, 8), (-2, 8), (-2, 5), (2, 3), (-2, 1)]
+"""A hole of D with two tips, between which a diamond fits in one position, (3, 3)."""
+DIAMOND = [(0, -1), (1, 0), (0, 1), (-1, 0)]
+PINCH = Case.of(
+    "pinch", "", [(-4, -4), (10, -4), (10, 10), (-4, 10)], DIAMOND, directrix_holes=[WALLS]
+)
+
+
+def split_at(ring: tuple[Point, ...], p: Point) -> list[list[float]]:
+    """The rest of a ring that has a vertex at p, from there around to it."""
+    k = ring.index(p)
+    return [[float(c) for c in vertex] for vertex in (*ring[k + 1 :], *ring[:k])]
+
+
+@pytest.mark.parametrize("off", [2.0**-51, -(2.0**-51)])
+def test_a_pinch_opened_or_closed_by_an_ulp_is_rounding(off: float) -> None:
+    exterior, *holes = list_exact_rings(PINCH, "no_fit")
+    below, above = (split_at(hole, Point(Fraction(3), Fraction(3))) for hole in holes)
+    outer = [[float(c) for c in vertex] for vertex in exterior]
+    opened = [outer, [*below, [3.0 + off, 3.0], *above, [3.0, 3.0]]]
+    closed = [outer, [*below, [3.0, 3.0 + off]], [*above, [3.0 - off, 3.0]]]
+    for answer, said in ((opened, ", the rounding joins two holes at (3,3)"), (closed, "")):
+        part = judge(PINCH, answer, "no_fit", numbers="binary64")
+        assert (part.verdict, part.reason) == (Verdict.WITHIN, f"rounded{said}")
+    exactly = judge(PINCH, opened, "no_fit", rounding=Fraction(0))
+    assert exactly.verdict.severity > Verdict.WITHIN.severity
+    # A neck that is wider than what is granted is no rounding.
+    opened[1] = [*below, [3.001, 3.0], *above, [2.999, 3.0]]
+    far = judge(PINCH, opened, "no_fit", numbers="binary64")
+    assert far.verdict in (Verdict.UNSOUND, Verdict.WRONG)
+
+
+def test_a_neck_closed_by_rounding_is_named() -> None:
+    thin = Fraction(1, 2**50)
+    walls = [(x + thin * (p == (4, 3)), y) for p in WALLS for x, y in [p]]
+    case = Case.of("neck", "", PINCH.directrix_ring, DIAMOND, directrix_holes=[walls])
+    assert len(case.holes) == 1
+    rings = [[[float(c) for c in p] for p in ring] for ring in list_exact_rings(PINCH, "no_fit")]
+    part = judge(case, rings, "no_fit", numbers="binary64")
+    assert part.verdict is Verdict.WITHIN
+    assert part.reason.startswith("rounded, the rounding parts two holes at (")
 
 
 # Diagnoses.

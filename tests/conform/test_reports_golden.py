@@ -58,7 +58,7 @@ def make_run(accepted: Verdict) -> Run:
         d, g, reference = pair
         flags = ["identical"] if k % 5 == 1 else []
         case = Case.of(name, f"the case {k}", d, g, reference, flags)
-        peer = CallablePeer(lambda d, g, r, answer=answer: answer, hello)  # type: ignore[misc]
+        peer = CallablePeer(lambda d, g, r, answer=answer: answer, hello)
         outcome = replace(
             judge_case(peer, case),
             seconds=(7 * k % 11) / 8,

@@ -3,17 +3,21 @@
 import json
 import re
 import subprocess
+from dataclasses import replace
 from fractions import Fraction
 from hashlib import sha256
 from pathlib import Path
 from shutil import which
+from typing import Any
 
 import pytest
 from command import ROOT, refusal, run
 from shipped_cases import shipped_cases
 
-from exactsweep.corpus import Case, case_from_json, themes
-from exactsweep.corpus.publish import VERSION
+from exactsweep.corpus import Case, case_from_json, publish, themes
+from exactsweep.corpus.publish import VERSION, digest_release
+
+RELEASE = ROOT / "exactsweep" / "corpus" / "release"
 
 READERS = {
     "reader.cpp": ("g++", ["g++", "-std=c++17", "-o", "{out}", "{source}"], ["{out}"]),
@@ -30,7 +34,7 @@ READ = ("worked", "large", "fits", "reference")
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("corpus") / "all"
-    done = run("corpus", "export", "--all", "-o", str(path))
+    done = run("corpus", "release", "-o", str(path))
     assert (done.exit_code, done.stdout) == (0, "")
     return path
 
@@ -63,7 +67,15 @@ def test_checksums_are_those_of_all_files(folder: Path) -> None:
         if path.is_file() and path.name != "SHA256SUMS"
     }
     assert sums == found
-    assert {"HOW-TO-READ.md", "LICENSE", "schema.json", "notes.json", "VERSION"} < found.keys()
+    assert {
+        "HOW-TO-READ.md",
+        "CHANGELOG.md",
+        "versions.json",
+        "LICENSE",
+        "schema.json",
+        "notes.json",
+        "VERSION",
+    } < found.keys()
     assert (folder / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
 
 
@@ -76,11 +88,40 @@ def test_strings_have_no_escapes_but_two(folder: Path) -> None:
         assert not re.search(r'"[:,] ', re.sub(r'"[^"]*"', '""', text)), path
 
 
-def test_the_folder_is_all_or_nothing(tmp_path: Path) -> None:
-    assert run("corpus", "export", "--all", "worked").exit_code == 2
+def test_a_file_in_place_of_the_folder_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    said = refusal(run("corpus", "export", "--all", "-o", str(tmp_path / "file")))
+    said = refusal(run("corpus", "release", "-o", str(tmp_path / "file")))
     assert said.startswith(str(tmp_path / "file"))
+
+
+def test_ids_questions_and_answers_of_released_versions_are_unchanged() -> None:
+    """The digests were written when the versions were; a case is never changed or taken out."""
+    released = json.loads((RELEASE / "versions.json").read_text(encoding="utf-8"))
+    assert [*released] == [str(k) for k in range(1, VERSION + 1)]
+    changes = (RELEASE / "CHANGELOG.md").read_text(encoding="utf-8")
+    before = 0
+    for version, found in released.items():
+        count = sum(case.version <= int(version) for case in shipped_cases())
+        assert found == {"cases": count, "sha256": digest_release(int(version))}
+        assert f"- **{version}**: {count - before:,} cases" in changes
+        before = count
+
+
+def test_the_digest_sees_questions_and_answers_and_nothing_else(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    case = shipped_cases()[0]
+
+    def digest(**changes: Any) -> str:
+        monkeypatch.setattr(publish, "cases", lambda: iter([replace(case, **changes)]))
+        return digest_release(VERSION)
+
+    same = digest()
+    assert digest(title="another title", note="a note", flags=()) == same
+    moved = case.reference._replace(x=case.reference.x + 1)
+    for changes in ({"id": "x"}, {"reference": moved}, {"exact_fits": ((moved, moved),)}):
+        assert digest(**changes) != same
+    assert digest(version=VERSION + 1) != same
 
 
 @pytest.mark.long

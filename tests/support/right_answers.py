@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from fractions import Fraction
 from itertools import chain
+from math import ulp
 from typing import Any, NamedTuple
 
 from exactsweep import Point
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.region import find_differences
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.judge.witness import list_exact_rings
+from exactsweep.conform.judge.witness import list_exact_fits, list_exact_rings
 from exactsweep.conform.run.protocol import Hello, Numbers, UnsupportedError, adapt
 from exactsweep.corpus import Case
 from exactsweep.numbers.digits import format_fraction
@@ -22,6 +23,7 @@ Rings = list[Ring]
 Parts = dict[str, Rings]
 
 FITS_OF = {"no_fit": "exact_fits", "inner_fit": "inner_exact_fits"}
+SUM = "minkowski_sum"
 
 
 class Writing(NamedTuple):
@@ -170,6 +172,41 @@ def join_touching(rings: Rings, fits: list[Fit]) -> Any:
     return left if joined else None
 
 
+def open_pinches(ulps: int) -> Callable[[Rings, list[Fit]], Any]:
+    """Rings that touch as one, with a neck at the common place that is some ulps wide."""
+
+    def change(rings: Rings, fits: list[Fit]) -> Any:
+        left = [list(ring) for ring in rings]
+        joined = False
+        for ring in list(left):
+            touched = next(
+                ((other, p) for other in left if other is not ring for p in ring if p in other),
+                None,
+            )
+            if touched is None:
+                continue
+            other, p = touched
+            k, j = other.index(p), ring.index(p)
+            off = ulps * Fraction(ulp(float(max(map(abs, p)))))
+            other[k : k + 1] = [Point(p.x + off, p.y), *turn(ring, j)[1:], Point(p.x, p.y - off)]
+            left.remove(ring)
+            joined = True
+        return left if joined else None
+
+    return change
+
+
+def close_pinches(rings: Rings, fits: list[Fit]) -> Any:
+    """Rings that touch, each moved by an ulp at the common place, in directions of their own."""
+    shared = {p for k, ring in enumerate(rings) for p in ring for r in rings[:k] if p in r}
+
+    def move(p: Point, k: int) -> Point:
+        off = Fraction(ulp(float(max(map(abs, p)))))
+        return Point(p.x + off * (k % 3 - 1), p.y + off * (k % 2)) if p in shared else p
+
+    return [[move(p, k) for p in ring] for k, ring in enumerate(rings)] if shared else None
+
+
 def slit(ring: Ring) -> Ring:
     """From its first vertex straight to another one and back, wherever that leads."""
     middle = ring[len(ring) // 2]
@@ -268,6 +305,15 @@ WRITINGS: dict[str, Writing] = {
     "the nearest doubles, fits as whiskers": Writing(
         hang, lambda fits: [], float, "binary64", ROUNDED
     ),
+    "the nearest doubles, pinches opened": Writing(
+        open_pinches(1), number=float, numbers="binary64", verdicts=ROUNDED
+    ),
+    "the nearest doubles, pinches crossed": Writing(
+        open_pinches(-1), number=float, numbers="binary64", verdicts=ROUNDED
+    ),
+    "the nearest doubles, pinches closed": Writing(
+        close_pinches, number=float, numbers="binary64", verdicts=ROUNDED
+    ),
     "the nearest integers": Writing(number=round, numbers="integer", verdicts=ROUNDED),
 }
 
@@ -279,7 +325,7 @@ def write(case: Case, name: str, writing: Writing) -> dict[str, Any] | None:
         OverflowError: the numbers are too large for that.
     """
     listed = FITS_OF.get(name, "")
-    fits = list(getattr(case, listed)) if listed else []
+    fits = list(list_exact_fits(case, listed or name)) if listed or name == SUM else []
     rings = writing.rings([list(ring) for ring in list_exact_rings(case, name)], fits)
     if rings is None:
         return None
@@ -296,7 +342,7 @@ def _write(ring: Ring, writing: Writing) -> list[list[object]]:
 def list_parts(case: Case) -> Iterator[str]:
     """The parts that an answer to a case may have."""
     inside = ("inner_fit",) if case.inner_regions is not None else ()
-    return chain(("inner", "outer", "no_fit"), inside)
+    return chain(("inner", "outer", "no_fit", "minkowski_sum"), inside)
 
 
 class Conviction(NamedTuple):
@@ -315,8 +361,10 @@ class JudgedWriting(NamedTuple):
     convicted: list[Conviction]
 
 
-def judge_writing(writing: Writing, chosen: Iterable[Case]) -> JudgedWriting:
-    """Write all parts of exact answers in a way, and judge them."""
+def judge_writing(
+    writing: Writing, chosen: Iterable[Case], parts: Collection[str] = ()
+) -> JudgedWriting:
+    """Write parts of exact answers in a way, all if none is named, and judge them."""
     hello = Hello("right", numbers=writing.numbers, shapes="any")
     count, convicted = 0, []
     for case in chosen:
@@ -325,6 +373,8 @@ def judge_writing(writing: Writing, chosen: Iterable[Case]) -> JudgedWriting:
         except UnsupportedError:
             continue
         for name, answer in _write_all(put, writing):
+            if parts and name not in parts:
+                continue
             count += 1
             found = compare(put, answer, numbers=writing.numbers)
             if found.verdict not in (*writing.verdicts, *_but_fits(name, writing)):

@@ -18,11 +18,11 @@ import sys
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
+from benchmarks.peers.adapters.adapter import prepare_shape
+from benchmarks.peers.adapters.sfcgal_sum import add
 from exactsweep import Point, Polygon, Region
 from exactsweep.check import classify
 from exactsweep.check.location import locate
-from exactsweep.conform.adapters.adapter import prepare_shape
-from exactsweep.conform.adapters.sfcgal_sum import add
 from exactsweep.corpus import Case, case_from_json
 
 Ring = Sequence[tuple[Fraction, Fraction]]

@@ -1,1 +1,11 @@
-"""Small programs that speak the protocol of `exactsweep conform`, to begin with."""
+"""Programs that speak the protocol of `exactsweep conform`, to begin with."""
+
+SUMMARIES = {
+    "doubles.cpp": "C++: no-fit polygons and Minkowski sums of any shapes with holes, in doubles",
+    "doubles.js": "JavaScript: the same",
+    "doubles.py": "Python: the same",
+    "doubles.rs": "Rust: the same",
+    "convex.py": "Python: convex pairs in fractions, the shortest program",
+    "shapes.py": "Python: every question, by exactsweep itself",
+}
+"""The programs by name, with a line on each."""

@@ -7,9 +7,9 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
 from operator import itemgetter
-from typing import NamedTuple
 
 from exactsweep.conform.judge.boundary import (
+    RingBoundary,
     are_bridges,
     find_boundary,
     subtract_fits,
@@ -17,17 +17,14 @@ from exactsweep.conform.judge.boundary import (
 )
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.distance import bound_distance
-from exactsweep.conform.judge.fits import (
-    find_rounded_fit,
-    judge_fits,
-    trace_whiskers,
-)
+from exactsweep.conform.judge.fits import judge_fits
 from exactsweep.conform.judge.region import (
     RegionError,
     Trapezoid,
     add_areas,
     find_differences,
 )
+from exactsweep.conform.judge.rounded import match_rounded, name_joint
 from exactsweep.conform.judge.rounding import grant_rounding, limit_claim, name_arithmetic
 from exactsweep.conform.judge.verdict import (
     LOOPS,
@@ -41,12 +38,12 @@ from exactsweep.conform.judge.verdict import (
     read_number,
     read_segments,
 )
-from exactsweep.conform.judge.walk import match_rings
 from exactsweep.conform.judge.witness import (
     FITS_OF,
     INSIDE,
     LOOP_NAMES,
     NAME,
+    SUM,
     find_witness,
     list_exact_fits,
     list_exact_rings,
@@ -86,10 +83,10 @@ def compare(
     Args:
         case: the case.
         result: the answer, plain data: a mapping with any of "trajectory", "inner", "outer",
-            "no_fit" and "inner_fit", each a loop as `read_loop` takes it, an "inner_fit" perhaps
-            empty; "exact_fits", a list of pairs of points, and "inner_exact_fits". It may have the
-            "id" of the case, and in "rounding" a claim by how much less a coordinate may be off,
-            of which `limit_claim` says how much is granted.
+            "no_fit", "minkowski_sum" and "inner_fit", each a loop as `read_loop` takes it, an
+            "inner_fit" perhaps empty; "exact_fits", a list of pairs of points, and
+            "inner_exact_fits". It may have the "id" of the case, and in "rounding" a claim by how
+            much less a coordinate may be off, of which `limit_claim` says how much is granted.
         rounding: the same, without limits, before what the answer says; `grant_rounding` says what
             it is otherwise.
         promised: names of loops that must be there.
@@ -148,7 +145,7 @@ def compare(
             raise AnswerError(f"{place} is missing")
         loop = read_loop(result[name], place, may_be_empty=name == "inner_fit")
         part, traced = judge_loop(case, name, loop, grant(name, loop))
-        if name in FITS_OF:
+        if name in FITS_OF and name != SUM:
             whiskers[FITS_OF[name]] += traced
         if part.verdict is Verdict.WITHIN and claim is not None:
             return replace(part, reason=f"{part.reason}, as it claims for itself")
@@ -181,20 +178,6 @@ def _list_parts(
         yield INSIDE
 
 
-class _Writing(NamedTuple):
-    """The region of some rings, and how it is written.
-
-    Attributes:
-        rings: as answered; or of the region alone, nothing doubled, if these are faulty.
-        traced: segments on exact fits that rings go along and back.
-        fault: why the rings determine no region, or None.
-    """
-
-    rings: Sequence[Loop]
-    traced: Sequence[Fit]
-    fault: str | None
-
-
 def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> JudgedLoop:
     """Compare an answered loop with the exact one.
 
@@ -211,28 +194,32 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         WitnessError: the expected answer of the case is refuted by the definition.
 
     Cost: linear for an exact answer, O(n log n) for an equivalent one; otherwise that of
-        `find_differences`, `bound_distance`, `match_rings` and `diagnose`, all of which are bounded
-        by counts, and of a witness.
+        `find_differences`, `bound_distance`, `covers` and `diagnose`, and of a witness.
     """
     exact = list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
         return _same(name, Verdict.EXACT), ()
-    fits = list_exact_fits(case, FITS_OF[name]) if name in FITS_OF else ()
-    boundary = find_boundary(loop.rings)
+    fits = list_exact_fits(case, name if name == SUM else FITS_OF[name]) if name in FITS_OF else ()
+    boundary, right = find_boundary(loop.rings), find_boundary(exact)
     on_fits, others = subtract_fits(boundary.doubled, fits)
     is_bridged = are_bridges(others, [*boundary.solid, *on_fits])
-    if is_bridged and boundary.solid == find_boundary(exact).solid:
+    if is_bridged and boundary.solid == right.solid:
         kind = "whisker" if on_fits else ""
         reason = "exact fits are traced by the loop" if kind else ""
         return _same(name, Verdict.EQUIVALENT, reason, kind), on_fits
-    writing = _Writing(loop.rings, on_fits, find_fault(loop.rings, f"$.{name}"))
-    if writing.fault is not None and is_bridged:
-        rings = trace_rings(boundary)
-        if find_fault(rings, "") is None:
-            writing = _Writing(rings, on_fits, None)
-    traced = _match_rounded(loop.rings, writing, exact, fits, rounding)
-    part = _measure(case, name, loop.rings, writing, exact, traced, rounding)
-    return part, writing.traced if traced is None else traced
+    traced = match_rounded(boundary, right, fits, rounding)
+    if traced is not None:
+        return _measure_rounded(case, name, boundary, traced, rounding), traced
+    rings, fault = loop.rings, find_fault(loop.rings, f"$.{name}")
+    if fault is not None and is_bridged:
+        plain = tuple(trace_rings(boundary))
+        if find_fault(plain, "") is None:
+            rings, fault = plain, None
+    # Other mistakes than those of numbers make sound rings of sound ones.
+    diagnosis = (
+        name_arithmetic(exact, loop.rings) if fault else diagnose(case, name, rings, rounding)
+    )
+    return _measure(case, name, rings, fault, diagnosis, rounding), on_fits
 
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:
@@ -258,61 +245,45 @@ def find_fault(rings: Sequence[Loop], place: str) -> str | None:
     return None
 
 
-def _match_rounded(
-    rings: Sequence[Loop],
-    writing: _Writing,
-    exact: Sequence[Loop],
-    fits: Sequence[Fit],
+def _measure_rounded(
+    case: Case,
+    name: str,
+    boundary: RingBoundary,
+    traced: Sequence[Fit],
     rounding: Fraction,
-) -> Sequence[Fit] | None:
-    """Return the fits that rings trace if they are the exact ones except for rounding, or None."""
-    if not rounding:
-        return None
-    if match_rings(exact, rings, rounding):
-        return []
-    if fits and match_rings(trace_whiskers(exact, fits), rings, rounding):
-        return fits
-    is_traced = writing.fault is None and writing.rings is not rings
-    plain = trace_rings(find_boundary(exact)) if is_traced else exact
-    # Rings that are nowhere so far from an exact fit trace it.
-    thin = [find_rounded_fit(ring, fits, rounding) for ring in writing.rings]
-    rest = [ring for ring, fit in zip(writing.rings, thin, strict=True) if fit is None]
-    if match_rings(plain, writing.rings, rounding):
-        return writing.traced
-    if match_rings(plain, rest, rounding):
-        return [*writing.traced, *(fit for fit in thin if fit is not None)]
-    return None
+) -> PartComparison:
+    """Compare a loop that is the exact one except for rounding."""
+    plain = tuple(trace_rings(boundary))
+    joint = name_joint(list_exact_rings(case, name), plain, name, rounding)
+    said = ("rounded", "exact fits traced by the loop" if traced else "", joint)
+    return replace(
+        _measure(case, name, plain, None, (), rounding, is_rounded=True),
+        verdict=Verdict.WITHIN,
+        reason=", ".join(filter(None, said)),
+        kind="whisker" if traced else "",
+    )
 
 
 def _measure(
     case: Case,
     name: str,
-    given: Sequence[Loop],
-    writing: _Writing,
-    exact: Sequence[Loop],
-    traced: Sequence[Fit] | None,
+    rings: Sequence[Loop],
+    fault: str | None,
+    diagnosis: tuple[str, ...],
     rounding: Fraction,
+    is_rounded: bool = False,
 ) -> PartComparison:
     """Compare a loop whose region is not the exact one."""
-    rings, fault = writing.rings, writing.fault
+    exact = list_exact_rings(case, name)
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
     lost: list[Trapezoid] = []
     extra: list[Trapezoid] = []
     is_whole = False
-    if is_small or (traced is None and not fault):
+    if is_small or not (fault or is_rounded):
         lost, extra, is_whole = _find_cells(exact, rings, is_small)
-    diagnosis: tuple[str, ...] = ()
-    if traced is not None:
-        verdict = Verdict.WITHIN
-        reason = f"rounded{', exact fits traced by the loop' if traced else ''}"
-    else:
-        # Other mistakes than those of numbers make sound rings of sound ones.
-        diagnosis = (
-            name_arithmetic(exact, given) if fault else diagnose(case, name, rings, rounding)
-        )
-        verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
-        if diagnosis:
-            reason = f"{diagnosis[0]}; {reason}"
+    verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
+    if diagnosis:
+        reason = f"{diagnosis[0]}; {reason}"
     is_measured = is_small and is_whole
     # An inner fit tells where G may be, and not where it may not.
     overlapping, free = (extra, lost) if name == "inner_fit" else (lost, extra)
@@ -326,7 +297,7 @@ def _measure(
         find_witness(case, name, rings, overlapping) if overlapping else None,
         find_witness(case, name, rings, free) if free else None,
         rounding,
-        "whisker" if traced else "",
+        "",
         diagnosis,
     )
 

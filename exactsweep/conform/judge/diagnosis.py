@@ -14,9 +14,9 @@ from itertools import chain
 from operator import itemgetter
 from typing import NamedTuple
 
+from exactsweep.conform.judge.closeness import are_close, find_box, is_near, take_pairs
 from exactsweep.conform.judge.rounding import name_arithmetic
-from exactsweep.conform.judge.walk import find_box, is_near, match_rings, take_pairs
-from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
+from exactsweep.conform.judge.witness import LOOP_NAMES, SUM, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_centroid, find_doubled_area
 from exactsweep.geometry.polygon import Polygon
@@ -29,7 +29,7 @@ from exactsweep.words import write_pair
 
 _MOST_ROUNDED = 16
 _NEARLY = 4
-_POSITIONS = ("trajectory", "no_fit", "inner_fit")
+_POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")
 """Loops of positions, which depend on the reference point."""
 
 
@@ -54,14 +54,14 @@ class _DiagnosedRings(NamedTuple):
     low: Point
     high: Point
 
+    @property
+    def reference(self) -> Point:
+        """The point of G whose positions they are; of a Minkowski sum the origin."""
+        return ORIGIN if self.name == SUM else self.case.reference
+
     def are(self, others: PointRings, times: int = 1) -> bool:
-        """Decide whether they are some others but for so many roundings; boxes tell most."""
-        if not (others and len(others) == len(self.rings)):
-            return False
-        (low, high), bound = find_box(others), times * self.rounding
-        if not (is_near(low, self.low, bound) and is_near(high, self.high, bound)):
-            return False
-        return match_rings(others, self.rings, bound)
+        """Decide whether they are some others but for so many roundings."""
+        return bool(others) and are_close(others, self.rings, times * self.rounding)
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
@@ -77,7 +77,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         Tuple of phrases that go with "exact for" or stand alone, the likeliest first; () where
         nothing is found. All that hold are there: in one case two reference points may be one.
 
-    Cost: that of a sweep and of a few times `walk_together`; linear where no box fits.
+    Cost: that of a sweep and of a few times `are_close`; linear where no box fits.
     """
     if not any(map(find_doubled_area, rings)):
         return () if rings else ("says that G does not fit",)
@@ -105,6 +105,8 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         found += spoilt or _name_vertices(exact, rings)
     if not found and len(missing) < len(exact):
         found.append(f"{len(exact) - len(missing)} of {len(exact)} rings are exact")
+    if name == SUM:
+        found = [_SUMS.get(words.removeprefix("exact for "), words) for words in found]
     return tuple(dict.fromkeys(found))
 
 
@@ -114,8 +116,9 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
     if len(missing) == len(exact):
         return
     if not missing:
-        is_around = name in ("trajectory", "no_fit")
-        if is_around and match_rings(_find_inside(theirs.case), left, theirs.rounding):
+        is_around = name in ("trajectory", "no_fit", SUM)
+        inside = _find_inside(theirs.case, theirs.reference) if is_around else []
+        if inside and left and are_close(inside, left, theirs.rounding):
             yield "the sum of the boundaries: where one polygon is inside the other is left open"
         yield f"all exact rings, and {len(left)} more"
     elif not left and name != "inner_fit" and exact[0] not in missing:
@@ -125,12 +128,12 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
         yield f"lacks {len(missing)} of {len(exact)} rings"
 
 
-def _find_inside(case: Case) -> PointRings:
+def _find_inside(case: Case, reference: Point) -> PointRings:
     """Find where G is inside D, or D inside G: where their boundaries do not meet."""
     shapes = case.directrix, case.generatrix
-    inside = inner_fit_polygon(*shapes, reference=case.reference)
+    inside = inner_fit_polygon(*shapes, reference=reference)
     around = inner_fit_polygon(*shapes[::-1])
-    turned = [_map(region.rings, -1, 0, 0, -1, case.reference) for region in around.regions]
+    turned = [_map(region.rings, -1, 0, 0, -1, reference) for region in around.regions]
     return [*chain.from_iterable(region.rings for region in inside.regions), *chain(*turned)]
 
 
@@ -152,6 +155,8 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
     """Name loops of the case that are not the one asked for."""
     case, exact = theirs.case, theirs.exact
     for other, words in LOOP_NAMES.items():
+        if SUM in (other, theirs.name):
+            continue
         loop = list_exact_rings(case, other)
         if loop not in ((), exact) and theirs.are(loop):
             yield f"exact for the {words} instead"
@@ -176,7 +181,7 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     is turned or added, and that before others.
     """
     case, rings = theirs.case, theirs.exact
-    positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, case.reference))
+    positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, theirs.reference))
     shapes: list[tuple[str, PointRings]] = [("", positions)]
     if theirs.name != "inner_fit":
         shapes.append(("D + G, G not reflected", _add(case, theirs.name)))
@@ -186,7 +191,7 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
         offset = _find_offset(shape, theirs)
         if offset is None:
             continue
-        points = [*_name_offsets(case, offset, theirs.rounding)]
+        points = [*_name_offsets(theirs, offset)]
         if words and _GIVEN in points:
             found.append((1, f"exact for {words}"))
             continue
@@ -196,7 +201,7 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
             for point in points
         )
         if not points:
-            by = write_pair(subtract(offset, case.reference))
+            by = write_pair(subtract(offset, theirs.reference))
             found.append((4, f"exact for {joint}another reference point: all is moved by {by}"))
     factor = _find_scale(theirs)
     if factor is not None:
@@ -204,6 +209,13 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     return [words for _, words in sorted(found, key=itemgetter(0))]
 
 
+_SUMS = {
+    "D + G, G not reflected": "exact for a + (-b), b reflected",
+    "exchanged roles, D around G": "exact for -(a + b)",
+    "D itself": "a itself",
+    "G itself": "-b",
+}
+"""Diagnoses in terms of a Minkowski sum of a = D and b = -G."""
 _GIVEN = "the reference point given"
 _USUAL = ("G's first vertex as reference", "G's origin as reference")
 _AXES = {
@@ -224,12 +236,17 @@ def _map(rings: PointRings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) 
 
 def _add(case: Case, name: str) -> PointRings:
     found = no_fit_polygon(case.directrix, case.generatrix.reflected())
-    holes = found.holes if name == "no_fit" else ()
+    holes = found.holes if name in ("no_fit", SUM) else ()
     return [loop.vertices for loop in (found.exterior, *holes)]
 
 
-def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str]:
+def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
     """Name the point of G whose path a trajectory is, if G's origin moved by it draws it."""
+    case = theirs.case
+    if theirs.name == SUM:
+        if is_near(ORIGIN, offset, theirs.rounding):
+            yield _GIVEN
+        return
     ring, (low, high) = case.generatrix_ring, case.generatrix.bounding_box
     first, base = ring[0], case.directrix_ring[0]
     d_low, _ = case.directrix.bounding_box
@@ -253,7 +270,7 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "positions relative to the lower left corner of D's box": subtract(low, d_low),
     }
     for name, point in named.items():
-        if is_near(point, offset, rounding):
+        if is_near(point, offset, theirs.rounding):
             yield name
 
 

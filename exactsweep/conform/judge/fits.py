@@ -13,14 +13,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.conform.judge.boundary import are_collinear, subtract_fits
+from exactsweep.conform.judge.closeness import covers, is_near
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
-from exactsweep.conform.judge.walk import find_close_part, is_near
 from exactsweep.conform.judge.witness import (
     INSIDE,
     NAME,
@@ -32,7 +32,7 @@ from exactsweep.conform.judge.witness import (
 )
 from exactsweep.corpus import Case
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.numbers.number import Fit, Loop, Point
+from exactsweep.numbers.number import Fit, Point
 from exactsweep.words import count
 
 
@@ -78,7 +78,7 @@ def judge_fits(
         ways["given twice"] = twice
     if rounded:
         ways["rounded"] = rounded
-    far = [fit for fit in others if find_rounded_fit(fit, fits, rounding) is None]
+    far = [fit for fit in others if not (rounding and covers(fits, [fit], rounding))]
     shown = [
         at_position(case, position, inside=name == INSIDE)
         for fit in subtract_fits(far, fits)[1]
@@ -112,31 +112,6 @@ def judge_fits(
         kind=kind,
         granted=rounding if rounded else None,
     )
-
-
-def find_rounded_fit(ring: Loop, fits: Iterable[Fit], rounding: Fraction) -> Fit | None:
-    """Return a ring that is off an exact fit by less than a rounding as a segment, or None."""
-    for a, b in fits:
-        if rounding and all(find_close_part(p, a, b, rounding) for p in ring):
-            return min(ring), max(ring)
-    return None
-
-
-def trace_whiskers(rings: Sequence[Loop], fits: Iterable[Fit]) -> tuple[Loop, ...]:
-    """Return rings with each fit that hangs on one of them traced as a whisker of it. Cost: O(nf).
-
-    A fit hangs on a ring by its first end.
-    """
-    grown = [list(ring) for ring in rings]
-    for hanging, inside in fits:
-        for ring in grown:
-            k = next(
-                (k for k, b in enumerate(ring) if is_on_segment(hanging, ring[k - 1], b)), None
-            )
-            if k is not None:
-                ring[k:k] = [hanging, inside, hanging]
-                break
-    return tuple(map(tuple, grown))
 
 
 def _take_rounded(missing: list[Fit], others: list[Fit], rounding: Fraction) -> int:

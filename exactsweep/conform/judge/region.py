@@ -27,7 +27,7 @@ from typing import NamedTuple
 
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Point, PointRings
+from exactsweep.numbers.number import Fit, Point, PointRings
 
 Height = tuple[Fraction, Fraction]
 
@@ -46,6 +46,7 @@ class Trapezoid(NamedTuple):
         right: x of the right side.
         low: y of the lower edge at the left and at the right.
         high: y of the upper edge at the left and at the right.
+        edges: the edges of the rings that it lies between.
     """
 
     first: bool
@@ -53,12 +54,38 @@ class Trapezoid(NamedTuple):
     right: Fraction
     low: Height
     high: Height
+    edges: tuple[Fit, ...] = ()
 
     @property
     def area(self) -> Fraction:
         """The area, positive."""
         gaps = self.high[0] - self.low[0] + self.high[1] - self.low[1]
         return gaps * (self.right - self.left) / 2
+
+    def corners(self) -> tuple[Point, ...]:
+        """The corners, counter-clockwise; two of them are one where it is a triangle."""
+        sides = (self.left, self.low[0]), (self.right, self.low[1])
+        return tuple(
+            Point(*p) for p in (*sides, (self.right, self.high[1]), (self.left, self.high[0]))
+        )
+
+    def middle(self) -> Point:
+        """A point in the middle."""
+        (a, b), (c, d) = self.low, self.high
+        return Point((self.left + self.right) / 2, (a + b + c + d) / 4)
+
+    def halve(self) -> tuple[Trapezoid, Trapezoid]:
+        """Cut it in two across its longer side."""
+        low, high = self.low, self.high
+        if self.right - self.left > max(high[0] - low[0], high[1] - low[1]):
+            x = (self.left + self.right) / 2
+            bottom, top = (low[0] + low[1]) / 2, (high[0] + high[1]) / 2
+            return (
+                self._replace(right=x, low=(low[0], bottom), high=(high[0], top)),
+                self._replace(left=x, low=(bottom, low[1]), high=(top, high[1])),
+            )
+        y = (low[0] + high[0]) / 2, (low[1] + high[1]) / 2
+        return self._replace(high=y), self._replace(low=y)
 
     def points(self) -> Iterator[Point]:
         """Yield nine points inside with short coordinates."""
@@ -113,10 +140,11 @@ def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoi
     """
     for left, right, ordered in _cut([*_edges(first, 0), *_edges(second, 1)]):
         inside = [False, False]
-        for (bottom, edge), (top, _) in pairwise(ordered):
+        for (bottom, edge), (top, upper) in pairwise(ordered):
             inside[edge.region] = not inside[edge.region]
             if inside[0] != inside[1] and bottom != top:
-                yield Trapezoid(inside[0], left, right, bottom, top)
+                edges = (edge.left, edge.right), (upper.left, upper.right)
+                yield Trapezoid(inside[0], left, right, bottom, top, edges)
 
 
 def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:

@@ -10,7 +10,7 @@ from itertools import chain
 from math import floor
 
 from exactsweep.conform.judge.verdict import LOOPS, AnsweredLoop
-from exactsweep.conform.judge.witness import list_exact_rings
+from exactsweep.conform.judge.witness import SUM, list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import Point, PointRings
@@ -80,7 +80,7 @@ def _size(shape: AnyPolygon) -> Fraction:
 
 
 def _largest(case: Case) -> Fraction:
-    loops = chain.from_iterable(list_exact_rings(case, name) for name in LOOPS)
+    loops = chain.from_iterable(list_exact_rings(case, name) for name in LOOPS if name != SUM)
     rings = (*case.directrix_rings, *case.generatrix_rings, (case.reference,))
     return max(abs(c) for ring in (*rings, *loops) for point in ring for c in point)
 

@@ -35,13 +35,13 @@ class Verdict(StrEnum):
       first, and may be repeated at the end.
     - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, in
       other rings, keyholed, crossing itself where it does no harm, or with exact fits traced.
-    - within: theirs is the exact loop except for rounding. It has as many rings, and two points can
-      travel once around each of theirs and one of the exact rings, neither ever turning back, and
-      never be `rounding` or more apart in x or in y. (So the Fréchet distance of the loops, by
-      the larger of the two coordinate differences, is below `rounding`.) Vertices may fall
-      together or appear on edges so, but nothing that is wider than `rounding` is lost. Rings that
-      are nowhere so far from one exact fit trace it. A rounded answer may permit overlap, or lose
-      free space: the witnesses say whether it does.
+    - within: theirs is the exact region except for rounding. By the larger of the differences in x
+      and in y, each point of either boundary is closer than `rounding` to the other one, and each
+      point in only one of T and E closer than half of it to one of the boundaries (see
+      `closeness`). Vertices may fall together or appear on edges so, and rings may touch or part,
+      but nothing that is as wide as `rounding` is lost or gained. Rings that are nowhere so far
+      from one exact fit trace it. A rounded answer may permit overlap, or lose free space: the
+      witnesses say whether it does.
     - false exact fits: of exact fits alone: the answer has positions that are on none.
     - conservative: T contains E. An answered trajectory permits no overlap, but forbids free
       positions.
@@ -197,8 +197,8 @@ class Comparison:
         return vars(self) | {"verdict": self.verdict.value, "parts": parts}
 
 
-LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")
-"""The members of an answer: the loops of a sweep, and the rings of the two fits."""
+LOOPS = ("trajectory", "inner", "outer", "no_fit", "minkowski_sum", "inner_fit")
+"""The members of an answer: loops of a sweep, rings of the fits, and those of a + b."""
 
 
 class AnswerError(ExactSweepError):

@@ -29,7 +29,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Fit, Point, PointRings
+from exactsweep.numbers.number import ORIGIN, Fit, Point, PointRings
 from exactsweep.words import write_pair
 
 LOOP_NAMES = {
@@ -37,13 +37,15 @@ LOOP_NAMES = {
     "inner": "inner loop",
     "outer": "outer loop",
     "no_fit": "no-fit polygon",
+    "minkowski_sum": "Minkowski sum",
     "inner_fit": "inner fit",
 }
 
 NAME = "exact_fits"
 INSIDE = "inner_exact_fits"
-FITS_OF = {"trajectory": NAME, "no_fit": NAME, "inner_fit": INSIDE}
-"""The exact fits that belong to the loops of positions."""
+SUM = "minkowski_sum"
+FITS_OF = {"trajectory": NAME, "no_fit": NAME, SUM: NAME, "inner_fit": INSIDE}
+"""The exact fits that belong to the loops of positions; those of a sum are slits of it."""
 
 _DOES = {
     "FREE": "does not touch D",
@@ -62,8 +64,12 @@ def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
     """Return the rings of an exact loop, counter-clockwise: its outer one, then its holes.
 
     Of the inner loop of any shapes the one around D comes first, and what else is unswept then;
-    of an inner fit the regions follow each other. An exact fit is a ring of two points.
+    of an inner fit the regions follow each other. An exact fit is a ring of two points. A Minkowski
+    sum is that of a = D and b = -G: the no-fit polygon for the origin of G.
     """
+    if name == SUM:
+        by = subtract(ORIGIN, case.reference)
+        return tuple(tuple(add(p, by) for p in ring) for ring in list_exact_rings(case, "no_fit"))
     if name == "inner_fit":
         return tuple(ring for region in case.inner_regions or () for ring in region.rings)
     if name in (NAME, INSIDE):
@@ -78,7 +84,10 @@ def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
 
 
 def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
-    """Return the exact fits of G around D, or inside it, as the name says."""
+    """Return the exact fits of G around D or inside it, or the slits of a sum, by name."""
+    if name == SUM:
+        by = subtract(ORIGIN, case.reference)
+        return tuple((add(p, by), add(q, by)) for p, q in case.exact_fits)
     return case.inner_exact_fits if name == INSIDE else case.exact_fits
 
 
@@ -142,11 +151,22 @@ def _obstacles(case: Case, t: Point) -> list[AnyPolygon]:
 def _of_positions(case: Case, position: Point, missed: bool, name: str) -> Witness | None:
     """Show a position that overlaps D, or reaches out of it; or else one that does not."""
     is_inside = name == "inner_fit"
+    if name == SUM:
+        found = at_position(case, add(position, case.reference))
+        if found.classified != ("OVERLAP" if missed else "FREE"):
+            return None
+        return replace(found, says=f"{write_pair(position)} is {_tell_sum(position, found.point)}")
     found = at_position(case, position, inside=is_inside)
     holes = case.holes if name == "trajectory" and missed else ()
     if any(point_in_polygon(position, hole) >= 0 for hole in holes):
         return replace(found, says=f"{found.says}, and cannot get there from outside")
     return found if found.classified == ("FREE" if missed == is_inside else "OVERLAP") else None
+
+
+def _tell_sum(position: Point, a: Point | None) -> str:
+    if a is None:
+        return "not the sum of a point of a and a point of b"
+    return f"{write_pair(a)} in a plus {write_pair(subtract(position, a))} in b"
 
 
 def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:

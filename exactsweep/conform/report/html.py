@@ -22,10 +22,12 @@ from exactsweep.canvas import style
 from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.judge.witness import FITS_OF, add, list_exact_rings
+from exactsweep.conform.judge.witness import FITS_OF, SUM, add, list_exact_rings
 from exactsweep.conform.report.text import tell_costs, tell_witness
+from exactsweep.conform.report.unit_test import guess_language, write_unit_test
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
+from exactsweep.conform.run.protocol import list_reflected_rings
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
 from exactsweep.corpus import Case, case_from_json
@@ -70,6 +72,7 @@ def write_html(run: Run) -> str:
         "plain": replace_controls,
         "dump": partial(json.dumps, indent=1),
         "panels": _draw,
+        "unit_test": partial(_write_unit_test, run),
         "witnesses": list_witnesses,
         "said": tell_witness,
     }
@@ -104,6 +107,26 @@ def _draw(outcome: Outcome) -> list[Panel]:
         return draw_panels(outcome) if outcome.case else []
     except (ArithmeticError, ValueError):
         return []
+
+
+def _write_unit_test(run: Run, outcome: Outcome) -> str:
+    """Write a failure for a unit test; "" where there is no loop to show."""
+    part, numbers = outcome.worst, run.hello.numbers
+    if part is None or outcome.case is None or part["name"].endswith("fits"):
+        return ""
+    case, name = case_from_json(outcome.case), part["name"]
+    given = {
+        "directrix": case.directrix_rings,
+        "generatrix": case.generatrix_rings,
+        "reference": ((case.reference,),),
+    }
+    if name == SUM:
+        given = {"a": case.directrix_rings, "b": list_reflected_rings(case)}
+    theirs = _rings((outcome.result or {}).get(name))
+    shapes = {**given, "exact": list_exact_rings(case, name), "theirs": theirs}
+    remark = f"{outcome.id}, {name}: {outcome.verdict}"
+    language = guess_language(run.command, run.hello.name)
+    return write_unit_test(shapes.items(), language, numbers, remark)
 
 
 def _about(value: Fraction) -> str:

@@ -1,9 +1,9 @@
 """Classification of failures by the fault behind them, so that faults are counted apart.
 
 Two failures have the same fault if they have the same verdict on the same part, the same kinds of
-witness, and the same reason except for numbers; or, of crashes, the same exit code or signal, the
-same last words on standard error except for numbers, and the same place in the program, if they
-name one.
+witness, and the same reason except for numbers and quoted values; or, of crashes, the same exit
+code or signal, the same error on standard error, likewise, and the same place in the program, if it
+names one.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.complaint import find_error, find_place
 from exactsweep.conform.run.peer import cut
 
 _ENDED = ("exited with code", "was ended by signal")
@@ -20,7 +21,8 @@ _ENDED = ("exited with code", "was ended by signal")
 _NUMBER = re.compile(
     r"(\bline \d+|[\w/\\-]+\.[A-Za-z]\w*:\d+)|0x[0-9a-fA-F]+|\d+(?:[./]\d+)*(?:[eE][+-]?\d+)?"
 )
-_FRAME = re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]*)", (line \d+)')
+# A value is quoted on one line; an apostrophe between letters quotes nothing.
+_QUOTED = re.compile(r"""(?<!\w)'[^']*'(?!\w)|"[^"]*"|`[^`]*`""")
 
 
 def name_fault(
@@ -59,10 +61,10 @@ def name_fault(
     if worst is not None:
         said = [_name_difference(worst)]
     elif reason.startswith(_ENDED):
-        # Its last line follows the code; `stderr` holds it in full.
-        said = [reason.partition(";")[0], *_find_place(stderr)]
+        # Its error follows the code; `stderr` holds it in full.
+        said = [reason.partition(";")[0], _forget_values(find_error(stderr)), find_place(stderr)]
     else:
-        said = [write_cause(reason), *_find_place(stderr)[1:]]
+        said = [_forget_values(reason), find_place(stderr)]
     return f"{verdict.value}: {'; '.join(filter(None, said))}"
 
 
@@ -74,11 +76,9 @@ def _name_difference(part: Mapping[str, Any]) -> str:
     return ", ".join([place, write_cause(named), *(kind.lower() for kind in shown if kind)])
 
 
-def _find_place(stderr: str) -> list[str]:
-    """The last line of standard error, and the innermost frame of a traceback, if there is one."""
-    lines = stderr.strip().splitlines()
-    frames = _FRAME.findall(stderr)
-    return [write_cause(lines[-1]) if lines else "", " ".join(frames[-1]) if frames else ""]
+def _forget_values(text: str) -> str:
+    """Write a message without what differs from case to case: numbers and quoted values."""
+    return write_cause(_QUOTED.sub("#", text))
 
 
 def write_cause(text: str) -> str:

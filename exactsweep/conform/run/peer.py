@@ -4,24 +4,28 @@ from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from itertools import islice
 from typing import Any, NamedTuple, Protocol
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.protocol import SUM, Hello, list_reflected_rings
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import Point
 
 SECONDS = 10.0
 """Seconds that an answer may take, unless the caller says otherwise."""
-MAX_STDERR = 4096
+MAX_STDERR = 16384
 """The most bytes that are kept of what it wrote to standard error, the last of it."""
 _MAX_REASON = 200
+_MOST_ITEMS = 10**6
 
 
-Function = Callable[[list[Any], list[Any], Any], Mapping[str, Any]]
+Function = Callable[..., Any]
 
 
 class Answer(NamedTuple):
@@ -88,6 +92,49 @@ def tell_bytes(number: int) -> str:
     return f"{number / 2**20:.1f} MiB"
 
 
+def is_shape(value: object) -> bool:
+    """Decide whether a value is one loop, or one region, and no answer with names."""
+    is_named = isinstance(value, (str, Mapping))
+    return isinstance(value, (Polygon, Region)) or (
+        not is_named and (isinstance(value, Iterable) or hasattr(value, "__geo_interface__"))
+    )
+
+
+def make_plain(value: Any) -> Any:
+    """Return vertices and rings in any form of Python as lists; leave all else as it is.
+
+    Args:
+        value: a Polygon or a Region; an array or a number of numpy; geometry of shapely or its
+            coordinates; a generator or another iterable of these; or anything.
+
+    Example:
+        >>> make_plain(iter([(0, 0), range(2)]))
+        [[0, 0], [0, 1]]
+    """
+    if isinstance(value, Region):
+        value = value.rings if value.holes else value.vertices
+    elif isinstance(value, Polygon):
+        value = value.vertices
+    elif hasattr(value, "tolist"):
+        value = value.tolist()
+    elif hasattr(value, "__geo_interface__"):
+        value = _list_rings(value.__geo_interface__)
+    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
+        return value
+    # No answer has so many rings or vertices; a generator may have no end.
+    return [make_plain(one) for one in islice(value, _MOST_ITEMS)]
+
+
+def _list_rings(shape: Mapping[str, Any]) -> list[Any]:
+    """List the rings of a polygon, or of several, as GeoJSON has them."""
+    if "geometries" in shape:
+        return [ring for one in shape["geometries"] for ring in _list_rings(one)]
+    places = list(shape["coordinates"])
+    if shape["type"] == "MultiPolygon":
+        return [ring for polygon in places for ring in polygon]
+    return places
+
+
 class CallablePeer:
     """A function in this process.
 
@@ -105,20 +152,26 @@ class CallablePeer:
 
     def ask(self, case: Case) -> Answer:
         """Call the function on a case."""
-        d, g = (
-            list(map(self._points, rings))
-            for rings in (case.directrix_rings, case.generatrix_rings)
-        )
+        parts = self.hello.parts(case)
+        rings = case.directrix_rings, case.generatrix_rings
+        if self.hello.questions == (SUM,):
+            rings = case.directrix_rings, list_reflected_rings(case)
+        given: list[Any] = [list(map(self._points, shape)) for shape in rings]
         if self.hello.shapes != "any":
             # Without holes there is one ring.
-            (d,), (g,) = d, g
-        (reference,) = self._points([case.reference])
+            given = [shape[0] for shape in given]
+        if self.hello.questions != (SUM,):
+            given += self._points([case.reference])
         began = time.monotonic()
         try:
-            result = self._function(d, g, reference)
+            result = self._function(*given)
+            if len(parts) == 1 and is_shape(result):
+                result = {parts[0]: result}
+            if isinstance(result, Mapping):
+                result = {name: make_plain(value) for name, value in result.items()}
         except NotImplementedError as error:
             return Answer(verdict=Verdict.UNSUPPORTED, reason=cut(str(error)))
-        except Exception as error:  # it may fail in any way, and that is its answer
+        except (Exception, SystemExit) as error:  # it may fail in any way, and that is its answer
             reason = cut(f"{type(error).__name__}: {error}")
             seconds = time.monotonic() - began
             # The innermost frames tell one fault from another.

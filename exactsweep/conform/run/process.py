@@ -14,6 +14,7 @@ from exactsweep.conform.run.channel import (
     ClosedError,
     SilentError,
 )
+from exactsweep.conform.run.complaint import find_error
 from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer
 from exactsweep.conform.run.protocol import (
     BYE,
@@ -95,10 +96,10 @@ class ProcessPeer:
         channel.send(write_case_line(case, self.hello))
         try:
             result = read_object(channel.receive(self.terms.seconds))
-            if result.get("id") != case.id:
-                raise ProtocolError(
-                    f"answers {describe_kind(result.get('id'))}, which was not asked"
-                )
+            if "id" not in result:
+                raise ProtocolError('the answer has no "id"')
+            if result["id"] != case.id:
+                raise ProtocolError(f"answers {describe_kind(result['id'])}, which was not asked")
             return read_answer(result)
         except ChannelError as error:
             verdict, reason = error.verdict, str(error)
@@ -142,6 +143,6 @@ class ProcessPeer:
 
 
 def _with_last_words(reason: str, channel: Channel) -> str:
-    """A reason, and the last line that the process wrote to standard error, if any."""
-    said = channel.stderr.strip().splitlines()
-    return f"{reason}; it says: {cut(said[-1])}" if said else reason
+    """A reason, and the error that the process wrote to standard error, if any."""
+    said = find_error(channel.stderr)
+    return f"{reason}; it says: {cut(said)}" if said else reason

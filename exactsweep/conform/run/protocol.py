@@ -14,9 +14,10 @@ The runner sends a case a line, waits for one line of answer, and at the end sen
      "reference": ["0", "0"], "directrix_holes": [[["1", "1"], ...]], "ask": ["no_fit"]}
     {"bye": true}
 
-Holes are there where a polygon has some, and "ask" if the hello has questions. An answer has the
-id of the case and all that it asks for, the loops that the hello promised, "no_fit" or "inner_fit";
-or the reason why there is none, which is the verdict unsupported or crash:
+Holes are there where a polygon has some, and "ask" if the hello has questions; for a question of
+"minkowski_sum" there are "a" and "b" as well, or instead. An answer has the id of the case and all
+that it asks for: the loops that the hello promised, "no_fit", "minkowski_sum" or "inner_fit"; or
+the reason why there is none, which is the verdict unsupported or crash:
 
     {"id": "...", "trajectory": [["-1", "0"], ...], "exact_fits": [[["1", "3"], ["1", "1"]]]}
     {"id": "...", "no_fit": [[["-1", "0"], ...], [["2", "2"], ...]], "exact_fits": []}
@@ -34,20 +35,23 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import chain
 from typing import Any, Literal, TypeVar, get_args
 
 from exactsweep.corpus import Case
 from exactsweep.corpus.answered import SHAPES, Shapes
+from exactsweep.corpus.representable import find_types
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.point_set import PointSet
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
-from exactsweep.numbers.number import ORIGIN, Point
+from exactsweep.numbers.number import ORIGIN, Loop, Point
+from exactsweep.words import suggest
 
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]
-Question = Literal["sweep", "no_fit", "inner_fit"]
+Question = Literal["sweep", "no_fit", "minkowski_sum", "inner_fit"]
 
 Word = TypeVar("Word", bound=str)
 
@@ -55,6 +59,8 @@ LOOPS = ("trajectory", "inner", "outer")
 NUMBERS: tuple[Numbers, ...] = get_args(Numbers)
 REFERENCES: tuple[Reference, ...] = get_args(Reference)
 QUESTIONS: tuple[Question, ...] = get_args(Question)
+_MEMBERS = ("hello", "loops", "numbers", "reference", "questions", "shapes")
+SUM: Question = "minkowski_sum"
 BYE = '{"bye": true}'
 MAX_NAME = 200
 
@@ -78,7 +84,8 @@ class Hello:
             point (0, 0) in the coordinates of G. "first": the first vertex of G. The cases it gets
             have that reference point.
         questions: the questions that it answers, of "sweep"; "no_fit", the no-fit polygon with
-            its holes; and "inner_fit", the positions of G inside D.
+            its holes; "minkowski_sum", the sum of two shapes a and b, which are D and -G; and
+            "inner_fit", the positions of G inside D.
         shapes: the pairs that it accepts, each kind with those before it: "convex"; "monotone", to
             one direction; "simple", without holes; "any".
     """
@@ -91,8 +98,8 @@ class Hello:
     shapes: Shapes = "monotone"
 
     def parts(self, case: Case) -> tuple[str, ...]:
-        """Return what an answer to a case must hold: loops of a sweep, "no_fit", "inner_fit"."""
-        fits = [name for name in ("no_fit", "inner_fit") if name in self.questions]
+        """Return what an answer to a case must hold: loops of a sweep, and all other questions."""
+        fits = [name for name in self.questions if name != "sweep"]
         if case.inner_regions is None:
             fits = [name for name in fits if name != "inner_fit"]
         return (*self.loops, *fits)
@@ -124,7 +131,13 @@ def make_hello(said: Mapping[str, object]) -> Hello:
     Raises:
         ProtocolError: it may not say that; the message says what is wrong.
     """
+    for member in said:
+        if member not in _MEMBERS:
+            raise ProtocolError(f"the hello has {quote(member)}{suggest(member, _MEMBERS)}")
     said = {"questions": ["sweep"], "shapes": "monotone", **said}
+    if said["questions"] == [SUM]:
+        # A sum has no reference point.
+        said = {"reference": "given", **said}
     name, questions = said["hello"], _choose_some(said, "questions", QUESTIONS)
     if not isinstance(name, str) or not 0 < len(name) <= MAX_NAME or not name.isprintable():
         raise ProtocolError(f'"hello" is not a name of 1 to {MAX_NAME} printable characters')
@@ -190,19 +203,28 @@ def write_case_line(case: Case, hello: Hello) -> str:
     def ring(points: Iterable[Point]) -> list[list[str]]:
         return [[repr(float(c)) if is_double else format_fraction(c) for c in p] for p in points]
 
-    line: dict[str, Any] = {
-        "id": case.id,
-        "class": case.kind,
-        "directrix": ring(case.directrix_ring),
-        "generatrix": ring(case.generatrix_ring),
-        "reference": ring([case.reference])[0],
-    }
-    for name in ("directrix_holes", "generatrix_holes"):
-        if holes := getattr(case, name):
-            line[name] = [ring(hole) for hole in holes]
+    shapes: dict[str, Iterable[Loop]] = {}
+    if SUM in hello.questions:
+        shapes = {"a": case.directrix_rings, "b": list_reflected_rings(case)}
+    if hello.questions != (SUM,):
+        shapes |= {"directrix": case.directrix_rings, "generatrix": case.generatrix_rings}
+    line: dict[str, Any] = {"id": case.id, "class": case.kind}
+    holes = {}
+    for name, (exterior, *inner) in shapes.items():
+        line[name] = ring(exterior)
+        if inner:
+            holes[f"{name}_holes"] = [ring(hole) for hole in inner]
+    if hello.questions != (SUM,):
+        line["reference"] = ring([case.reference])[0]
+    line |= holes
     if not hello.is_old:
         line["ask"] = list(hello.parts(case))
     return json.dumps(line)
+
+
+def list_reflected_rings(case: Case) -> tuple[Loop, ...]:
+    """Return the rings of -G, the second summand of a Minkowski sum, as given."""
+    return tuple(tuple(Point(-x, -y) for x, y in ring) for ring in case.generatrix_rings)
 
 
 def read_object(line: str) -> dict[str, Any]:
@@ -265,7 +287,13 @@ def adapt(case: Case, hello: Hello) -> Case:
             if "binary64" in candidate.representable:
                 return candidate
     elif hello.numbers == "integer" or hello.numbers in case.representable:
-        return _transform(case, case.integer_scale)
+        scaled = _transform(case, case.integer_scale)
+        if SUM not in hello.questions or hello.numbers == "integer":
+            return scaled
+        # One of these types holds a number whose negative it does not hold.
+        reflected = chain.from_iterable(chain.from_iterable(list_reflected_rings(scaled)))
+        if hello.numbers in find_types([*reflected], 1):
+            return scaled
     raise UnsupportedError(f"{hello.numbers} does not hold the case")
 
 

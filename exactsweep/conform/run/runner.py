@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.cases import require_distinct
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import Outcome, digest_case, judge_case, shrink_outcome
 from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
@@ -14,6 +13,7 @@ from exactsweep.conform.run.protocol import make_hello
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import ACCEPTED
 from exactsweep.corpus import Case
+from exactsweep.corpus.selection import require_distinct
 from exactsweep.numbers.error import tells_arguments
 
 TO_MAKE_SMALLER = 20.0
@@ -97,15 +97,17 @@ def conform(
     Args:
         function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
             integer numbers, float for "binary64", else Fraction; polygons as lists of rings, the
-            exterior first, where `shapes` is "any". It returns the members of an
-            answer of the protocol, without the id; coordinates are any numbers that `to_fraction`
-            reads. An exception is a crash, but NotImplementedError is unsupported.
+            exterior first, where `shapes` is "any". If "minkowski_sum" is the only question it gets
+            a and b instead. It returns the members of an answer of the protocol, without the id; or
+            the only one. Vertices are in any form that `make_plain` takes, and coordinates any
+            numbers that `to_fraction` reads. An exception is a crash, NotImplementedError is
+            unsupported.
         cases: the cases.
         name: of the implementation.
         loops: the loops that it answers, of "trajectory", "inner", "outer".
         numbers: "rational", "integer", "int64", "int32" or "binary64", as for `Hello`.
         reference: "given", "origin" or "first", as for `Hello`.
-        questions: its questions, of "sweep", "no_fit", "inner_fit".
+        questions: its questions, of "sweep", "no_fit", "minkowski_sum", "inner_fit".
         shapes: the pairs that it takes: "convex", "monotone", "simple" or "any".
         seconds: that an answer may take. A function cannot be stopped: an answer that comes too
             late is a timeout when it comes.

@@ -60,7 +60,9 @@ class Stream:
         for number, line in enumerate(self._lines, 2):
             try:
                 result = read_object(line)
-                case = self._case(result.get("id"), find)
+                if "id" not in result:
+                    raise ProtocolError('the answer has no "id"')
+                case = self._case(result["id"], find)
                 put = adapt(case, terms)
                 outcome = judge_answer(case, put, read_answer(result), self.hello)
             except ValueError as error:

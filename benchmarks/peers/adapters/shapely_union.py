@@ -12,7 +12,7 @@ two vertices, which are rounded as binary64 rounds them.
 
 from __future__ import annotations
 
-from exactsweep.conform.adapters.adapter import Adapter, AnsweredRings, AskedShape, sum_adapter
+from benchmarks.peers.adapters.adapter import Adapter, AnsweredRings, AskedShape, sum_adapter
 
 
 def adapter(name: str) -> Adapter:

@@ -14,14 +14,14 @@ import pytest
 from command import PATIENCE, eventually, processes
 from strategies import points
 
+from benchmarks.peers.adapters import NAMES, Adapter, MissingError, klayout_sum, load, npm
+from benchmarks.peers.adapters.__main__ import _write
+from benchmarks.peers.adapters.adapter import build_frame, prepare_ring
+from benchmarks.peers.adapters.names import NPM
+from benchmarks.peers.adapters.npm import SCRIPT
+from benchmarks.peers.adapters.orbit import sort_out
+from benchmarks.peers.adapters.program import ProgramError
 from exactsweep import Point
-from exactsweep.conform.adapters import NAMES, Adapter, MissingError, klayout_sum, load, npm
-from exactsweep.conform.adapters.__main__ import _write
-from exactsweep.conform.adapters.adapter import build_frame, prepare_ring
-from exactsweep.conform.adapters.names import NPM
-from exactsweep.conform.adapters.npm import SCRIPT
-from exactsweep.conform.adapters.orbit import sort_out
-from exactsweep.conform.adapters.program import ProgramError
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
@@ -35,7 +35,7 @@ ROUNDING = ("shapely", "pyclipper", "clipper2", "klayout")
 NO_SUMS = ("libnfporb", "libnfporb-rational", "svgnest-orbit", "convex-minkowski-sum")
 SUMS = [name for name in NAMES if name not in NO_SUMS]
 CLIPPERS = {"pyclipper": ("no_fit",), "clipper2": ("no_fit",)}
-COMMAND = [sys.executable, "-m", "exactsweep.conform.adapters"]
+COMMAND = [sys.executable, "-m", "benchmarks.peers.adapters"]
 PACKAGES = SCRIPT.with_name("package.json")
 
 
@@ -156,7 +156,7 @@ def test_what_is_not_installed_is_refused_by_name(monkeypatch: pytest.MonkeyPatc
     with pytest.raises(MissingError, match=r"shapely is not installed.*exactsweep\[peers\]"):
         load("shapely")
     monkeypatch.setattr(shutil, "which", lambda _: None)
-    monkeypatch.setattr("exactsweep.conform.adapters.cgal_sum.which", lambda _: None)
+    monkeypatch.setattr("benchmarks.peers.adapters.cgal_sum.which", lambda _: None)
     with pytest.raises(MissingError, match=r"cgal-full is not installed: compile .*cgal_sums\.cpp"):
         load("cgal-full")
     with pytest.raises(MissingError, match="no adapter 'abacus'; there are shapely, "):

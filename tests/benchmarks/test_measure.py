@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from exactsweep.conform.adapters import measure as measure_module
-from exactsweep.conform.adapters.measure import main as measure
-from exactsweep.conform.adapters.page import write_page
+from benchmarks.peers.adapters import measure as measure_module
+from benchmarks.peers.adapters.measure import main as measure
+from benchmarks.peers.adapters.page import write_page
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer

@@ -8,10 +8,10 @@ joined or rounded, unless the module of the adapter says so.
 
 As a function: `load`. As a process that speaks the protocol of `exactsweep conform`:
 
-    exactsweep conform -- python -m exactsweep.conform.adapters shapely
+    exactsweep conform -- python -m benchmarks.peers.adapters shapely
 """
 
-from exactsweep.conform.adapters.adapter import Adapter, MissingError
-from exactsweep.conform.adapters.names import NAMES, load
+from benchmarks.peers.adapters.adapter import Adapter, MissingError
+from benchmarks.peers.adapters.names import NAMES, load
 
 __all__ = ["NAMES", "Adapter", "MissingError", "load"]

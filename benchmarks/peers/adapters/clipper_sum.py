@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterable, Sequence
 from importlib.metadata import version
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import (
+from benchmarks.peers.adapters.adapter import (
     Adapter,
     AnsweredRings,
     AskedRing,

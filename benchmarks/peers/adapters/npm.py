@@ -18,14 +18,14 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from exactsweep.conform.adapters.adapter import (
+from benchmarks.peers.adapters.adapter import (
     Adapter,
     AnsweredRings,
     AskedShape,
     require_range,
     sum_adapter,
 )
-from exactsweep.conform.adapters.program import Program, find_node, write_ring
+from benchmarks.peers.adapters.program import Program, find_node, write_ring
 
 SCRIPT = Path(__file__).with_name("npm.js")
 MOST = 2**53 - 1

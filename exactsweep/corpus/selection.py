@@ -1,13 +1,15 @@
-"""Selection of the cases for an implementation, from the corpus or a stream."""
+"""Selection of cases, from the corpus or a file."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, BinaryIO
 
-from exactsweep.conform.run.protocol import read_object
-from exactsweep.corpus import Case, case_from_json
+from exactsweep.corpus.case import KINDS, Case
+from exactsweep.corpus.case_json import case_from_json
+from exactsweep.corpus.shipped import to_names
 from exactsweep.formats import FormatError, show_path
+from exactsweep.formats.exact_json import parse_certificate
 from exactsweep.formats.files import open_bytes, split_lines
 from exactsweep.formats.size import require_size
 from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
@@ -20,7 +22,9 @@ class SelectionError(ExactSweepError):
 
 
 def read_filters(filters: Iterable[str]) -> dict[str, Any]:
-    """Read filters: id=PREFIX, flag=FLAG, class=CC, size=MOST; flags may be several.
+    """Read filters: id=PREFIX, flag=FLAG, class=CC, size=MOST.
+
+    A case has one of the prefixes and of the classes, if there are several, and all of the flags.
 
     Returns:
         The arguments of `cases` and of `select`.
@@ -38,37 +42,33 @@ def read_filters(filters: Iterable[str]) -> dict[str, Any]:
         if name not in _FILTERS or not equals:
             raise SelectionError(f"{quote(text)} is not id=..., flag=..., class=... or size=...")
         argument = _FILTERS[name]
-        if name == "flag":
-            found.setdefault(argument, []).append(value)
-        elif argument in found:
-            raise SelectionError(f"more than one filter {name}=...")
-        else:
-            found[argument] = value
+        if name == "size" and argument in found:
+            raise SelectionError("more than one filter size=...")
+        found.setdefault(argument, []).append(value)
     if "max_size" in found:
+        (size,) = found["max_size"]
         try:
-            found["max_size"] = int(found["max_size"])
+            found["max_size"] = int(size)
         except ValueError:
-            raise SelectionError(
-                f"{quote(found['max_size'])} is not a number of vertices"
-            ) from None
+            raise SelectionError(f"{quote(size)} is not a number of vertices") from None
     return found
 
 
 def select(
     cases: Iterable[Case],
     *,
-    prefix: str = "",
+    prefix: str | Iterable[str] = "",
     flags: Iterable[str] = (),
-    kind: str | None = None,
+    kind: str | Iterable[str] | None = None,
     max_size: int | None = None,
 ) -> Iterator[Case]:
     """Yield those of some cases that `cases` of the corpus would yield for these arguments."""
-    wanted = set(flags)
+    prefixes, kinds, wanted = to_names(prefix), to_names(KINDS if kind is None else kind), {*flags}
     for case in cases:
         if (
-            case.id.startswith(prefix)
+            case.id.startswith(prefixes)
             and wanted <= set(case.flags)
-            and kind in (None, case.kind)
+            and case.kind in kinds
             and (max_size is None or case.size <= max_size)
         ):
             yield case
@@ -101,7 +101,9 @@ def read_cases(path: str) -> Iterator[Case]:
         FormatError: not to be read, or a line that is no case; the message names the file and line.
     """
     with open_bytes(path) as file:
-        yield from read_lines(file, path, lambda number, line: case_from_json(read_object(line)))
+        yield from read_lines(
+            file, path, lambda number, line: case_from_json(parse_certificate(line))
+        )
 
 
 def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> Iterator[Case]:

@@ -12,7 +12,7 @@ from math import inf
 from pathlib import Path
 from shutil import which
 
-from exactsweep.conform.adapters.adapter import AskedRing, AskedShape, MissingError
+from benchmarks.peers.adapters.adapter import AskedRing, AskedShape, MissingError
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import to_fraction

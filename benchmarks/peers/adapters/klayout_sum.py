@@ -12,7 +12,7 @@ from __future__ import annotations
 from importlib.metadata import version
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import (
+from benchmarks.peers.adapters.adapter import (
     Adapter,
     AnsweredRings,
     AskedShape,

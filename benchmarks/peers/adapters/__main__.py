@@ -1,4 +1,4 @@
-"""`python -m exactsweep.conform.adapters NAME`: a program, speaking the protocol of the runner."""
+"""`python -m benchmarks.peers.adapters NAME`: a program, speaking the protocol of the runner."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import Any
 
 import click
 
-from exactsweep.conform.adapters.adapter import Adapter, MissingError
-from exactsweep.conform.adapters.names import NAMES, load
+from benchmarks.peers.adapters.adapter import Adapter, MissingError
+from benchmarks.peers.adapters.names import NAMES, load
 from exactsweep.conform.run.protocol import QUESTIONS, read_object
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote

@@ -13,7 +13,7 @@ import re
 from fractions import Fraction
 from importlib.metadata import version
 
-from exactsweep.conform.adapters.adapter import (
+from benchmarks.peers.adapters.adapter import (
     Adapter,
     AnsweredRings,
     AskedShape,

@@ -20,15 +20,15 @@ from __future__ import annotations
 from shutil import which
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import (
+from benchmarks.peers.adapters.adapter import (
     Adapter,
     AskedShape,
     MissingError,
     Position,
     refer,
 )
-from exactsweep.conform.adapters.nest import start
-from exactsweep.conform.adapters.program import Program, write_fraction, write_shape
+from benchmarks.peers.adapters.nest import start
+from benchmarks.peers.adapters.program import Program, write_fraction, write_shape
 from exactsweep.conform.judge.boundary import are_collinear
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
 

@@ -17,8 +17,8 @@ import hashlib
 from pathlib import Path
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import Adapter, AskedShape, refer
-from exactsweep.conform.adapters.program import Program, find_node, write_shape
+from benchmarks.peers.adapters.adapter import Adapter, AskedShape, refer
+from benchmarks.peers.adapters.program import Program, find_node, write_shape
 from exactsweep.conform.run.protocol import Hello
 
 SCRIPT = Path(__file__).with_name("nest.js")

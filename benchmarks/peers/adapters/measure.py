@@ -1,4 +1,4 @@
-"""`python -m exactsweep.conform.adapters.measure FOLDER`: judge every installed program.
+"""`python -m benchmarks.peers.adapters.measure FOLDER`: judge every installed program.
 
 Each program is asked each of its questions, on the corpus and on generated cases. The journals stay
 in the folder, and a second run asks only for the answers that they lack. Then one page says which
@@ -15,9 +15,9 @@ from pathlib import Path
 
 import click
 
-from exactsweep.conform.adapters.adapter import MissingError
-from exactsweep.conform.adapters.names import NAMES, load
-from exactsweep.conform.adapters.page import write_page
+from benchmarks.peers.adapters.adapter import MissingError
+from benchmarks.peers.adapters.names import NAMES, load
+from benchmarks.peers.adapters.page import write_page
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.pool import Judges
 from exactsweep.conform.run.process import Terms
@@ -37,7 +37,7 @@ def choose_cases(each: int, most: int | None) -> Iterator[Case]:
 
 def judge(name: str, question: str, chosen: Iterator[Case], seconds: float, folder: Path) -> None:
     """Judge a program by one question, and keep its outcomes."""
-    command = [sys.executable, "-m", "exactsweep.conform.adapters", name, "--ask", question]
+    command = [sys.executable, "-m", "benchmarks.peers.adapters", name, "--ask", question]
     with ExitStack() as stack:
         terms = Terms(command, seconds)
         judges = stack.enter_context(closing(Judges(terms)))

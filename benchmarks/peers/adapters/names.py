@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from exactsweep.conform.adapters.adapter import Adapter, MissingError
+from benchmarks.peers.adapters.adapter import Adapter, MissingError
 from exactsweep.numbers.error import quote
 
 CGAL_STRATEGIES = (
@@ -53,7 +53,7 @@ def load(name: str) -> Adapter:
     Example:
         >>> load("abacus")
         Traceback (most recent call last):
-        exactsweep.conform.adapters.adapter.MissingError: no adapter 'abacus'; there are shapely, \
+        benchmarks.peers.adapters.adapter.MissingError: no adapter 'abacus'; there are shapely, \
 pyclipper, clipper2, klayout, pysfcgal, cgal-reduced, cgal-full, cgal-bisectors, cgal-optimal, \
 cgal-hertel-mehlhorn, cgal-greene, cgal-vertical, cgal-triangulation, clipper2-ts, \
 js-angusj-clipper, polygon-clipping, convex-minkowski-sum, libnfporb, libnfporb-rational, \
@@ -61,7 +61,7 @@ svgnest-orbit, svgnest-clipper, deepnest-clipper
     """
     if name not in _MODULES:
         raise MissingError(f"no adapter {quote(name)}; there are {', '.join(NAMES)}")
-    module = import_module(f"exactsweep.conform.adapters.{_MODULES[name]}")
+    module = import_module(f"benchmarks.peers.adapters.{_MODULES[name]}")
     try:
         adapter: Adapter = module.adapter(name)
     except ImportError as error:

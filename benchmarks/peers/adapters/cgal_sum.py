@@ -18,8 +18,8 @@ import subprocess
 from pathlib import Path
 from shutil import which
 
-from exactsweep.conform.adapters.adapter import Adapter, MissingError, sum_adapter
-from exactsweep.conform.adapters.program import Program, write_shape
+from benchmarks.peers.adapters.adapter import Adapter, MissingError, sum_adapter
+from benchmarks.peers.adapters.program import Program, write_shape
 
 PROGRAM = "exactsweep-cgal"
 TAKE_HOLES = ("reduced", "vertical", "triangulation")

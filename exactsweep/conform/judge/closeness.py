@@ -1,0 +1,244 @@
+"""Regions that are equal except for errors of their coordinates, decided exactly.
+
+Two regions E and T are closer than a bound r if
+
+    (1)  every point of the boundary of E is closer than r to that of T, and conversely; and
+    (2)  every point in exactly one of them is closer than r / 2 to one of the boundaries,
+
+by the larger of the differences in x and in y, in which all is rational. Moving each vertex by less
+than r leaves a region closer than r: a point that changes sides is on the way of a point of the
+boundary, so that it is closer than r / 2 to one end of that way. Which rings touch, and how many
+there are, does not matter; but nothing that is as wide as r is lost or gained.
+
+(1): the places on an edge that are closer than r to another edge are an open interval, and edges
+are near if such intervals cover each of them. (2): the trapezoids of the difference are looked at,
+and cut in two until each is closer than r / 2 to one edge, or has a point that is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import chain
+from typing import NamedTuple
+
+from exactsweep.conform.judge.boundary import RingBoundary, find_boundary, trace_rings
+from exactsweep.conform.judge.region import RegionError, Trapezoid, find_differences
+from exactsweep.numbers.number import Fit, Point, PointRings
+
+_DEEPEST = 24
+"""Cuts of a trapezoid, one within the other; a difference that thin is a tie of (2)."""
+
+
+class _OpenInterval(NamedTuple):
+    low: Fraction
+    high: Fraction
+
+
+_EDGE = _OpenInterval(Fraction(-1), Fraction(2))
+
+
+class _NearEdge(NamedTuple):
+    """All points closer than a bound to an edge: an open hexagon, by three strips.
+
+    Attributes:
+        left: the least x of its box, likewise right, bottom and top.
+        strips: (u, v, middle, half): the points p with |u p.x + v p.y - middle| < half.
+    """
+
+    left: Fraction
+    right: Fraction
+    bottom: Fraction
+    top: Fraction
+    strips: tuple[tuple[Fraction, Fraction, Fraction, Fraction], ...]
+
+    @classmethod
+    def around(cls, edge: Fit, bound: Fraction) -> _NearEdge:
+        (ax, ay), (bx, by) = edge
+        zero, one = Fraction(0), Fraction(1)
+        dx, dy = bx - ax, by - ay
+        wide, high = abs(dx) / 2 + bound, abs(dy) / 2 + bound
+        x, y = (ax + bx) / 2, (ay + by) / 2
+        strips = [(one, zero, x, wide), (zero, one, y, high)]
+        if dx and dy:
+            strips.append((-dy, dx, dx * ay - dy * ax, bound * (abs(dx) + abs(dy))))
+        return cls(x - wide, x + wide, y - high, y + high, tuple(strips))
+
+    def holds(self, p: Point) -> bool:
+        """Decide whether a point is closer than the bound."""
+        return all(abs(u * p.x + v * p.y - middle) < half for u, v, middle, half in self.strips)
+
+    def meets(self, low: Point, high: Point) -> bool:
+        """Decide whether its box and another one have a common inner point."""
+        return (
+            self.left < high.x and low.x < self.right and self.bottom < high.y and low.y < self.top
+        )
+
+    def cut(self, a: Point, b: Point) -> _OpenInterval | None:
+        """Find the places a + t (b - a) that are closer than the bound; None if there are none."""
+        low, high = _EDGE
+        for u, v, middle, half in self.strips:
+            start, step = u * a.x + v * a.y - middle, u * (b.x - a.x) + v * (b.y - a.y)
+            if step == 0:
+                if abs(start) >= half:
+                    return None
+                continue
+            first, last = sorted(((-half - start) / step, (half - start) / step))
+            low, high = max(low, first), min(high, last)
+        return _OpenInterval(low, high) if low < high else None
+
+
+def is_close(p: Point, edge: Fit, bound: Fraction) -> bool:
+    """Decide whether a point is closer than a bound to a segment, in x and in y."""
+    return _NearEdge.around(edge, bound).holds(p)
+
+
+def find_box(rings: PointRings) -> tuple[Point, Point]:
+    """Return the lower left and the upper right corner of the box around rings."""
+    xs, ys = zip(*chain.from_iterable(rings), strict=True)
+    return Point(min(xs), min(ys)), Point(max(xs), max(ys))
+
+
+def is_near(p: Point, q: Point, bound: Fraction) -> bool:
+    """Decide whether two points are equal, or closer than a bound in x and in y."""
+    return p == q or all(abs(a - b) < bound for a, b in zip(p, q, strict=True))
+
+
+def are_boxes_near(first: PointRings, second: PointRings, bound: Fraction) -> bool:
+    """Decide whether the boxes around rings allow them to be closer than a bound."""
+    corners = zip(find_box(first), find_box(second), strict=True)
+    return all(is_near(p, q, bound) for p, q in corners)
+
+
+def take_pairs(
+    exact: PointRings, theirs: list[Sequence[Point]], bound: Fraction
+) -> Iterator[Sequence[Point]]:
+    """Take from a list the rings that are closer to exact ones than a bound, each to one.
+
+    Yields:
+        The exact rings of which there is none.
+    """
+    for ring in exact:
+        found = next((other for other in theirs if are_close([ring], [other], bound)), None)
+        if found is None:
+            yield ring
+        else:
+            theirs.remove(found)
+
+
+def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool:
+    """Decide whether each point of some edges is closer than a bound to others.
+
+    Args:
+        target: the others.
+        edges: segments; a point is one with two equal ends.
+        bound: positive.
+
+    Cost: linear where edges of the same place in both lists are close, else O(m n).
+
+    Example:
+        >>> a, b, c = (Point(Fraction(x), Fraction(0)) for x in (0, 2, 5))
+        >>> covers([(a, b), (b, c)], [(a, c)], Fraction(1)), covers([(a, b)], [(a, c)], Fraction(1))
+        (True, False)
+    """
+    near = [_NearEdge.around(edge, bound) for edge in target]
+    hit = 0
+    for a, b in edges:
+        low, high = (Point(*map(f, a, b)) for f in (min, max))
+        place, one = Fraction(0), Fraction(1)
+        while place <= one:
+            p = Point(a.x + place * (b.x - a.x), a.y + place * (b.y - a.y))
+            # Neighbours in one list are close to neighbours in the other.
+            for k in chain(range(hit, len(near)), range(hit)):
+                if near[k].meets(low, high) and near[k].holds(p):
+                    hit = k
+                    break
+            else:
+                return False
+            found = near[hit].cut(a, b)
+            assert found is not None
+            place = found.high
+    return True
+
+
+def are_close(
+    first: PointRings, second: PointRings, bound: Fraction, besides: Sequence[Fit] = ()
+) -> bool:
+    """Decide whether the regions of two sets of rings are closer than a bound, by (1) and (2).
+
+    Args:
+        first: rings.
+        second: rings.
+        bound: the bound; of 0, whether the regions are equal.
+        besides: segments that the boundary of the second may be close to as well.
+
+    Returns:
+        False, too, where the difference has too many parts to be looked at.
+
+    Cost: that of `covers` and `find_differences`.
+
+    Example:
+        >>> ring = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (9, 0), (9, 9), (0, 9)]]
+        >>> rounded = [*ring[1:], Point(Fraction(-1, 3), Fraction(0))]
+        >>> [are_close([ring], [rounded], Fraction(1, k)) for k in (2, 3)]
+        [True, False]
+    """
+    if not are_boxes_near(first, second, bound) and not besides:
+        return False
+    one, other = find_boundary(first), find_boundary(second)
+    if not bound:
+        return one.solid == other.solid
+    return are_boundaries_close(one, other, bound, besides)
+
+
+def are_boundaries_close(
+    one: RingBoundary, other: RingBoundary, bound: Fraction, besides: Sequence[Fit] = ()
+) -> bool:
+    """Decide `are_close` of two boundaries and a positive bound."""
+    return (
+        covers([*one.solid, *besides], other.solid, bound)
+        and covers([*other.solid, *other.doubled], one.solid, bound)
+        and _is_difference_thin(trace_rings(one), trace_rings(other), bound)
+    )
+
+
+def _is_difference_thin(first: PointRings, second: PointRings, bound: Fraction) -> bool:
+    """Decide (2), for rings without doubled lines."""
+    edges: list[_NearEdge] = []
+
+    def list_edges() -> list[_NearEdge]:
+        if not edges:
+            for ring in (*first, *second):
+                for k, p in enumerate(ring):
+                    edges.append(_NearEdge.around((ring[k - 1], p), bound / 2))
+        return edges
+
+    try:
+        for cell in find_differences(first, second):
+            own = [_NearEdge.around(edge, bound / 2) for edge in cell.edges]
+            if not _is_held(cell, own) and not _is_thin(cell, _select(cell, list_edges())):
+                return False
+    except RegionError:
+        return False
+    return True
+
+
+def _select(cell: Trapezoid, edges: Sequence[_NearEdge]) -> list[_NearEdge]:
+    low = Point(cell.left, min(cell.low))
+    high = Point(cell.right, max(cell.high))
+    return [edge for edge in edges if edge.meets(low, high)]
+
+
+def _is_held(cell: Trapezoid, edges: Iterable[_NearEdge]) -> bool:
+    """Decide whether one edge is close to all corners, hence to all points."""
+    corners = cell.corners()
+    return any(all(map(edge.holds, corners)) for edge in edges)
+
+
+def _is_thin(cell: Trapezoid, edges: Sequence[_NearEdge], depth: int = 0) -> bool:
+    if _is_held(cell, edges):
+        return True
+    middle = cell.middle()
+    if depth == _DEEPEST or not any(edge.holds(middle) for edge in edges):
+        return False
+    return all(_is_thin(half, _select(half, edges), depth + 1) for half in cell.halve())

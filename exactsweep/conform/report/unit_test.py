@@ -1,0 +1,125 @@
+"""A failure as text to paste into a unit test, in the language of the program."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.number import PointRings
+
+
+class _Language(NamedTuple):
+    """The notation of rings in a language.
+
+    Attributes:
+        pattern: of a command or a name of a program in it.
+        line: of a constant, by its name and value.
+        brackets: around a list.
+        point: around a point.
+        comment: before a remark.
+    """
+
+    pattern: str
+    line: str
+    brackets: tuple[str, str]
+    point: tuple[str, str]
+    comment: str = "//"
+
+
+_LANGUAGES = {
+    "Python": _Language(r"\bpython|\.py\b", "{name} = {value}", ("[", "]"), ("(", ")"), "#"),
+    "JavaScript": _Language(
+        r"\b(node|deno|bun)\b|\.[mc]?[jt]s\b", "const {name} = {value};", ("[", "]"), ("[", "]")
+    ),
+    "Rust": _Language(
+        r"\bcargo\b|\.rs\b|target/(release|debug)",
+        "let {name}: Vec<Vec<({type}, {type})>> = {value};",
+        ("vec![", "]"),
+        ("(", ")"),
+    ),
+    "C++": _Language(
+        "",
+        "const std::vector<std::vector<std::pair<{type}, {type}>>> {name} = {value};",
+        ("{", "}"),
+        ("{", "}"),
+    ),
+}
+_TYPES = {
+    "binary64": {"Rust": "f64", "C++": "double"},
+    "rational": {"Rust": "&str", "C++": "std::string"},
+}
+_INTEGERS = {"Rust": "i64", "C++": "long long"}
+
+
+def guess_language(command: Sequence[str], name: str) -> str:
+    """Guess the language of a program by its command and its name; C++ if nothing shows.
+
+    >>> guess_language(["node", "mine.js"], "mine"), guess_language(["./mine"], "mine 1.0")
+    ('JavaScript', 'C++')
+    """
+    said = " ".join([*command, name])
+    return next(one for one, how in _LANGUAGES.items() if re.search(how.pattern, said))
+
+
+def write_unit_test(
+    shapes: Iterable[tuple[str, PointRings]], language: str, numbers: str, remark: str
+) -> str:
+    """Write rings as constants of a language.
+
+    Args:
+        shapes: names, and rings.
+        language: as by `guess_language`.
+        numbers: what the program reads, as for `Hello`. Of binary64, numbers are the nearest
+            doubles; rationals are strings.
+        remark: for the first line.
+
+    Returns:
+        Lines of text. A shape with numbers that are no doubles is followed by its exact vertices.
+
+    Example:
+        >>> from exactsweep import Point
+        >>> ring = [Point(Fraction(0), Fraction(1)), Point(Fraction(1, 3), Fraction(2))]
+        >>> print(write_unit_test([("exact", [ring])], "JavaScript", "binary64", "a"), end="")
+        // a
+        const exact = [[[0.0, 1.0], [0.3333333333333333, 2.0]]];
+        // exact, exactly: (0,1) (1/3,2)
+    """
+    how = _LANGUAGES[language]
+    is_double = numbers == "binary64"
+    writers = {"binary64": _to_double, "rational": lambda c: f'"{format_fraction(c)}"'}
+    number = writers.get(numbers, format_fraction)
+    kind = _TYPES.get(numbers, _INTEGERS).get(language, "")
+    lines = [f"{how.comment} {remark}"]
+    for name, rings in shapes:
+        points = ([_surround(how.point, map(number, p)) for p in ring] for ring in rings)
+        value = _surround(how.brackets, (_surround(how.brackets, ring) for ring in points))
+        lines.append(how.line.format(name=name, value=value, type=kind))
+        if is_double and any(_is_rounded(c) for ring in rings for p in ring for c in p):
+            exact = "; ".join(" ".join(map(_write_exactly, ring)) for ring in rings)
+            lines.append(f"{how.comment} {name}, exactly: {exact}")
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _surround(brackets: tuple[str, str], parts: Iterable[str]) -> str:
+    return f"{brackets[0]}{', '.join(parts)}{brackets[1]}"
+
+
+def _write_exactly(point: Iterable[Fraction]) -> str:
+    return f"({','.join(map(format_fraction, point))})"
+
+
+def _to_double(value: Fraction) -> str:
+    try:
+        return repr(float(value))
+    except OverflowError:
+        return format_fraction(value)
+
+
+def _is_rounded(value: Fraction) -> bool:
+    try:
+        return Fraction(float(value)) != value
+    except OverflowError:
+        return True

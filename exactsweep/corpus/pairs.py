@@ -1,0 +1,223 @@
+"""A user's own pairs of polygons as cases, with computed exact answers."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Iterator, Sequence
+from itertools import product
+from pathlib import Path
+from typing import BinaryIO, NamedTuple, Unpack
+
+from exactsweep.corpus.case import Case
+from exactsweep.corpus.case_json import case_from_json
+from exactsweep.corpus.selection import read_lines
+from exactsweep.corpus.shipped import find_case
+from exactsweep.formats import FormatError, read_text, show_path
+from exactsweep.formats.candidate import Candidate, choose
+from exactsweep.formats.exact_json import (
+    describe_kind,
+    parse_certificate,
+    parse_json,
+    read_vertices,
+)
+from exactsweep.formats.files import open_bytes
+from exactsweep.formats.parsing import find_candidates, parse_candidates
+from exactsweep.formats.reading import Options
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.number import ORIGIN, Point, PointRings
+from exactsweep.words import suggest
+
+
+class _PairForm(NamedTuple):
+    """The members of a JSON document that is a pair.
+
+    Attributes:
+        stays: the member that is D.
+        moves: the member that is G.
+        others: further members that it may have.
+    """
+
+    stays: str
+    moves: str
+    others: tuple[str, ...]
+
+
+_FORMS = (
+    _PairForm(
+        "directrix",
+        "generatrix",
+        (
+            *("directrix_holes", "generatrix_holes", "title", "note", "version", "ask"),
+            *("class", "flags", "integer_scale", "representable"),
+            *("kind", "direction", "trajectory", "inner", "outer", "unswept", "area"),
+        ),
+    ),
+    _PairForm("stationary", "orbiting", ("kind", "exterior", "holes", "exact_fits", "area")),
+    _PairForm("container", "part", ("placed", "regions", "exact_fits", "area")),
+)
+"""A case or a line of the protocol, or `sweep --json`; `nfp --json`; `ifp --json`."""
+
+
+def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
+    """Read pairs of polygons as cases.
+
+    Args:
+        path: of a file, or "-" for standard input. Either lines of JSON, each a case or a pair as
+            `read_case` reads it, or one such object over several lines; or polygons in any format
+            that `parse_regions` reads, each of which is put around each, itself included.
+        tolerance: as for `parse_regions`.
+        options: likewise.
+
+    Returns:
+        An iterator of Case; the ids are those of the lines, or "pair-NUMBER" by line; or the two
+        names or indices, D first, as in "plate/disc".
+
+    Raises:
+        FormatError: not to be read; the message names the file, and the line.
+        ValueError: what `sweep` refuses, likewise.
+
+    Cost: that of `Case.of` for each pair; memory is a line, or the polygons.
+    """
+    if path == "-":
+        # It is read twice.
+        yield from _read(io.BytesIO(read_text(path).encode()), path, tolerance, **options)
+        return
+    with open_bytes(path) as file:
+        yield from _read(file, path, tolerance, **options)
+
+
+def read_case(name: str) -> Case:
+    """Read a case.
+
+    Args:
+        name: the path of a file, "-" for standard input, or the id of a case of the corpus or of
+            a generated one. The file holds a case as `case_from_json` reads it; or a pair: what
+            `sweep`, `nfp` or `ifp` write with --json, or an object with "directrix" and
+            "generatrix" and any other member of a case. A polygon is anything that `parse_region`
+            reads of JSON. Answers in a pair are computed anew.
+
+    Returns:
+        The Case; of a pair without "id", the name of the file is the id.
+
+    Raises:
+        ValueError: none of these; the message names the file.
+    """
+    if name != "-" and not Path(name).exists():
+        return find_case(name)
+    with name_refusals(show_path(name), FormatError):
+        return _read_document(read_text(name), show_path(name))
+
+
+def _read(
+    file: BinaryIO, path: str, tolerance: object, **options: Unpack[Options]
+) -> Iterator[Case]:
+    first = b"\n"
+    while first.isspace():
+        first = file.readline(get_max_bytes() + 1)
+    file.seek(0)
+    if _is_pair(first):
+        yield from read_lines(
+            file, path, lambda number, line: _read_document(line, f"pair-{number}")
+        )
+        return
+    with name_refusals(show_path(path), FormatError):
+        text = file.read().decode() if path == "-" else read_text(path)
+        if text.lstrip().startswith("{") and _is_pair(text):
+            yield _read_document(text, show_path(path))
+            return
+        parts = _name(parse_candidates(text, tolerance, **options))
+        for (d, directrix), (g, generatrix) in product(parts, repeat=2):
+            yield _make_case(f"{d}/{g}", directrix, generatrix)
+
+
+def _is_pair(text: str | bytes) -> bool:
+    """Decide whether a text looks like a pair, valid or not."""
+    try:
+        document = json.loads(text)
+    except (ValueError, RecursionError):
+        return False
+    return isinstance(document, dict) and any(
+        {form.stays, form.moves} & document.keys() for form in _FORMS
+    )
+
+
+def _read_document(text: str, name: str) -> Case:
+    """Read a case, or a pair, whose id is the name if it has none."""
+    document = parse_json(text)
+    if not isinstance(document, dict):
+        raise FormatError(f"$ is {describe_kind(document)}, not an object")
+    if "expected" in document:
+        return case_from_json(parse_certificate(text))
+    return _make_pair(document, name)
+
+
+def _make_pair(document: dict[str, object], name: str) -> Case:
+    form = next((one for one in _FORMS if {one.stays, one.moves} & document.keys()), None)
+    if form is None:
+        roles = ", ".join(f"{one.stays} and {one.moves}" for one in _FORMS)
+        raise FormatError(f"$ is no pair, which has one of: {roles}")
+    members = (form.stays, form.moves, "reference", "id", *form.others)
+    for member in document:
+        if member not in members:
+            raise FormatError(f"$ has {quote(member)}{suggest(member, members)}")
+    for role in (form.stays, form.moves):
+        if role not in document:
+            raise FormatError(f"$ has no {role}")
+    if document.get("placed"):
+        raise FormatError("$.placed: a case has no placed shapes")
+    id = document.get("id", name)
+    if not isinstance(id, str):
+        raise FormatError(f"$.id is {describe_kind(id)}, not a string or a number")
+    (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
+    d, g = (_read_shape(document, role) for role in (form.stays, form.moves))
+    return _make_case(id, d, g, reference, inner_fit=form.stays == "container")
+
+
+def _read_shape(document: dict[str, object], role: str) -> PointRings:
+    """Read a polygon with its holes, which stand in it or beside it."""
+    rings = _read_rings(choose(find_candidates(document[role]), None), role)
+    beside = f"{role}_holes"
+    holes = document.get(beside, [])
+    if not isinstance(holes, list):
+        raise FormatError(f"$.{beside} is {describe_kind(holes)}, not a list of holes")
+    if holes and len(rings) > 1:
+        raise FormatError(f"$.{beside}: {role} has holes of its own")
+    return [*rings, *(read_vertices(hole, f"$.{beside}[{k}]") for k, hole in enumerate(holes))]
+
+
+def _make_case(
+    id: str,
+    directrix: PointRings,
+    generatrix: PointRings,
+    reference: Point = ORIGIN,
+    *,
+    inner_fit: bool = False,
+) -> Case:
+    (d, *d_holes), (g, *g_holes) = directrix, generatrix
+    return Case.of(
+        id,
+        "",
+        d,
+        g,
+        reference,
+        directrix_holes=d_holes,
+        generatrix_holes=g_holes,
+        inner_fit=inner_fit,
+    )
+
+
+def _read_rings(candidate: Candidate, name: str) -> PointRings:
+    """Read a polygon and its holes, vertices as they are given."""
+    with name_refusals(name, FormatError):
+        candidate.shape()
+        return [candidate.vertices(), *(hole.vertices() for hole in candidate.holes())]
+
+
+def _name(candidates: Sequence[Candidate]) -> list[tuple[str, PointRings]]:
+    """Read polygons; they are called by their ids, or by index unless all have ids of their own."""
+    names = [candidate.name or "" for candidate in candidates]
+    if "" in names or len(set(names)) < len(names):
+        names = [str(k) for k in range(len(candidates))]
+    return [(name, _read_rings(one, name)) for name, one in zip(names, candidates, strict=True)]

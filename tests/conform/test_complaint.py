@@ -1,0 +1,119 @@
+"""The line that names an error, among all that runtimes write to standard error."""
+
+import pytest
+
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.complaint import find_error, find_place
+from exactsweep.conform.run.fault import name_fault
+
+NODE = """/app/mine.js:2
+if (k == 0) BigInt("4.0");
+            ^
+
+{}
+    at BigInt (<anonymous>)
+    at Object.<anonymous> (/app/mine.js:{}:13)
+    at Module._compile (node:internal/modules/cjs/loader:1521:14)
+
+Node.js v20.20.2
+"""
+PYTHON = """Traceback (most recent call last):
+  File "/app/mine.py", line 6, in <module>
+    try: {}["a"]
+KeyError: 'a'
+
+During handling of the above exception, another exception occurred:
+
+Traceback (most recent call last):
+  File "/app/mine.py", line 7, in <module>
+    except KeyError: raise ValueError("second
+ValueError: second
+line
+"""
+RUST = """
+thread 'main' (14066) panicked at src/main.rs:1:118:
+index out of bounds: the len is 2 but the index is 9
+note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace
+"""
+JAVA = """Exception in thread "main" java.lang.RuntimeException: outer
+\tat A.main(A.java:12)
+Caused by: java.lang.IllegalStateException: inner
+\t... 1 more
+"""
+CPP = """terminate called after throwing an instance of 'std::out_of_range'
+  what():  vector::_M_range_check
+Aborted
+"""
+ADDRESS = """=================================================================
+==7==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x602 at pc 0x55
+READ of size 4 at 0x602000000048 thread T0
+SUMMARY: AddressSanitizer: heap-buffer-overflow /app/mine.cpp:7 in main
+==7==ABORTING
+"""
+UNDEFINED = "mine.cpp:7:149: runtime error: signed integer overflow: 1 + 2\nmore\n"
+ASSERT = "mine: mine.cpp:7: int main(int, char**): Assertion `x.size()==4' failed.\nAborted\n"
+GO = "panic: runtime error: index out of range [5] with length 3\n\ngoroutine 1 [running]:\n"
+SHARP = "Unhandled exception. System.DivideByZeroException: no\n   at Mine.Main() in M.cs:line 3\n"
+NAMED = {
+    NODE.format("TypeError: no", 2): ("TypeError: no", "mine.js line 2"),
+    NODE.format("E [Error]: own", 3): ("E [Error]: own", "mine.js line 3"),
+    PYTHON: ("ValueError: second", "mine.py line 7"),
+    RUST: (
+        "thread 'main' (14066) panicked at src/main.rs:1:118: "
+        "index out of bounds: the len is 2 but the index is 9",
+        "main.rs line 1",
+    ),
+    JAVA: (
+        'Exception in thread "main" java.lang.RuntimeException: outer',
+        "A.java line 12",
+    ),
+    CPP: ("std::out_of_range: vector::_M_range_check", ""),
+    ADDRESS: (
+        "==7==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x602 at pc 0x55",
+        "",
+    ),
+    UNDEFINED: (UNDEFINED.splitlines()[0], ""),
+    ASSERT: (ASSERT.splitlines()[0], ""),
+    GO: (GO.splitlines()[0], ""),
+    SHARP: (SHARP.splitlines()[0], ""),
+    "loading\nabout to fail\n\n": ("about to fail", ""),
+    "Uncaught:\n'a string'\n(Use `node --trace-uncaught ...` to show)\n\nNode.js v20\n": (
+        "'a string'",
+        "",
+    ),
+    "Node.js v20\n": ("Node.js v20", ""),
+    "": ("", ""),
+}
+
+
+@pytest.mark.parametrize("stderr", NAMED)
+def test_the_error_is_named_wherever_it_stands(stderr: str) -> None:
+    assert (find_error(stderr), find_place(stderr)) == NAMED[stderr]
+
+
+def test_crashes_of_one_program_are_told_apart() -> None:
+    """All of them end in the same line."""
+    said = [NODE.format(error, 2) for error in ("TypeError: no", "RangeError: too far")]
+    said.append(NODE.format("TypeError: no", 5))
+    names = {name_fault(Verdict.CRASH, "exited with code 1", stderr=text) for text in said}
+    assert len(names) == 3
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("KeyError: 'a'", "KeyError: 'it is 7'"),
+        ("answers 'x-1', which was not asked", "answers null, which was not asked"),
+        ("$.trajectory[3] has 3 coordinates", "$.trajectory[12] has 3 coordinates"),
+        ('bad "0.5" at 3', 'bad "1e9" at 4'),
+    ],
+)
+def test_values_do_not_tell_faults_apart(one: str, other: str) -> None:
+    is_null = "null" in other
+    names = {name_fault(Verdict.MALFORMED, reason) for reason in (one, other)}
+    assert len(names) == 1 + is_null
+
+
+def test_an_apostrophe_quotes_nothing() -> None:
+    names = {name_fault(Verdict.CRASH, f"can't {word} and won't") for word in ("read", "write")}
+    assert len(names) == 2
