@@ -36,23 +36,7 @@ DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 ReadingOptions = dict[str, Any]
 """The arguments "tolerance" and `Options` of the readers of files."""
 
-SAME_LAYER = "layer"
-"""The value of --nested that `give_values` adds if it is missing."""
-
 _COORDINATES = "exactsweep.coordinates"
-
-
-def give_values(arguments: Sequence[str]) -> list[str]:
-    """Add the optional value of --nested if the next word is not a value.
-
-    >>> give_values(["--nested", "a.dxf", "--nested", "all", "--nested", "OUTER,INNER"])
-    ['--nested=layer', 'a.dxf', '--nested', 'all', '--nested', 'OUTER,INNER']
-    """
-    after = [*arguments, ""][1:]
-    return [
-        f"--nested={SAME_LAYER}" if one == "--nested" and word != "all" and "," not in word else one
-        for one, word in zip(arguments, after, strict=True)
-    ]
 
 
 def to_point(pair: Iterable[str]) -> Point:
@@ -61,10 +45,18 @@ def to_point(pair: Iterable[str]) -> Point:
 
 
 def _make_reading(
-    tolerance: object, join: object, nested: str | None, unit: str, hidden: bool, y_down: bool
+    tolerance: object,
+    join: object,
+    nested: bool | None,
+    layers: tuple[str, ...],
+    ignored_layers: tuple[str, ...],
+    unit: str,
+    hidden: bool,
+    y_down: bool,
 ) -> ReadingOptions:
     reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden}
-    return reading | {"nested": nested == SAME_LAYER or nested or False, "y_down": y_down}
+    layered = {"layers": layers, "ignored_layers": ignored_layers}
+    return reading | layered | {"nested": nested, "y_down": y_down}
 
 
 takes_reading = gather(
@@ -86,10 +78,24 @@ takes_reading = gather(
         "are joined.",
     ),
     click.option(
-        "--nested",
-        metavar="[all|OUTER,INNER]",
-        help="Treat closed outlines inside others of their layer as holes, as in DXF. 'all' treats "
-        "all layers as one, and names of layers these layers.",
+        "--nested/--flat",
+        default=None,
+        help="Read outlines inside others as holes, outlines in a hole as polygons, and so on; or "
+        "each outline as a polygon. By default flat; 'exactsweep layout' nests.",
+    ),
+    click.option(
+        "--layer",
+        "layers",
+        multiple=True,
+        metavar="NAME",
+        help="Read only this layer of SVG and DXF; may be repeated.",
+    ),
+    click.option(
+        "--ignore-layer",
+        "ignored_layers",
+        multiple=True,
+        metavar="NAME",
+        help="Leave out a layer of SVG and DXF, such as engraving; may be repeated.",
     ),
     click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too."),
     click.option(

@@ -73,6 +73,7 @@ class Candidate(NamedTuple):
         ornament: whether it cannot be part of any outline, so that nothing is lost without it.
         error: a bound on the distance between its rings and the drawn curves, in both directions; 0
             if no curve is flattened.
+        words: its classes, in SVG.
     """
 
     place: str
@@ -83,6 +84,7 @@ class Candidate(NamedTuple):
     fault: str = ""
     ornament: bool = False
     error: Fraction = Fraction(0)
+    words: tuple[str, ...] = ()
 
     @classmethod
     def refused(

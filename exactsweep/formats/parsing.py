@@ -7,12 +7,13 @@ from typing import Unpack
 
 from exactsweep.formats import csv
 from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import count_vertices, parse_json
 from exactsweep.formats.files import DXF_SIGN
 from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.json_polygons import read_exact
-from exactsweep.formats.nesting import nest_candidates
+from exactsweep.formats.layers import keep_layers
 from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
@@ -29,9 +30,9 @@ def parse_candidates(
     if not isinstance(text, str):
         raise FormatError(f"{type(text).__name__} is not text")
     reading = Reading(tolerance, **options)
-    candidates = _parse(text, reading)
+    candidates = keep_layers(_parse(text, reading), reading)
     if reading.nested:
-        candidates = nest_candidates(candidates, reading.nested)
+        candidates = nest_candidates(candidates)
     is_svg = text.lstrip().startswith("<")
     y_down = is_svg if reading.y_down is None else reading.y_down
     coordinates = Coordinates(y_down, reading.found_unit)

@@ -191,10 +191,12 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         is_ornament = isinstance(error, OrnamentError)
         return [Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)]
     bound = reading.error if matrix.off or reading.lines > lines else Fraction(0)
+    words = tuple(shape.element.get("class", "").split())
     drawn: list[Candidate | OpenLine] = []
     for region in regions:
         readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
-        drawn.append(Candidate.of_rings(readers, shape.place, name, layer, bound))
+        outline = Candidate.of_rings(readers, shape.place, name, layer, bound)
+        drawn.append(outline._replace(words=words))
     for points in opened:
         first, *inner, last = points
         shaped = tuple(points) if inner else ()

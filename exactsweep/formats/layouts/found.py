@@ -25,6 +25,9 @@ class FoundLayout(NamedTuple):
         name: which one of several it is; "" where it is the only one.
         data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
         notes: what the reader passed over, a sentence each.
+        unchecked: rules and shapes that are not judged, a phrase each.
+        places: where each placement is in the file, such as "line 7"; empty if unknown.
+        unit: the unit of the file's lengths, such as "mm"; "" if unknown.
         flatten: reads the layout again, with curves flattened at another tolerance; None if it has
             no curves. The result has the same parts in the same order.
     """
@@ -32,13 +35,19 @@ class FoundLayout(NamedTuple):
     name: str
     data: Data
     notes: tuple[str, ...] = ()
+    unchecked: tuple[str, ...] = ()
+    places: tuple[str, ...] = ()
+    unit: str = ""
     flatten: Callable[[Fraction], FoundLayout] | None = None
 
     @property
     def error(self) -> Fraction:
         """The greatest error of the container and the parts; 0 without curves."""
-        shapes = (self.data["container"], *self.data["parts"])
-        return max(Fraction(str(shape.get("error", 0))) for shape in shapes)
+        shapes = [self.data.get("container"), *self.data["parts"], *self.data.get("defects", ())]
+        errors = [
+            shape["error"] for shape in shapes if isinstance(shape, dict) and "error" in shape
+        ]
+        return max((Fraction(str(error)) for error in errors), default=Fraction(0))
 
 
 class NestingInstance(NamedTuple):

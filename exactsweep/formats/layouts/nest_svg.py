@@ -22,9 +22,9 @@ from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
+from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, write_rings
-from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import name_refusals, quote

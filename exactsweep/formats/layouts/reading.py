@@ -6,29 +6,23 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, Unpack
 
-from exactsweep.formats.candidate import Candidate, choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json
 from exactsweep.formats.files import read_text, show_path
-from exactsweep.formats.folder import make_unique
 from exactsweep.formats.layouts import cgshop, jagua, packingsolver
+from exactsweep.formats.layouts.drawing import draw_layouts
 from exactsweep.formats.layouts.found import (
-    STANDING,
     FoundLayout,
     NestingInstance,
     make_layouts,
     require_within_strip,
-    write_rings,
 )
-from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data, JsonNode
-from exactsweep.formats.parsing import parse_candidates
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import quote, tells_arguments
-from exactsweep.words import count
 
 
 class LayoutOptions(Options, total=False):
@@ -174,7 +168,7 @@ def _parse(
             return make_layouts(sheets, known or drawn, notes)
     if known is not None:
         raise FormatError("not a solution to an instance")
-    return [_draw_layout(text, container, reading)]
+    return draw_layouts(text, container, reading)
 
 
 def _read_json(
@@ -236,50 +230,3 @@ def _make_shape(part: Data) -> object:
         return Region(*rings)
     except PolygonError:
         return rings
-
-
-def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLayout:
-    """Make a layout of a drawing, each outline a part where it stands.
-
-    Raises FormatError if one of them cannot be read: with it, the layout may be wrong.
-    """
-    options: Options = {"join": reading.join, "unit": reading.unit, "hidden": reading.hidden}
-    drawn = parse_candidates(text, reading.tolerance, **options)
-    notes = [
-        *drawn.left_out,
-        *drawn.notes,
-        *(f"left out: {one.fault}" for one in drawn if one.fault),
-    ]
-    outlines = [one for one in drawn if not one.ornament]
-    if not outlines:
-        raise FormatError(notes[0] if notes else "no outline is drawn")
-    around = _find_around(outlines) if container is None else choose(outlines, container)
-    rest = [one for one in outlines if one is not around]
-    if not rest:
-        raise FormatError("one outline alone is drawn: nothing is placed")
-    if reading.nested:
-        drawn_rings = len(rest)
-        rest = nest_candidates(rest, reading.nested)
-        if len(rest) < drawn_rings:
-            inside = count(drawn_rings - len(rest), "outline")
-            notes.append(f"{inside} inside others counted as holes, not as parts (--nested)")
-    names = make_unique([one.name or one.layer or str(k) for k, one in enumerate(rest)])
-    parts = [{"id": name, **write_rings(one)} for name, one in zip(names, rest, strict=True)]
-    placements = [STANDING | {"part": name} for name in names]
-    data: Data = {"container": write_rings(around), "parts": parts, "placements": placements}
-    return FoundLayout("", data, tuple(notes))
-
-
-def _find_around(outlines: list[Candidate]) -> Candidate:
-    boxes = []
-    for one in outlines:
-        vertices = one.vertices()
-        if not vertices:
-            raise FormatError(f"{one.place}: no vertices")
-        xs, ys = zip(*vertices, strict=True)
-        boxes.append((min(xs), min(ys), -max(xs), -max(ys)))
-    least = [min(sides) for sides in zip(*boxes, strict=True)]
-    around = [one for one, box in zip(outlines, boxes, strict=True) if [*box] == least]
-    if len(around) != 1:
-        raise FormatError("no outline is around all others; name the container (--container)")
-    return around[0]
