@@ -23,12 +23,12 @@ class Sheet(NamedTuple):
     """A container of a drawing.
 
     Attributes:
-        container: its outline.
+        container: its outline; None if there is none.
         defects: outlines that no part may overlap.
         outlines: the other outlines on it.
     """
 
-    container: Candidate
+    container: Candidate | None
     defects: list[Candidate]
     outlines: list[Candidate]
 

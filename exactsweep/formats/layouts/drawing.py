@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
+from typing import Literal
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.depth import Nested, nest_outlines, tell_ambiguity, tell_place
@@ -24,12 +25,14 @@ from exactsweep.words import count
 _LINE = re.compile(r"line \d+")
 
 
-def draw_layouts(text: str, container: str | None, reading: Reading) -> list[FoundLayout]:
+def draw_layouts(
+    text: str, container: str | Literal[False] | None, reading: Reading
+) -> list[FoundLayout]:
     """Make a layout of each container of a drawing; see `find_sheets`.
 
     Args:
         text: the drawing.
-        container: the name, index or layer of the container, if it is known.
+        container: the name, index or layer of the container, if it is known; False for none.
         reading: its settings; outlines are nested unless `nested` is False.
 
     Raises:
@@ -45,7 +48,7 @@ def draw_layouts(text: str, container: str | None, reading: Reading) -> list[Fou
     if not plain:
         raise FormatError(notes[0] if notes else "no outline is drawn")
     outlines, unchecked = _leave_open_layers(plain)
-    sheets = find_sheets(outlines, container)
+    sheets = [Sheet(None, [], outlines)] if container is False else find_sheets(outlines, container)
     if all(not sheet.outlines for sheet in sheets):
         raise FormatError("one outline alone is drawn: nothing is placed")
     # Pixels are what SVG has where it states no unit.
@@ -105,16 +108,22 @@ def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
         notes.append(
             f"{count(len(sheet.defects), 'outline')} on the layer of the container read as defects"
         )
-    names = make_unique([one.name or one.layer or str(k) for k, one in enumerate(parts)])
-    container = write_rings(sheet.container)
+    names = make_unique([_name_part(one, k) for k, one in enumerate(parts)])
     data: Data = {
-        "container": container,
         "parts": [{"id": name, **write_rings(one)} for name, one in zip(names, parts, strict=True)],
         "placements": [STANDING | {"part": name} for name in names],
     }
+    if sheet.container is not None:
+        data["container"] = write_rings(sheet.container)
     if sheet.defects:
         data["defects"] = [write_rings(one) for one in sheet.defects]
     return FoundLayout("", data, tuple(notes), tuple(unchecked), tuple(map(_find_line, parts)))
+
+
+def _name_part(outline: Candidate, k: int) -> str:
+    """Return the name or the layer of an outline; its number on the first layer of DXF."""
+    layer = outline.layer if outline.layer != "0" else None
+    return outline.name or layer or str(k)
 
 
 def _tell_holes(found: Nested) -> list[str]:

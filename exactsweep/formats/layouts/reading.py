@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import partial
-from typing import Any, Unpack
+from typing import Any, Literal, Unpack
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json
@@ -24,18 +24,20 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import quote, tells_arguments
 
+_Container = str | Literal[False] | None
+
 
 class LayoutOptions(Options, total=False):
     """The options of a reader of layouts, as `read_layouts` has them.
 
     Attributes:
         instance: the instance that a solution answers.
-        container: which outline of a drawing is the container.
+        container: which outline of a drawing is the container; False for no container.
         tolerance: how far lines may be from curves.
     """
 
     instance: str | None
-    container: str | None
+    container: _Container
     tolerance: object
 
 
@@ -81,8 +83,8 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
             and Deepnest; or any drawing that `read_regions` reads, its outlines where they stand.
         instance: the file of the instance that a solution answers; needed where the solution does
             not hold it. It says what is to be placed how often, and which turns are allowed.
-        container: which outline of a drawing is the container, by name, index or layer; if left
-            out, the one whose box is around all others.
+        container: which outline of a drawing is the container, by name, index or layer; False for
+            no container; if left out, the command finds it.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
 
@@ -109,11 +111,11 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
 
 def _take_options(
     instance: str | None = None,
-    container: str | None = None,
+    container: _Container = None,
     tolerance: object = None,
     **options: Unpack[Options],
-) -> tuple[str | None, str | None, Reading]:
-    for name, value in (("instance", instance), ("container", container)):
+) -> tuple[str | None, _Container, Reading]:
+    for name, value in (("instance", instance), ("container", container or None)):
         if not isinstance(value, str | None):
             raise FormatError(f"{name} is {quote(value)}, not a string")
     return instance, container, Reading(tolerance, **options)
@@ -129,10 +131,17 @@ def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | Non
 
 
 def _parse_each(
-    text: str, known: NestingInstance | None, container: str | None, reading: Reading
+    text: str,
+    known: NestingInstance | None,
+    container: _Container,
+    reading: Reading,
 ) -> list[FoundLayout]:
     """Read the layouts of a text so that each can be read again, more finely."""
     found = _parse(text, known, container, reading)
+    if container is False:
+        found = [one._replace(data={**one.data}) for one in found]
+        for one in found:
+            one.data.pop("container", None)
 
     def flatten(k: int, tolerance: Fraction) -> FoundLayout:
         return _parse(text, known, container, reading.at(tolerance))[k]
@@ -144,16 +153,19 @@ def _parse_each(
 
 
 def _parse(
-    text: str, known: NestingInstance | None, container: str | None, reading: Reading
+    text: str,
+    known: NestingInstance | None,
+    container: _Container,
+    reading: Reading,
 ) -> list[FoundLayout]:
     first = text.lstrip()[:1]
-    if container is None and first == "{":
+    if not container and first == "{":
         found = _read_json(JsonNode(parse_json(text)), known, reading)
         if found:
             # No such file states its unit.
             reading.scale(None)
             return found
-    if container is None and first == "<" and reading.unit is None:
+    if not container and first == "<" and reading.unit is None:
         from exactsweep.formats.curved.xml import parse_xml
         from exactsweep.formats.layouts.nest_svg import read_nest
 
@@ -175,7 +187,7 @@ def _read_json(
     document: JsonNode, known: NestingInstance | None, reading: Reading
 ) -> list[FoundLayout]:
     """Read a document; the result is empty if no nesting program writes such documents."""
-    if all(map(document.has, ("container", "parts", "placements"))):
+    if all(map(document.has, ("parts", "placements"))):
         if known is not None:
             raise FormatError("Layout JSON has its own parts and rules, and no instance")
         return [FoundLayout("", _with_counts(document))]
