@@ -138,6 +138,20 @@ class Board:
         """The outside of the container in the frame, if there is one, and each defect."""
         return [*self._find_outside(), *self._find_defects()]
 
+    def required(self, wall: int) -> Fraction:
+        """Return the least allowed distance of parts from one of `around`."""
+        number = wall - self.first_defect
+        if self.layout.container is not None:
+            number -= len(self.layout.container.holes)
+        own = self.layout.defects[number].spacing if number >= 0 else None
+        return self.layout.margin if own is None else own
+
+    @cached_property
+    def greatest_margin(self) -> Fraction:
+        """The greatest of the distances that `required` returns."""
+        spacings = [one.spacing for one in self.layout.defects if one.spacing is not None]
+        return max([self.layout.margin, *spacings])
+
     @property
     def first_defect(self) -> int:
         """The number of the first defect in `around`."""
@@ -226,10 +240,10 @@ class Board:
                 found[placed[k]].append(j - len(placed) + first)
         return {k: sorted(walls) for k, walls in found.items()}
 
-    def find_walls(self, reach: Fraction) -> Iterator[tuple[int, list[int]]]:
-        """Find for each placement all of `around` that may be within reach."""
+    def find_walls(self) -> Iterator[tuple[int, list[int]]]:
+        """Find for each placement all of `around` that may be nearer than required."""
         outside = range(self.first_defect)
-        for k, defects in self.find_defects(reach).items():
+        for k, defects in self.find_defects(self.greatest_margin).items():
             yield k, defects if self.is_clear(k) else [*outside, *defects]
 
 

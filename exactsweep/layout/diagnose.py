@@ -98,7 +98,9 @@ def _apply(layout: Layout, change: Convention) -> Layout:
     placements = []
     for placement in layout.placements:
         part, placed = change(layout.part_by_id[placement.part], placement)
-        name = parts.setdefault(replace(part, demand=None, turns=None), str(len(parts)))
+        name = parts.setdefault(
+            replace(part, demand=None, turns=None, mirrored_turns=None), str(len(parts))
+        )
         placements.append(replace(placed, part=name))
     named = tuple(replace(part, id=name) for part, name in parts.items())
     return replace(layout, parts=named, placements=tuple(placements))

@@ -24,7 +24,7 @@ FaultKind = Literal[
 """The kinds of faults, the worst first."""
 
 
-_MEASURED = "overlap", "outside", "too close"
+_REPAIRED = "overlap", "outside", "too close", "undecided"
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ class Fault:
 
     @cached_property
     def move(self) -> Point | None:
-        """A shortest move that repairs an "overlap", "outside" or "too close"; else None.
+        """A shortest move that repairs a fault of placements in their positions; else None.
 
         The move frees the last placement from the fault, with the spacing or the margin, without
         regard to other parts. For a part outside, it moves the part into the container, free of
@@ -103,7 +103,7 @@ class Fault:
 
         Cost: that of `find_repair`, on first access.
         """
-        if self._board is None or self.kind not in _MEASURED:
+        if self._board is None or self.kind not in _REPAIRED:
             return None
         return find_repair(self._board, self.placements, self._bits)
 
@@ -126,8 +126,9 @@ class Fault:
         """The required distance, for "too close"."""
         if self._board is None or self.kind != "too close":
             return None
-        layout = self._board.layout
-        return layout.spacing if len(self.placements) > 1 else layout.margin
+        if len(self.placements) > 1:
+            return self._board.layout.spacing
+        return self._board.required(self.wall)
 
     def is_within(self, depth: Fraction) -> bool:
         """Decide whether the fault is at most a depth deep, or short of the required distance.

@@ -170,12 +170,13 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
 
 def _judge_container(board: Board) -> Iterator[Fault]:
     """Find the faults of placements with the outside and the defects, at most one each."""
-    margin, solid = board.layout.margin, board.solid
-    for k, walls in board.find_walls(margin):
+    solid = board.solid
+    for k, walls in board.find_walls():
         worst: list[tuple[Fraction, Fault]] = []
         for wall in walls:
             fixed = board.around[wall]
-            found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
+            required = board.required(wall)
+            found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, required)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)
             rank = Fraction(-1) if found.gap is None else found.gap.value
             worst += ((rank, fault) for fault in faults)
@@ -214,8 +215,9 @@ def _judge_rules(layout: Layout) -> Iterator[Fault]:
     for k, placement in enumerate(layout.placements):
         placements[placement.part].append(k)
         part = layout.part_by_id[placement.part]
-        if part.turns is not None and placement.turn not in part.turns:
-            reason = f"part {part.id} may not be turned by {placement.turn}"
+        if not part.allows(placement):
+            only = ", mirrored" if placement.mirrored else ""
+            reason = f"part {part.id} may not be turned by {placement.turn}{only}"
             yield Fault("turn", (k,), part.id, reason)
         if part.mirrored is False and placement.mirrored:
             yield Fault("mirror", (k,), part.id, f"part {part.id} may not be mirrored")

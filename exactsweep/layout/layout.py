@@ -40,6 +40,7 @@ class LayoutPart:
         mirrored: whether a placement may be mirrored; None also allows it.
         error: a bound on the distance between the rings and the curves that they stand for, in both
             directions; 0 for a polygon.
+        mirrored_turns: the allowed turns of mirrored placements; None for those of `turns`.
     """
 
     id: str
@@ -49,15 +50,19 @@ class LayoutPart:
     turns: tuple[Turn, ...] | None = None
     mirrored: bool | None = None
     error: Fraction = Fraction(0)
+    mirrored_turns: tuple[Turn, ...] | None = None
 
     @classmethod
     def from_json(cls, data: object, path: str) -> LayoutPart:
         """Read a part; messages begin with the path."""
-        found = read_object(
-            data, path, ("id", "exterior"), ("holes", "demand", "turns", "mirrored", "error")
-        )
+        rules = ("demand", "turns", "mirrored", "mirrored_turns")
+        found = read_object(data, path, ("id", "exterior"), ("holes", *rules, "error"))
         exterior, holes = read_rings(found, path)
-        demand, turns = found.get("demand"), found.get("turns")
+        demand = found.get("demand")
+        turns, mirrored = (
+            None if found.get(name) is None else read_list(found[name], f"{path}.{name}", read_turn)
+            for name in ("turns", "mirrored_turns")
+        )
         if demand is not None and (type(demand) is not int or demand < 0):
             raise LayoutError(f"{path}.demand is {quote(demand)}, not an integer of 0 or more")
         return cls(
@@ -65,10 +70,18 @@ class LayoutPart:
             exterior,
             holes,
             demand,
-            None if turns is None else read_list(turns, f"{path}.turns", read_turn),
+            turns,
             read_flag(found.get("mirrored"), f"{path}.mirrored"),
             read_gap(found.get("error", 0), f"{path}.error"),
+            mirrored,
         )
+
+    def allows(self, placement: Placement) -> bool:
+        """Decide whether the turn of a placement is allowed."""
+        turns = self.turns
+        if placement.mirrored and self.mirrored_turns is not None:
+            turns = self.mirrored_turns
+        return turns is None or placement.turn in turns
 
     @cached_property
     def region(self) -> Region | None:
@@ -130,16 +143,21 @@ class Defect:
     Attributes:
         region: a Region.
         error: as for `LayoutPart`.
+        spacing: the least allowed distance of parts; None for the margin of the layout.
     """
 
     region: Region
     error: Fraction = Fraction(0)
+    spacing: Fraction | None = None
 
     @classmethod
     def from_json(cls, data: object, path: str) -> Defect:
         """Read a defect; messages begin with the path."""
-        rings, error = _read_shape(data, path)
-        return cls(_make_region(rings, path), error)
+        rings, error = _read_shape(data, path, "spacing")
+        assert isinstance(data, Mapping)
+        given = data.get("spacing")
+        spacing = None if given is None else read_gap(given, f"{path}.spacing")
+        return cls(_make_region(rings, path), error, spacing)
 
 
 @dataclass(frozen=True)
@@ -227,7 +245,11 @@ class Layout:
 
         Cost: linear.
         """
-        defects = [_list_shape(one.region, one.error) for one in self.defects]
+        defects = [
+            _list_shape(one.region, one.error)
+            | ({} if one.spacing is None else {"spacing": one.spacing})
+            for one in self.defects
+        ]
         data = {
             **({"container": _list_shape(self.container, self.error)} if self.container else {}),
             **({"defects": defects} if defects else {}),
@@ -273,8 +295,10 @@ def _read_container(data: object) -> tuple[Region, Fraction, tuple[Defect, ...]]
         return alone, error, tuple(defects)
 
 
-def _read_shape(data: object, path: str) -> tuple[tuple[Loop, tuple[Loop, ...]], Fraction]:
-    found = read_object(data, path, ("exterior",), ("holes", "error"))
+def _read_shape(
+    data: object, path: str, *others: str
+) -> tuple[tuple[Loop, tuple[Loop, ...]], Fraction]:
+    found = read_object(data, path, ("exterior",), ("holes", "error", *others))
     return read_rings(found, path), read_gap(found.get("error", 0), f"{path}.error")
 
 
@@ -291,8 +315,16 @@ def _list_shape(region: Region, error: Fraction) -> dict[str, Any]:
 
 
 def _list_fields(part: LayoutPart) -> dict[str, Any]:
-    turns = None if part.turns is None else [turn.to_json() for turn in part.turns]
-    allowed = {"demand": part.demand, "turns": turns, "mirrored": part.mirrored}
+    turns, mirrored = (
+        None if turns is None else [turn.to_json() for turn in turns]
+        for turns in (part.turns, part.mirrored_turns)
+    )
+    allowed = {
+        "demand": part.demand,
+        "turns": turns,
+        "mirrored": part.mirrored,
+        "mirrored_turns": mirrored,
+    }
     return {
         "id": part.id,
         "exterior": part.exterior,

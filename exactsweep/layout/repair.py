@@ -23,10 +23,11 @@ from exactsweep.geometry.region import Region
 from exactsweep.layout.board import Board
 from exactsweep.layout.solid import Solid
 from exactsweep.layout.verdict import judge_pair
+from exactsweep.numbers.digits import find_magnitude
 from exactsweep.numbers.number import ORIGIN, Edge, Point
 from exactsweep.sweep import free_positions, inner_fit_polygon, no_fit_polygon
 
-_SIDES, _STEPS, _DIGITS = 32, 30, 12
+_SIDES, _STEPS, _DIGITS = 32, 30, (6, 9, 12)
 # For radii below this share of the part a square is precise enough.
 _TINY = Fraction(1, 10**6)
 
@@ -67,7 +68,7 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
         required = board.layout.spacing
         slack = solid.slack + board.solid(placements[0], bits).slack
     else:
-        required = board.layout.margin
+        required = board.greatest_margin
         slack = solid.slack + max((wall.slack for wall in board.around), default=Fraction(0))
     room = required + slack
     move = _find_move(board, placements, bits, room)
@@ -93,8 +94,10 @@ def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[
         if len(placements) > 1:
             pairs = [(moved(partial(board.solid, placements[0])), board.layout.spacing)]
         else:
-            margin = board.layout.margin
-            pairs = [(moved(partial(_give, wall)), margin) for wall in board.around]
+            pairs = [
+                (moved(partial(_give, wall)), board.required(k))
+                for k, wall in enumerate(board.around)
+            ]
         for pair, required in pairs:
             found = judge_pair(pair, bits, required)
             if found.too_close is not False or found.meeting is Relation.OVERLAP:
@@ -203,20 +206,20 @@ def _shorten(move: Point, is_free: Callable[[Point], bool]) -> Point:
         else:
             low = middle
     shorter = Point(move.x * high, move.y * high)
-    rounded = Point(*(_round(value * (1 + Fraction(1, 10**9))) for value in shorter))
-    return rounded if is_free(rounded) else shorter
+    for digits in _DIGITS:
+        rounded = Point(_round(shorter.x, digits), _round(shorter.y, digits))
+        if is_free(rounded):
+            return rounded
+    return shorter
 
 
-def _round(value: Fraction) -> Fraction:
-    """Round a number to a few digits, away from 0."""
+def _round(value: Fraction, digits: int) -> Fraction:
+    """Round a number to significant digits.
+
+    >>> _round(Fraction(200, 3), 3)
+    Fraction(667, 10)
+    """
     if not value:
         return value
-    size = abs(value)
-    unit = Fraction(1)
-    while size >= 10 * unit:
-        unit *= 10
-    while size < unit:
-        unit /= 10
-    unit /= Fraction(10) ** _DIGITS
-    whole = -(-size // unit) * unit
-    return whole if value > 0 else -whole
+    unit = Fraction(10) ** (find_magnitude(abs(value)) - digits + 1)
+    return round(value / unit) * unit
