@@ -20,6 +20,7 @@ from exactsweep.cli.parts import find_parts, read_named, say_all, say_left_out
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.folder import bring_to_one
 from exactsweep.formats.part_list import Coordinates
 from exactsweep.formats.polygons import name_file, read_choice, split_choice
@@ -249,33 +250,48 @@ def read_each(
 def read_placed(
     stays: str, moves: str, placed: Sequence[str], reading: ReadingOptions
 ) -> tuple[Region, Region, list[Region]]:
-    """Read two polygons, and all of other files, with Y as in the two."""
-    first, second = read_two(stays, moves, reading)
-    regions: list[Region] = []
+    """Read a container, a part, and the shapes that it must not overlap, with Y as in the two.
+
+    Holes of the container that touch or cross its boundary or one another are such shapes, too.
+    """
+    (one, file), (other, its_file) = _choose_two(stays, moves, reading)
+    with working("reading"), name_file(file):
+        first, regions = one.split()
+    with working("reading"), name_file(its_file):
+        second = other.region()
     if not placed:
         return first, second, regions
+    others: list[Region] = []
     listing = find_parts(placed, reading)
     for part in listing.parts:
         # None may be left out as not simple.
         with name_refusals(part.file):
-            regions.append(part.candidate.named_region().region)
+            others.append(part.candidate.named_region().region)
     if listing.coordinates.y_down != coordinates_of_files().y_down:
         say_all([f"{', '.join(map(show_path, placed))}: Y turned, to point as in the other files"])
-        regions = [region.scaled((1, -1)) for region in regions]
-    return first, second, regions
+        others = [region.scaled((1, -1)) for region in others]
+    return first, second, regions + others
 
 
 def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, Region]:
     """Read two polygons, each from a file, with Y the same way up, and say what is left out."""
+    regions = []
+    for candidate, file in _choose_two(stays, moves, reading):
+        with working("reading"), name_file(file):
+            regions.append(candidate.region())
+    return regions[0], regions[1]
+
+
+def _choose_two(stays: str, moves: str, reading: ReadingOptions) -> list[tuple[Candidate, str]]:
+    """Find two polygons, each with the name of its file, and say what is left out."""
     _require_one_input(stays, moves)
     with working("reading"):
         files = [(path, read_choice(path, **reading)) for path in (stays, moves)]
     keep_coordinates(*bring_to_one([(show_path(path), found) for path, found in files]))
-    regions = []
+    chosen = []
     for path, found in files:
         name = split_choice(path)[0]
         say_left_out([f"{show_path(name)}: {reason}" for reason in found.left_out])
         say_all(f"{show_path(name)}: {note}" for note in found.notes)
-        with working("reading"), name_file(name):
-            regions.append(found[0].region())
-    return regions[0], regions[1]
+        chosen.append((found[0], name))
+    return chosen

@@ -152,6 +152,20 @@ class Candidate(NamedTuple):
             lambda: Region(self._short_vertices(), [hole._short_vertices() for hole in holes])
         )
 
+    def split(self) -> tuple[Region, list[Region]]:
+        """Read the polygon, and its holes as regions if they are not apart from each other and it.
+
+        Raises:
+            FormatError: as by `region`.
+            PolygonError: a ring is not simple.
+        """
+        try:
+            return self.region(), []
+        except PolygonError:
+            rings = [one._replace(holes=tuple) for one in (self, *self.holes())]
+            exterior, *holes = [ring.region() for ring in rings]
+            return exterior, holes
+
     def shape(self) -> AnyPolygon:
         """Read a Region if there are holes, else a Polygon."""
         return self.region() if self.holes() else self.polygon()

@@ -44,8 +44,7 @@ def test_touching_plates_are_valid(form: str, tmp_path: Path) -> None:
 def test_overlapping_plates_are_named_with_their_depth(
     form: str, depth: str, tmp_path: Path
 ) -> None:
-    moved = str(2 + Fraction(depth)) if "e" not in depth else "2.000000001"
-    moved = f"{float(Fraction(moved)):.10f}"
+    moved = f"{2 + float(Fraction(depth)):.10f}"
     code, found = judge(tmp_path, form, draw_plates({11: (moved, "0")}))
     (fault,) = found["faults"]
     assert (code, fault["kind"], fault["placements"]) == (1, "overlap", [11, 12])
