@@ -93,7 +93,8 @@ class _Wanted(NamedTuple):
 @click.argument("files", nargs=-1, required=True, type=PATH)
 @takes_file(
     "--instance",
-    "The instance of a solution, with its parts, their number and their allowed turns.",
+    "The instance of a solution, with its parts, their number and their allowed turns; or a "
+    "drawing, a file or a folder of parts, each to be placed once.",
 )
 @gather(
     "container",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from fractions import Fraction
 from functools import partial
+from glob import has_magic
 from typing import Any, Literal, Unpack
 
 from exactsweep.formats.error import FormatError
@@ -17,6 +19,7 @@ from exactsweep.formats.layouts.found import (
     make_layouts,
     require_within_strip,
 )
+from exactsweep.formats.layouts.inventory import compare_inventory, read_inventory
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
@@ -69,7 +72,10 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayo
         [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
     """
     instance, container, reading = _take_options(**options)
-    return _parse_each(text, _parse_instance(instance, reading), container, reading)
+    known = _parse_instance(instance, reading)
+    if instance is not None and known is None:
+        raise FormatError("not an instance of a nesting program")
+    return _parse_each(text, known, container, reading)
 
 
 @tells_arguments
@@ -82,7 +88,8 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
             spyrrow, of packingsolver and of CG:SHOP 2024 as JSON; SVG of sparrow, jagua-rs, SVGnest
             and Deepnest; or any drawing that `read_regions` reads, its outlines where they stand.
         instance: the file of the instance that a solution answers; needed where the solution does
-            not hold it. It says what is to be placed how often, and which turns are allowed.
+            not hold it. It says what is to be placed how often, and which turns are allowed. Or a
+            drawing, a file of polygons or a folder of parts, each to be placed once.
         container: which outline of a drawing is the container, by name, index or layer; False for
             no container; if left out, the command finds it.
         tolerance: as for `exactsweep.formats.parse_polygons`.
@@ -98,10 +105,19 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
     """
     instance, container, reading = _take_options(**options)
     file, choice = split_choice(path)
-    with name_file(instance or file):
-        known = _parse_instance(None if instance is None else read_text(instance), reading)
+    known, wanted = None, None
+    if instance is not None:
+        text = "" if os.path.isdir(instance) or has_magic(instance) else read_text(instance)
+        with name_file(instance):
+            known = _parse_instance(text, reading) if text.lstrip()[:1] == "{" else None
+        if known is None:
+            wanted = read_inventory(instance, reading)
     with name_file(file):
         found = _parse_each(read_text(file), known, container, reading)
+        if wanted is not None:
+            if len(found) > 1:
+                raise FormatError(f"{len(found)} sheets; an instance of parts is for one sheet")
+            found = [compare_inventory(one, wanted) for one in found]
         if choice is None:
             return found
         if choice.isascii() and choice.isdigit() and int(choice) < len(found):
@@ -124,10 +140,7 @@ def _take_options(
 def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | None:
     if text is None:
         return None
-    found = _read_instance(JsonNode(parse_json(text)), reading)
-    if found is None:
-        raise FormatError("not an instance of a nesting program")
-    return found
+    return _read_instance(JsonNode(parse_json(text)), reading)
 
 
 def _parse_each(
