@@ -21,11 +21,12 @@ from exactsweep.formats.folder import find_files
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.limits import keep_limits, list_limits
-from exactsweep.words import spell_out
+from exactsweep.words import count, spell_out
 
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
     from exactsweep.layout import Judgement
+    from exactsweep.layout.report import ReportContext
 
 
 # How much finer curves are flattened each time, and how often.
@@ -86,6 +87,7 @@ class _Wanted(NamedTuple):
     certificate: str | None
     html: str | None
     svg: str | None
+    repair: str | None
     output: str
 
 
@@ -146,6 +148,7 @@ class _Wanted(NamedTuple):
     ),
     takes_file("--html", "Write a page with pictures of faults."),
     takes_file("--svg", "Write a picture with enlarged faults below."),
+    takes_file("--repair", "Write the layout, moved by small moves to be valid, as Layout JSON."),
     takes_workers("The number of processes for several files; by default one per processor."),
     takes_output,
 )
@@ -201,8 +204,8 @@ def layout_command(
                 y_down = found[0].split("#")[0].lower().endswith(".svg")
             code = _judge_one(layouts[0], gaps, rules, show_path(found[0]), wanted, y_down=y_down)
             sys.exit(code)
-    if wanted.certificate or wanted.html or wanted.svg:
-        raise click.UsageError("--certificate, --html and --svg are for a single layout.")
+    if wanted.certificate or wanted.html or wanted.svg or wanted.repair:
+        raise click.UsageError("--certificate, --html, --svg and --repair are for a single layout.")
     if layouts:
         rows = judge_file(found[0], lambda: layouts, gaps, rules.accept)
     else:
@@ -254,6 +257,9 @@ def _judge_one(
                 write_readable(json.dumps(judgement.certificate()) + "\n", wanted.certificate)
             except LayoutError as error:
                 click.echo(f"{title}: {error}", err=True)
+        if wanted.repair:
+            tell("repairing")
+            notes.append(_repair(judgement, wanted.repair, context))
         if wanted.as_json:
             text = report.write_layout_json(judgement, notes, ranked, context)
         else:
@@ -264,6 +270,20 @@ def _judge_one(
     write(text, wanted.output)
     good = all(one.accepted for one in ranked)
     return _find_code(rules, good=good, unchecked=bool(found.unchecked))
+
+
+def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
+    """Write a repaired layout, if there is one, and tell how far its parts moved."""
+    from exactsweep.layout.repaired import repair_layout
+    from exactsweep.text.report import approximate, take_root
+
+    repaired = repair_layout(judgement)
+    if repaired is None:
+        return f"no repair by small moves found; {show_path(path)} is not written"
+    write_readable(json.dumps(repaired.layout.to_json()) + "\n", path)
+    longest = approximate(take_root(repaired.longest_squared), up=True)
+    moved = f"{count(len(repaired.moves), 'placement')} moved by at most"
+    return f"repaired in {show_path(path)}: {moved} {context.add_unit(longest)}; judged valid"
 
 
 def list_notes(found: FoundLayout, judgement: Judgement) -> list[str]:

@@ -80,6 +80,31 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
     return move if is_free(move) else None
 
 
+def find_free_move(board: Board, k: int) -> Point | None:
+    """Find the shortest move of a placement to where it is free of all others and the container.
+
+    Args:
+        board: the solids.
+        k: the number of the placement.
+
+    Returns:
+        A move, longer than the shortest one as by `find_repair`; None if there is none.
+
+    Cost: that of `free_positions` with all placed parts.
+    """
+    layout, placed = board.layout, [j for j in board.placed if j != k]
+    room = max(layout.spacing, board.greatest_margin) + board.solid(k).slack
+    room += max((board.solid(j).slack for j in placed), default=Fraction(0)) + layout.error
+    obstacles = [defect.region for defect in layout.defects]
+    obstacles += [board.turned(j).translated(layout.placements[j].move) for j in placed]
+    moved = board.turned(k)
+    if room:
+        moved = enlarge(moved, room)
+    inner = free_positions(layout.container or make_box(board.frame), obstacles, moved)
+    loops = [ring for one in inner.regions for ring in (one.exterior, *one.holes)]
+    return _find_nearest(layout.placements[k].move, loops, inner.exact_fits)
+
+
 def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[Point], bool]:
     """Return a function that judges the last placement after a move, against the others."""
     k = placements[-1]
