@@ -28,6 +28,7 @@ from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import to_fraction
+from exactsweep.words import count
 
 # A house that cannot reach the bottom of a lopsided notch: a CM sweep with one undercut. All
 # loops have finite decimal coordinates, so that every output format can hold them.
@@ -261,16 +262,47 @@ def read_placed(
         second = other.region()
     if not placed:
         return first, second, regions
+    layouts = {path: found for path in placed if (found := _read_layout(path, reading))}
+    regions += [region for found in layouts.values() for region in found]
+    files = [path for path in placed if path not in layouts]
     others: list[Region] = []
-    listing = find_parts(placed, reading)
+    if not files:
+        return first, second, regions
+    listing = find_parts(files, reading)
     for part in listing.parts:
         # None may be left out as not simple.
         with name_refusals(part.file):
             others.append(part.candidate.named_region().region)
     if listing.coordinates.y_down != coordinates_of_files().y_down:
-        say_all([f"{', '.join(map(show_path, placed))}: Y turned, to point as in the other files"])
+        say_all([f"{', '.join(map(show_path, files))}: Y turned, to point as in the other files"])
         others = [region.scaled((1, -1)) for region in others]
     return first, second, regions + others
+
+
+def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
+    """Read the placed parts and the defects of a layout as JSON; none if a file is none."""
+    file = split_choice(path)[0]
+    if not file.lower().endswith(".json"):
+        return []
+    from exactsweep.formats.exact_json import parse_json
+    from exactsweep.formats.files import read_text
+    from exactsweep.formats.layouts import read_layouts
+    from exactsweep.layout import Layout
+    from exactsweep.layout.board import Board
+
+    with name_file(file):
+        data = parse_json(read_text(file))
+    if not isinstance(data, dict) or data.keys().isdisjoint(("placements", "solution", "bins")):
+        return []
+    found: list[Region] = []
+    for one in read_layouts(path, **reading):
+        with name_refusals(show_path(path)):
+            layout = Layout.from_json(one.data)
+        board = Board(layout)
+        found += [board.turned(k).translated(layout.placements[k].move) for k in board.placed]
+        found += [defect.region for defect in layout.defects]
+        say_all([f"{show_path(path)}: {count(len(board.placed), 'placed part')}"])
+    return found
 
 
 def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, Region]:

@@ -229,6 +229,18 @@ class Board:
         for k, j in find_near(boxes, ceil(reach * unit)):
             yield placed[k], placed[j]
 
+    def list_beside(self, k: int, reach: Fraction) -> list[int]:
+        """List the placements whose boxes are within reach of one in both coordinates."""
+        unit, room = self.unit, ceil(reach * self.unit)
+        left, right, low, high = _enlarge(self.solid(k), unit)
+        found = []
+        for j in self.placed:
+            west, east, south, north = _enlarge(self.solid(j), unit)
+            is_near = west - right <= room >= left - east and south - high <= room >= low - north
+            if j != k and is_near:
+                found.append(j)
+        return found
+
     def find_defects(self, reach: Fraction) -> dict[int, list[int]]:
         """Find for each placement the defects, as in `around`, whose boxes are within reach."""
         placed, unit, first = self.placed, self.unit, self.first_defect

@@ -88,11 +88,15 @@ def find_free_move(board: Board, k: int) -> Point | None:
         k: the number of the placement.
 
     Returns:
-        A move, longer than the shortest one as by `find_repair`; None if there is none.
+        A move in x and y by at most half the size of the part, and longer than the shortest one as
+        by `find_repair`; None if there is none.
 
-    Cost: that of `free_positions` with all placed parts.
+    Cost: that of `free_positions` with the placed parts that are near.
     """
-    layout, placed = board.layout, [j for j in board.placed if j != k]
+    layout = board.layout
+    left, right, low, high = (Fraction(side) / board.solid(k).scale for side in board.solid(k).box)
+    reach = max(right - left, high - low) / 2
+    placed = board.list_beside(k, 2 * reach)
     room = max(layout.spacing, board.greatest_margin) + board.solid(k).slack
     room += max((board.solid(j).slack for j in placed), default=Fraction(0)) + layout.error
     obstacles = [defect.region for defect in layout.defects]
@@ -102,7 +106,8 @@ def find_free_move(board: Board, k: int) -> Point | None:
         moved = enlarge(moved, room)
     inner = free_positions(layout.container or make_box(board.frame), obstacles, moved)
     loops = [ring for one in inner.regions for ring in (one.exterior, *one.holes)]
-    return _find_nearest(layout.placements[k].move, loops, inner.exact_fits)
+    move = _find_nearest(layout.placements[k].move, loops, inner.exact_fits)
+    return None if move is None or max(abs(move.x), abs(move.y)) > reach else move
 
 
 def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[Point], bool]:

@@ -21,7 +21,7 @@ from exactsweep.layout.repair import find_free_move
 from exactsweep.numbers.digits import find_magnitude
 from exactsweep.numbers.number import ORIGIN, Point
 
-_ROUNDS, _SINGLE_ROUNDS, _MOST = 40, 3, 2000
+_ROUNDS, _SINGLE_ROUNDS, _MOST = 16, 3, 1000
 # Halves of moves overshoot, so that rounds do not only approach a free layout.
 _SHARE = Fraction(9, 16)
 _DIGITS = 4
@@ -56,7 +56,7 @@ def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     Returns:
         A RepairedLayout; None if no such moves were found, or a fault is none of positions.
 
-    Cost: up to some forty judgements, and the repairs of all faults of each.
+    Cost: up to some twenty judgements, and the repairs of all faults of each.
 
     Example:
         >>> from exactsweep.layout import Layout
