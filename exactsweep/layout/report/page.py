@@ -1,8 +1,10 @@
-"""A judged layout as one self-contained HTML page without scripts."""
+"""A judged layout as one self-contained HTML page: zoom, parts by name, one fault a click."""
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Iterable, Sequence
+from hashlib import sha256
 from importlib.resources import files
 
 from exactsweep import __version__
@@ -11,8 +13,9 @@ from exactsweep.layout.report.picture import SIDE, draw_parts, enlarge_faults, w
 from exactsweep.layout.report.table import find_remarks, list_measures, tell_fault
 from exactsweep.layout.report.worst import NO_CONTEXT, ReportContext, WorstFirst
 from exactsweep.text.template import make_environment
+from exactsweep.words import spell_out
 
-_MOST_LISTED = 1000
+_MOST_LISTED, _MOST_MARKED = 1000, 20
 
 
 def write_layout_page(
@@ -42,7 +45,11 @@ def write_layout_page(
     from markupsafe import Markup
 
     environment = make_environment()
-    template = files("exactsweep.layout.report").joinpath("page.html.j2").read_text("utf-8")
+    folder = files("exactsweep.layout.report")
+    template = folder.joinpath("page.html.j2").read_text("utf-8")
+    script = folder.joinpath("page.js").read_text("utf-8")
+    digest = b64encode(sha256(script.encode()).digest()).decode()
+    names = [spell_out(f"{k} {one.part}") for k, one in enumerate(judgement.layout.placements)]
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
     facts = list_measures(judgement, ranked, context)
     is_good = judgement.valid or all(one.accepted for one in ranked)
@@ -51,6 +58,13 @@ def write_layout_page(
         title=title,
         version=__version__,
         style=Markup(write_style()),
+        script=Markup(script),
+        script_hash=f"sha256-{digest}",
+        names=names[:_MOST_LISTED],
+        placed={
+            number: " ".join(map(str, one.fault.placements[:_MOST_MARKED]))
+            for number, one in enumerate(ranked[:_MOST_LISTED], 1)
+        },
         verdict=facts.pop("verdict"),
         facts=facts,
         good=is_good,

@@ -159,7 +159,7 @@ def draw_parts(
     for is_bad in (False, True):
         name = "bad" if is_bad else "part"
         drawn += [
-            _path(name, one, window, title=f"{k} {layout.placements[k].part}")
+            _path(name, one, window, named=(k, layout.placements[k].part))
             for k, one in enumerate(placed)
             if (k in bad) == is_bad
         ]
@@ -270,14 +270,19 @@ def _path(
     window: Window,
     *,
     closed: bool = True,
-    title: str = "",
+    named: tuple[int, str] | None = None,
 ) -> str:
     data = write_path((map(window.place, ring) for ring in rings), closed=closed)
     if not data:
         return ""
-    if not title:
+    if named is None:
         return f'<path class="{name}" d="{data}"/>'
-    return f'<path class="{name}" d="{data}"><title>{escape(spell_out(title))}</title></path>'
+    number, part = named
+    title = escape(spell_out(f"{number} {part}"))
+    return (
+        f'<path class="{name}" id="part-{number}" data-name="{title}" d="{data}">'
+        f"<title>{title}</title></path>"
+    )
 
 
 def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:
