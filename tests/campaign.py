@@ -4,7 +4,8 @@ NAME says what is drawn. Pairs: `monotone` (every degeneracy on purpose, placed 
 (small ints, of all classes, most of them bred from another), `shapes` (any shapes with holes),
 `touching` (Regions whose rings touch), `around` (containers with defects, and parts whose holes
 may go around these). `layouts` are whole layouts with their judgements, `scenes` containers with
-placed shapes and the free positions of a part. A `random.Random` of its own, seeded with
+placed shapes and the free positions of a part, `rounded` discs, slots and rounded rectangles near
+contact. A `random.Random` of its own, seeded with
 "SEED:NUMBER", draws input NUMBER: a failing one comes again with
 `--seed SEED --first NUMBER --count 1`.
 """
@@ -34,6 +35,7 @@ import placed
 import small_pairs
 from definition import find_failure
 from random_layouts import draw_layout
+from rounded import compare_rounded, draw_rounded
 from shape_families import SHAPES, random_shapes
 from small_pairs import SmallPair, shares_direction, shrink
 
@@ -104,6 +106,7 @@ STRATEGIES = {
     "touching": Strategy(small_pairs.draw_touching, 1),
     "around": Strategy(small_pairs.draw_around, 1),
     "layouts": Strategy(draw_layout, 1, layout_reference.compare, lambda drawn: drawn.family),
+    "rounded": Strategy(draw_rounded, 1, compare_rounded, lambda pair: pair.verdict),
     "scenes": Strategy(placed.draw_scene, 1, placed.compare, lambda scene: scene.family),
 }
 
@@ -202,7 +205,7 @@ def describe(name: str, seed: int, number: int, failure: str) -> str:
 @click.option("--workers", default=1, show_default=True, help="How many processes.")
 def main(name: str, count: int, seed: int, first: int, reference: str, workers: int) -> None:
     """Compare random inputs with a reference; exit code 1 if one differs."""
-    if reference == "sfcgal" and name in ("layouts", "scenes"):
+    if reference == "sfcgal" and name in ("layouts", "rounded", "scenes"):
         raise click.UsageError("SFCGAL is a reference for pairs only")
     console = Console(soft_wrap=True, highlight=False, markup=False)
     end = first + count

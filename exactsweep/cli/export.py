@@ -1,6 +1,7 @@
 """Results as polygons in a format, rounded on request, and what rounding did to them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 
 import click
 
@@ -77,13 +78,18 @@ def export(
         FormatError: what the format cannot hold, or rounding leaves nothing of.
     """
     said: list[str] = []
+    has_error = any(region.error for region in regions)
     if rounding is not None:
+        if rounding.outward and has_error:
+            regions, fits = [*enlarge(regions, side_of)], ()
         wanted = side_of if rounding.outward else _closest
         with working("rounding"):
             rounded, changes = round_regions(regions, rounding.places, wanted)
         ends, moved = round_fits(fits, rounding)
         decides = any(side_of(region) != "closest" for region in regions)
-        is_safe = rounding.outward or (not moved and _is_safe(regions, rounded, side_of))
+        is_safe = rounding.outward or not (
+            moved or has_error or not _is_safe(regions, rounded, side_of)
+        )
         change = _say(changes, moved, rounding, decides and is_safe)
         if change and decides and not is_safe:
             change += "; it may permit an overlap (--round-outward does not)"
@@ -106,6 +112,32 @@ def export(
     if target == "dxf" and coordinates.unit not in (None, *INSUNITS.values()):
         said.append("DXF cannot say the unit of the numbers (--unit mm scales them)")
     say_all(said)
+
+
+def enlarge(
+    regions: Sequence[NamedRegion], side_of: Callable[[NamedRegion], Side]
+) -> Iterator[NamedRegion]:
+    """Move boundaries by the errors of curves, so that they hold for the curves.
+
+    The sum with an octagon around a disc of the error contains all that may be forbidden, and the
+    positions of that octagon in a free region are free.
+    """
+    from exactsweep import Region, inner_fit_polygon, no_fit_polygon
+
+    for one in regions:
+        side, e = side_of(one), one.error
+        if side == "closest" or not e:
+            yield one
+            continue
+        # Its sides are at least e from the middle, for (1 + 5/12)**2 > 2.
+        f = e * Fraction(5, 12)
+        ways = [(e, f), (f, e), (-f, e), (-e, f), (-e, -f), (-f, -e), (f, -e), (e, -f)]
+        if side == "outward":
+            grown = no_fit_polygon(one.region, ways)
+            yield one._replace(region=Region(grown.exterior, grown.holes), error=Fraction(0))
+        else:
+            for region in inner_fit_polygon(one.region, ways).regions:
+                yield one._replace(region=region, error=Fraction(0))
 
 
 def _closest(region: NamedRegion) -> Side:

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from exactsweep.layout.report import ReportContext
 
 
-# How much finer curves are flattened each time, and how often.
-_FINER, _MOST_FINER = Fraction(1, 100), 3
+# The factor of the tolerance each time that curves are flattened again, and the most times.
+_FINER, _MOST_FINER = Fraction(1, 100), 2
 
 
 _UNCHECKED = 3
@@ -239,7 +239,7 @@ def _judge_one(
 
     placed = len(found.data["placements"])
     with working(f"judging {placed} placements") as tell:
-        judgement = _judge(found, gaps, title)
+        judgement = judge_finely(found, gaps, title)
         notes = list_notes(found, judgement)
         context = report.ReportContext(found.unchecked, found.places, found.unit, rules.accept)
         ranked = report.rank_faults(
@@ -296,30 +296,30 @@ def list_notes(found: FoundLayout, judgement: Judgement) -> list[str]:
     return [*map(spell_out, found.notes), *guesses]
 
 
-def _judge(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
+def judge_finely(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
     """Judge a layout, and flatten the curves of what is undecided more finely, up to a budget."""
     from exactsweep.layout import judge_layout
 
-    tolerance, data, judgement = found.error, found.data, judge_layout(_make(found, gaps, title))
+    data, judgement = found.data, judge_layout(_make(found, gaps, title))
     for _ in range(_MOST_FINER):
-        open_pairs = [f for f in judgement.faults if f.kind == "undecided" and f.error]
-        if not open_pairs or found.flatten is None:
+        layout = judgement.layout
+        unsure = [f for f in judgement.faults if f.kind == "undecided" and f.error]
+        if not unsure or found.flatten is None:
             break
-        tolerance *= _FINER
+        names: set[str | None] = {layout.placements[k].part for f in unsure for k in f.placements}
+        if any(len(f.placements) == 1 for f in unsure):
+            names.add(None)
+        errors = [layout.error if n is None else layout.part_by_id[n].error for n in names]
+        names -= {name for name, error in zip(names, errors, strict=True) if not error}
         try:
-            finer = found.flatten(tolerance).data
+            finer = found.flatten(names, max(errors) * _FINER)
         except FormatError:
             # Too many lines.
             break
-        placed = judgement.layout.placements
-        coarse = {placed[k].part for f in open_pairs for k in f.placements}
-        fine = {part["id"]: part for part in finer["parts"]}
-        parts = [
-            fine.get(part["id"], part) if part["id"] in coarse else part for part in data["parts"]
-        ]
-        walled = any(len(f.placements) == 1 for f in open_pairs)
-        names = ("container", "defects") if walled else ()
-        walls: dict[str, Any] = {name: finer[name] for name in names if name in finer}
+        if not finer:
+            break
+        parts = [{**part, **finer.get(part["id"], {})} for part in data["parts"]]
+        walls = {"container": finer[None]} if finer.get(None) else {}
         data = {**data, **walls, "parts": parts}
         judgement = judge_layout(_make(found._replace(data=data), gaps, title))
     return judgement
@@ -368,7 +368,7 @@ def judge_file(
     try:
         for found in read():
             name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
-            rows.append(_sum_up(name, found, _judge(found, gaps, name), accept))
+            rows.append(_sum_up(name, found, judge_finely(found, gaps, name), accept))
     except ValueError as error:
         rows.append(LayoutRow(show_path(path), str(error), None))
     return rows

@@ -1,5 +1,6 @@
 """`exactsweep nfp`."""
 
+from fractions import Fraction
 from itertools import product
 
 import click
@@ -7,8 +8,8 @@ import click
 from exactsweep import NoFitPolygon, Point, no_fit_polygon
 from exactsweep.cli.export import export
 from exactsweep.cli.output import measure_columns, write, write_readable
-from exactsweep.cli.pair import read_each, takes_shapes
-from exactsweep.cli.result import Form, takes_form, write_result
+from exactsweep.cli.pair import errors_of_files, keep_errors, read_each, takes_shapes
+from exactsweep.cli.result import Form, takes_form, tell_error, write_result
 from exactsweep.cli.turns import Pose, takes_turns
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion
@@ -52,6 +53,7 @@ def nfp_command(
         (pose.place_point(reference), g if poses is None else _turn(g, pose)) for g, pose in turned
     ]
     pairs = [(d, g) for d in shapes[0] for _, g in orbiting]
+    keep_errors(*(max(one.error for one in shape) for shape in shapes))
     found = []
     with working("no-fit polygons") as tell:
         for k, (d, (at, g)) in enumerate(product(shapes[0], orbiting), 1):
@@ -63,11 +65,12 @@ def nfp_command(
         write_result(found[0], form)
         return
     names = [(str(d.name), str(g.name)) for d, g in pairs]
+    errors = [(d.error, g.error) for d, g in pairs]
     if form.kind == "to":
         regions = [
             one._replace(name=f"{g} around {d}")
-            for (d, g), result in zip(names, found, strict=True)
-            for one in no_fit_to_regions(result)
+            for (d, g), result, error in zip(names, found, errors, strict=True)
+            for one in no_fit_to_regions(result, *error)
         ]
         fits = [fit for result in found for fit in result.exact_fits]
         export(regions, fits, form.target, form.rounding, form.output, lambda region: "outward")
@@ -80,7 +83,8 @@ def nfp_command(
         )
         write_readable(b"".join(lines).decode(), form.output)
     elif form.kind == "report":
-        write(_list(names, found, form.output), form.output)
+        error = sum(errors_of_files())
+        write(_list(names, found, form.output) + tell_error(Fraction(error)), form.output)
     else:
         raise click.UsageError(f"--{form.kind} is for one pair; here are {len(pairs)}.")
 

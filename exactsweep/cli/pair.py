@@ -1,6 +1,7 @@
 """The polygons that a command works on: its files and options."""
 
 from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
 from typing import Any
 
 import click
@@ -16,14 +17,14 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.cli.options import PATH, Decorator, checked, gather
-from exactsweep.cli.parts import find_parts, read_named, say_all, say_left_out
+from exactsweep.cli.parts import find_parts, read_named, say_all, say_error, say_left_out
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.folder import bring_to_one
-from exactsweep.formats.part_list import Coordinates
-from exactsweep.formats.polygons import name_file, read_choice, split_choice
+from exactsweep.formats.part_list import Coordinates, Said
+from exactsweep.formats.polygons import name_file, read_choice, read_single, split_choice
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import name_refusals
@@ -39,6 +40,8 @@ ReadingOptions = dict[str, Any]
 """The arguments "tolerance" and `Options` of the readers of files."""
 
 _COORDINATES = "exactsweep.coordinates"
+_ERRORS = "exactsweep.errors"
+_NONE = Fraction(0)
 
 
 def to_point(pair: Iterable[str]) -> Point:
@@ -55,8 +58,9 @@ def _make_reading(
     unit: str,
     hidden: bool,
     y_down: bool,
+    clean: object,
 ) -> ReadingOptions:
-    reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden}
+    reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden, "clean": clean}
     layered = {"layers": layers, "ignored_layers": ignored_layers}
     return reading | layered | {"nested": nested, "y_down": y_down}
 
@@ -69,8 +73,8 @@ takes_reading = gather(
         "tolerance",
         callback=checked(lambda text: how.Reading(text).tolerance),
         metavar="TOLERANCE",
-        help="Replace curves of SVG and DXF by lines within this distance. By default curves are "
-        "refused.",
+        help="Replace curves of SVG and DXF by lines within this distance; by default about a "
+        "thousandth of each outline. All answers state the error.",
     ),
     click.option(
         "--join",
@@ -98,6 +102,12 @@ takes_reading = gather(
         multiple=True,
         metavar="NAME",
         help="Leave out a layer of SVG and DXF, such as engraving; may be repeated.",
+    ),
+    click.option(
+        "--clean",
+        callback=checked(lambda text: how.Reading(clean=text).clean),
+        metavar="AREA",
+        help="Leave out polygons of a smaller area, and report them.",
     ),
     click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too."),
     click.option(
@@ -233,6 +243,20 @@ def keep_coordinates(coordinates: Coordinates, notes: Iterable[str] = ()) -> Non
     say_all(notes)
 
 
+def keep_errors(stays: Fraction, moves: Fraction = _NONE) -> None:
+    """Keep the errors of curves for what the command writes."""
+    known = errors_of_files()
+    errors = max(stays, known[0]), max(moves, known[1])
+    click.get_current_context().meta[_ERRORS] = errors
+
+
+def errors_of_files() -> tuple[Fraction, Fraction]:
+    """Return the errors of the polygons that the command has read: what stays, what moves."""
+    meta = click.get_current_context().meta
+    found: tuple[Fraction, Fraction] = meta.get(_ERRORS, (_NONE, _NONE))
+    return found
+
+
 def _require_one_input(first: str, second: str) -> None:
     if first == second == "-":
         raise click.UsageError("Only one polygon can be read from standard input.")
@@ -257,22 +281,30 @@ def read_placed(
     """
     (one, file), (other, its_file) = _choose_two(stays, moves, reading)
     with working("reading"), name_file(file):
-        first, regions = one.split()
+        first, regions = one.separate()
     with working("reading"), name_file(its_file):
-        second = other.region()
+        second = read_single(other, Candidate.named_region).region
     if not placed:
         return first, second, regions
     layouts = {path: found for path in placed if (found := _read_layout(path, reading))}
     regions += [region for found in layouts.values() for region in found]
     files = [path for path in placed if path not in layouts]
-    others: list[Region] = []
     if not files:
         return first, second, regions
     listing = find_parts(files, reading)
+    said = Said([], [])
+    others: list[Region] = []
+    errors = [Fraction(0)]
     for part in listing.parts:
         # None may be left out as not simple.
         with name_refusals(part.file):
-            others.append(part.candidate.named_region().region)
+            shapes = part.candidate.named_regions(said)
+        others += [one.region for one in shapes]
+        errors += [one.error for one in shapes]
+    say_left_out(said.left_out)
+    say_all(said.notes)
+    keep_errors(max(errors))
+    say_error(max(errors), reading)
     if listing.coordinates.y_down != coordinates_of_files().y_down:
         say_all([f"{', '.join(map(show_path, files))}: Y turned, to point as in the other files"])
         others = [region.scaled((1, -1)) for region in others]
@@ -310,7 +342,7 @@ def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, R
     regions = []
     for candidate, file in _choose_two(stays, moves, reading):
         with working("reading"), name_file(file):
-            regions.append(candidate.region())
+            regions.append(read_single(candidate, Candidate.named_region).region)
     return regions[0], regions[1]
 
 
@@ -326,4 +358,7 @@ def _choose_two(stays: str, moves: str, reading: ReadingOptions) -> list[tuple[C
         say_left_out([f"{show_path(name)}: {reason}" for reason in found.left_out])
         say_all(f"{show_path(name)}: {note}" for note in found.notes)
         chosen.append((found[0], name))
+    errors = [one.error for one, _ in chosen]
+    keep_errors(*errors)
+    say_error(max(errors), reading)
     return chosen

@@ -1,6 +1,7 @@
 """The polygons of files and folders, and the report of omissions."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 import click
@@ -8,7 +9,8 @@ import click
 from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion, show_path
 from exactsweep.formats.folder import Listing, list_parts, make_unique
-from exactsweep.formats.part_list import PartList, summarize
+from exactsweep.formats.part_list import PartList, Said, summarize
+from exactsweep.text.report import approximate
 
 _MOST_REASONS = 100
 
@@ -50,20 +52,37 @@ def read_named(
     found: list[NamedRegion] = []
     names: list[str] = []
     reasons: list[str] = []
+    notes: list[str] = []
     with working("reading"):
         for part in listing.parts:
+            said = Said([], [])
             try:
-                found.append(part.candidate.named_region())
-                names.append(part.name)
+                read = part.candidate.named_regions(said)
             except ValueError as error:
-                reasons.append(f"{part.file}: {error}")
+                said.left_out.append(str(error))
+                read = []
+            found += read
+            names += [part.name] * len(read)
+            notes += [f"{part.file}: {note}" for note in said.notes]
+            reasons += [f"{part.file}: {reason}" for reason in said.left_out]
     if not found:
         raise FormatError(summarize(reasons))
     say_left_out(reasons)
+    say_all(notes)
+    say_error(max(one.error for one in found), reading)
     if not keep or listing.files > 1:
         unique = make_unique(names)
         found = [one._replace(name=name) for one, name in zip(found, unique, strict=True)]
     return PartList(found, listing.coordinates)
+
+
+def say_error(error: Fraction, reading: Mapping[str, Any]) -> None:
+    """Say on standard error how near lines are to the curves that were read, if any were."""
+    if error:
+        how = "" if reading.get("tolerance") else " (--flatten TOLERANCE sets it)"
+        click.echo(
+            f"curves drawn as lines, within {approximate(error, up=True)} of them{how}", err=True
+        )
 
 
 def say_left_out(reasons: Sequence[str]) -> None:

@@ -1,6 +1,7 @@
 """The result of a sweep or a fit: as a report, as JSON or WKT, as a certificate, as polygons."""
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 import click
@@ -9,11 +10,14 @@ from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import Decorator, gather, takes_output
 from exactsweep.cli.output import measure_columns, write, write_readable
+from exactsweep.cli.pair import errors_of_files
+from exactsweep.cli.parts import say_all
 from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion
 from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.text import report as reports
 from exactsweep.text import results
+from exactsweep.text.report import approximate
 
 
 class Form(NamedTuple):
@@ -83,9 +87,9 @@ def takes_form(wkt: str) -> Decorator:
 class _Writers(NamedTuple):
     """Functions that write a kind of result, and the side to which a region is rounded."""
 
-    to_json: Callable[[Any], str]
+    to_json: Callable[..., str]
     to_wkt: Callable[[Any], str]
-    to_regions: Callable[[Any], list[NamedRegion]]
+    to_regions: Callable[..., list[NamedRegion]]
     report: Callable[..., str]
     side_of: Callable[[NamedRegion], Side]
 
@@ -119,18 +123,32 @@ _WRITERS = {
 }
 
 
+def tell_error(error: Fraction) -> str:
+    """Say at the end of a report what it is worth for curves; "" if there were none."""
+    if not error:
+        return ""
+    about = approximate(error, up=True)
+    return f"note: curves drawn as lines; free positions are certain {about} from the boundary\n"
+
+
 def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
     """Write a result in a form of `takes_form`."""
     columns, writers = measure_columns(form.output), _WRITERS[type(result)]
+    first, second = errors_of_files()
+    # The second file of a sweep has the polygon that stays.
+    stays, moves = (second, first) if isinstance(result, Sweep) else (first, second)
+    bound = stays + moves
     with working("computing"):
         match form.kind:
             case "to":
                 fits = () if isinstance(result, Sweep) else result.exact_fits
-                regions = writers.to_regions(result)
+                regions = writers.to_regions(result, stays, moves)
             case "json":
-                text = writers.to_json(result)
+                text = writers.to_json(result, bound)
             case "certificate" | "proof":
                 text = results.certificate_to_json(result, proof=form.kind == "proof")
+                if bound:
+                    say_all(["the certificate is about the lines, not about the curves"])
             case "wkt":
                 try:
                     text = writers.to_wkt(result)
@@ -138,6 +156,7 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
                     raise FormatError(f"{error}; use --json, or --round") from None
             case _:
                 text = writers.report(result, columns, everything=form.everything)
+                text += tell_error(bound)
     if form.kind == "to":
         export(regions, fits, form.target, form.rounding, form.output, writers.side_of)
     elif form.kind == "report":

@@ -8,7 +8,9 @@ from functools import partial
 from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
+from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.part_list import Said
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
@@ -73,6 +75,9 @@ class Candidate(NamedTuple):
         ornament: whether it cannot be part of any outline, so that nothing is lost without it.
         error: a bound on the distance between its rings and the drawn curves, in both directions; 0
             if no curve is flattened.
+        even_odd: the fill rule of a ring that touches or crosses itself; None to refuse it.
+        clean: the least area of regions that are read.
+        finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
         words: its classes, in SVG.
     """
 
@@ -84,6 +89,9 @@ class Candidate(NamedTuple):
     fault: str = ""
     ornament: bool = False
     error: Fraction = Fraction(0)
+    even_odd: bool | None = None
+    clean: Fraction = Fraction(0)
+    finer: Callable[[Fraction], Candidate | None] | None = None
     words: tuple[str, ...] = ()
 
     @classmethod
@@ -152,8 +160,74 @@ class Candidate(NamedTuple):
             lambda: Region(self._short_vertices(), [hole._short_vertices() for hole in holes])
         )
 
-    def split(self) -> tuple[Region, list[Region]]:
-        """Read the polygon, and its holes as regions if they are not apart from each other and it.
+    def read(self, read: Callable[[Candidate], _Any], said: Said) -> list[_Any]:
+        """Read the outline, or the regions that it fills if it is not simple.
+
+        Args:
+            read: `Candidate.named_polygon`, for instance.
+            said: gets a note on regions that are filled, and the reasons of omissions.
+
+        Raises:
+            FormatError, PolygonError: as by the function; of a ring without a fill rule, too.
+
+        Cost: that of the function, and for a ring that is not simple that of
+            `exactsweep.formats.filling.fill`.
+        """
+        if not self.clean:
+            try:
+                return [read(self)]
+            except PolygonError:
+                if self.even_odd is None:
+                    raise
+        return [*map(read, self.split(said))]
+
+    def split(self, said: Said) -> list[Candidate]:
+        """Return the outline, or the regions that it fills, without those that are too small."""
+        pieces: list[Candidate] = [self]
+        try:
+            self.region()
+        except PolygonError as refusal:
+            if self.even_odd is not None:
+                rings = [self.vertices(), *(hole.vertices() for hole in self.holes())]
+                pieces = [*self.fill(rings, even_odd=self.even_odd)]
+            if self.even_odd is None or not pieces:
+                raise
+            rule = "evenodd" if self.even_odd else "nonzero"
+            regions = count(len(pieces), "polygon")
+            said.notes.append(f"{refusal}: {regions} by the fill rule {rule}")
+        found = []
+        for piece in pieces:
+            area = piece.region().area if self.clean else self.clean
+            if area < self.clean:
+                said.left_out.append(
+                    f"{piece.place}: its area, {float(area):.3g}, is below --clean"
+                )
+            else:
+                found.append(piece)
+        return found
+
+    def fill(self, rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[Self]:
+        """Return the regions that rings fill."""
+        from exactsweep.formats.filling import fill
+
+        filled = fill(rings, even_odd=even_odd, measured=bool(self.error))
+        error = self.error + (bound_root(filled.hidden) if self.error else 0)
+        found: list[Self] = []
+        for region in filled.regions:
+            readers = [(f"{self.place}: ring {k}", ring.copy) for k, ring in enumerate(region)]
+            finer = partial(self._find_finer, len(found), len(filled.regions)) if error else None
+            piece = self.of_rings(readers, self.place, self.name, self.layer, error)
+            found.append(piece._replace(finer=finer))
+        return found
+
+    def _find_finer(self, k: int, number: int, tolerance: Fraction) -> Candidate | None:
+        """Find a piece with finer lines, if these fill as many."""
+        finer = self.finer(tolerance) if self.finer else None
+        pieces = finer.split(Said([], [])) if finer else []
+        return pieces[k] if len(pieces) == number else None
+
+    def separate(self) -> tuple[Region, list[Region]]:
+        """Read the polygon, and its holes as regions if they touch or cross it or each other.
 
         Raises:
             FormatError: as by `region`.
@@ -162,6 +236,8 @@ class Candidate(NamedTuple):
         try:
             return self.region(), []
         except PolygonError:
+            if not self.holes():
+                raise
             rings = [one._replace(holes=tuple) for one in (self, *self.holes())]
             exterior, *holes = [ring.region() for ring in rings]
             return exterior, holes
@@ -197,6 +273,14 @@ class Candidate(NamedTuple):
     def named_region(self) -> NamedRegion:
         """Read the region, as `region` does, with its name and layer."""
         return NamedRegion(self.region(), self.name, self.layer, self.error)
+
+    def named_polygons(self, said: Said) -> list[NamedPolygon]:
+        """Read the polygon, or those that a ring fills that is not simple."""
+        return self.read(Candidate.named_polygon, said)
+
+    def named_regions(self, said: Said) -> list[NamedRegion]:
+        """Read the region, or those that a ring fills that is not simple."""
+        return self.read(Candidate.named_region, said)
 
 
 def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
@@ -264,7 +348,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
     Args:
         candidates: the candidates of a file, in order.
-        choice: a name, an index from 0 or a layer, tried in this order.
+        choice: a name, an index from 0 or a layer, tried in this order; or "layer:" and a layer.
 
     Returns:
         list of Candidate, at least one; of a layer only those without a fault, if there are any.
@@ -273,8 +357,17 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
         FormatError: none.
     """
     named = [candidate for candidate in candidates if candidate.name == choice]
+    prefix, _, layer = choice.partition("layer:")
+    if not (named or prefix):
+        choice = layer
     # A name may look like an index, and so may a layer: DXF's first one is "0".
-    index = int(choice) if choice.isascii() and choice.isdigit() and len(choice) < 10 else -1
+    index = (
+        -1
+        if layer
+        else int(choice)
+        if choice.isascii() and choice.isdigit() and len(choice) < 10
+        else -1
+    )
     if len(named) != 1 and 0 <= index < len(candidates):
         return [candidates[index]]
     layered = [candidate for candidate in candidates if candidate.layer == choice]

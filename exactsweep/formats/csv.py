@@ -24,7 +24,11 @@ from exactsweep.numbers.number import Point
 
 _NAMES = ("name", "id", "part", "polygon")
 _WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")
-_COLUMNS = {"x", "y", "ring", *_NAMES, *_WKT}
+_SIZES = (("width", "height"), ("w", "h"), ("lx", "ly"))
+_COLUMNS = {"x", "y", "ring", *_NAMES, *_WKT, *(one for pair in _SIZES for one in pair)}
+# With these, x and y are no vertices of a polygon.
+_PLACING = {"angle", "deg", "degrees", "rad", "radians", "rotation", "rot", "theta", "turn"}
+_PLACING |= {"r", "radius", "diameter", "d", "rx", "ry"}
 _NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.,0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
 
 _limit_held = RLock()
@@ -60,7 +64,8 @@ def parse_csv(text: str) -> list[Candidate]:
         text: one vertex per row, in columns x and y, or in the first two if there is no header. A
             column "name", "id" or "part" names the polygon. A column "polygon" distinguishes
             polygons of the same name. A column "ring" has one value for the exterior, which comes
-            first, and one for each hole. Or one polygon per row, in a column "wkt" or "geometry".
+            first, and one for each hole. Or one polygon per row, in a column "wkt" or "geometry";
+            or one rectangle, with columns "width" and "height", "w" and "h", or "lx" and "ly".
             Commas, semicolons or tabs separate columns. Numbers are decimals with a point; between
             semicolons or tabs also with a comma.
 
@@ -100,6 +105,13 @@ def _parse(text: str) -> list[Candidate]:
     if twice:
         raise FormatError(f"line {first[0]}: two columns {quote(twice)}")
     needed = ["x", "y"]
+    if needed[0] in columns and not _PLACING.isdisjoint(head):
+        other = next(cell for cell in head if cell in _PLACING)
+        raise FormatError(
+            f"line {first[0]}: with a column {quote(other)}, x and y are places, not vertices; "
+            "a table of placements goes with the outline of its parts"
+        )
+    needed += next((pair for pair in _SIZES if columns.keys() >= {*pair}), ())
     if not columns.keys() >= {*needed}:
         needed = [cell for cell in _WKT if cell in columns][:1]
         if not needed:
@@ -117,6 +129,10 @@ def _parse(text: str) -> list[Candidate]:
         cells = [row[k] for k in places]
         if len(cells) == 1:
             written += _read_wkt(cells[0], line, name or None)
+            continue
+        if len(cells) > 2:
+            numbers = partial(_read_box, line, [cell.replace(",", point) for cell in cells])
+            written.append(Candidate(f"line {line}", numbers, name or None))
             continue
         # Each polygon has at least three vertices.
         require_count(len(polygons), 3 * VERTEX, "polygons")
@@ -138,6 +154,14 @@ def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:
         else one._replace(name=name, place=place)
         for one in found
     ]
+
+
+def _read_box(line: int, cells: Sequence[str]) -> list[Point]:
+    """Read the lower left corner of a rectangle, and its sides."""
+    with name_refusals(f"line {line}", FormatError):
+        x, y, width, height = (read_decimal(cell.strip()) for cell in cells)
+    u, v = x + width, y + height
+    return [Point(x, y), Point(u, y), Point(u, v), Point(x, v)]
 
 
 def _candidate(name: str, rings: _RowsByRing) -> Candidate:

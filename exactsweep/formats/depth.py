@@ -108,7 +108,10 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
         own = len(rings)
         for ring in (outline, *outline.holes()):
             plain = ring._replace(
-                vertices=partial(list, ring.vertices()), holes=tuple, error=outline.error
+                vertices=partial(list, ring.vertices()),
+                holes=tuple,
+                error=outline.error,
+                even_odd=outline.even_odd,
             )
             rings.append(
                 _OwnedRing(k, plain, _find_polygon(plain), None if ring is outline else own)
@@ -165,8 +168,27 @@ class _OwnedRing(NamedTuple):
 
 def _join(rings: Sequence[_OwnedRing], exterior: int, holes: Sequence[int]) -> Candidate:
     outline, inner = rings[exterior].outline, [rings[k].outline for k in holes]
-    error = max(one.error for one in (outline, *inner))
-    return outline._replace(holes=partial(tuple, inner), error=error)
+    return outline._replace(
+        holes=partial(tuple, inner),
+        error=max(one.error for one in (outline, *inner)),
+        finer=partial(_find_finer, outline, inner),
+        even_odd=True if outline.even_odd is not None and inner else outline.even_odd,
+    )
+
+
+def _find_finer(
+    outline: Candidate, holes: Sequence[Candidate], tolerance: Fraction
+) -> Candidate | None:
+    """Find an outline and its holes with finer lines."""
+    found = []
+    for one in (outline, *holes):
+        finer = one.finer(tolerance) if one.finer else None if one.error else one
+        if finer is None:
+            return None
+        found.append(finer)
+    first, *others = found
+    error = max(one.error for one in found)
+    return first._replace(holes=partial(tuple, others), error=error)
 
 
 def _find_polygon(ring: Candidate) -> Polygon | None:

@@ -49,6 +49,9 @@ def read_text(path: str) -> str:
     try:
         return decode_text(data)
     except FormatError:
+        from exactsweep.formats.plain import require_known
+
+        require_known(data[:80].decode("latin-1"))
         # Older DXF has the code page of its author, which affects names of layers only.
         latin = data.decode("latin-1")
         if DXF_SIGN.match(latin):

@@ -12,6 +12,7 @@ from exactsweep.formats.node import JsonNode
 
 _LOOPS = ("trajectory", "inner", "outer", "unswept", "regions")
 _LISTS = ("unswept", "regions")
+_RINGS = ("vertices", "exterior", "points", "polygon")
 
 
 def read_exact(document: object, path: str = "$") -> list[Candidate]:
@@ -19,10 +20,10 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
 
     Args:
         document: a list of vertices, or of such lists; an object with a list of vertices as
-            "vertices", or as "exterior" and with a list of these as "holes"; an object whose
-            "polygons" is a list of all these; or a result, with "trajectory", "inner", "outer" and
-            "unswept", or with "regions". "id" in an object is the name, "error" the bound on the
-            distance between its rings and the curves that they stand for.
+            "vertices", "points" or "polygon", or as "exterior" and with a list of these as "holes";
+            an object whose "polygons" is a list of all these; or a result, with "trajectory",
+            "inner", "outer" and "unswept", or with "regions". "id" in an object is the name,
+            "error" the bound on the distance between its rings and the curves that they stand for.
         path: where the document is, for messages.
 
     Returns:
@@ -41,7 +42,7 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
         return _read_each(node / "polygons")
     if _is_list_of_rings(document):
         return _read_each(node)
-    if isinstance(document, dict) and not {"vertices", "exterior"} & document.keys():
+    if isinstance(document, dict) and not {*_RINGS} & document.keys():
         found = _read_result(node, document)
         if found:
             return found
@@ -92,7 +93,7 @@ def _read_one(node: JsonNode) -> Candidate:
         return Candidate(path, partial(read_vertices, value, path))
     if not isinstance(value, dict):
         return Candidate.refused(f"{path} is {describe_kind(value)}, not a list of vertices")
-    member = "vertices" if "vertices" in value else "exterior"
+    member = next((name for name in _RINGS if name in value), "exterior")
     if member not in value:
         raise FormatError(
             f'{path} has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'

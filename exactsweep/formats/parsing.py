@@ -2,13 +2,15 @@
 
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from itertools import chain
 from typing import Unpack
 
-from exactsweep.formats import csv
+from exactsweep.formats import csv, plain
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.esicup import is_esicup, read_esicup
 from exactsweep.formats.exact_json import count_vertices, parse_json
 from exactsweep.formats.files import DXF_SIGN
 from exactsweep.formats.geojson import read_geojson
@@ -19,6 +21,8 @@ from exactsweep.formats.reading import Options, Reading
 from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
 
+# Keys of instances of nesting programs.
+_INSTANCES = {"items", "item_types"}
 # A group code 0 and the name that follows it.
 _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 
@@ -29,10 +33,16 @@ def parse_candidates(
     """Find the polygons of a text as `parse_regions` does, without reading their numbers."""
     if not isinstance(text, str):
         raise FormatError(f"{type(text).__name__} is not text")
-    reading = Reading(tolerance, **options)
+    return parse_by(text, Reading(tolerance, **options))
+
+
+def parse_by(text: str, reading: Reading) -> PartList[Candidate]:
+    """Find the polygons of a text by the settings of a reading."""
     candidates = keep_layers(_parse(text, reading), reading)
     if reading.nested:
         candidates = nest_candidates(candidates)
+    if reading.clean:
+        candidates = [one._replace(clean=reading.clean) for one in candidates]
     is_svg = text.lstrip().startswith("<")
     y_down = is_svg if reading.y_down is None else reading.y_down
     coordinates = Coordinates(y_down, reading.found_unit)
@@ -44,22 +54,33 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     if not first:
         raise FormatError("empty")
     if first == "<":
-        from exactsweep.formats.curved.svg import parse_svg
+        from exactsweep.formats.curved.svg import read_svg
+        from exactsweep.formats.curved.xml import parse_xml
 
-        return parse_svg(text, reading)
+        plain.require_known(text)
+        root = parse_xml(text)
+        if is_esicup(root):
+            reading.scale(None)
+            return read_esicup(root)
+        return read_svg(root, reading)
     if DXF_SIGN.match(text):
         from exactsweep.formats.curved.dxf import parse_dxf
 
         return parse_dxf(text, reading)
     # No other format says in which unit its numbers are.
     reading.scale(None)
+    plain.require_known(text)
     if first in "[{":
-        return _read_json(text, reading.notes)
+        return _read_json(text, reading)
     require_text(text, _count_vertices(text))
     if csv.is_csv(text):
         return csv.parse_csv(text)
+    if plain.is_plain(text):
+        if first == "(":
+            return find_candidates(parse_json(plain.to_json_text(text)))
+        return plain.parse_numbers(text)
     if first.isalpha():
-        return parse_wkt(text)
+        return parse_wkt(text, reading.notes)
     raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, CSV, SVG nor DXF")
 
 
@@ -91,11 +112,15 @@ def _count_vertices(text: str) -> int:
     return csv.count_vertices(text) if csv.is_csv(text) else text.count(",")
 
 
-def _read_json(text: str, notes: dict[str, None]) -> Sequence[Candidate]:
-    """Read one JSON document, or one document per line."""
+def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
+    """Read one JSON document, or one document per line, or tuples and braces."""
+    notes = reading.notes
     try:
         document = parse_json(text)
     except FormatError as error:
+        if plain.is_plain(text):
+            with suppress(FormatError):
+                return find_candidates(parse_json(plain.to_json_text(text)))
         if "Extra data" not in str(error):
             raise
         lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
@@ -105,6 +130,12 @@ def _read_json(text: str, notes: dict[str, None]) -> Sequence[Candidate]:
             raise error from None
         found = (_read_line(line, k, notes) for k, line in lines)
         return [*allow_faults(chain.from_iterable(found))]
+    if isinstance(document, dict) and _INSTANCES & document.keys():
+        from exactsweep.formats.layouts.instances import read_parts
+
+        parts = read_parts(document, reading)
+        if parts is not None:
+            return parts
     return find_candidates(document, notes=notes)
 
 

@@ -48,26 +48,40 @@ class PartList(list[_Listed]):
         """Return other items of the same file, with more reasons for omissions."""
         return PartList(items, self.coordinates, [*self.left_out, *left_out], self.notes)
 
-    def read_each(self, read: Callable[[_Listed], _Read]) -> PartList[_Read]:
+    def read_each(self, read: Callable[[_Listed, Said], Iterable[_Read]]) -> PartList[_Read]:
         """Read all items, and leave out those that are refused.
+
+        Args:
+            read: returns what one item is read as; it may add notes and omissions.
 
         Raises:
             ValueError: nothing is left; of the class of the first refusal.
         """
         found: list[_Read] = []
-        reasons: list[str] = []
-        kind: type[ValueError] = FormatError
+        said = Said([*self.notes], [*self.left_out])
+        kind: type[ValueError] | None = None
         for item in self:
             try:
-                found.append(read(item))
+                found += read(item, said)
             except ValueError as error:
                 # Keep only the message: an exception would keep all of its frames alive.
-                kind = kind if reasons else type(error)
-                reasons.append(str(error))
-        all_reasons = [*self.left_out, *reasons]
-        if all_reasons and not found:
-            raise kind(summarize(all_reasons))
-        return self.replaced(found, reasons)
+                kind = kind or type(error)
+                said.left_out.append(str(error))
+        if said.left_out and not found:
+            raise (kind or FormatError)(summarize(said.left_out))
+        return PartList(found, self.coordinates, said.left_out, said.notes)
+
+
+class Said(NamedTuple):
+    """Remarks on the outlines of a file that are read.
+
+    Attributes:
+        notes: remarks.
+        left_out: the reason for each that is omitted.
+    """
+
+    notes: list[str]
+    left_out: list[str]
 
 
 def summarize(reasons: Sequence[str]) -> str:

@@ -14,13 +14,14 @@ from exactsweep.formats.candidate import (
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.parsing import parse_candidates
-from exactsweep.formats.part_list import PartList
+from exactsweep.formats.part_list import PartList, Said, summarize
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import name_refusals, tells_arguments
 
 _Taken = TypeVar("_Taken")
+_OneRead = TypeVar("_OneRead")
 
 
 @tells_arguments
@@ -57,7 +58,8 @@ def parse_polygon(
         >>> print(parse_polygon(text, "a"), "and", parse_polygon(text, "1"))
         (0, 0) (2, 0) (2, 1) (0, 1) and (0, 0) (1, 0) (1, 1)
     """
-    return choose(parse_candidates(text, tolerance, **options), choice).polygon()
+    found = parse_candidates(text, tolerance, **options)
+    return _read_one(choose(found, choice), Candidate.polygon, tolerance)
 
 
 @tells_arguments
@@ -93,7 +95,7 @@ def parse_polygons(
         >>> print(b.polygon)
         (0, 0) (2, 0) (0, 2)
     """
-    return parse_candidates(text, tolerance, **options).read_each(Candidate.named_polygon)
+    return parse_candidates(text, tolerance, **options).read_each(Candidate.named_polygons)
 
 
 @tells_arguments
@@ -124,7 +126,8 @@ def parse_region(
         >>> parse_region("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1))").area
         Fraction(15, 2)
     """
-    return choose(parse_candidates(text, tolerance, **options), choice).region()
+    found = parse_candidates(text, tolerance, **options)
+    return _read_one(choose(found, choice), Candidate.region, tolerance)
 
 
 @tells_arguments
@@ -154,7 +157,7 @@ def parse_regions(
         >>> [part.region.area for part in parse_regions(f"<svg>{path}</svg>")]
         [Fraction(31, 2)]
     """
-    return parse_candidates(text, tolerance, **options).read_each(Candidate.named_region)
+    return parse_candidates(text, tolerance, **options).read_each(Candidate.named_regions)
 
 
 @tells_arguments
@@ -174,7 +177,9 @@ def read_polygon(
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    return _read_file(path, lambda f, c: choose(f, c).polygon(), tolerance, options)
+    return _read_file(
+        path, lambda f, c: _read_one(choose(f, c), Candidate.polygon, tolerance), tolerance, options
+    )
 
 
 @tells_arguments
@@ -194,7 +199,9 @@ def read_region(
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    return _read_file(path, lambda f, c: choose(f, c).region(), tolerance, options)
+    return _read_file(
+        path, lambda f, c: _read_one(choose(f, c), Candidate.region, tolerance), tolerance, options
+    )
 
 
 @tells_arguments
@@ -214,7 +221,7 @@ def read_polygons(
         FormatError: nothing can be read; the message names the file.
     """
     return _read_file(
-        path, lambda f, c: _select(f, c).read_each(Candidate.named_polygon), tolerance, options
+        path, lambda f, c: _select(f, c).read_each(Candidate.named_polygons), tolerance, options
     )
 
 
@@ -236,7 +243,7 @@ def read_regions(
         FormatError: nothing can be read; the message names the file.
     """
     return _read_file(
-        path, lambda f, c: _select(f, c).read_each(Candidate.named_region), tolerance, options
+        path, lambda f, c: _select(f, c).read_each(Candidate.named_regions), tolerance, options
     )
 
 
@@ -258,6 +265,30 @@ def read_choice(
         return found.replaced([chosen], [] if choice else others)
 
     return _read_file(path, take, tolerance, options)
+
+
+def _read_one(
+    one: Candidate, read: Callable[[Candidate], _OneRead], tolerance: object = None
+) -> _OneRead:
+    """Read the only polygon of a candidate; a curve only at a tolerance that the caller knows."""
+    if one.error and tolerance is None:
+        raise FormatError(
+            f"{one.place}: a curve, which is read only with a tolerance for its lines; "
+            "read_regions chooses one and states the error"
+        )
+    return read_single(one, read)
+
+
+def read_single(one: Candidate, read: Callable[[Candidate], _OneRead]) -> _OneRead:
+    """Read the only polygon of a candidate; raises FormatError if it fills several."""
+    said = Said([], [])
+    found = one.read(read, said)
+    if len(found) == 1:
+        return found[0]
+    if not found:
+        raise FormatError(summarize(said.left_out))
+    hint = "'exactsweep convert' separates them, --clean drops small ones"
+    raise FormatError(f"{one.place}: it fills {len(found)} polygons; {hint}")
 
 
 def _select(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from copy import copy
 from fractions import Fraction
 from typing import TypedDict
 
@@ -58,6 +59,8 @@ class Options(TypedDict, total=False):
             off or frozen, and its paper space; elements of SVG without display or visibility, or in
             `defs`.
         y_down: whether Y points down in the file; by default in SVG only.
+        clean: the least area of a polygon, a positive number; smaller ones are left out, with the
+            reason. By default none are.
     """
 
     nested: bool | None
@@ -67,6 +70,7 @@ class Options(TypedDict, total=False):
     unit: str | None
     hidden: bool
     y_down: bool | None
+    clean: object
 
 
 class Reading:
@@ -74,11 +78,13 @@ class Reading:
 
     Args:
         tolerance: the largest distance between curves and the lines that replace them, a positive
-            number as `to_fraction` reads it; None to refuse curves.
-        nested, layers, ignored_layers, join, unit, hidden, y_down: as for `Options`.
+            number as `to_fraction` reads it; None for about a thousandth of each outline.
+        nested, layers, ignored_layers, join, unit, hidden, y_down, clean: as for `Options`.
 
     Attributes:
         tolerance, join: Fractions, or None.
+        joining: the tolerance by whose fourth ends of curves are joined; None to choose one by the
+            size of the drawing.
         nested, layers, ignored_layers, unit, hidden, y_down: as given.
         found_unit: the millimetres of the file's unit; None if the file does not state it.
         passed: the number of omitted elements for each reason.
@@ -103,11 +109,13 @@ class Reading:
         unit: str | None = None,
         hidden: bool = False,
         y_down: bool | None = None,
+        clean: object = None,
     ) -> None:
         if unit is not None and not (isinstance(unit, str) and unit in UNITS):
             raise FormatError(f"the unit {quote(unit)} is none of {', '.join(UNITS)}")
-        self.tolerance = read_positive(tolerance, "the tolerance")
+        self.tolerance = self.joining = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the distance of ends that are joined")
+        self.clean = read_positive(clean, "the least area") or Fraction(0)
         self.nested, self.unit, self.hidden, self.y_down = nested, unit, hidden, y_down
         self.layers = read_names(layers, "layers")
         self.ignored_layers = read_names(ignored_layers, "ignored_layers")
@@ -116,9 +124,13 @@ class Reading:
         self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copies = self.copied = 0
 
-    def at(self, tolerance: Fraction) -> Reading:
-        """Return the settings for another reading of the same text, at another tolerance."""
-        return Reading(tolerance, **self.options)
+    def without_nesting(self) -> Reading:
+        """Return the same settings, but that no outline is a hole of another."""
+        found = copy(self)
+        found.nested = False
+        found.passed, found.notes = Counter(), {}
+        found.lines = found.vertices = found.copies = found.copied = 0
+        return found
 
     @property
     def options(self) -> Options:
@@ -131,30 +143,20 @@ class Reading:
             "unit": self.unit,
             "hidden": self.hidden,
             "y_down": self.y_down,
+            "clean": self.clean or None,
         }
 
-    @property
-    def error(self) -> Fraction:
-        """The bound on the distance of curves and the lines that replace them: the tolerance."""
-        return self.tolerance or Fraction(0)
+    def at(self, tolerance: Fraction) -> Reading:
+        """Return the settings for another reading of the same text, at another tolerance."""
+        found = self.without_nesting()
+        found.tolerance, found.nested = tolerance, self.nested
+        return found
 
-    def allow_curve(self, count: int = 0) -> Fraction:
-        """Allow a curve to become a number of lines, before it does.
+    def allow_lines(self, count: int) -> None:
+        """Count the lines that a curve becomes; raises FormatError beyond the limits.
 
-        Args:
-            count: the number of lines.
-
-        Returns:
-            The tolerance.
-
-        Raises:
-            FormatError: the tolerance is missing, or the number of lines exceeds the limit for one
-                curve or for all curves of a file.
+        There is one limit for one curve, and one for all curves of a file.
         """
-        if self.tolerance is None:
-            raise FormatError(
-                "a curve, which is read only with a tolerance for its lines (--flatten)"
-            )
         if count > MAX_LINES:
             shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
@@ -166,7 +168,6 @@ class Reading:
                 f"with this one, the curves of the file would become {self.lines:,} lines at this "
                 f"tolerance, more than {get_max_bytes() // VERTEX:,} (max_mib)"
             )
-        return self.tolerance
 
     def allow_vertices(self, count: int) -> None:
         """Count drawn vertices; raises FormatError beyond the limit."""
@@ -179,15 +180,6 @@ class Reading:
         if self.copies > MAX_COPIES:
             raise FormatError(f"{draw} more than {MAX_COPIES:,} {things}")
         require_size(self.copied, f"{draw} ")
-
-    def allow_angle(self, degrees: Fraction) -> Fraction:
-        """Allow an irrational rotation, and return the largest error of its matrix."""
-        if self.tolerance is None:
-            raise FormatError(
-                f"an angle of {abridge(degrees)} degrees, which is irrational and read only with "
-                "a tolerance (--flatten)"
-            )
-        return min(self.tolerance, Fraction(1)) / 10**30
 
     def scale(self, unit: Fraction | None) -> Fraction:
         """Return the factor for the numbers of a file.

@@ -13,6 +13,7 @@ from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.number import Point
+from exactsweep.words import count
 
 _TOKEN = re.compile(
     r"(?P<mark>[(),])|(?:(?P<word>[A-Za-z]++)"
@@ -28,20 +29,21 @@ _ZERO = Fraction(0)
 _Enclosed = TypeVar("_Enclosed")
 
 
-def parse_wkt(text: str) -> list[Candidate]:
+def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate]:
     """Read WKT polygons.
 
     Args:
         text: `POLYGON ((x y, ...))` or `MULTIPOLYGON (((x y, ...)), ...)`, one after another,
             in upper or lower case, or several in a GEOMETRYCOLLECTION; numbers as `read_decimal`
             reads them; Z is allowed if it is constant along a polygon.
+        notes: collects a note on rings that are not closed.
 
     Returns:
         list of Candidate, the first point of each ring repeated at its end.
 
     Raises:
-        FormatError: other geometries, M coordinates, different Z, an open ring, or text that is not
-            WKT; the message starts with line and column.
+        FormatError: other geometries, M coordinates, different Z, or text that is not WKT; the
+            message starts with line and column.
 
     Cost: linear in the length of the text.
 
@@ -49,7 +51,11 @@ def parse_wkt(text: str) -> list[Candidate]:
         >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
         [4]
     """
-    found = [*allow_faults(_Reader(text).outlines())]
+    reader = _Reader(text)
+    found = [*allow_faults(reader.outlines())]
+    if reader.opened and notes is not None:
+        rings = count(len(reader.opened), "ring")
+        notes[f"{rings} closed that did not end where it began, first {reader.opened[0]}"] = None
     if not found:
         raise FormatError("holds no polygon")
     return found if len(found) > 1 else [found[0]._replace(place="")]
@@ -67,6 +73,7 @@ class _Reader:
         self._advance()
         self.lines = [0, *(match.end() for match in re.finditer("\n", text))]
         self.height: Fraction | None = None
+        self.opened: list[str] = []
 
     def outlines(self) -> Iterator[Candidate]:
         while True:
@@ -119,9 +126,7 @@ class _Reader:
         place = self._place()
         ring = self._list(self._point)
         if ring[0] != ring[-1]:
-            raise FormatError(
-                f"{place}: the ring is not closed: its last vertex must repeat the first"
-            )
+            self.opened.append(place)
         return place, partial(list, ring)
 
     def _loose_point(self) -> Point:

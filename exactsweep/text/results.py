@@ -22,12 +22,15 @@ from exactsweep.numbers.digits import format_fraction
 if TYPE_CHECKING:
     from exactsweep.check import Verification
 
+_ZERO = Fraction(0)
 
-def sweep_to_json(sweep: Sweep) -> str:
+
+def sweep_to_json(sweep: Sweep, error: Fraction = _ZERO) -> str:
     """Write a sweep, its input included, as JSON.
 
     Args:
         sweep: a Sweep.
+        error: the sum of the errors of both polygons, "error" in the object if it is not 0.
 
     Returns:
         One object with one name per line: "kind", "direction", "reference", "area", and the vertex
@@ -44,15 +47,17 @@ def sweep_to_json(sweep: Sweep) -> str:
         **{name: _write(loop.vertices) for name, loop in loops.items()},
         **({"unswept": _write(_loops(sweep.unswept))} if sweep.kind == "SS" else {}),
         "area": _write(sweep.area),
+        **_tell_error(error),
     }
     return write_object(texts)
 
 
-def no_fit_to_json(n: NoFitPolygon) -> str:
+def no_fit_to_json(n: NoFitPolygon, error: Fraction = _ZERO) -> str:
     """Write a no-fit polygon, its input included, as JSON.
 
     Args:
         n: a NoFitPolygon.
+        error: as for `sweep_to_json`.
 
     Returns:
         One object with one name per line: "stationary", "orbiting", "kind", "reference",
@@ -71,15 +76,17 @@ def no_fit_to_json(n: NoFitPolygon) -> str:
             "holes": _write(_loops(n.holes)),
             "exact_fits": _write(n.exact_fits),
             "area": _write(n.area),
+            **_tell_error(error),
         }
     )
 
 
-def inner_fit_to_json(f: InnerFit) -> str:
+def inner_fit_to_json(f: InnerFit, error: Fraction = _ZERO) -> str:
     """Write the positions of a part inside a container, its input included, as JSON.
 
     Args:
         f: an InnerFit.
+        error: as for `sweep_to_json`.
 
     Returns:
         One object with one name per line: "container", "part", "placed" if there are placed
@@ -97,8 +104,13 @@ def inner_fit_to_json(f: InnerFit) -> str:
             "regions": _write([_rings(region) for region in f.regions]),
             "exact_fits": _write(f.exact_fits),
             "area": _write(f.area),
+            **_tell_error(error),
         }
     )
+
+
+def _tell_error(error: Fraction) -> dict[str, str]:
+    return {"error": _write(error)} if error else {}
 
 
 def write_json_value(shape: AnyPolygon) -> object:
@@ -244,21 +256,34 @@ def _write(value: object) -> str:
     return json.dumps(value, default=format_fraction)
 
 
-def sweep_to_regions(sweep: Sweep) -> list[NamedRegion]:
-    """Name the loops of a sweep: "trajectory", "inner", "outer", and "unswept 0" and so on."""
+def sweep_to_regions(
+    sweep: Sweep, stays: Fraction = _ZERO, moves: Fraction = _ZERO
+) -> list[NamedRegion]:
+    """Name the loops of a sweep: "trajectory", "inner", "outer", and "unswept 0" and so on.
+
+    With the errors of the directrix and of the generatrix, which passes by twice, each has its own.
+    """
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     loops |= {f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)}
-    return [NamedRegion(Region(loop), name) for name, loop in loops.items()]
+    return [
+        NamedRegion(Region(loop), name, None, stays + moves * (1 if name == "trajectory" else 2))
+        for name, loop in loops.items()
+    ]
 
 
-def no_fit_to_regions(n: NoFitPolygon) -> list[NamedRegion]:
+def no_fit_to_regions(
+    n: NoFitPolygon, stays: Fraction = _ZERO, moves: Fraction = _ZERO
+) -> list[NamedRegion]:
     """Make one Region of a no-fit polygon, without its exact fits: "nfp"."""
-    return [NamedRegion(Region(n.exterior, n.holes), "nfp")]
+    return [NamedRegion(Region(n.exterior, n.holes), "nfp", None, stays + moves)]
 
 
-def inner_fit_to_regions(f: InnerFit) -> list[NamedRegion]:
+def inner_fit_to_regions(
+    f: InnerFit, stays: Fraction = _ZERO, moves: Fraction = _ZERO
+) -> list[NamedRegion]:
     """Name the regions of an inner fit: "region 0" and so on."""
-    return [NamedRegion(region, f"region {k}") for k, region in enumerate(f.regions)]
+    regions = enumerate(f.regions)
+    return [NamedRegion(region, f"region {k}", None, stays + moves) for k, region in regions]
 
 
 def sweep_to_wkt(sweep: Sweep) -> str:

@@ -97,7 +97,7 @@ def test_pieces_of_high_degree_are_values_of_the_curve() -> None:
     # The same curve in weights that are all 1.
     weighted = Spline(11, controls, knots, [Fraction(2)] * 14)
     assert [points for points, _ in weighted.pieces()] == pieces
-    assert len(spline.flatten(IDENTITY, Reading("1/100"))) > 10
+    assert len(spline.draw(IDENTITY).flatten(Reading("1/100"))) > 10
 
 
 def test_names_that_are_no_utf_8_are_named() -> None:

@@ -92,7 +92,7 @@ def test_hidden_outlines_of_a_drawing_are_left_out_and_told() -> None:
     assert len(read(drawn, hidden=True).data["parts"]) == 2
 
 
-@pytest.mark.parametrize("unread", ['<circle r="1"/>', '<path d="M1 1H3V3H2"/>'])
+@pytest.mark.parametrize("unread", ['<circle r="x"/>', '<path fill="none" d="M1 1H3V3H2"/>'])
 def test_a_drawing_with_an_outline_that_cannot_be_read_is_no_valid_layout(unread: str) -> None:
     with pytest.raises(FormatError, match=r"^line 1: (circle|path): "):
         read(f'<rect width="9" height="9"/>{PART}{unread}')

@@ -1,26 +1,219 @@
-"""Bezier curves and arcs of circles as lines, within a tolerance that is proved.
+"""Bezier curves and arcs of ellipses as values, and points of them on a decimal grid.
 
-Every vertex except those at the ends is a point of the curve, computed in rational arithmetic and
-rounded to a decimal grid. The proof bounds the distance of line and curve in both directions. One
-share of the tolerance is for the chords, and another for the rounding.
+A curve is a function of a parameter from 0 to 1, which a *place* says in units of 2**-30. A point
+at a place is a rational point of the curve, computed in ints and rounded to the grid. So it is off
+by the rounding alone.
 
-Chords. Between two parameters h apart, a curve C and its chord, at the same parameter, are at
-most h**2 / 8 * max |C''| apart (the error of linear interpolation).
-
-Arcs. (1 - t**2, 2 t) / (1 + t**2) is a rational point of the unit circle, at the angle 2 atan(t),
-so that h in t is at most 2 h in angle, and by angle |C''| is the radius. No trigonometry is needed
-to go a quarter turn from t = 0 to t = 1, nor to an end that is itself a rational point.
+(1) Between two parameters h apart, a curve C and its chord, at the same parameter, are at most
+    h**2 / 8 * max |C''| apart (the error of linear interpolation).
+(2) (1 - t**2, 2 t) / (1 + t**2) is a rational point of the unit circle, at the angle 2 atan(t). So
+    a float t decides only where on an arc a point is. By the angle, |C''| is at most the greatest
+    radius. Floats of angles are off by less than 2**-45, which the share of the tolerance for
+    chords leaves room for.
+(3) A curve and its reverse have the same points, for it is stored in one of both directions.
 """
 
-from collections.abc import Sequence
-from fractions import Fraction
-from itertools import pairwise, starmap
-from math import isqrt
+from __future__ import annotations
 
-from exactsweep.formats.curved.affine import IDENTITY, Affine
-from exactsweep.formats.error import FormatError
-from exactsweep.formats.reading import Reading
-from exactsweep.numbers.number import Point
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import atan2, ceil, floor, isqrt, lcm, pi, tan
+from typing import NamedTuple, Protocol
+
+from exactsweep.formats.curved.affine import Affine
+from exactsweep.numbers.number import Point, divide_all, make_points
+
+BITS = 30
+"""The bits of a place on a curve."""
+
+WHOLE = 1 << BITS
+"""The place of the end of a curve."""
+
+_TURN_BITS = 40
+_MARGIN = Fraction(1 + 2**-20)
+
+
+class Curve(Protocol):
+    """A curve without its ends."""
+
+    def bend(self) -> Fraction:
+        """Return a bound on the second derivative by the parameter."""
+
+    def least(self) -> int:
+        """Return the least number of chords."""
+
+    def points(self, places: Iterable[int], grid: int) -> list[Point]:
+        """Return the points at some places, rounded to multiples of 1 / grid."""
+
+    def near(self, place: int) -> complex:
+        """Return a point as floats, as seen from the start of the curve."""
+
+
+class Bezier(NamedTuple):
+    """A Bezier curve, rational if it has weights.
+
+    Attributes:
+        controls: the control points, three or more.
+        weights: one for each control point, all positive; () for a polynomial curve.
+    """
+
+    controls: Sequence[Point]
+    weights: Sequence[Fraction] = ()
+
+    def bend(self) -> Fraction:
+        """Return a bound on the second derivative.
+
+        With weights C = N / W, and so W C'' = N'' - 2 W' C' - W'' C, W C' = N' - W' C; N and W are
+        Bezier curves, whose derivatives are no larger than the differences of their control points
+        times the degree. The origin may be any point; a control point keeps |C| small.
+        """
+        scale, points = self._lattice()
+        n = len(points) - 1
+        x, y = points[0]
+        moved = [(p - x, q - y) for p, q in points]
+        if not self.weights:
+            return Fraction(n * (n - 1) * _largest(_differences(_differences(moved))), scale)
+        weights = self.weights
+        lifted = [(p * w, q * w) for (p, q), w in zip(moved, weights, strict=True)]
+        heights = [(w, 0) for w in weights]
+        first, first_w = _differences(lifted), _differences(heights)
+        second, second_w = _differences(first), _differences(first_w)
+        least, reach = min(weights), _largest(moved)
+        speed = n * (_largest(first) + _largest(first_w) * reach) / least
+        twice = n * (n - 1) * (_largest(second) + _largest(second_w) * reach)
+        return (twice + 2 * n * _largest(first_w) * speed) / least / scale
+
+    def least(self) -> int:
+        """Return the least number of chords: 1."""
+        return 1
+
+    def _lattice(self) -> tuple[int, list[tuple[int, int]]]:
+        scale = lcm(*(number.denominator for point in self.controls for number in point))
+        return scale, [(int(x * scale), int(y * scale)) for x, y in self.controls]
+
+    def points(self, places: Iterable[int], grid: int) -> list[Point]:
+        """Return the points at some places, rounded to multiples of 1 / grid."""
+        scale, controls = self._lattice()
+        columns: list[Sequence[int]] = [*zip(*controls, strict=True)]
+        if self.weights:
+            common = lcm(*(w.denominator for w in self.weights))
+            weights = [int(w * common) for w in self.weights]
+            columns = [[v * w for v, w in zip(c, weights, strict=True)] for c in columns]
+            columns.append(weights)
+        degree = len(controls) - 1
+        forms = [_find_powers(column) for column in columns]
+        xs, ys = [], []
+        whole = scale << (BITS * degree)
+        for place in places:
+            x, y, *rest = (_evaluate(form, place) for form in forms)
+            w = rest[0] * scale if rest else whole
+            xs.append((2 * x * grid + w) // (2 * w))
+            ys.append((2 * y * grid + w) // (2 * w))
+        return make_points(divide_all(xs, grid), divide_all(ys, grid))
+
+    def near(self, place: int) -> complex:
+        """Return a point as floats, as seen from the start of the curve."""
+        x, y = self.controls[0]
+        t = place / WHOLE
+        weights = [*map(float, self.weights)] or [1.0] * len(self.controls)
+        row = [
+            (complex(p - x, q - y) * w, w) for (p, q), w in zip(self.controls, weights, strict=True)
+        ]
+        while len(row) > 1:
+            row = [(a + t * (b - a), v + t * (w - v)) for (a, v), (b, w) in pairwise(row)]
+        point, weight = row[0]
+        return point / weight
+
+
+class Arc(NamedTuple):
+    """The image of an arc of the unit circle, counter-clockwise.
+
+    Attributes:
+        image: what maps the circle, to an ellipse perhaps.
+        first: the angle of its start in radians.
+        span: the angle that it covers, more than 0, at most 2 pi.
+    """
+
+    image: Affine
+    first: float
+    span: float
+
+    @property
+    def radius(self) -> Fraction:
+        """A bound on the distance of the image from its center."""
+        a, b, c, d = self.image[:4]
+        # The greatest stretching is that of the sum or the difference of two similarities.
+        sums = bound_root((a + d) ** 2 + (b - c) ** 2), bound_root((a - d) ** 2 + (b + c) ** 2)
+        return (sums[0] + sums[1]) / 2
+
+    def bend(self) -> Fraction:
+        """Return a bound on the second derivative, by (2)."""
+        return self.radius * Fraction(self.span) ** 2 * _MARGIN
+
+    def least(self) -> int:
+        """Return the least number of chords: one for each begun quarter."""
+        return max(1, ceil(self.span / (pi / 2) - 2**-30))
+
+    def points(self, places: Iterable[int], grid: int) -> list[Point]:
+        """Return the points at some places, rounded to multiples of 1 / grid."""
+        image = self.image[:6]
+        scale = lcm(*(number.denominator for number in image))
+        a, b, c, d, e, f = (int(number * scale) for number in image)
+        xs, ys = [], []
+        for place in places:
+            cosine, sine, w = _find_unit_point(self.first + self.span * (place / WHOLE))
+            x, y = a * cosine + c * sine + e * w, b * cosine + d * sine + f * w
+            w *= scale
+            xs.append((2 * x * grid + w) // (2 * w))
+            ys.append((2 * y * grid + w) // (2 * w))
+        return make_points(divide_all(xs, grid), divide_all(ys, grid))
+
+    def near(self, place: int) -> complex:
+        """Return a point as floats, as seen from the start of the curve."""
+        # Of small arcs, the difference of two cosines would have few digits.
+        half = self.span * (place / WHOLE) / 2
+        t = tan(half / 2)
+        sine = 2 * t / (1 + t * t) if abs(half) < pi / 2 else _sin(half)
+        step = 2 * sine * 1j * _unit(self.first + half)
+        a, b, c, d = map(float, self.image[:4])
+        return complex(a * step.real + c * step.imag, b * step.real + d * step.imag)
+
+
+def _sin(angle: float) -> float:
+    return _unit(angle).imag
+
+
+def _unit(angle: float) -> complex:
+    cosine, sine, w = _find_unit_point(angle)
+    return complex(cosine / w, sine / w)
+
+
+def _find_unit_point(angle: float) -> tuple[int, int, int]:
+    """Return a point of the unit circle at about an angle: two numerators, the denominator."""
+    quarters = floor(angle / (pi / 2) + 0.5)
+    t = round(tan((angle - quarters * (pi / 2)) / 2) * (1 << _TURN_BITS))
+    one, square = 1 << 2 * _TURN_BITS, t * t
+    cosine, sine = one - square, t << (_TURN_BITS + 1)
+    match quarters % 4:
+        case 1:
+            cosine, sine = -sine, cosine
+        case 2:
+            cosine, sine = -cosine, -sine
+        case 3:
+            cosine, sine = sine, -cosine
+    return cosine, sine, one + square
+
+
+def find_angle(x: Fraction, y: Fraction) -> float:
+    """Return the angle of a vector of any length, from 0 to less than 2 pi.
+
+    >>> find_angle(Fraction(0), Fraction(3))
+    1.5707963267948966
+    """
+    scale = max(abs(x), abs(y))
+    angle = atan2(y / scale, x / scale)
+    return angle + 2 * pi if angle < 0 else angle
 
 
 def bound_root(square: Fraction, scale: int = 1) -> Fraction:
@@ -37,183 +230,65 @@ def bound_root(square: Fraction, scale: int = 1) -> Fraction:
     return Fraction(root + (root * root < widened), d * widen)
 
 
-def flatten_bezier(
-    points: Sequence[Point],
-    image: Affine,
-    reading: Reading,
-    weights: Sequence[Fraction] = (),
-) -> list[Point]:
-    """Turn the image of a Bezier curve, rational if it has weights, into lines.
-
-    Args:
-        points: the control points, three or more.
-        image: what maps the curve.
-        reading: has the tolerance, how far line and curve may be apart.
-        weights: one for each control point, all positive; all 1 if left out.
-
-    Returns:
-        list of Point, the images of the first and the last control point at its ends.
-
-    Raises:
-        FormatError: no tolerance, or more lines than are allowed.
-
-    Cost: O(k) for k vertices, k being O((size / tolerance) ** 0.5).
-
-    Example:
-        >>> from exactsweep.formats.curved.affine import IDENTITY
-        >>> curve = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (1, 1), (2, 0)]]
-        >>> [tuple(map(str, p)) for p in flatten_bezier(curve, IDENTITY, Reading("1/2"))]
-        [('0', '0'), ('1', '1/2'), ('2', '0')]
-    """
-    mapped = [image.point(*point) for point in points]
-    first, last = place_points([points[0], points[-1]], image, reading)
-    require_sharp(image, points, reading)
-    count = _count(_bend(mapped, weights) / 8, reading)
-    if weights:
-        lifted = [(x * w, y * w, w) for (x, y), w in zip(mapped, weights, strict=True)]
-        sums = (_casteljau(lifted, Fraction(k, count)) for k in range(1, count))
-        inner = [Point(x / w, y / w) for x, y, w in sums]
-    else:
-        inner = [Point(*_casteljau(mapped, Fraction(k, count))) for k in range(1, count)]
-    return [first, *round_points(inner, reading.allow_curve()), last]
-
-
-def flatten_arc(
-    center: Point, start: Point, end: Point, left: bool, image: Affine, reading: Reading
-) -> list[Point]:
-    """Turn the image of an arc of a circle into lines.
-
-    Args:
-        center: the center of the circle.
-        start: where the arc starts, a point of the circle.
-        end: where it ends, exactly as far from the center; the start for a full turn.
-        left: whether it runs counter-clockwise.
-        image: what maps the circle, to an ellipse perhaps.
-        reading: has the tolerance, how far line and image may be apart.
-
-    Returns:
-        list of Point, the images of start and end at its ends.
-
-    Raises:
-        FormatError: no tolerance, or more lines than are allowed.
-
-    Cost: O(k) for k vertices, k being O((size / tolerance) ** 0.5).
-
-    Example:
-        >>> from exactsweep.formats.curved.affine import IDENTITY
-        >>> o, a, b = (Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (5, 0), (3, 4)])
-        >>> [tuple(map(str, p)) for p in flatten_arc(o, a, b, True, IDENTITY, Reading(1))]
-        [('5', '0'), ('22/5', '12/5'), ('3', '4')]
-    """
-    side = 1 if left else -1
-    x, y = start.x - center.x, start.y - center.y
-    p, q = end.x - center.x, end.y - center.y
-    radius = x * x + y * y
-    corners = [Point(center.x + i * x - j * y, center.y + i * y + j * x) for i, j in _CORNERS]
-    require_sharp(image, corners, reading)
-    (ux, uy), (vx, vy) = image.vector(x, y), image.vector(-side * y, side * x)
-    # Frobenius' norm is not below the largest stretching of the unit circle.
-    bend = bound_root(ux * ux + uy * uy + vx * vx + vy * vy) / 2
-    along, across = (x * p + y * q) / radius, side * (x * q - y * p) / radius
-    count = _count(bend, reading, quarters=1 if along > 0 and across > 0 else 4)
-    middle = image.point(*center)
-    turns = _turns(along, across, count)
-    points = [Point(middle.x + ux * c + vx * s, middle.y + uy * c + vy * s) for c, s in turns]
-    inner = round_points(points, reading.allow_curve())
-    first, last = place_points([start, end], image, reading)
-    return [first, *inner, last]
-
-
-# Of a square around the circle through the first of them, in its radii.
-_CORNERS = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
-
-
-def require_sharp(image: Affine, points: Sequence[Point], reading: Reading) -> None:
-    """Refuse a map that is off, around these points, by more than a sixteenth of the tolerance."""
-    if image.off and 16 * image.error(points) > reading.allow_curve():
-        raise FormatError("numbers too large to be turned by an irrational angle")
-
-
-def place_points(points: Sequence[Point], image: Affine, reading: Reading) -> list[Point]:
-    """Map points, exactly, or rounded as `round_points` does where the map is irrational."""
-    if image is IDENTITY:
-        return [*points]
-    require_sharp(image, points, reading)
-    found = [*starmap(image.point, points)]
-    return round_points(found, reading.allow_curve()) if image.off else found
-
-
 def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
     """Return the center of an arc over a chord, `height` half chords to the left of its middle."""
     dx, dy = (end.x - start.x) / 2, (end.y - start.y) / 2
     return Point(start.x + dx - height * dy, start.y + dy + height * dx)
 
 
-def round_points(points: Sequence[Point], tolerance: Fraction) -> list[Point]:
-    """Move points to a decimal grid, none by more than a fourth of the tolerance."""
-    grid = Fraction(1)
-    while grid * 4 > tolerance:
-        grid /= 10
-    return [Point(round(x / grid) * grid, round(y / grid) * grid) for x, y in points]
+def make_round_arc(
+    center: Point, start: Point, end: Point, image: Affine, *, left: bool
+) -> tuple[Arc, bool]:
+    """Make the image of an arc of a circle.
 
+    Args:
+        center: the center of the circle.
+        start: a point of the circle.
+        end: another one, or the start for a full turn.
+        image: what maps the circle.
+        left: whether the arc runs counter-clockwise.
 
-def _count(bend: Fraction, reading: Reading, quarters: int = 1) -> int:
-    """The least n for which bend / n**2 is at most half the tolerance, for each quarter."""
-    count = max(1, -(-bound_root(2 * bend / reading.allow_curve()) // 1))
-    reading.allow_curve(count * quarters)
-    return count
-
-
-def _bend(points: Sequence[Point], weights: Sequence[Fraction]) -> Fraction:
-    """A bound for |C''| of a Bezier curve C.
-
-    With weights C = N / W, and so W C'' = N'' - 2 W' C' - W'' C, W C' = N' - W' C; N and W are
-    Bezier curves, whose derivatives are no larger than the differences of their control points
-    times the degree. The origin may be any point; a control point keeps |C| small.
+    Returns:
+        The Arc, and whether it runs from the start to the end; else it runs back.
     """
-    n = len(points) - 1
-    x, y = points[0]
-    moved = [Point(p.x - x, p.y - y) for p in points]
-    if not weights:
-        return n * (n - 1) * _largest(_differences(_differences(moved)))
-    lifted = [Point(p.x * w, p.y * w) for p, w in zip(moved, weights, strict=True)]
-    heights = [Point(w, Fraction(0)) for w in weights]
-    first, first_w = _differences(lifted), _differences(heights)
-    second, second_w = _differences(first), _differences(first_w)
-    least, reach = min(weights), _largest(moved)
-    speed = n * (_largest(first) + _largest(first_w) * reach) / least
-    twice = n * (n - 1) * (_largest(second) + _largest(second_w) * reach)
-    return (twice + 2 * n * _largest(first_w) * speed) / least
+    if not left:
+        start, end = end, start
+    x, y, p, q = start.x - center.x, start.y - center.y, end.x - center.x, end.y - center.y
+    span = find_angle(x * p + y * q, x * q - y * p) or 2 * pi
+    (ux, uy), (vx, vy) = image.vector(x, y), image.vector(-y, x)
+    return Arc(Affine(ux, uy, vx, vy, *image.point(*center)), 0.0, span), left
 
 
-def _differences(points: Sequence[Point]) -> list[Point]:
-    return [Point(b.x - a.x, b.y - a.y) for a, b in pairwise(points)]
+def make_bezier(controls: Sequence[Point], weights: Sequence[Fraction] = ()) -> tuple[Bezier, bool]:
+    """Make a Bezier curve in one of both directions, and say whether in this one."""
+    if [*controls] <= [*controls[::-1]]:
+        return Bezier(controls, weights), True
+    return Bezier(controls[::-1], weights[::-1]), False
 
 
-def _largest(vectors: Sequence[Point]) -> Fraction:
-    return bound_root(max((x * x + y * y for x, y in vectors), default=Fraction(0)))
+def _find_powers(column: Sequence[int]) -> list[int]:
+    """Return the coefficients of the powers of the parameter, the highest first."""
+    found, row, binomial = [], [*column], 1
+    degree = len(column) - 1
+    for k in range(degree + 1):
+        found.append(row[0] * binomial)
+        row = [b - a for a, b in pairwise(row)]
+        binomial = binomial * (degree - k) // (k + 1)
+    return found[::-1]
 
 
-def _turns(x: Fraction, y: Fraction, count: int) -> list[tuple[Fraction, Fraction]]:
-    """Points of the unit circle between (1, 0) and (x, y), `count` to each whole quarter."""
-    found: list[tuple[Fraction, Fraction]] = []
-    c, s, last = 1, 0, False
-    while not last:
-        # The end as it is seen from the start of this quarter.
-        along, across = c * x + s * y, c * y - s * x
-        last = along >= 0 and (across > 0 or (across == 0 and bool(found)))
-        stop = across / (1 + along) if last else Fraction(1)
-        steps = max(1, -(-count * stop // 1))
-        for k in range(steps):
-            t = stop * k / steps
-            p, q = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
-            found.append((c * p - s * q, s * p + c * q))
-        c, s = -s, c
-    return found[1:]
+def _evaluate(powers: Sequence[int], place: int) -> int:
+    """Return a value at a place, times the scale of places to the power of the degree."""
+    value, shift = powers[0], 0
+    for power in powers[1:]:
+        shift += BITS
+        value = value * place + (power << shift)
+    return value
 
 
-def _casteljau(points: Sequence[tuple[Fraction, ...]], t: Fraction) -> tuple[Fraction, ...]:
-    row = [tuple(point) for point in points]
-    while len(row) > 1:
-        row = [tuple(p + t * (q - p) for p, q in zip(a, b, strict=True)) for a, b in pairwise(row)]
-    return row[0]
+def _differences(points: Sequence[tuple[Fraction | int, ...]]) -> list[tuple[Fraction | int, ...]]:
+    return [(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(points)]
+
+
+def _largest(vectors: Sequence[tuple[Fraction | int, ...]]) -> Fraction:
+    return bound_root(Fraction(max((x * x + y * y for x, y in vectors), default=0)))

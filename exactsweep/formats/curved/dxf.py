@@ -13,29 +13,30 @@ from itertools import pairwise
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.curved.affine import Affine, make_affine, make_scaling, make_shift
-from exactsweep.formats.curved.arc import Arc, make_arc, to_degrees
-from exactsweep.formats.curved.curves import (
-    find_arc_center,
-    flatten_arc,
-    place_points,
-)
+from exactsweep.formats.curved.arc import make_arc, to_degrees
+from exactsweep.formats.curved.curves import find_arc_center, make_round_arc
 from exactsweep.formats.curved.dxf_block import Blocks, PlacedEntity
 from exactsweep.formats.curved.dxf_entity import Entity, read_drawing
-from exactsweep.formats.curved.join import OpenLine, gather
+from exactsweep.formats.curved.join import OpenLine, draw_outline, gather
+from exactsweep.formats.curved.path import (
+    CURVED,
+    Path,
+    draw_circle,
+    draw_lines,
+    find_share,
+    place_points,
+)
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import Point, make_points
 
 # Entities without an outline: fillings, which repeat one, and lines without an end.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
+# Those whose ends are irrational.
+_ROUND = {"ARC", "ELLIPSE"}
 _FULL, _ZERO = Fraction(360), Fraction(0)
-_ALL, _INNER = slice(None), slice(1, -1)
-_PointReader = Callable[[], Sequence[Point]]
-_Drawn = OpenLine | _PointReader
-"""An open line, whose inner points are all of its points yet; or a reader of a closed one."""
 
 
 def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
@@ -79,7 +80,7 @@ def _draw_lines(placed: PlacedEntity, reading: Reading) -> list[Candidate | Open
     for numbers in _find_chains(xs, ys, count):
         ends = [*numbers, count + numbers[-1]]
         points = make_points([xs[k] for k in ends], [ys[k] for k in ends])
-        chain = place_points(points, placed.image, reading)
+        chain = place_points(points, placed.image)
         split = partial(_split, placed, numbers, chain)
         if len(numbers) > 2:
             first = placed.place(numbers[0])
@@ -131,31 +132,26 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
             raise OrnamentError("no outline")
         if kind not in _READERS:
             raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
-        drawn = _READERS[kind](placed.entity, placed.image, reading)
-        is_curved = placed.image.off or placed.entity.is_curved
+        path = _READERS[kind](placed.entity, placed.image, reading)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
-    bound = reading.error if is_curved else _ZERO
-    if not isinstance(drawn, OpenLine):
-        vertices = partial(_name_place, place, drawn, _ALL)
-        return Candidate(place, vertices, layer=layer, error=bound)
-    inner = partial(_name_place, place, drawn.inner, _INNER) if drawn.shape else tuple
-    return drawn._replace(place=place, inner=inner, layer=layer, error=bound)
+    straight = len(path.points) == 2 and path.is_exact
+    ends = path.points[0], path.points[-1]
+    is_exact = not placed.image.off and kind not in _ROUND
+    line = OpenLine(place, ends, None if straight else path, is_exact, layer=layer)
+    if path.is_closed and (len(path.points) > 2 or path.curves):
+        return draw_outline(path, line, reading)
+    return line
 
 
-def _name_place(place: str, points: _PointReader, part: slice) -> Sequence[Point]:
-    with name_refusals(place):
-        return points()[part]
-
-
-def _read_line(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
+def _read_line(entity: Entity, image: Affine, reading: Reading) -> Path:
     reading.require_level(entity.take(30, 31, default="0"))
     x, y, u, v = entity.take(10, 20, 11, 21)
-    return _open([Point(x, y), Point(u, v)], [], image, reading)
+    return draw_lines([Point(x, y), Point(u, v)], image)
 
 
-def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
+def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> Path:
     if entity.kind == "LWPOLYLINE":
         points, bulges = entity.corners()
     elif entity.flags() & _MESH:
@@ -168,51 +164,32 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
         raise OrnamentError("a point")
     if entity.flags() & _CLOSED:
         points.append(points[0])
-    elif points[0] != points[-1]:
-        return _open(points, bulges, image, reading)
-    return partial(_follow, points, bulges, image, reading)
+    return _follow(points, bulges, image)
 
 
-def _open(
-    points: Sequence[Point], bulges: Sequence[Fraction], image: Affine, reading: Reading
-) -> _Drawn:
-    first, last = place_points([points[0], points[-1]], image, reading)
-    if len(points) == 2 and not any(bulges[:1]):
-        return OpenLine("", (first, last), is_exact=not image.off)
-    vertices = partial(_follow, points, bulges, image, reading)
-    return OpenLine("", (first, last), vertices, (*points, *bulges), not image.off)
-
-
-def _follow(
-    points: Sequence[Point], bulges: Sequence[Fraction], image: Affine, reading: Reading
-) -> list[Point]:
+def _follow(points: Sequence[Point], bulges: Sequence[Fraction], image: Affine) -> Path:
     """Go along a polyline; a bulge is the tangent of a fourth of the angle of an arc."""
-    placed = place_points(points, image, reading)
-    if not any(bulges):
-        return placed
-    found: list[Point] = []
-    for k, (start, end) in enumerate(pairwise(points)):
-        found.append(placed[k])
-        bulge = bulges[k]
-        if bulge and start != end:
-            center = find_arc_center(start, end, (1 - bulge * bulge) / (2 * bulge))
-            found += flatten_arc(center, start, end, bulge > 0, image, reading)[1:-1]
-    return [*found, placed[-1]]
+    path = draw_lines(points, image)
+    if any(bulges):
+        for k, (start, end) in enumerate(pairwise(points)):
+            bulge = bulges[k]
+            if bulge and start != end:
+                center = find_arc_center(start, end, (1 - bulge * bulge) / (2 * bulge))
+                path.curves[k] = make_round_arc(center, start, end, image, left=bulge > 0)
+    return path
 
 
-def _read_circle(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
-    reading.allow_curve()
+def _read_circle(entity: Entity, image: Affine, reading: Reading) -> Path:
     center, radius = entity.point(10), entity.number(40)
     if radius <= 0:
         raise FormatError("the radius is not positive")
     image = image @ entity.plane @ make_shift(*center) @ make_scaling(radius, radius)
     if entity.kind == "CIRCLE":
-        return _turn(image, _ZERO, _FULL, reading)
+        return draw_circle(image)
     return _turn(image, entity.number(50), entity.number(51), reading)
 
 
-def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
-    reading.allow_curve()
+def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> Path:
     reading.require_level([_ZERO, entity.number(31, "0")])
     center, (x, y), ratio = entity.point(10), entity.point(11), entity.number(40)
     if not (x or y) or not ratio:
@@ -224,23 +201,18 @@ def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     return _turn(image, start, end, reading)
 
 
-def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _Drawn:
+def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> Path:
     """Draw the image of an arc of the unit circle, or all of it where no gap can be seen."""
     span = (end - start) % _FULL
     gap = min(span, _FULL - span) / 50  # no less than in radians
-    seen = 16 * gap * (1 + sum(map(abs, image[:4]))) > reading.allow_curve()
+    size = Fraction(sum(map(abs, image[:4])))
+    seen = 16 * gap * (1 + size) > (reading.tolerance or find_share(size, CURVED))
     if start == end or (abs(end - start) > _FULL / 2 and not seen):
-        first = Point(Fraction(1), _ZERO)
-        return partial(Arc(image, first, first).flatten, reading)
-    arc = make_arc(image, start, end, reading)
-    if arc.start == arc.end and span < _FULL / 2:
-        # Rounded it is one point, from which an arc would run all the way around.
-        return OpenLine("", arc.ends, is_exact=False)
-    return OpenLine("", arc.ends, partial(arc.flatten, reading), arc, is_exact=False)
+        return draw_circle(image)
+    return make_arc(image, start, end)
 
 
-def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
-    reading.allow_curve()
+def _read_spline(entity: Entity, image: Affine, reading: Reading) -> Path:
     points = entity.points(10)
     reading.require_level(entity.numbers(30 if points else 31))
     if points:
@@ -250,23 +222,17 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     else:
         spline = Spline.through(entity.points(11))
     spline.require_sound()
-    pieces = [piece for piece, _ in spline.pieces()]
-    first, last = place_points([pieces[0][0], pieces[-1][-1]], image, reading)
-    vertices = partial(spline.flatten, image, reading)
-    if first == last:
-        return vertices
-    return OpenLine("", (first, last), vertices, tuple(spline.points), not image.off)
+    return spline.draw(image)
 
 
-def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
+def _read_solid(entity: Entity, image: Affine, reading: Reading) -> Path:
     """Read a filled triangle or quadrangle, whose last two corners are the wrong way round."""
     reading.require_level(entity.take(30, 31, 32, 33, default="0"))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
-    corners = [entity.point(code) for code in (*codes, 10)]
-    return partial(_follow, corners, [], image @ entity.plane, reading)
+    return draw_lines([entity.point(code) for code in (*codes, 10)], image @ entity.plane)
 
 
-_READERS: dict[str, Callable[[Entity, Affine, Reading], _Drawn]] = {
+_READERS: dict[str, Callable[[Entity, Affine, Reading], Path]] = {
     "LINE": _read_line,
     "LWPOLYLINE": _read_polyline,
     "POLYLINE": _read_polyline,

@@ -117,7 +117,7 @@ class Blocks:
         drawn = sum(entity.count for entity in block[1:]) or 1
         if columns * rows * drawn > MAX_COPIES:
             raise FormatError(f"draws more than {MAX_COPIES:,} entities")
-        turn = make_rotation(insert.number(50, "0"), self.reading)
+        turn = make_rotation(insert.number(50, "0"))
         position, base = insert.point(10), block[0].point(10)
         scale = make_scaling(insert.number(41, "1"), insert.number(42, "1"))
         outer = insert.plane @ make_shift(*position) @ turn

@@ -21,8 +21,6 @@ _BULGE, _COMMENT = 42, 999
 _SHARED = _LAYER, _PAPER, _INVISIBLE
 # The kinds of entities that files have thousands of, one after the other.
 _RUNS = {"LINE", "VERTEX"}
-_CURVED = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"}
-_POLYLINES = {"LWPOLYLINE", "POLYLINE"}
 _FROZEN = 1
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
 _NORMAL = {210: "0", 220: "0", 230: "1"}
@@ -134,7 +132,7 @@ class Entity:
 
     def numbers(self, code: int) -> list[Fraction]:
         """Return all numbers with a group code."""
-        return _read_group(code, _find_texts(self, code))
+        return _read_group(code, [*compress(self.texts, map(code.__eq__, self.codes))])
 
     def points(self, code: int) -> list[Point]:
         """Return all points whose x has a group code."""
@@ -156,19 +154,9 @@ class Entity:
     def plane(self) -> Affine:
         """The map of the entity's own plane to that of x and y, as seen from above."""
         normal = [self.number(code, default) for code, default in _NORMAL.items()]
-        if normal == [0, 0, 1]:
-            return IDENTITY
-        if normal == [0, 0, -1]:
-            return _MIRRORED
+        if normal[:2] == [0, 0] and normal[2]:
+            return IDENTITY if normal[2] > 0 else _MIRRORED
         raise FormatError("drawn in a plane of its own (groups 210 to 230)")
-
-    @property
-    def is_curved(self) -> bool:
-        """Whether it draws a curve: an arc, a spline, or a polyline with a bulge."""
-        if self.kind in _CURVED:
-            return True
-        bulges = [t for e in (self, *self.vertices) for t in _find_texts(e, _BULGE)]
-        return self.kind in _POLYLINES and any(read_each(bulges))
 
     @property
     def name(self) -> str:
@@ -353,11 +341,6 @@ def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
             text = value.strip()
             return INSUNITS.get(int(text)) if text.isascii() and text.isdigit() else None
     return None
-
-
-def _find_texts(entity: Entity, code: int) -> list[str]:
-    codes = [*entity.codes] * entity.count
-    return [*compress(entity.texts, map(code.__eq__, codes))]
 
 
 def _read_group(code: int, texts: Sequence[str]) -> list[Fraction]:

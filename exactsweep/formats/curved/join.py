@@ -11,14 +11,23 @@ from itertools import count as count_from
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.curved.curves import round_points
+from exactsweep.formats.curved.path import (
+    CURVED,
+    Path,
+    find_grid,
+    find_share,
+    round_points,
+)
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import Point
 from exactsweep.words import count, write_pair
 
 # Joints within reach of an end that are looked at before it is refused.
 _MAX_CROWD = 64
+# Ends within this part of the reach of a joint differ by the rounding of decimals.
+_ROUNDED = 250
 
 
 class OpenLine(NamedTuple):
@@ -27,24 +36,31 @@ class OpenLine(NamedTuple):
     Attributes:
         place: what and where it is, for messages.
         ends: its first and its last point; of a chain, also the points between them.
-        inner: reads the points between them.
-        shape: what tells it from others with the same ends; () for a straight one.
+        path: how it runs between them; None for a straight one.
         is_exact: whether its ends are those that are meant, not just close to them.
         name: its id, or None.
         layer: its layer, or None.
         split: makes an OpenLine of each line of a chain; else None.
-        error: how far it may be from the curve that is drawn.
+        filled: whether its fill rule is evenodd, if it is filled, which closes it; else None.
     """
 
     place: str
     ends: Sequence[Point]
-    inner: Callable[[], Sequence[Point]] = tuple
-    shape: Hashable = ()
+    path: Path | None = None
     is_exact: bool = True
     name: str | None = None
     layer: str | None = None
     split: Callable[[], Sequence[OpenLine]] | None = None
-    error: Fraction = Fraction(0)
+    filled: bool | None = None
+
+    @property
+    def key(self) -> Hashable:
+        """A value that differs for other lines with the same ends; () for a straight line."""
+        return self.path.key if self.path else ()
+
+    def run(self, start: Point, end: Point) -> Path:
+        """Return its path between the places that its ends are moved to."""
+        return (self.path or Path(self.ends)).moved(start, end)
 
 
 class _Joined(NamedTuple):
@@ -96,15 +112,18 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
     joints = Joints(reading.join or Fraction(0))
     find = joints.find
     exact = [[*map(find, line.ends)] if line.is_exact else [] for line in lines.values()]
-    if reading.tolerance is not None:
-        reach = max(reading.tolerance / 4, joints.reach)
-        joints = Joints(reach, joints.points, reading.tolerance)
+    if not all(exact):
+        tolerance = reading.joining or find_tolerance(lines.values())
+        reach = max(tolerance / 4, joints.reach)
+        joints = Joints(reach, joints.points, tolerance)
     placed: list[tuple[int, OpenLine, list[int]]] = []
     for (order, line), ends in zip(lines.items(), exact, strict=True):
         try:
             placed.append((order, line, ends or [*map(joints.find, line.ends)]))
         except FormatError as error:
             yield order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
+    if not all(exact):
+        _note_gaps(placed, joints, reading)
     meeting = Counter(chain.from_iterable(ends[1:] + ends[:-1] for _, _, ends in placed))
     single: list[tuple[int, OpenLine, Sequence[int]]] = []
     for order, line, ends in placed:
@@ -112,7 +131,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
             single.append((order, line, ends))
         elif ends[0] == ends[-1] and all(meeting[joint] == 2 for joint in ends):
             outline = [joints.points[joint] for joint in ends[:-1]]
-            yield order, Candidate(line.place, outline.copy, None, layer)
+            yield order, Candidate(line.place, outline.copy, None, layer, even_odd=False)
         else:
             single += zip(count_from(order), line.split(), pairwise(ends), strict=False)
     found: dict[tuple[int, int, Hashable], _Joined] = {}
@@ -121,12 +140,12 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
         try:
             joined = _Joined(order, line, (i, k))
             if i != k:
-                same = found.setdefault((min(i, k), max(i, k), line.shape), joined).line
+                same = found.setdefault((min(i, k), max(i, k), line.key), joined).line
                 if same is not line and sorted(same.ends) != sorted(line.ends):
                     lost[i].append(joined)
             elif _is_long(line, 4 * joints.reach):
-                vertices = partial(_walk, [joined], {i: (0, 0)}, joints.points, 0)
-                yield order, Candidate(line.place, vertices, line.name, layer, error=line.error)
+                path = line.run(joints.points[i], joints.points[i])
+                yield order, draw_outline(path, line, reading)
             elif line.ends[0] != line.ends[1]:
                 lost[i].append(joined)
         except FormatError as error:
@@ -138,7 +157,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
         reason = f"{start.place}: {vanished}"
         ends_of = Counter(end for one in short for end in one.line.ends)
         if joint not in passed or not any(number % 2 for number in ends_of.values()):
-            alone = len(short) == 1 and not start.shape
+            alone = len(short) == 1 and not start.path
             yield order, Candidate.refused(reason, start.name, layer, ornament=alone)
         elif len(short) > 1:
             reading.notes[reason] = None
@@ -146,8 +165,31 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
 
 
 def _is_long(line: OpenLine, reach: Fraction) -> bool:
-    (x, y), last = line.ends
-    return any(abs(p - x) > reach or abs(q - y) > reach for p, q in [*line.inner(), last])
+    return line.path is not None and line.path.size > reach
+
+
+def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
+    """Return the tolerance by whose fourth ends are joined, by the size of what is drawn."""
+    xs, ys = zip(*(end for line in lines for end in line.ends), strict=True)
+    return find_share(max(max(xs) - min(xs), max(ys) - min(ys)), CURVED)
+
+
+def _note_gaps(
+    placed: Sequence[tuple[int, OpenLine, list[int]]], joints: Joints, reading: Reading
+) -> None:
+    """Note ends of curves that meet others with a gap that is more than rounding of decimals."""
+    first: dict[int, Point] = {}
+    gaps = []
+    for _, line, ends in placed:
+        for end, joint in zip(line.ends, ends, strict=True):
+            x, y = first.setdefault(joint, end)
+            gap = max(abs(x - end.x), abs(y - end.y)) if end is not first[joint] else 0
+            if gap * _ROUNDED > joints.reach and gap > (reading.join or 0):
+                gaps.append((gap, line.place))
+    if gaps:
+        gap, where = max(gaps)
+        note = f"{count(len(gaps), 'gap')} up to {float(gap):.2g} closed beside curves ({where})"
+        reading.notes[note] = None
 
 
 class Joints:
@@ -195,7 +237,7 @@ class Joints:
         if square <= self.reach**2:
             return closest
         if self.tolerance is not None:
-            (end,) = round_points([end], self.tolerance)
+            (end,) = round_points([end], find_grid(self.tolerance))
         return self._add(end)
 
     def _add(self, joint: Point) -> int:
@@ -237,14 +279,19 @@ def _outlines(
         joined = [lines[k].line for k in sorted(together)]
         order, start, joints = lines[first]
         name = next((line.name for line in joined if line.name is not None), None)
-        if fault:
-            alone = len(joined) == 1 and not start.shape
+        if fault and len(joined) == 1 and start.filled is not None and start.path:
+            path = start.path.closed()
+            reading.notes[f"{start.place}: an open path, which its filling closes"] = None
+            yield order, draw_outline(path, start, reading)
+        elif fault:
+            alone = len(joined) == 1 and not start.path
             alone = alone and not any(joint in lost for joint in joints)
             yield order, Candidate.refused(fault, name, start.layer, ornament=alone)
         else:
-            vertices = partial(_walk, lines, at, points, first)
-            error = max(line.error for line in joined)
-            yield order, Candidate(start.place, vertices, name, start.layer, error=error)
+            yield (
+                order,
+                draw_outline(_walk(lines, at, points, first), start._replace(name=name), reading),
+            )
 
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
@@ -257,15 +304,39 @@ def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
 
 def _walk(
     lines: Sequence[_Joined], at: Mapping[int, Sequence[int]], points: Sequence[Point], first: int
-) -> list[Point]:
+) -> Path:
     """Walk along lines, each of whose ends meets one other, back to the first."""
-    outline: list[Point] = []
+    outline = Path()
     k, joint = first, lines[first].joints[0]
     while True:
         _, line, (start, end) = lines[k]
-        outline.append(points[joint])
-        outline += line.inner() if joint == start else line.inner()[::-1]
-        joint = end if joint == start else start
+        path = line.run(points[start], points[end])
+        if joint == start:
+            joint = end
+        else:
+            path, joint = path.reversed(), start
+        if outline.points:
+            outline.add(path)
+        else:
+            outline = path
         k = sum(at[joint]) - k
         if k == first:
             return outline
+
+
+def draw_outline(path: Path, line: OpenLine, reading: Reading) -> Candidate:
+    """Make the candidate of a closed path, which is filled as SVG fills it if it is not simple."""
+    vertices = partial(flatten_named, line.place, path, reading)
+    found = Candidate(line.place, vertices, line.name, line.layer, error=path.find_error(reading))
+    finer = partial(_draw_finer, path, line, reading) if found.error else None
+    return found._replace(even_odd=bool(line.filled), finer=finer)
+
+
+def _draw_finer(path: Path, line: OpenLine, reading: Reading, tolerance: Fraction) -> Candidate:
+    return draw_outline(path, line, reading.at(tolerance))
+
+
+def flatten_named(place: str, path: Path, reading: Reading) -> list[Point]:
+    """Turn a path into lines; a refusal names its place."""
+    with name_refusals(place):
+        return path.flatten(reading)

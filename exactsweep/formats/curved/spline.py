@@ -15,9 +15,9 @@ from math import dist
 from typing import NamedTuple
 
 from exactsweep.formats.curved.affine import Affine
-from exactsweep.formats.curved.curves import flatten_bezier, round_points
+from exactsweep.formats.curved.curves import make_bezier
+from exactsweep.formats.curved.path import Path, place_points
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import Point
 
 MAX_DEGREE = 11
@@ -136,21 +136,26 @@ class Spline(NamedTuple):
             found.append(row[0])
         return found
 
-    def flatten(self, image: Affine, reading: Reading) -> list[Point]:
-        """Turn the image of the spline into lines, as `flatten_bezier` does each piece."""
-        found: list[Point] = []
+    def draw(self, image: Affine) -> Path:
+        """Return the path of its image."""
+        found = Path()
         for points, weights in self.pieces():
+            mapped = place_points(points, image)
+            if not found.points:
+                found.points.append(mapped[0])
             if self.degree == 1:
-                found += [image.point(*point) for point in points]
-            else:
-                found += flatten_bezier(points, image, reading, weights)
+                found.points += mapped[1:]
+            elif any(point != mapped[0] for point in mapped):
+                curve, forward = make_bezier(tuple(mapped), tuple(weights))
+                found.add_curve(curve, mapped[-1], forward=forward)
+        if image.off:
+            found.off = image.error(self.points)
         if self.degree > 1:
             # Where pieces meet, and where a closed one begins, is as good rounded as other points.
-            rounded = round_points(found, reading.allow_curve())
-            if found[0] != found[-1]:
-                rounded[0], rounded[-1] = found[0], found[-1]
-            found = rounded
-        return [a for a, b in pairwise(found) if a != b] + found[-1:]
+            found.soft = {*range(0 if found.is_closed else 1, len(found.points) - 1)}
+            if found.is_closed:
+                found.soft.add(len(found.points) - 1)
+        return found
 
 
 def _solve(values: Sequence[float], lengths: Sequence[float]) -> list[float]:

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, NoReturn
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.curved.affine import Affine
-from exactsweep.formats.curved.curves import flatten_arc, place_points
-from exactsweep.formats.curved.join import OpenLine, gather
-from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
+from exactsweep.formats.curved.join import OpenLine, flatten_named, gather
+from exactsweep.formats.curved.path import (
+    Path,
+    draw_circle,
+    draw_lines,
+    flatten_together,
+    place_points,
+)
+from exactsweep.formats.curved.svg_path import make_elliptic_arc, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
@@ -20,7 +27,7 @@ from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.error import quote
-from exactsweep.numbers.number import ORIGIN, Point
+from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
 if TYPE_CHECKING:
@@ -176,33 +183,79 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         matrix = shape.matrix
     except FormatError as error:
         return [Candidate.refused(str(error), name, layer)]
-    lines = reading.lines
     try:
         found = SHAPES[name_kind(shape.element)](shape, matrix, reading)
-        closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
-        opened = [points for points in found if points[0] != points[-1]]
-        # The Polygon itself checks a single ring later.
-        regions = [[0]] if len(closed) == 1 else []
-        if len(closed) > 1:
-            regions = find_regions(closed, even_odd=shape.is_even_odd)
-        if not regions and not opened:
+        closed = [path for path in found if len(path.points) > 1 and path.is_closed]
+        opened = [path for path in found if not path.is_closed]
+        # Filling closes a path, but the ends of a single one may meet others.
+        if len(found) > 1 and is_filled(shape):
+            closed += [path.closed() for path in opened if len(path.points) > 2 or path.curves]
+            opened = [path for path in opened if len(path.points) == 2 and not path.curves]
+        words = tuple(shape.element.get("class", "").split())
+        regions = _draw_regions(closed, shape, reading)
+        drawn: list[Candidate | OpenLine] = [one._replace(words=words) for one in regions]
+        if not drawn and not opened:
             raise OrnamentError("fewer than three vertices")
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return [Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)]
-    bound = reading.error if matrix.off or reading.lines > lines else Fraction(0)
-    words = tuple(shape.element.get("class", "").split())
-    drawn: list[Candidate | OpenLine] = []
-    for region in regions:
-        readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
-        outline = Candidate.of_rings(readers, shape.place, name, layer, bound)
-        drawn.append(outline._replace(words=words))
-    for points in opened:
-        first, *inner, last = points
-        shaped = tuple(points) if inner else ()
-        line = OpenLine(shape.place, (first, last), inner.copy, shaped, not matrix.off, name, layer)
-        drawn.append(line._replace(error=bound))
+    for path in opened:
+        straight = len(path.points) == 2 and path.is_exact
+        ends = path.points[0], path.points[-1]
+        line = OpenLine(shape.place, ends, None if straight else path, not matrix.off, name, layer)
+        drawn.append(line._replace(filled=find_rule(shape) if is_filled(shape) else None))
     return drawn
+
+
+def is_filled(shape: PlacedElement) -> bool:
+    """Decide whether a shape is filled."""
+    return shape.inherited("fill", "black") not in _UNPAINTED
+
+
+def find_rule(shape: PlacedElement) -> bool | None:
+    """Return whether the fill rule of a shape is evenodd; None for one that SVG does not have."""
+    try:
+        return shape.is_even_odd
+    except FormatError:
+        return None
+
+
+def _draw_regions(
+    closed: Sequence[Path], shape: PlacedElement, reading: Reading
+) -> Sequence[Candidate]:
+    """Read the regions that closed paths draw together, by the fill rule."""
+    if not closed:
+        return ()
+    place = shape.place
+    whole = Candidate(place, list, _name(shape), shape.layer)
+    whole = whole._replace(error=max(path.find_error(reading) for path in closed))
+    if len(closed) == 1:
+        vertices = partial(flatten_named, place, closed[0], reading)
+        whole = whole._replace(vertices=vertices, even_odd=find_rule(shape))
+        return [whole._replace(finer=partial(_draw_finer, closed, shape, reading, 0))]
+    even_odd = shape.is_even_odd
+    rings, regions = flatten_together(closed, reading, partial(find_regions, even_odd=even_odd))
+    if regions is None:
+        found = whole.fill(rings, even_odd=even_odd)
+        crossing = "its subpaths cross or touch themselves or each other"
+        reading.notes[f"{place}: {crossing}: {count(len(found), 'polygon')} by its fill rule"] = (
+            None
+        )
+        return found
+    drawn: list[Candidate] = []
+    for region in regions:
+        readers = [(f"{place}: subpath {k}", rings[k].copy) for k in region]
+        one = Candidate.of_rings(readers, place, whole.name, whole.layer, whole.error)
+        finer = partial(_draw_finer, closed, shape, reading, len(drawn))
+        drawn.append(one._replace(finer=finer))
+    return drawn
+
+
+def _draw_finer(
+    closed: Sequence[Path], shape: PlacedElement, reading: Reading, k: int, tolerance: Fraction
+) -> Candidate | None:
+    found = _draw_regions(closed, shape, reading.at(tolerance))
+    return found[k] if k < len(found) else None
 
 
 def _name(shape: PlacedElement) -> str | None:
@@ -216,7 +269,7 @@ def _name(shape: PlacedElement) -> str | None:
     return name
 
 
-def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
+def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Path]:
     text = shape.element.get("points", "")
     reading.allow_vertices(count_decimals(text) // 2)
     points = read_points(text)
@@ -224,27 +277,25 @@ def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[lis
         raise FormatError("points: none")
     if name_kind(shape.element) == "polygon":
         points.append(points[0])
-    return [place_points(points, matrix, reading)]
+    return [draw_lines(points, matrix)]
 
 
-def _line(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
+def _line(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Path]:
     ends = [Point(shape.length(f"x{k}"), shape.length(f"y{k}")) for k in (1, 2)]
-    return [place_points(ends, matrix, reading)]
+    return [draw_lines(ends, matrix)]
 
 
-def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
+def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Path]:
     x, y = shape.length("x"), shape.length("y")
     width, height = shape.size("width"), shape.size("height")
     _require_room(width, height)
     u, v = x + width, y + height
-    if "rx" in shape.element.attrib or "ry" in shape.element.attrib:
-        either = shape.element.get("rx", shape.element.get("ry"))
-        rx = min(shape.size("rx", either), width / 2)
-        ry = min(shape.size("ry", either), height / 2)
-        if rx > 0 and ry > 0:
-            return [_round_rectangle((x, y, u, v), (rx, ry), matrix, reading)]
+    rx, ry = _read_radii(shape)
+    if rx and ry:
+        radii = min(rx, width / 2), min(ry, height / 2)
+        return [_round_rectangle((x, y, u, v), radii, matrix)]
     corners = [Point(*corner) for corner in ((x, y), (u, y), (u, v), (x, v), (x, y))]
-    return [place_points(corners, matrix, reading)]
+    return [draw_lines(corners, matrix)]
 
 
 def _require_room(width: Fraction, height: Fraction) -> None:
@@ -252,12 +303,23 @@ def _require_room(width: Fraction, height: Fraction) -> None:
         raise OrnamentError("without width or height, which is not drawn")
 
 
+def _read_radii(shape: PlacedElement) -> tuple[Fraction, Fraction]:
+    """Read both radii; one that is left out, or auto, is as long as the other."""
+    auto = {None, "auto"}
+    found = [
+        None if shape.element.get(name, shape.styled.get(name)) in auto else shape.size(name)
+        for name in ("rx", "ry")
+    ]
+    zero = Fraction(0)
+    rx, ry = found
+    return rx if rx is not None else ry or zero, ry if ry is not None else rx or zero
+
+
 def _round_rectangle(
     box: tuple[Fraction, Fraction, Fraction, Fraction],
     radii: tuple[Fraction, Fraction],
     matrix: Affine,
-    reading: Reading,
-) -> list[Point]:
+) -> Path:
     (x, y, u, v), (rx, ry) = box, radii
     corners = [
         (Point(u - rx, y), Point(u, y + ry)),
@@ -265,27 +327,35 @@ def _round_rectangle(
         (Point(x + rx, v), Point(x, v - ry)),
         (Point(x, y + ry), Point(x + rx, y)),
     ]
-    found: list[Point] = []
+    found = Path()
     for ends in corners:
-        found += flatten_elliptic_arc(ends, radii, Fraction(0), (False, True), matrix, reading)
-    return [*found, found[0]]
+        placed = place_points(ends, matrix)
+        if not found.points or placed[0] != found.points[-1]:
+            found.points.append(placed[0])
+        arc, forward = make_elliptic_arc(ends, radii, Fraction(0), (False, True), matrix)
+        found.add_curve(arc, placed[1], forward=forward)
+    if found.points[-1] != found.points[0]:
+        found.points.append(found.points[0])
+    found.off = matrix.error([Point(abs(x) + abs(u), abs(y) + abs(v))])
+    return found
 
 
-def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
-    names = ("r", "r") if name_kind(shape.element) == "circle" else ("rx", "ry")
-    rx, ry = (shape.size(name) for name in names)
+def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Path]:
+    if name_kind(shape.element) == "circle":
+        rx = ry = shape.size("r")
+    else:
+        rx, ry = _read_radii(shape)
     _require_room(rx, ry)
     zero = Fraction(0)
     image = matrix @ Affine(rx, zero, zero, ry, shape.length("cx"), shape.length("cy"))
-    start = Point(Fraction(1), zero)
-    return [flatten_arc(ORIGIN, start, start, True, image, reading)]
+    return [draw_circle(image)]
 
 
 def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
     raise FormatError("draws nothing that is in the file, or itself")
 
 
-SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Point]]]] = {
+SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[Path]]] = {
     "polygon": _polygon,
     "polyline": _polygon,
     "rect": _rectangle,

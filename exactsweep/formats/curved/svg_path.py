@@ -1,22 +1,22 @@
 """The path data of SVG (SVG 1.1, 8.3): closed outlines of lines, and of curves on request."""
 
 import re
-from collections.abc import Callable
 from contextlib import suppress
 from fractions import Fraction
 from itertools import accumulate
-from math import ceil
 from typing import NoReturn
 
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.curved.curves import (
+    Arc,
+    Curve,
     bound_root,
     find_arc_center,
-    flatten_arc,
-    flatten_bezier,
-    place_points,
+    make_bezier,
+    make_round_arc,
 )
+from exactsweep.formats.curved.path import Path, place_points
 from exactsweep.formats.decimals import DECIMAL, read_decimal, read_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
@@ -30,34 +30,35 @@ _NUMBER = re.compile(rf"[\s,]*({DECIMAL})")
 # vertices are counted before there are too many.
 _PAIR = rf"[\s,]*+{DECIMAL}[\s,]*+{DECIMAL}"
 _LINES = {letter: re.compile(rf"(?:[\s,]*+{letter}?+{_PAIR}){{1,4096}}+") for letter in "Ll"}
+# Of one part of a unit, the parts by which the height of an arc may be off.
+_HEIGHTS = 10**40
 _FLAG = re.compile(r"[\s,]*([01])")
 # The arguments of each command: coordinates, numbers, and flags.
 _ARGUMENTS = {"M": "", "L": "", "H": "x", "V": "y", "C": "xyxyxy", "S": "xyxy"}
 _ARGUMENTS |= {"Q": "xyxy", "T": "xy", "A": "nnnffxy", "Z": ""}
 
 
-def read_path(data: str, matrix: Affine, reading: Reading) -> list[list[Point]]:
-    """Read the lines that a path draws.
+def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
+    """Read what a path draws.
 
     Args:
         data: the `d` attribute of a path.
         matrix: the transformation of the path.
-        reading: has the tolerance of curves.
+        reading: counts vertices.
 
     Returns:
-        For each subpath, a list of Point in the order of the path; the first one is repeated at the
-        end where the subpath is closed.
+        A Path for each subpath.
 
     Raises:
-        FormatError: not path data, curves without a tolerance; the message says at which character.
-            More vertices than are read.
+        FormatError: not path data; the message says at which character. More vertices than are
+            read.
 
     Cost: linear in the length of the data and the number of the vertices.
     """
-    return _Path(data, matrix, reading).lines()
+    return _PathData(data, matrix, reading).lines()
 
 
-class _Path:
+class _PathData:
     """Path data, read from left to right."""
 
     def __init__(self, data: str, matrix: Affine, reading: Reading) -> None:
@@ -69,9 +70,9 @@ class _Path:
         self.control: tuple[str, Point] = ("", ORIGIN)
         # The start of the current subpath, before the matrix, and all subpaths.
         self.start = ORIGIN
-        self.found: list[list[Point]] = []
+        self.found: list[Path] = []
 
-    def lines(self) -> list[list[Point]]:
+    def lines(self) -> list[Path]:
         while not self._at_end():
             start = self.place
             letter = self.data[start]
@@ -84,14 +85,14 @@ class _Path:
                 self._refuse(f"{quote(self.data[start : start + 20])} instead of a command", start)
             kind = self.command.upper()
             if kind == "M":
-                self.found.append([])
+                self._begin()
             elif not self.found:
                 self._refuse("the path does not begin with M", start)
-            elif not self.found[-1] and kind != "Z":
+            elif not self.found[-1].points and kind != "Z":
                 # After Z, the next subpath begins where the last one did.
                 self._add([self.current])
             self._draw(kind, start)
-        found = [line for line in self.found if line]
+        found = [line for line in self.found if line.points]
         if not found:
             self._refuse("the path is empty", 0)
         return found
@@ -107,8 +108,8 @@ class _Path:
         self.control = ("", before)
         if kind == "Z":
             self.reading.allow_vertices(1)
-            self.found[-1] += self.found[-1][:1]
-            self.found.append([])
+            self.found[-1].points += self.found[-1].points[:1]
+            self._begin()
             self.current = self.start
         elif kind == "H":
             self._add([Point(values[0], before.y)])
@@ -120,14 +121,22 @@ class _Path:
             if rx and ry and end != before:
                 angle = angle if abs(rx) != abs(ry) else Fraction(0)
                 shape = (abs(rx), abs(ry)), angle, (bool(large), bool(left))
-                self._curve(end, start, flatten_elliptic_arc, (before, end), *shape)
+                arc = make_elliptic_arc((before, end), *shape, self.matrix)
+                # No point of the arc is farther from its ends than this.
+                room = 2 * (abs(rx) + abs(ry) + abs(end.x - before.x) + abs(end.y - before.y))
+                self._curve(arc, end, [Point(abs(x) + room, y) for x, y in (before, end)])
             else:
                 self._add([end])
         else:
             if kind in "ST":
                 smooth = Point(2 * before.x - control.x, 2 * before.y - control.y)
                 points.insert(0, smooth if kind in kinds else before)
-            self._curve(points[-1], start, flatten_bezier, [before, *points])
+            controls = [before, *points]
+            curve = make_bezier(tuple(place_points(controls, self.matrix)))
+            if any(point != before for point in points):
+                self._curve(curve, points[-1], controls)
+            else:
+                self._add([before])
             self.control = ("CS" if kind in "CS" else "QT", points[-2])
 
     def _draw_lines(self, kind: str) -> None:
@@ -155,21 +164,28 @@ class _Path:
         while True:
             self._argument("n")
 
+    def _begin(self) -> None:
+        self.found.append(Path())
+
     def _add(self, ends: list[Point]) -> None:
         self.reading.allow_vertices(len(ends))
         self.current = ends[-1]
-        self.found[-1] += place_points(ends, self.matrix, self.reading)
+        path = self.found[-1]
+        path.points += place_points(ends, self.matrix)
+        self._let_off(ends)
 
-    def _curve(
-        self, end: Point, start: int, flatten: Callable[..., list[Point]], *shape: object
-    ) -> None:
-        try:
-            found = flatten(*shape, self.matrix, self.reading)
-        except FormatError as error:
-            self._refuse(str(error), start)
-        self.reading.allow_vertices(len(found))
-        self.found[-1] += found[1:]
+    def _curve(self, drawn: tuple[Curve, bool], end: Point, around: list[Point]) -> None:
+        """Add a curve that some points are around."""
+        curve, forward = drawn
+        self.reading.allow_vertices(1)
         self.current = end
+        (placed,) = place_points([end], self.matrix)
+        self.found[-1].add_curve(curve, placed, forward=forward)
+        self._let_off(around)
+
+    def _let_off(self, points: list[Point]) -> None:
+        if self.matrix.off:
+            self.found[-1].off = max(self.found[-1].off, self.matrix.error(points))
 
     def _argument(self, sort: str) -> Fraction:
         """Read a number; of a small letter, a coordinate counts from the current point."""
@@ -202,15 +218,14 @@ class _Path:
         raise FormatError(f"path data, character {place + 1}: {reason}")
 
 
-def flatten_elliptic_arc(
+def make_elliptic_arc(
     ends: tuple[Point, Point],
     radii: tuple[Fraction, Fraction],
     angle: Fraction,
     flags: tuple[bool, bool],
     matrix: Affine,
-    reading: Reading,
-) -> list[Point]:
-    """Turn an arc of an ellipse into lines (SVG 1.1, F.6).
+) -> tuple[Arc, bool]:
+    """Make an arc of an ellipse (SVG 1.1, F.6).
 
     In the plane in which the ellipse is a unit circle, its center is k half chords from the middle
     of the chord, k**2 being rational. Taking k by d too large moves the arc by no more than 2 d,
@@ -225,24 +240,21 @@ def flatten_elliptic_arc(
         flags: whether it is the longer one of the two arcs, and whether it runs counter-clockwise,
             from x to y.
         matrix: what maps the arc to the result.
-        reading: has the tolerance, how far the lines may be from it.
 
     Returns:
-        list of Point, the images of both ends included.
+        The Arc, and whether it runs from the start to the end.
     """
     (rx, ry), (large, left) = radii, flags
     # Half a chord's height is a root, so that it is as good as the root of the angle's error.
-    turn = make_rotation(angle, reading, power=2)
+    turn = make_rotation(angle, power=2)
     # The inverse of a rotation has the same sine, negative.
     back = turn._replace(b=-turn.b, c=-turn.c)
     start, end = (Point(x / rx, y / ry) for x, y in (back.vector(*point) for point in ends))
     zero = Fraction(0)
     image = matrix @ turn._replace(off=zero) @ Affine(rx, zero, zero, ry, zero, zero)
     half = ((end.x - start.x) ** 2 + (end.y - start.y) ** 2) / 4
-    stretch = bound_root(image.a**2 + image.b**2 + image.c**2 + image.d**2)
-    scale = ceil(8 * stretch / reading.allow_curve())
-    height = bound_root(max(1 - half, zero) / half, scale)
+    height = bound_root(max(1 - half, zero) / half, _HEIGHTS)
     if large == left:
         height = -height
     center = find_arc_center(start, end, height)
-    return flatten_arc(center, start, end, left, image, reading)
+    return make_round_arc(center, start, end, image, left=left)

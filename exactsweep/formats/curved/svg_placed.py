@@ -97,7 +97,7 @@ class PlacedElement:
         """The map of the element's coordinates to those of the drawing."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
         with name_refusals(self.place, FormatError):
-            product = compose(outer, read_transform(self.transform, self.reading))
+            product = compose(outer, read_transform(self.transform))
             if self.parent is None:
                 return compose(make_scaling(self.unit, self.unit), product)
             if name_kind(self.element) == "use":

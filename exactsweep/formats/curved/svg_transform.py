@@ -8,7 +8,6 @@ from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine, make
 from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import quote
 
@@ -17,23 +16,21 @@ _FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 _MAX_BITS = 50_000
 
 
-def read_transform(text: str, reading: Reading) -> Affine:
+def read_transform(text: str) -> Affine:
     """Read a `transform` attribute.
 
     Args:
         text: functions one after another, the last one applied first.
-        reading: says whether a sine or a tangent may be irrational.
 
     Returns:
         The map.
 
     Raises:
-        FormatError: an angle whose sine or tangent is irrational, unless there is a tolerance;
-            numbers that grow too long, or whatever is not a list of transformations.
+        FormatError: numbers that grow too long, or whatever is not a list of transformations.
 
     Example:
         >>> text = "translate(10) rotate(90)"
-        >>> read_transform(text, Reading()).point(*map(Fraction, (1, 0)))
+        >>> read_transform(text).point(*map(Fraction, (1, 0)))
         Point(x=Fraction(10, 1), y=Fraction(1, 1))
     """
     product, place = IDENTITY, 0
@@ -50,7 +47,7 @@ def read_transform(text: str, reading: Reading) -> Affine:
         given = read_decimals(numbers)
         if len(given) not in counts:
             raise FormatError(f"{name} with {len(given)} numbers")
-        product = compose(product, make(given, reading))
+        product = compose(product, make(given))
         place = match.end()
     return product
 
@@ -63,37 +60,37 @@ def compose(outer: Affine, inner: Affine) -> Affine:
     return product
 
 
-def _rotate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
+def _rotate(numbers: Sequence[Fraction]) -> Affine:
     angle, *center = numbers
-    turn = make_rotation(angle, reading)
+    turn = make_rotation(angle)
     if not center:
         return turn
     x, y = center
     return make_shift(x, y) @ turn @ make_shift(-x, -y)
 
 
-def _skew_x(numbers: Sequence[Fraction], reading: Reading) -> Affine:
+def _skew_x(numbers: Sequence[Fraction]) -> Affine:
     """A map whose c is the tangent, within its `off`."""
     (angle,) = numbers
     if angle % 45 == 0 and angle % 180 != 90:
         return make_affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)
-    turn = make_rotation(angle, reading)
+    turn = make_rotation(angle)
     if abs(turn.a) < Fraction(1, 10**6):
         raise FormatError(f"a skew by {abridge(angle)} degrees")
     # By the angle the tangent grows at 1 / cos**2.
     return make_affine(1, 0, turn.b / turn.a, 1, 0, 0)._replace(off=2 * turn.off / turn.a**2)
 
 
-def _skew_y(numbers: Sequence[Fraction], reading: Reading) -> Affine:
-    skew = _skew_x(numbers, reading)
+def _skew_y(numbers: Sequence[Fraction]) -> Affine:
+    skew = _skew_x(numbers)
     return skew._replace(b=skew.c, c=skew.b)
 
 
-_Make = Callable[[Sequence[Fraction], Reading], Affine]
+_Make = Callable[[Sequence[Fraction]], Affine]
 _FUNCTIONS: dict[str, tuple[_Make, tuple[int, ...]]] = {
-    "matrix": (lambda numbers, _: Affine(*numbers), (6,)),
-    "translate": (lambda n, _: make_shift(n[0], n[1] if n[1:] else Fraction(0)), (1, 2)),
-    "scale": (lambda n, _: make_scaling(n[0], n[-1]), (1, 2)),
+    "matrix": (lambda numbers: Affine(*numbers), (6,)),
+    "translate": (lambda n: make_shift(n[0], n[1] if n[1:] else Fraction(0)), (1, 2)),
+    "scale": (lambda n: make_scaling(n[0], n[-1]), (1, 2)),
     "rotate": (_rotate, (1, 3)),
     "skewX": (_skew_x, (1,)),
     "skewY": (_skew_y, (1,)),

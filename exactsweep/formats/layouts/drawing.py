@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Literal
 
 from exactsweep.formats.candidate import Candidate
@@ -15,9 +16,10 @@ from exactsweep.formats.folder import make_unique
 from exactsweep.formats.layouts.containers import Sheet, find_sheets
 from exactsweep.formats.layouts.found import STANDING, FoundLayout, write_rings
 from exactsweep.formats.node import Data
-from exactsweep.formats.parsing import parse_candidates
+from exactsweep.formats.parsing import parse_by
+from exactsweep.formats.part_list import Said
 from exactsweep.formats.reading import UNITS, Reading
-from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
@@ -40,14 +42,21 @@ def draw_layouts(
 
     Cost: linear, and that of `nest_outlines`.
     """
-    options = reading.options | {"nested": False}
-    drawn = parse_candidates(text, reading.tolerance, **options)
+    drawn = parse_by(text, reading.without_nesting())
     notes = [*drawn.left_out, *drawn.notes]
     notes += [f"left out: {one.fault}" for one in drawn if one.fault and one.ornament]
     plain = [one for one in drawn if not one.ornament]
     if not plain:
         raise FormatError(notes[0] if notes else "no outline is drawn")
-    outlines, unchecked = _leave_open_layers(plain)
+    closed, unchecked = _leave_open_layers(plain)
+    said = Said(notes, notes)
+    outlines: list[Candidate] = []
+    for one in closed:
+        try:
+            outlines += one.split(said)
+        except PolygonError:
+            # The judge reports the shape.
+            outlines.append(one)
     sheets = [Sheet(None, [], outlines)] if container is False else find_sheets(outlines, container)
     if all(not sheet.outlines for sheet in sheets):
         raise FormatError("one outline alone is drawn: nothing is placed")
@@ -57,12 +66,12 @@ def draw_layouts(
     found = []
     for k, sheet in enumerate(sheets):
         name = f"sheet {k}" if len(sheets) > 1 else ""
-        one = _make_layout(sheet, nested=reading.nested is not False)
+        layout = _make_layout(sheet, nested=reading.nested is not False)
         found.append(
-            one._replace(
+            layout._replace(
                 name=name,
-                notes=(*notes, *one.notes),
-                unchecked=(*unchecked, *one.unchecked),
+                notes=(*notes, *layout.notes),
+                unchecked=(*unchecked, *layout.unchecked),
                 unit=unit,
             )
         )
@@ -117,7 +126,32 @@ def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
         data["container"] = write_rings(sheet.container)
     if sheet.defects:
         data["defects"] = [write_rings(one) for one in sheet.defects]
-    return FoundLayout("", data, tuple(notes), tuple(unchecked), tuple(map(_find_line, parts)))
+    drawn_as: dict[str | None, Candidate] = dict(zip(names, parts, strict=True))
+    if sheet.container is not None:
+        drawn_as[None] = sheet.container
+    shapes = [data.get("container", {}), *data["parts"]]
+    is_curved = any("error" in shape for shape in shapes)
+    return FoundLayout(
+        "",
+        data,
+        tuple(notes),
+        tuple(unchecked),
+        tuple(map(_find_line, parts)),
+        flatten=partial(_flatten, drawn_as) if is_curved else None,
+    )
+
+
+def _flatten(
+    drawn_as: Mapping[str | None, Candidate], names: Collection[str | None], tolerance: Fraction
+) -> Mapping[str | None, Data]:
+    """Find shapes with finer lines; those that are none are left out."""
+    found: dict[str | None, Data] = {}
+    for name in names:
+        finer = drawn_as[name].finer if name in drawn_as else None
+        one = finer(tolerance) if finer else None
+        if one is not None:
+            found[name] = write_rings(one)
+    return found
 
 
 def _name_part(outline: Candidate, k: int) -> str:

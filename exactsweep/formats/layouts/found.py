@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -21,6 +21,10 @@ STANDING: Data = {"turn": "0", "move": ["0", "0"]}
 """Where a part stands as it is drawn."""
 
 
+Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
+"""A function that finds finer shapes, as `FoundLayout.flatten`."""
+
+
 class FoundLayout(NamedTuple):
     """A layout of a file.
 
@@ -31,8 +35,9 @@ class FoundLayout(NamedTuple):
         unchecked: rules and shapes that are not judged, a phrase each.
         places: where each placement is in the file, such as "line 7"; empty if unknown.
         unit: the unit of the file's lengths, such as "mm"; "" if unknown.
-        flatten: reads the layout again, with curves flattened at another tolerance; None if it has
-            no curves. The result has the same parts in the same order.
+        flatten: finds the shapes of some parts, by id, and of the container, None, with curves
+            flattened at another tolerance; those that it cannot find are left out. None if no
+            curve was read.
     """
 
     name: str
@@ -41,16 +46,7 @@ class FoundLayout(NamedTuple):
     unchecked: tuple[str, ...] = ()
     places: tuple[str, ...] = ()
     unit: str = ""
-    flatten: Callable[[Fraction], FoundLayout] | None = None
-
-    @property
-    def error(self) -> Fraction:
-        """The greatest error of the container and the parts; 0 without curves."""
-        shapes = [self.data.get("container"), *self.data["parts"], *self.data.get("defects", ())]
-        errors = [
-            shape["error"] for shape in shapes if isinstance(shape, dict) and "error" in shape
-        ]
-        return max((Fraction(str(error)) for error in errors), default=Fraction(0))
+    flatten: Flatten | None = None
 
 
 class NestingInstance(NamedTuple):

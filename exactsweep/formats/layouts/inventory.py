@@ -121,12 +121,7 @@ def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> Found
     ]
     data = {**found.data, "parts": [*shapes, *others], "placements": placements}
     notes.insert(0, f"{count(sum(one.number for one in wanted), 'part')} in the instance")
-    finer = found.flatten
-    return found._replace(
-        data=data,
-        notes=(*found.notes, *notes),
-        flatten=finer and (lambda tolerance: compare_inventory(finer(tolerance), wanted)),
-    )
+    return found._replace(data=data, notes=(*found.notes, *notes))
 
 
 def _find_match(

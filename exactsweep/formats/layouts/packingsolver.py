@@ -12,8 +12,8 @@ from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
 
-from exactsweep.formats.curved.affine import IDENTITY
-from exactsweep.formats.curved.curves import flatten_arc
+from exactsweep.formats.curved.affine import make_affine
+from exactsweep.formats.curved.path import draw_circle
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import (
     STANDING,
@@ -29,7 +29,6 @@ from exactsweep.formats.node import Data, JsonNode, write_box, write_ring, write
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
-from exactsweep.numbers.number import Point
 
 _SHAPE = "type", "x", "y", "width", "height", "radius", "vertices", "elements", "holes", "shape"
 _DOCUMENT = "objective", "parameters", "item_types", "bin_types", "name", "bins", "open_dimension_x"
@@ -151,11 +150,13 @@ def _allowed(item: JsonNode, unchecked: list[str]) -> Data:
 
 
 def _shape(value: JsonNode, reading: Reading) -> Data:
-    holes = [_outline(hole, reading) for hole in value.get("holes", []).each()]
-    return write_shape(_outline(value, reading), holes)
+    errors: list[Fraction] = []
+    holes = [_outline(hole, reading, errors) for hole in value.get("holes", []).each()]
+    shape = write_shape(_outline(value, reading, errors), holes)
+    return shape | ({"error": format_fraction(max(errors))} if errors else {})
 
 
-def _outline(value: JsonNode, reading: Reading) -> list[list[str]]:
+def _outline(value: JsonNode, reading: Reading, errors: list[Fraction]) -> list[list[str]]:
     kind = (value / "type").name
     if kind == "polygon":
         return (value / "vertices").ring
@@ -165,8 +166,10 @@ def _outline(value: JsonNode, reading: Reading) -> list[list[str]]:
     if kind == "rectangle":
         return write_box(x, y, (value / "width").fraction, (value / "height").fraction)
     if kind == "circle":
-        start = Point(x + (value / "radius").fraction, y)
-        return write_ring(flatten_arc(Point(x, y), start, start, True, IDENTITY, reading))
+        radius = (value / "radius").fraction
+        path = draw_circle(make_affine(radius, 0, 0, radius, x, y))
+        errors.append(path.find_error(reading))
+        return write_ring(path.flatten(reading))
     raise FormatError(f"{value.path}.type: {quote(kind)} is not a shape")
 
 

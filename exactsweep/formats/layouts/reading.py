@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import partial
 from glob import has_magic
@@ -19,6 +20,7 @@ from exactsweep.formats.layouts.found import (
     make_layouts,
     require_within_strip,
 )
+from exactsweep.formats.layouts.instances import read_instance
 from exactsweep.formats.layouts.inventory import compare_inventory, read_inventory
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.polygons import name_file, split_choice
@@ -140,7 +142,7 @@ def _take_options(
 def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | None:
     if text is None:
         return None
-    return _read_instance(JsonNode(parse_json(text)), reading)
+    return read_instance(JsonNode(parse_json(text)), reading)
 
 
 def _parse_each(
@@ -155,14 +157,27 @@ def _parse_each(
         found = [one._replace(data={**one.data}) for one in found]
         for one in found:
             one.data.pop("container", None)
+    if text.lstrip()[:1] in "[{":
+        # Layout JSON has its errors as they are.
+        return found
 
-    def flatten(k: int, tolerance: Fraction) -> FoundLayout:
-        return _parse(text, known, container, reading.at(tolerance))[k]
+    def flatten(
+        k: int, names: Collection[str | None], tolerance: Fraction
+    ) -> Mapping[str | None, Data]:
+        data = _parse(text, known, container, reading.at(tolerance))[k].data
+        shapes = {part["id"]: part for part in data["parts"]} | {None: data.get("container", {})}
+        return {name: shapes[name] for name in names if name in shapes}
 
     return [
-        one._replace(flatten=partial(flatten, k)) if one.error else one
+        one
+        if one.flatten or not _list_curved(one.data)
+        else one._replace(flatten=partial(flatten, k))
         for k, one in enumerate(found)
     ]
+
+
+def _list_curved(data: Data) -> list[Data]:
+    return [shape for shape in (data.get("container", {}), *data["parts"]) if "error" in shape]
 
 
 def _parse(
@@ -204,7 +219,7 @@ def _read_json(
         if known is not None:
             raise FormatError("Layout JSON has its own parts and rules, and no instance")
         return [FoundLayout("", _with_counts(document))]
-    instance = known or _read_instance(document, reading)
+    instance = known or read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_solution":
         return cgshop.read_solution(document, instance)
     if document.has("bins") and not document.has("items"):
@@ -224,14 +239,6 @@ def _with_counts(document: JsonNode) -> Data:
         parts.append({**part.value, **counts} if isinstance(part.value, dict) else part.value)
     assert isinstance(document.value, dict)
     return {**document.value, "parts": parts}
-
-
-def _read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
-    if document.has("item_types"):
-        return packingsolver.read_instance(document, reading)
-    if document.get("type", "").value == "cgshop2024_instance":
-        return cgshop.read_instance(document)
-    return jagua.read_instance(document) if document.has("items") else None
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:

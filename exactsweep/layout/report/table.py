@@ -266,6 +266,8 @@ def write_layout_json(
         "nearest": None if nearest is None else list(nearest.placements),
         "notes": list(notes),
     }
+    error = judgement.layout.greatest_error
+    data |= {"error": error} if error else {}
     return write_object({name: write_json(value) for name, value in data.items()})
 
 

@@ -1,0 +1,364 @@
+"""Paths of lines and curves, and the lines that replace their curves.
+
+A curve becomes chords between rational points of it. Of the tolerance, chords take less than a
+half, by (1) of `curves`, rounding less than a fifth, and ends that are moved to other lines a
+fourth. So the path and its lines, parameter by parameter, are less than the tolerance apart.
+
+Lines of two curves that leave a vertex in nearly one direction could cross even though the curves
+do not. So both have vertices at the same distances from there, up to where they are apart: segments
+that go away from a point cross only if their order around it changes.
+
+If the lines of a closed path cross nevertheless, because the tolerance is too coarse for it, finer
+ones are tried.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from math import pi
+from typing import NamedTuple, TypeVar
+
+from exactsweep.formats.curved.affine import IDENTITY, Affine
+from exactsweep.formats.curved.curves import WHOLE, Arc, Curve, bound_root
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.reading import Reading
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.number import Point
+
+_Found = TypeVar("_Found")
+_CHORDS = Fraction(12, 25)
+_LEVELS = 3
+# Curves that leave a vertex apart by this many tolerances, or by more than 60 degrees, are apart.
+_APART = 8
+_SAMPLES = 8
+_BISECTIONS = 32
+# By default the share of its size within which a path is drawn: with curves, and without.
+CURVED, _STRAIGHT = 1000, 10**9
+
+
+class _End(NamedTuple):
+    """A curve as seen from one of its ends."""
+
+    curve: Curve
+    at_start: bool
+
+    def near(self, place: int) -> complex:
+        """Return the point at a place, counted from this end."""
+        if self.at_start:
+            return self.curve.near(place)
+        return self.curve.near(WHOLE - place) - self.curve.near(WHOLE)
+
+
+class Path:
+    """A path: points, and the curves between some of them.
+
+    Args:
+        points: the points, the first one again at the end if it is closed.
+        curves: by the number of the point where it starts, a curve, and whether it runs forward.
+        off: how far the points and curves may be from the meant ones.
+
+    Attributes:
+        points, curves, off: as given.
+        soft: the numbers of points that are rounded, such as those where pieces of a spline meet.
+        gap: how far ends have been moved to those of other lines.
+    """
+
+    __slots__ = ("_lines", "curves", "gap", "off", "points", "soft")
+
+    def __init__(
+        self,
+        points: Iterable[Point] = (),
+        curves: dict[int, tuple[Curve, bool]] | None = None,
+        off: Fraction = Fraction(0),
+    ) -> None:
+        self.points, self.off, self.gap = [*points], off, Fraction(0)
+        self.curves = {} if curves is None else curves
+        self.soft: set[int] = set()
+        self._lines: tuple[Fraction, list[Point]] | None = None
+
+    def add_curve(self, curve: Curve, end: Point, *, forward: bool) -> None:
+        """Add a curve to the last point."""
+        self.curves[len(self.points) - 1] = curve, forward
+        self.points.append(end)
+
+    def add(self, other: Path) -> None:
+        """Add a path that begins at the last point, or near it."""
+        shift = len(self.points) - 1
+        self.points += other.points[1:]
+        self.curves |= {k + shift: drawn for k, drawn in other.curves.items()}
+        self.soft |= {k + shift for k in other.soft if k}
+        self.off, self.gap = max(self.off, other.off), max(self.gap, other.gap)
+
+    def reversed(self) -> Path:
+        """Return the path from its end to its start."""
+        last = len(self.points) - 2
+        curves = {last - k: (curve, not way) for k, (curve, way) in self.curves.items()}
+        found = Path(self.points[::-1], curves, self.off)
+        found.soft = {last + 1 - k for k in self.soft}
+        return found
+
+    def moved(self, start: Point, end: Point) -> Path:
+        """Return the path with its ends moved to other points."""
+        found = Path([start, *self.points[1:-1], end], self.curves.copy(), self.off)
+        found.soft = self.soft - {0, len(self.points) - 1}
+        if not self.is_exact:
+            ends = (self.points[0], start), (self.points[-1], end)
+            found.gap = max(abs(q.x - p.x) + abs(q.y - p.y) for p, q in ends)
+        return found
+
+    def closed(self) -> Path:
+        """Return the path with a line back to its start."""
+        found = self.moved(self.points[0], self.points[-1])
+        if not self.is_closed:
+            found.points.append(found.points[0])
+        return found
+
+    @property
+    def key(self) -> Hashable:
+        """A value that equal paths share in either direction; () for a straight line."""
+        if len(self.points) == 2 and not self.curves:
+            return ()
+        curves = frozenset(curve for curve, _ in self.curves.values())
+        return frozenset((tuple(self.points), tuple(self.points[::-1]))), curves
+
+    @property
+    def is_closed(self) -> bool:
+        """Decide whether its last point is its first."""
+        return self.points[0] == self.points[-1]
+
+    @property
+    def is_exact(self) -> bool:
+        """Decide whether it has neither a curve nor an irrational place."""
+        return not self.curves and not self.off
+
+    @property
+    def size(self) -> Fraction:
+        """About the greater side of its box."""
+        xs, ys = [x for x, _ in self.points], [y for _, y in self.points]
+        for k, (curve, forward) in self.curves.items():
+            x, y = self.points[k if forward else k + 1]
+            for i in range(1, _SAMPLES):
+                point = curve.near(WHOLE * i // _SAMPLES)
+                xs.append(x + Fraction(point.real))
+                ys.append(y + Fraction(point.imag))
+        return max(max(xs) - min(xs), max(ys) - min(ys))
+
+    def find_tolerance(self, reading: Reading) -> Fraction:
+        """Return the tolerance: that of the reading, or a power of ten by the size of the path."""
+        if self.is_exact:
+            return Fraction(0)
+        if reading.tolerance is not None:
+            return reading.tolerance
+        return find_share(self.size, CURVED if self.curves else _STRAIGHT)
+
+    def find_error(self, reading: Reading) -> Fraction:
+        """Return the bound on the distance of the path and its lines."""
+        tolerance = self.find_tolerance(reading)
+        return tolerance + (self.gap if 4 * self.gap > tolerance else 0)
+
+    def flatten(self, reading: Reading, finer: int = 0) -> list[Point]:
+        """Turn the path into lines, and a closed one into simple ones, if a finer tolerance helps.
+
+        Args:
+            reading: has the tolerance, and counts lines.
+            finer: by how many powers of ten the tolerance is finer.
+
+        Returns:
+            list of Point, the first one again at the end of a closed path.
+
+        Raises:
+            FormatError: more lines than are allowed.
+
+        Cost: O(k) for k vertices, k being O((size / tolerance) ** 0.5) for each curve.
+        """
+        if self.is_exact:
+            return self.points
+        tolerance = self.find_tolerance(reading) / 10**finer
+        if self._lines and self._lines[0] == tolerance:
+            # They are read several times: for their box, their shape and their vertices.
+            return self._lines[1]
+        found = self.draw(tolerance, reading, fine=finer > 0)
+        if not finer:
+            if self.is_closed and self.curves:
+                found = flatten_together([self], reading, lambda r: Polygon(r[0]), found)[0][0]
+            self._lines = tolerance, found
+        return found
+
+    def draw(self, tolerance: Fraction, reading: Reading, *, fine: bool = False) -> list[Point]:
+        """Turn the path into lines within a tolerance."""
+        grid = find_grid(tolerance / (1000 if fine else 1))
+        places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
+        if self.off * 16 > tolerance:
+            raise FormatError("numbers too large to be turned by an irrational angle")
+        for before, after in self._corners():
+            self._part(before, after, places, tolerance)
+        points = self.points
+        if self.off or self.soft:
+            rounded = round_points(points, grid)
+            points = [
+                new if self.off or k in self.soft else old
+                for k, (old, new) in enumerate(zip(points, rounded, strict=True))
+            ]
+        if self.is_closed:
+            points = [*points[:-1], points[0]]
+        found: list[Point] = []
+        for k, point in enumerate(points):
+            found.append(point)
+            if k in self.curves:
+                curve, forward = self.curves[k]
+                inner = curve.points(sorted({*places[k]}), grid)
+                found += inner if forward else inner[::-1]
+        return found
+
+    def _corners(self) -> Iterator[tuple[int, int]]:
+        """Yield the numbers of two curves that meet."""
+        for k in self.curves:
+            after = (k + 1) % (len(self.points) - 1) if self.is_closed else k + 1
+            if after in self.curves and after != k:
+                yield k, after
+
+    def _part(
+        self, before: int, after: int, places: dict[int, list[int]], tolerance: Fraction
+    ) -> None:
+        """Give two curves that meet vertices at the same distances, while they are not apart."""
+        (one, one_way), (other, other_way) = self.curves[before], self.curves[after]
+        ends = _End(one, not one_way), _End(other, other_way)
+        try:
+            rows: list[list[tuple[float, int]]] = [
+                _list_distances(end, places[k])
+                for end, k in zip(ends, (before, after), strict=True)
+            ]
+            reach: float = min(row[-1][0] for row in rows)
+            new: tuple[list[int], list[int]] = ([], [])
+            distances: set[float] = {d for row in rows for d, _ in row}
+            for distance in sorted(distances):
+                if distance > reach:
+                    break
+                found = [_find_place(e, row, distance) for e, row in zip(ends, rows, strict=True)]
+                p, q = (end.near(place) for end, place in zip(ends, found, strict=True))
+                if abs(p - q) > min(_APART * float(tolerance), distance):
+                    break
+                for row, place in zip(new, found, strict=True):
+                    row.append(place)
+        except (OverflowError, ZeroDivisionError):
+            return
+        for k, end, row in zip((before, after), ends, new, strict=True):
+            places[k] += [p if end.at_start else WHOLE - p for p in row if 0 < p < WHOLE]
+
+
+def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
+    """Return the places between chords that are within their share of the tolerance."""
+    bend = curve.bend() / (8 * _CHORDS * tolerance)
+    count = max(curve.least(), -(-bound_root(bend) // 1))
+    reading.allow_lines(count)
+    return [WHOLE * k // count for k in range(1, count)]
+
+
+def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]:
+    """List distances from an end, and the places there, as far as they grow."""
+    row: list[tuple[float, int]] = [(0.0, 0)]
+    ordered = sorted(places) if end.at_start else [WHOLE - p for p in sorted(places)[::-1]]
+    for place in [*ordered, WHOLE]:
+        distance = abs(end.near(place))
+        if distance <= row[-1][0]:
+            break
+        row.append((distance, place))
+    return row
+
+
+def _find_place(end: _End, row: Sequence[tuple[float, int]], distance: float) -> int:
+    """Find the place at a distance from an end."""
+    low = high = 0
+    for known, place in row:
+        if known == distance:
+            return place
+        low, high = (place, high) if known < distance else (low, place)
+        if known > distance:
+            break
+    for _ in range(_BISECTIONS):
+        middle = (low + high) // 2
+        low, high = (middle, high) if abs(end.near(middle)) < distance else (low, middle)
+    return low
+
+
+def flatten_together(
+    paths: Sequence[Path],
+    reading: Reading,
+    use: Callable[[list[list[Point]]], _Found],
+    *first: list[Point],
+) -> tuple[list[list[Point]], _Found | None]:
+    """Turn paths into lines that can be used, with a finer tolerance where necessary.
+
+    Args:
+        paths: the paths.
+        reading: has the tolerance, and counts lines.
+        use: raises PolygonError if the lines cross.
+        first: the lines at the tolerance itself, if they are known.
+
+    Returns:
+        The lines, and what was made of them; None if they cross at all tolerances, and the lines
+        are those of the first.
+    """
+    found = rings = [*first] or [path.flatten(reading) for path in paths]
+    for finer in range(1, _LEVELS + 2):
+        try:
+            return rings, use(rings)
+        except PolygonError:
+            if finer > _LEVELS or not any(path.curves for path in paths):
+                break
+        try:
+            rings = [path.flatten(reading, finer) for path in paths]
+        except FormatError:
+            break
+    return found, None
+
+
+def find_share(size: Fraction, share: int) -> Fraction:
+    """Return the greatest power of ten that is at most a share of a size; 1 for no size.
+
+    >>> find_share(Fraction(250), 1000), find_share(Fraction(4000), 1000)
+    (Fraction(1, 10), Fraction(1, 1))
+    """
+    found, least = Fraction(1), size / share
+    if not size:
+        return found
+    while found > least:
+        found /= 10
+    while found * 10 <= least:
+        found *= 10
+    return found
+
+
+def find_grid(tolerance: Fraction) -> int:
+    """Return a power of ten, the parts of a grid on which rounding takes a fifth of a tolerance."""
+    grid = 1
+    while tolerance * grid < 4:
+        grid *= 10
+    return grid
+
+
+def round_points(points: Iterable[Point], grid: int) -> list[Point]:
+    """Move points to a decimal grid."""
+    return [
+        Point(Fraction(round(x * grid), grid), Fraction(round(y * grid), grid)) for x, y in points
+    ]
+
+
+def place_points(points: Sequence[Point], image: Affine) -> list[Point]:
+    """Map points exactly, by a map that may be off itself."""
+    return [*points] if image is IDENTITY else [image.point(*point) for point in points]
+
+
+def draw_lines(points: Sequence[Point], image: Affine) -> Path:
+    """Make the path of the images of points."""
+    return Path(place_points(points, image), off=image.error(points) if image.off else Fraction(0))
+
+
+def draw_circle(image: Affine) -> Path:
+    """Make the path of the image of the unit circle."""
+    one, zero = Fraction(1), Fraction(0)
+    start = image.point(one, zero)
+    arc = Arc(image._replace(off=zero), 0.0, 2 * pi)
+    return Path([start, start], {0: (arc, True)}, image.error([Point(one, one)]))

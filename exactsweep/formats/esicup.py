@@ -1,0 +1,57 @@
+"""XML of ESICUP's nesting instances (the schema `nesting`): boards and pieces, as polygons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.decimals import read_decimal
+from exactsweep.formats.error import FormatError
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Point
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+
+def is_esicup(root: Element) -> bool:
+    """Decide whether an XML document is an instance of ESICUP."""
+    return _find_kind(root) == "nesting"
+
+
+def read_esicup(root: Element) -> list[Candidate]:
+    """Find the boards and pieces of an instance; each is named by its id."""
+    polygons = {one.get("id", ""): one for one in root.iter() if _find_kind(one) == "polygon"}
+    return [_read_piece(one, polygons) for one in root.iter() if _find_kind(one) == "piece"]
+
+
+def _find_kind(element: Element) -> str:
+    return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
+
+
+def _read_piece(piece: Element, polygons: dict[str, Element]) -> Candidate:
+    name = piece.get("id", "")
+    components = [one for one in piece if _find_kind(one) == "component"]
+    place = f"piece {quote(name)}"
+    try:
+        if len(components) != 1:
+            raise FormatError(f"{len(components)} components, which are not one outline")
+        component = components[0]
+        polygon = polygons.get(component.get("idPolygon", ""))
+        if polygon is None:
+            raise FormatError(f"there is no polygon {quote(component.get('idPolygon', ''))}")
+        x, y = (read_decimal(component.get(f"{axis}Offset", "0")) for axis in "xy")
+        points = [Point(p.x + x, p.y + y) for p in _read_corners(polygon)]
+    except FormatError as error:
+        return Candidate.refused(f"{place}: {error}", name)
+    return Candidate(place, points.copy, name)
+
+
+def _read_corners(polygon: Element) -> Iterator[Point]:
+    for one in polygon.iter():
+        kind = _find_kind(one)
+        if kind == "segment":
+            yield Point(*(read_decimal(one.get(name, "")) for name in ("x0", "y0")))
+        elif kind == "arc":
+            raise FormatError("an arc, which is not read; convert the instance to segments")

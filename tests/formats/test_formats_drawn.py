@@ -1,0 +1,226 @@
+"""Curves as lines against a certified evaluation of the true curves, by intervals.
+
+Any direction, scale and tolerance: the lines of a simple outline are simple, within the tolerance
+of the curve, and their area differs by no more than that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from random import Random
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from mpmath import iv, mp
+from rounded import compare_rounded, draw_rounded
+from tiers import examples
+
+from exactsweep.formats import parse_polygons, parse_regions
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.numbers.number import Point
+
+tolerances = st.sampled_from(["1", "1/10", "1/100", "1/1000", "1e-5"])
+scales = st.sampled_from([Fraction(1, 1000), Fraction(1), Fraction(7, 3), Fraction(10**5)])
+_SAMPLES = 24
+
+Curve = Callable[[Fraction], tuple[object, object]]
+"""A point of a curve at a parameter from 0 to 1, as two intervals."""
+
+
+def lie_within(curve: Curve, line: Sequence[Point], tolerance: Fraction) -> bool:
+    """Decide whether points of a curve, by intervals, are within the tolerance of a line."""
+    for k in range(_SAMPLES + 1):
+        x, y = curve(Fraction(k, _SAMPLES))
+        best = min(measure(x, y, a, b) for a, b in pairwise(line))
+        if best > tolerance:
+            return False
+    return True
+
+
+def measure(x: object, y: object, a: Point, b: Point) -> Fraction:
+    """A bound on the distance of a point, given by intervals, from a segment."""
+    px, py = (Fraction(*map(int, to_ratio(mp.mpf(v.mid)))) for v in (x, y))  # type: ignore[attr-defined]
+    room = sum(Fraction(*map(int, to_ratio(mp.mpf(v.delta)))) for v in (x, y))  # type: ignore[attr-defined]
+    dx, dy = b.x - a.x, b.y - a.y
+    length = dx * dx + dy * dy
+    t = ((px - a.x) * dx + (py - a.y) * dy) / length if length else Fraction(0)
+    t = min(max(t, Fraction(0)), Fraction(1))
+    square = (a.x + t * dx - px) ** 2 + (a.y + t * dy - py) ** 2
+    return Fraction(float(square) ** 0.5 * (1 + 1e-12)) + room
+
+
+def to_ratio(value: object) -> tuple[int, int]:
+    from mpmath.libmp import to_rational
+
+    return to_rational(value._mpf_)  # type: ignore[attr-defined, no-any-return]
+
+
+def to_interval(value: Fraction) -> object:
+    return iv.mpf(value.numerator) / value.denominator
+
+
+@examples(60)
+@given(
+    st.fractions(Fraction(1, 100), 3, max_denominator=1000),
+    st.sampled_from([1, -1]),
+    st.booleans(),
+    scales,
+    tolerances,
+)
+def test_a_circular_segment_is_simple_and_near_in_both_directions(
+    bulge: Fraction, side: int, backward: bool, scale: Fraction, tolerance: str
+) -> None:
+    """A bulged polyline and its chord, drawn either way."""
+    reach = Fraction(tolerance) * scale
+    ends = [(Fraction(0), Fraction(0)), (30 * scale, 10 * scale)]
+    if backward:
+        ends, side = ends[::-1], -side
+    first, last = ends
+    text = draw_polyline([first, last], [side * bulge, 0])
+    (part,) = parse_polygons(text, tolerance=reach)
+    vertices = part.polygon.vertices
+    dx, dy = last[0] - first[0], last[1] - first[1]
+    height = (1 - bulge * bulge) / (2 * bulge) * side
+    center = first[0] + dx / 2 - height * dy / 2, first[1] + dy / 2 + height * dx / 2
+    square = (first[0] - center[0]) ** 2 + (first[1] - center[1]) ** 2
+    with mp.workdps(60):
+        near = 4 * mp.atan(mp.mpf(bulge.numerator) / bulge.denominator)
+        angle = iv.mpf([near - mp.mpf(10) ** -15, near + mp.mpf(10) ** -15])
+    start = Point(first[0] - center[0], first[1] - center[1])
+
+    def curve(t: Fraction) -> tuple[object, object]:
+        c, s = iv.cos(angle * to_interval(t)), iv.sin(angle * to_interval(t)) * side
+        x, y = to_interval(start.x), to_interval(start.y)
+        return to_interval(center[0]) + x * c - y * s, to_interval(center[1]) + x * s + y * c
+
+    ring = [*vertices, vertices[0]]
+    assert lie_within(curve, ring, part.error)
+    assert part.error <= reach
+    sector = to_interval(square) / 2 * (angle - iv.sin(angle))
+    area = find_doubled_area(vertices) / 2
+    around = Fraction(float(square) ** 0.5 * float(mp.mpf(angle.b)) + float(abs(dx) + abs(dy)))
+    off = abs(Fraction(float(mp.mpf(sector.mid))) - area)
+    assert off <= around * part.error * Fraction(11, 10) + Fraction(1, 10**9) * scale**2
+
+
+@examples(40)
+@given(
+    st.lists(st.tuples(*[st.fractions(-9, 9, max_denominator=10)] * 2), min_size=2, max_size=2),
+    st.booleans(),
+    scales,
+    tolerances,
+)
+def test_a_cubic_over_its_chord_is_near_in_both_directions(
+    inner: list[tuple[Fraction, Fraction]], backward: bool, scale: Fraction, tolerance: str
+) -> None:
+    """Above its chord, from left to right, so that it is simple."""
+    reach = Fraction(tolerance) * scale
+    (a, b), (c, d) = inner
+    low, high = sorted((abs(a), abs(c)))
+    controls = [(0, 0), (low, abs(b) + 1), (9 - low / 9 + high / 9, abs(d) + 1), (10, 0)]
+    points = [(x * scale, y * scale) for x, y in controls]
+    if backward:
+        points = points[::-1]
+    data = "M{} C{} {} {} Z".format(*(f"{to_text(x)},{to_text(y)}" for x, y in points))
+    (part,) = parse_regions(f'<svg><path d="{data}"/></svg>', tolerance=reach)
+
+    def curve(t: Fraction) -> tuple[object, object]:
+        shares = (1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t**3
+        read = [(Fraction(to_text(x)), Fraction(to_text(y))) for x, y in points]
+        return tuple(
+            to_interval(sum(s * p[i] for s, p in zip(shares, read, strict=True))) for i in (0, 1)
+        )  # type: ignore[return-value]
+
+    ring = [*part.region.exterior.vertices, part.region.exterior.vertices[0]]
+    assert lie_within(curve, ring, part.error)
+
+
+@examples(60)
+@given(
+    st.fractions(Fraction(1, 10), Fraction(99, 100), max_denominator=200),
+    st.sampled_from([0, 1]),
+    st.booleans(),
+    st.integers(0, 359),
+    tolerances,
+)
+def test_tangent_arcs_are_simple_at_all_tolerances_and_directions(
+    ratio: Fraction, sweep: int, backward: bool, degrees: int, tolerance: str
+) -> None:
+    """Two circles that touch from inside in one point, joined there: a cusp of angle 0."""
+    large, small = Fraction(50), 50 * ratio
+    if backward:
+        data = f"M0 0 A{to_text(small)} {to_text(small)} 0 0 {sweep} 0 {to_text(2 * small)}"
+        data += f" L0 {to_text(2 * large)} A50 50 0 0 {1 - sweep} 0 0 Z"
+    else:
+        data = f"M0 0 A50 50 0 0 {sweep} 0 {to_text(2 * large)} L0 {to_text(2 * small)}"
+        data += f" A{to_text(small)} {to_text(small)} 0 0 {1 - sweep} 0 0 Z"
+    text = f'<svg><path transform="rotate({degrees})" d="{data}"/></svg>'
+    found = parse_regions(text, tolerance=tolerance)
+    assert not found.notes
+    (part,) = found
+    read = Fraction(to_text(small))
+    true = 3.141592653589793 / 2 * float(large**2 - read**2)
+    assert abs(float(part.region.area) - true) <= 320 * float(part.error) + 1e-6
+
+
+def test_the_same_region_is_read_in_both_directions() -> None:
+    forward = "M100 100A20 20 0 1 1 100 140A30 30 0 0 0 100 80Z"
+    backward = "M100 80A30 30 0 0 1 100 140A20 20 0 1 0 100 100Z"
+    for tolerance in ("1", "1/10", "1/100", "1/1000", None):
+        one, other = (
+            parse_regions(f'<svg><path d="{data}"/></svg>', tolerance)[0].region
+            for data in (forward, backward)
+        )
+        assert one == other
+
+
+@pytest.mark.parametrize("tolerance", ["1", "1/10", "1/100", "1/1000", "1e-6"])
+@pytest.mark.parametrize("more", ["0.4142135623731", "0.41421357", "0.414213562373095049"])
+def test_a_bulge_about_a_quarter_circle_leaves_no_spike(more: str, tolerance: str) -> None:
+    corners = [(3, 0), (27, 0), (30, 3), (30, 7), (27, 10), (3, 10), (0, 7), (0, 3)]
+    text = draw_polyline(corners, [0, more] * 4)
+    (part,) = parse_polygons(text, tolerance=tolerance)
+    assert abs(float(part.polygon.area) - (300 - (4 - 3.14159265) * 9)) < 90 * float(part.error)
+
+
+def to_text(value: object) -> str:
+    """Write a number as a decimal of at most 12 places."""
+    return f"{float(value):.12f}".rstrip("0").rstrip(".")  # type: ignore[arg-type]
+
+
+def draw_polyline(points: Sequence[tuple[object, object]], bulges: Sequence[object]) -> str:
+    """Write a closed polyline of DXF; decimals are exact where they are finite."""
+    from exactsweep.formats.decimals import format_decimal
+
+    tags = f"0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n{len(points)}\n70\n1\n"
+    for (x, y), bulge in zip(points, bulges, strict=True):
+        numbers = []
+        for value in (x, y, bulge):
+            exact = Fraction(value)  # type: ignore[arg-type]
+            numbers.append(format_decimal(Fraction(round(exact * 10**15), 10**15)))
+        tags += "10\n{}\n20\n{}\n42\n{}\n".format(*numbers)
+    return f"{tags}0\nENDSEC\n0\nEOF\n"
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_rounded_shapes_near_contact_are_never_judged_wrongly(seed: int) -> None:
+    rng = Random(seed)
+    assert not compare_rounded(draw_rounded(rng), rng, True)
+
+
+def test_outlines_that_cross_are_filled_by_their_rule() -> None:
+    star = "M5 0L8 9L0 3.5H10L2 9Z"
+    whole, ends = (
+        parse_regions(f'<svg><path fill-rule="{rule}" d="{star}"/></svg>')
+        for rule in ("nonzero", "evenodd")
+    )
+    assert [len(whole), len(ends)] == [1, 5]
+    bow = parse_regions('<svg><path d="M20 5L30 15L30 5L20 15Z"/></svg>')
+    assert [part.region.area for part in bow] == [25, 25]
+    assert "2 polygons by the fill rule nonzero" in bow.notes[0]
+    cleaned = parse_regions('<svg><path d="M0 0H4V4H0zM9 9h.1v.1h-.1z"/></svg>', clean="1/2")
+    assert [part.region.area for part in cleaned] == [16]
+    assert "below --clean" in cleaned.left_out[0]
