@@ -229,9 +229,6 @@ class _Tree:
         """Find the rings around one, the smallest first; those that end left of it are past."""
         active, size = self._active, self._sizes[k]
         place = bisect_left(active, (size[0], -1))
-        for _, j in active[:place]:
-            if self._meet(j, k):
-                self._rivals[j].append(k)
         rivals, parent = [], None
         while place < len(active):
             _, j = active[place]
@@ -256,6 +253,9 @@ class _Tree:
                 self.crossings[k] = self.crossings[parent]
             rivals += near
         self.parents[k], self._rivals[k] = parent, rivals
+        for _, j in active[: bisect_left(active, size)]:
+            if self._meet(j, k):
+                self._rivals[j].append(k)
         insort(active, size)
 
     def _meet(self, j: int, k: int) -> bool:

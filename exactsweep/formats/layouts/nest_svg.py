@@ -142,7 +142,7 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
             shape = drawing.one_shape([named[f"item_{name}"]], use)
             drawing.parts[name] = {"id": name, **shape}
         placements.append({"part": name, **drawing.motion(use)})
-    yield FilledSheet(container, placements)
+    yield FilledSheet(container, placements, places=_list_lines(uses))
 
 
 def _nested(root: Element, drawing: _NestDrawing) -> Iterator[FilledSheet]:
@@ -164,9 +164,14 @@ def _nested(root: Element, drawing: _NestDrawing) -> Iterator[FilledSheet]:
                 known[key] = str(len(known))
                 drawing.parts[known[key]] = {"id": known[key], **shape}
             placements.append({"part": known[key], **drawing.motion(child)})
-        yield FilledSheet(drawing.one_shape(outlines, group), placements)
+        container = drawing.one_shape(outlines, group)
+        yield FilledSheet(container, placements, places=_list_lines(moved))
     if known:
         drawing.require_all(root, read)
+
+
+def _list_lines(elements: Iterable[Element]) -> tuple[str, ...]:
+    return tuple(f"line {line(element)}" for element in elements)
 
 
 def _is_sheet(element: Element) -> bool:
