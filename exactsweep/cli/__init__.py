@@ -53,14 +53,6 @@ class _Commands(click.Group):
         with _refuse_in_one_line():
             return super().make_context(*arguments, **options)
 
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        from exactsweep.cli.pair import give_values
-
-        name, command, rest = super().resolve_command(ctx, args)
-        return name, command, give_values(rest)
-
     def invoke(self, ctx: click.Context) -> object:
         with _refuse_in_one_line():
             return super().invoke(ctx)

@@ -1,31 +1,45 @@
 """`exactsweep ifp`."""
 
+import json
+
 import click
 
-from exactsweep import Point, Region, free_positions
+from exactsweep import InnerFit, Point, Region, free_positions
 from exactsweep.cli.options import PATH
+from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import read_placed, takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
+from exactsweep.cli.turns import Pose, takes_turns
+from exactsweep.cli.working import working
+from exactsweep.text.report import approximate, lay_out, make_table
+from exactsweep.text.results import inner_fit_to_json
 
 _takes_placed = click.option(
     "--placed",
     multiple=True,
     type=PATH,
     metavar="FILE",
-    help="Polygons that PART must not overlap either; may be repeated.",
+    help="Polygons, or a layout of placed parts, that PART must not overlap; may be repeated.",
 )
 
 
 @click.command("ifp")
 @takes_shapes("CONTAINER", "PART", read_placed, _takes_placed)
+@takes_turns("PART")
 @takes_form("the positions")
-def ifp_command(shapes: tuple[Region, Region, list[Region]], reference: Point, form: Form) -> None:
+def ifp_command(
+    shapes: tuple[Region, Region, list[Region]],
+    reference: Point,
+    poses: list[Pose] | None,
+    form: Form,
+) -> None:
     """Find all positions of a part inside a container.
 
         exactsweep ifp CONTAINER PART            first stays, second moves
 
     With --placed FILE, once or several times, PART also stays clear of the polygons in these files,
-    in their positions in the files.
+    in their positions in the files; of a layout, clear of all placed parts. With --turns or
+    --mirrored the report has one line per turn, and --json writes one line of JSON per turn.
 
     Holes of CONTAINER are defects, which PART has to avoid. The answer has regions of positions,
     perhaps with holes, and exact fits, at which CONTAINER is exactly as wide as PART. It is empty
@@ -38,7 +52,43 @@ def ifp_command(shapes: tuple[Region, Region, list[Region]], reference: Point, f
     Example:
       exactsweep ifp sheet.json part.wkt
       exactsweep ifp sheet.json part.wkt --placed first.wkt --placed others.dxf --json
+      exactsweep ifp sheet.json part.wkt --turns 0,90,180,270 --mirrored --placed nest.json
       exactsweep ifp sheet.json part.wkt --certificate -o proof.json
     """
     container, part, placed = shapes
-    write_result(free_positions(container, placed, part, reference=reference), form)
+    if poses is None:
+        write_result(free_positions(container, placed, part, reference=reference), form)
+        return
+    if form.kind not in ("report", "json"):
+        raise click.UsageError(f"--{form.kind} is for one turn.")
+    found = []
+    with working("positions") as tell:
+        for k, pose in enumerate(poses, 1):
+            tell(f"positions of turn {k} of {len(poses)}")
+            at = pose.place_point(reference)
+            found.append(free_positions(container, placed, pose.place(part), reference=at))
+            # They are found when they are asked for.
+            _ = found[-1].regions
+    if form.kind == "json":
+        lines = (
+            {"turn": pose.turn.to_json(), "mirrored": pose.mirrored, "fits": bool(fit)}
+            | json.loads(inner_fit_to_json(fit))
+            for pose, fit in zip(poses, found, strict=True)
+        )
+        write_readable("".join(json.dumps(line) + "\n" for line in lines), form.output)
+    else:
+        write(_list(poses, found, form.output), form.output)
+
+
+def _list(poses: list[Pose], found: list[InnerFit], output: str) -> str:
+    """A line for each turn, with the lowest of the leftmost positions."""
+    numbers = ("regions", "exact fits", "area about")
+    table = make_table(("turn", "fits", *numbers, "leftmost position"), numbers)
+    for pose, fit in zip(poses, found, strict=True):
+        points = [p for region in fit.regions for p in region.exterior.vertices]
+        points += [p for ends in fit.exact_fits for p in ends]
+        first = f"({', '.join(map(approximate, min(points)))})" if points else ""
+        sizes = (len(fit.regions), len(fit.exact_fits))
+        fits = "yes" if fit else "no"
+        table.add_row(pose.name, fits, *map(str, sizes), approximate(fit.area), first)
+    return lay_out([table], measure_columns(output))

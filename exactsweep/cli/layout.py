@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import click
 
@@ -21,15 +21,20 @@ from exactsweep.formats.folder import find_files
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.limits import keep_limits, list_limits
-from exactsweep.words import spell_out
+from exactsweep.words import count, spell_out
 
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
     from exactsweep.layout import Judgement
+    from exactsweep.layout.report import ReportContext
 
 
 # The factor of the tolerance each time that curves are flattened again, and the most times.
 _FINER, _MOST_FINER = Fraction(1, 100), 2
+
+
+_UNCHECKED = 3
+"""The exit code of --strict if all is valid, but not everything was judged."""
 
 
 class LayoutRow(NamedTuple):
@@ -42,6 +47,8 @@ class LayoutRow(NamedTuple):
         placements: how many there are.
         worst: how bad the worst fault is; of a valid one the least distance.
         notes: what the reader passed over.
+        accepted: whether all faults are at most as deep as is accepted.
+        unchecked: rules and shapes that were not judged.
     """
 
     name: str
@@ -50,11 +57,26 @@ class LayoutRow(NamedTuple):
     placements: int = 0
     worst: str = ""
     notes: Sequence[str] = ()
+    accepted: bool = False
+    unchecked: Sequence[str] = ()
+
+
+def _choose_container(container: str | None, no_container: bool) -> str | Literal[False] | None:
+    if container is not None and no_container:
+        raise click.UsageError("Give either --container or --no-container.")
+    return False if no_container else container
 
 
 def _make_gaps(spacing: Fraction | None, margin: Fraction | None) -> dict[str, str]:
     given = {"spacing": spacing, "margin": margin}
     return {name: format_fraction(gap) for name, gap in given.items() if gap is not None}
+
+
+class _Rules(NamedTuple):
+    """What decides the exit code: an accepted depth, and whether everything has to be judged."""
+
+    accept: Fraction | None
+    strict: bool
 
 
 class _Wanted(NamedTuple):
@@ -65,6 +87,7 @@ class _Wanted(NamedTuple):
     certificate: str | None
     html: str | None
     svg: str | None
+    repair: str | None
     output: str
 
 
@@ -72,13 +95,19 @@ class _Wanted(NamedTuple):
 @click.argument("files", nargs=-1, required=True, type=PATH)
 @takes_file(
     "--instance",
-    "The instance of a solution, with its parts, their number and their allowed turns.",
+    "The instance of a solution, with its parts, their number and their allowed turns; or a "
+    "drawing, a file or a folder of parts, each to be placed once.",
 )
-@click.option(
-    "--container",
-    metavar="ID",
-    help="The outline of a drawing that is the container, by name, index or layer; by default the "
-    "outline around all others.",
+@gather(
+    "container",
+    _choose_container,
+    click.option(
+        "--container",
+        metavar="ID",
+        help="The outline of a drawing that is the container, by name, index or layer; by default "
+        "one called sheet, bin, board, container or stock, or the outline around all others.",
+    ),
+    click.option("--no-container", is_flag=True, help="Judge only the parts among themselves."),
 )
 @gather(
     "gaps",
@@ -96,6 +125,17 @@ class _Wanted(NamedTuple):
         help="The least distance of parts from the edge of the container and from its defects.",
     ),
 )
+@gather(
+    "rules",
+    _Rules,
+    click.option(
+        "--accept",
+        callback=checked(to_gap),
+        metavar="DEPTH",
+        help="Accept overlaps up to this depth, and distances that are short by up to this much.",
+    ),
+    click.option("--strict", is_flag=True, help="Exit with 3 if a rule of the file is not judged."),
+)
 @takes_reading
 @gather(
     "wanted",
@@ -108,14 +148,16 @@ class _Wanted(NamedTuple):
     ),
     takes_file("--html", "Write a page with pictures of faults."),
     takes_file("--svg", "Write a picture with enlarged faults below."),
+    takes_file("--repair", "Write the layout, moved by small moves to be valid, as Layout JSON."),
     takes_workers("The number of processes for several files; by default one per processor."),
     takes_output,
 )
 def layout_command(
     files: tuple[str, ...],
     instance: str | None,
-    container: str | None,
+    container: str | Literal[False] | None,
     gaps: dict[str, str],
+    rules: _Rules,
     reading: ReadingOptions,
     wanted: _Wanted,
     workers: int | None,
@@ -134,10 +176,15 @@ def layout_command(
     shortest move that repairs it. If most of a layout is wrong, the command tries other
     conventions: radians, another center, another sign, Y downward, another scale.
 
-    The exit code is 0 only if all layouts are valid.
+    Outlines of drawings inside others are holes, outlines in a hole parts again, and so on (--flat
+    reads each as a part). --layer and --ignore-layer choose layers. The report lists all rules and
+    shapes that are not judged.
+
+    The exit code is 0 only if all layouts are valid, or all faults are within --accept.
 
     Example:
       exactsweep layout nest.svg --html nest.html
+      exactsweep layout nest.dxf --ignore-layer engrave --accept 1e-6
       exactsweep layout final.json --spacing 0.5 --certificate proof.json
       exactsweep layout solution.json --instance instance.json
       exactsweep layout nests 'more/*.svg' --workers 4
@@ -155,54 +202,98 @@ def layout_command(
             y_down = reading["y_down"]
             if y_down is None:
                 y_down = found[0].split("#")[0].lower().endswith(".svg")
-            valid = _judge_one(layouts[0], gaps, show_path(found[0]), wanted, y_down=y_down)
-            sys.exit(0 if valid else 1)
-    if wanted.certificate or wanted.html or wanted.svg:
-        raise click.UsageError("--certificate, --html and --svg are for a single layout.")
+            code = _judge_one(layouts[0], gaps, rules, show_path(found[0]), wanted, y_down=y_down)
+            sys.exit(code)
+    if wanted.certificate or wanted.html or wanted.svg or wanted.repair:
+        raise click.UsageError("--certificate, --html, --svg and --repair are for a single layout.")
     if layouts:
-        rows = judge_file(found[0], lambda: layouts, gaps)
+        rows = judge_file(found[0], lambda: layouts, gaps, rules.accept)
     else:
-        rows = [*_judge_all(found, options, gaps, workers)]
+        rows = [*_judge_all(found, options, gaps, rules.accept, workers)]
     if wanted.as_json:
         text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
     else:
         text = _write_rows(rows, measure_columns(wanted.output))
     write(text, wanted.output)
-    sys.exit(0 if all(row.valid for row in rows) else 1)
+    good = all(row.valid or row.accepted for row in rows)
+    unchecked = any(row.unchecked for row in rows)
+    sys.exit(_find_code(rules, good=good, unchecked=unchecked))
+
+
+def _find_code(rules: _Rules, *, good: bool, unchecked: bool) -> int:
+    """Return the exit code."""
+    return 1 if not good else _UNCHECKED if rules.strict and unchecked else 0
 
 
 def _judge_one(
-    found: FoundLayout, gaps: Mapping[str, str], title: str, wanted: _Wanted, *, y_down: bool
-) -> bool:
-    """Judge a layout, write what is wanted, and tell whether it is valid."""
+    found: FoundLayout,
+    gaps: Mapping[str, str],
+    rules: _Rules,
+    title: str,
+    wanted: _Wanted,
+    *,
+    y_down: bool,
+) -> int:
+    """Judge a layout, write what is wanted, and return the exit code."""
     from exactsweep.layout import LayoutError, report
-    from exactsweep.layout.diagnose import diagnose
 
     placed = len(found.data["placements"])
     with working(f"judging {placed} placements") as tell:
         judgement = judge_finely(found, gaps, title)
-        notes = [*map(spell_out, found.notes), *diagnose(judgement)]
-        ranked = report.rank_faults(judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"))
+        notes = list_notes(found, judgement)
+        context = report.ReportContext(found.unchecked, found.places, found.unit, rules.accept)
+        ranked = report.rank_faults(
+            judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"), rules.accept
+        )
         tell("writing")
+        shown: dict[str, Any] = {"y_down": y_down, "context": context}
         if wanted.html:
-            page = report.write_layout_page(judgement, ranked, title, notes, y_down=y_down)
+            page = report.write_layout_page(judgement, ranked, title, notes, **shown)
             write(page, wanted.html)
         if wanted.svg:
-            write(report.draw_layout(judgement, ranked, title, y_down=y_down), wanted.svg)
+            write(report.draw_layout(judgement, ranked, title, **shown), wanted.svg)
         if wanted.certificate:
             try:
                 write_readable(json.dumps(judgement.certificate()) + "\n", wanted.certificate)
             except LayoutError as error:
                 click.echo(f"{title}: {error}", err=True)
+        if wanted.repair:
+            tell("repairing")
+            notes.append(_repair(judgement, wanted.repair, context))
         if wanted.as_json:
-            text = report.write_layout_json(judgement, notes)
+            text = report.write_layout_json(judgement, notes, ranked, context)
         else:
             columns, everything = measure_columns(wanted.output), wanted.everything
             text = report.report_layout(
-                judgement, ranked, columns, notes=notes, everything=everything
+                judgement, ranked, columns, notes=notes, everything=everything, context=context
             )
     write(text, wanted.output)
-    return judgement.valid
+    good = all(one.accepted for one in ranked)
+    return _find_code(rules, good=good, unchecked=bool(found.unchecked))
+
+
+def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
+    """Write a repaired layout, if there is one, and tell how far its parts moved."""
+    from exactsweep.layout.repaired import repair_layout
+    from exactsweep.text.report import approximate, take_root
+
+    repaired = repair_layout(judgement)
+    if repaired is None:
+        return f"no repair by small moves found; {show_path(path)} is not written"
+    write_readable(json.dumps(repaired.layout.to_json()) + "\n", path)
+    longest = approximate(take_root(repaired.longest_squared), up=True)
+    moved = f"{count(len(repaired.moves), 'placement')} moved by at most"
+    return f"repaired in {show_path(path)}: {moved} {context.add_unit(longest)}; judged valid"
+
+
+def list_notes(found: FoundLayout, judgement: Judgement) -> list[str]:
+    """List the remarks on a layout: of its reader, and other conventions that explain it."""
+    from exactsweep.layout.diagnose import diagnose, find_radians
+
+    guesses = diagnose(judgement)
+    if not any("radians" in guess for guess in guesses):
+        guesses += find_radians(judgement.layout)
+    return [*map(spell_out, found.notes), *guesses]
 
 
 def judge_finely(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
@@ -228,7 +319,8 @@ def judge_finely(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Jud
         if not finer:
             break
         parts = [{**part, **finer.get(part["id"], {})} for part in data["parts"]]
-        data = {**data, "container": finer.get(None, data["container"]), "parts": parts}
+        walls = {"container": finer[None]} if finer.get(None) else {}
+        data = {**data, **walls, "parts": parts}
         judgement = judge_layout(_make(found._replace(data=data), gaps, title))
     return judgement
 
@@ -241,7 +333,11 @@ def _make(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Any:
 
 
 def _judge_all(
-    paths: Sequence[str], options: Mapping[str, Any], gaps: Mapping[str, str], workers: int | None
+    paths: Sequence[str],
+    options: Mapping[str, Any],
+    gaps: Mapping[str, str],
+    accept: Fraction | None,
+    workers: int | None,
 ) -> Iterator[LayoutRow]:
     """Judge the layouts of several files, in processes of their own, in order."""
     from exactsweep.formats.layouts import read_layouts
@@ -250,7 +346,7 @@ def _judge_all(
     pool = Pool(min(workers or count_cores(), len(paths)), keep_limits, list_limits())
     try:
         jobs = [
-            pool.submit(judge_file, path, partial(read_layouts, path, **options), gaps)
+            pool.submit(judge_file, path, partial(read_layouts, path, **options), gaps, accept)
             for path in paths
         ]
         with show_bar(len(jobs)) as show:
@@ -262,32 +358,42 @@ def _judge_all(
 
 
 def judge_file(
-    path: str, read: Callable[[], Sequence[FoundLayout]], gaps: Mapping[str, str]
+    path: str,
+    read: Callable[[], Sequence[FoundLayout]],
+    gaps: Mapping[str, str],
+    accept: Fraction | None = None,
 ) -> list[LayoutRow]:
     """Judge the layouts of a file; one that cannot be read is a row as well."""
     rows = []
     try:
         for found in read():
             name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
-            row = _sum_up(name, judge_finely(found, gaps, name))
-            rows.append(row._replace(notes=[*map(spell_out, found.notes)]))
+            rows.append(_sum_up(name, found, judge_finely(found, gaps, name), accept))
     except ValueError as error:
         rows.append(LayoutRow(show_path(path), str(error), None))
     return rows
 
 
-def _sum_up(name: str, judgement: Judgement) -> LayoutRow:
-    from exactsweep.layout.report import rank_faults
-    from exactsweep.layout.report.table import tell_fault, write_verdict
-    from exactsweep.text.report import approximate, take_root
+def _sum_up(
+    name: str, found: FoundLayout, judgement: Judgement, accept: Fraction | None
+) -> LayoutRow:
+    from exactsweep.layout.report import ReportContext, rank_faults
+    from exactsweep.layout.report.table import list_measures, tell_fault
 
-    worst, nearest = "", judgement.distance
-    if judgement.faults:
-        worst = tell_fault(rank_faults(judgement)[0])[1]
-    elif nearest is not None:
-        worst = f"{approximate(take_root(nearest.square))} apart"
-    placements = len(judgement.layout.placements)
-    return LayoutRow(name, write_verdict(judgement), judgement.valid, placements, worst)
+    context = ReportContext(found.unchecked, found.places, found.unit, accept)
+    ranked = rank_faults(judgement, accepted=accept)
+    facts = list_measures(judgement, ranked, context)
+    worst = tell_fault(judgement, ranked[0], context)[1] if ranked else facts.get("nearest", "")
+    return LayoutRow(
+        name,
+        facts["verdict"],
+        judgement.valid,
+        len(judgement.layout.placements),
+        worst,
+        [*map(spell_out, found.notes)],
+        accepted=all(one.accepted for one in ranked),
+        unchecked=found.unchecked,
+    )
 
 
 def _write_rows(rows: Sequence[LayoutRow], terminal_width: int | None) -> str:
@@ -297,6 +403,6 @@ def _write_rows(rows: Sequence[LayoutRow], terminal_width: int | None) -> str:
     for row in rows:
         placements = "" if row.valid is None else str(row.placements)
         table.add_row(row.name, placements, row.verdict, row.worst)
-    valid = sum(bool(row.valid) for row in rows)
+    valid = sum(bool(row.valid) or row.accepted for row in rows)
     notes = [f"note: {row.name}: {note}\n" for row in rows for note in row.notes]
     return lay_out([table], terminal_width) + "".join(notes) + f"{valid} of {len(rows)} valid\n"

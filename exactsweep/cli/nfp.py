@@ -1,6 +1,7 @@
 """`exactsweep nfp`."""
 
 from fractions import Fraction
+from itertools import product
 
 import click
 
@@ -9,17 +10,25 @@ from exactsweep.cli.export import export
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import errors_of_files, keep_errors, read_each, takes_shapes
 from exactsweep.cli.result import Form, takes_form, tell_error, write_result
+from exactsweep.cli.turns import Pose, takes_turns
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion
+from exactsweep.geometry.turn import read_turn
 from exactsweep.text.report import approximate, lay_out, make_table
 from exactsweep.text.results import no_fit_to_regions
+
+_AS_READ = Pose(read_turn(0))
 
 
 @click.command("nfp")
 @takes_shapes("STATIONARY", "ORBITING", read_each)
+@takes_turns("ORBITING")
 @takes_form("the no-fit polygon and the exact fits")
 def nfp_command(
-    shapes: tuple[list[NamedRegion], list[NamedRegion]], reference: Point, form: Form
+    shapes: tuple[list[NamedRegion], list[NamedRegion]],
+    reference: Point,
+    poses: list[Pose] | None,
+    form: Form,
 ) -> None:
     """Find no-fit polygons, of one pair or of several.
 
@@ -33,20 +42,26 @@ def nfp_command(
     The command reads files as 'exactsweep sweep' does. Each argument may also be a folder or a
     pattern. For several pairs the report has one line per pair, --json writes one line of JSON per
     pair, and --to writes all polygons. --wkt writes a POLYGON with its holes, and a LINESTRING or a
-    POINT for each exact fit. It refuses coordinates that are not finite decimals.
+    POINT for each exact fit. It refuses coordinates that are not finite decimals. With --turns or
+    --mirrored each turn of ORBITING makes a pair.
 
     Example:
       exactsweep nfp plate.json fork.wkt
       exactsweep nfp sheet.dxf#0 parts.svg#bracket --reference 1/2 0 --json -o result.json
+      exactsweep nfp plate.json fork.wkt --turns 0,90,180,270 --mirrored
       exactsweep nfp sheet.dxf#0 part.svg --to dxf --round 3 --round-outward -o nfp.dxf
     """
-    pairs = [(d, g) for d in shapes[0] for g in shapes[1]]
+    turned = [(g, pose) for g in shapes[1] for pose in poses or (_AS_READ,)]
+    orbiting = [
+        (pose.place_point(reference), g if poses is None else _turn(g, pose)) for g, pose in turned
+    ]
+    pairs = [(d, g) for d in shapes[0] for _, g in orbiting]
     keep_errors(*(max(one.error for one in shape) for shape in shapes))
     found = []
     with working("no-fit polygons") as tell:
-        for k, (d, g) in enumerate(pairs, 1):
+        for k, (d, (at, g)) in enumerate(product(shapes[0], orbiting), 1):
             tell(f"no-fit polygon {k} of {len(pairs)}")
-            found.append(no_fit_polygon(d.region, g.region, reference=reference))
+            found.append(no_fit_polygon(d.region, g.region, reference=at))
             # It is found when it is asked for.
             _ = found[-1].holes
     if len(pairs) == 1:
@@ -75,6 +90,11 @@ def nfp_command(
         write(_list(names, found, form.output) + tell_error(Fraction(error)), form.output)
     else:
         raise click.UsageError(f"--{form.kind} is for one pair; here are {len(pairs)}.")
+
+
+def _turn(part: NamedRegion, pose: Pose) -> NamedRegion:
+    name = f"{part.name} turned by {pose.name}"
+    return part._replace(name=name, region=pose.place(part.region))
 
 
 def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) -> str:

@@ -29,6 +29,7 @@ from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import to_fraction
+from exactsweep.words import count
 
 # A house that cannot reach the bottom of a lopsided notch: a CM sweep with one undercut. All
 # loops have finite decimal coordinates, so that every output format can hold them.
@@ -38,25 +39,9 @@ DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 ReadingOptions = dict[str, Any]
 """The arguments "tolerance" and `Options` of the readers of files."""
 
-SAME_LAYER = "layer"
-"""The value of --nested that `give_values` adds if it is missing."""
-
 _COORDINATES = "exactsweep.coordinates"
 _ERRORS = "exactsweep.errors"
 _NONE = Fraction(0)
-
-
-def give_values(arguments: Sequence[str]) -> list[str]:
-    """Add the optional value of --nested if the next word is not a value.
-
-    >>> give_values(["--nested", "a.dxf", "--nested", "all", "--nested", "OUTER,INNER"])
-    ['--nested=layer', 'a.dxf', '--nested', 'all', '--nested', 'OUTER,INNER']
-    """
-    after = [*arguments, ""][1:]
-    return [
-        f"--nested={SAME_LAYER}" if one == "--nested" and word != "all" and "," not in word else one
-        for one, word in zip(arguments, after, strict=True)
-    ]
 
 
 def to_point(pair: Iterable[str]) -> Point:
@@ -67,14 +52,17 @@ def to_point(pair: Iterable[str]) -> Point:
 def _make_reading(
     tolerance: object,
     join: object,
-    nested: str | None,
+    nested: bool | None,
+    layers: tuple[str, ...],
+    ignored_layers: tuple[str, ...],
     unit: str,
     hidden: bool,
     y_down: bool,
     clean: object,
 ) -> ReadingOptions:
     reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden, "clean": clean}
-    return reading | {"nested": nested == SAME_LAYER or nested or False, "y_down": y_down}
+    layered = {"layers": layers, "ignored_layers": ignored_layers}
+    return reading | layered | {"nested": nested, "y_down": y_down}
 
 
 takes_reading = gather(
@@ -96,10 +84,24 @@ takes_reading = gather(
         "are joined.",
     ),
     click.option(
-        "--nested",
-        metavar="[all|OUTER,INNER]",
-        help="Treat closed outlines inside others of their layer as holes, as in DXF. 'all' treats "
-        "all layers as one, and names of layers these layers.",
+        "--nested/--flat",
+        default=None,
+        help="Read outlines inside others as holes, outlines in a hole as polygons, and so on; or "
+        "each outline as a polygon. By default flat; 'exactsweep layout' nests.",
+    ),
+    click.option(
+        "--layer",
+        "layers",
+        multiple=True,
+        metavar="NAME",
+        help="Read only this layer of SVG and DXF; may be repeated.",
+    ),
+    click.option(
+        "--ignore-layer",
+        "ignored_layers",
+        multiple=True,
+        metavar="NAME",
+        help="Leave out a layer of SVG and DXF, such as engraving; may be repeated.",
     ),
     click.option(
         "--clean",
@@ -285,43 +287,90 @@ def read_each(
 def read_placed(
     stays: str, moves: str, placed: Sequence[str], reading: ReadingOptions
 ) -> tuple[Region, Region, list[Region]]:
-    """Read two polygons, and all of other files, with Y as in the two."""
-    first, second = read_two(stays, moves, reading)
-    regions: list[Region] = []
+    """Read a container, a part, and the shapes that it must not overlap, with Y as in the two.
+
+    Holes of the container that touch or cross its boundary or one another are such shapes, too.
+    """
+    (one, file), (other, its_file) = _choose_two(stays, moves, reading)
+    with working("reading"), name_file(file):
+        first, regions = one.separate()
+    with working("reading"), name_file(its_file):
+        second = read_single(other, Candidate.named_region).region
     if not placed:
         return first, second, regions
-    listing = find_parts(placed, reading)
+    layouts = {path: found for path in placed if (found := _read_layout(path, reading))}
+    regions += [region for found in layouts.values() for region in found]
+    files = [path for path in placed if path not in layouts]
+    if not files:
+        return first, second, regions
+    listing = find_parts(files, reading)
     said = Said([], [])
+    others: list[Region] = []
     errors = [Fraction(0)]
     for part in listing.parts:
         # None may be left out as not simple.
         with name_refusals(part.file):
-            found = part.candidate.named_regions(said)
-        regions += [one.region for one in found]
-        errors += [one.error for one in found]
+            shapes = part.candidate.named_regions(said)
+        others += [one.region for one in shapes]
+        errors += [one.error for one in shapes]
     say_left_out(said.left_out)
     say_all(said.notes)
     keep_errors(max(errors))
     say_error(max(errors), reading)
     if listing.coordinates.y_down != coordinates_of_files().y_down:
-        say_all([f"{', '.join(map(show_path, placed))}: Y turned, to point as in the other files"])
-        regions = [region.scaled((1, -1)) for region in regions]
-    return first, second, regions
+        say_all([f"{', '.join(map(show_path, files))}: Y turned, to point as in the other files"])
+        others = [region.scaled((1, -1)) for region in others]
+    return first, second, regions + others
+
+
+def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
+    """Read the placed parts and the defects of a layout as JSON; none if a file is none."""
+    file = split_choice(path)[0]
+    if not file.lower().endswith(".json"):
+        return []
+    from exactsweep.formats.exact_json import parse_json
+    from exactsweep.formats.files import read_text
+    from exactsweep.formats.layouts import read_layouts
+    from exactsweep.layout import Layout
+    from exactsweep.layout.board import Board
+
+    with name_file(file):
+        data = parse_json(read_text(file))
+    if not isinstance(data, dict) or data.keys().isdisjoint(("placements", "solution", "bins")):
+        return []
+    found: list[Region] = []
+    for one in read_layouts(path, **reading):
+        with name_refusals(show_path(path)):
+            layout = Layout.from_json(one.data)
+        board = Board(layout)
+        found += [board.turned(k).translated(layout.placements[k].move) for k in board.placed]
+        found += [defect.region for defect in layout.defects]
+        say_all([f"{show_path(path)}: {count(len(board.placed), 'placed part')}"])
+    return found
 
 
 def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, Region]:
     """Read two polygons, each from a file, with Y the same way up, and say what is left out."""
+    regions = []
+    for candidate, file in _choose_two(stays, moves, reading):
+        with working("reading"), name_file(file):
+            regions.append(read_single(candidate, Candidate.named_region).region)
+    return regions[0], regions[1]
+
+
+def _choose_two(stays: str, moves: str, reading: ReadingOptions) -> list[tuple[Candidate, str]]:
+    """Find two polygons, each with the name of its file, and say what is left out."""
     _require_one_input(stays, moves)
     with working("reading"):
         files = [(path, read_choice(path, **reading)) for path in (stays, moves)]
     keep_coordinates(*bring_to_one([(show_path(path), found) for path, found in files]))
-    regions: list[NamedRegion] = []
+    chosen = []
     for path, found in files:
         name = split_choice(path)[0]
         say_left_out([f"{show_path(name)}: {reason}" for reason in found.left_out])
         say_all(f"{show_path(name)}: {note}" for note in found.notes)
-        with working("reading"), name_file(name):
-            regions.append(read_single(found[0], Candidate.named_region))
-    keep_errors(*(one.error for one in regions))
-    say_error(max(one.error for one in regions), reading)
-    return regions[0].region, regions[1].region
+        chosen.append((found[0], name))
+    errors = [one.error for one, _ in chosen]
+    keep_errors(*errors)
+    say_error(max(errors), reading)
+    return chosen

@@ -78,6 +78,7 @@ class Candidate(NamedTuple):
         even_odd: the fill rule of a ring that touches or crosses itself; None to refuse it.
         clean: the least area of regions that are read.
         finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
+        words: its classes, in SVG.
     """
 
     place: str
@@ -91,6 +92,7 @@ class Candidate(NamedTuple):
     even_odd: bool | None = None
     clean: Fraction = Fraction(0)
     finer: Callable[[Fraction], Candidate | None] | None = None
+    words: tuple[str, ...] = ()
 
     @classmethod
     def refused(
@@ -223,6 +225,22 @@ class Candidate(NamedTuple):
         finer = self.finer(tolerance) if self.finer else None
         pieces = finer.split(Said([], [])) if finer else []
         return pieces[k] if len(pieces) == number else None
+
+    def separate(self) -> tuple[Region, list[Region]]:
+        """Read the polygon, and its holes as regions if they touch or cross it or each other.
+
+        Raises:
+            FormatError: as by `region`.
+            PolygonError: a ring is not simple.
+        """
+        try:
+            return self.region(), []
+        except PolygonError:
+            if not self.holes():
+                raise
+            rings = [one._replace(holes=tuple) for one in (self, *self.holes())]
+            exterior, *holes = [ring.region() for ring in rings]
+            return exterior, holes
 
     def shape(self) -> AnyPolygon:
         """Read a Region if there are holes, else a Polygon."""

@@ -6,18 +6,14 @@ from bisect import insort
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from functools import partial
 
-from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.overlap import Relation, contains, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import Point
-from exactsweep.words import suggest
 
 
 def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:
@@ -120,108 +116,6 @@ def _from_outside(parents: Sequence[int | None]) -> Iterator[int]:
         k = left.pop()
         yield k
         left += children[k]
-
-
-def nest_candidates(outlines: Sequence[Candidate], nested: bool | str = True) -> list[Candidate]:
-    """Turn outlines inside other outlines of the same layer into holes.
-
-    Args:
-        outlines: the outlines of a file; a format without layers has one layer.
-        nested: "all" treats all layers as one; names between commas, the layers of these names.
-
-    Returns:
-        list of Candidate, one for each ring inside an even number of others, in order. Its holes
-        are the rings just inside. If one outline of a layer cannot be read, or two cross, all
-        outlines of the layer refuse, because the holes are unknown. Ornaments stay apart.
-
-    Raises:
-        FormatError: the file has no layer of a given name.
-
-    Cost: that of `nest` for each layer.
-
-    Example:
-        >>> from exactsweep.formats.wkt import parse_wkt
-        >>> text = "POLYGON (({0} {0}, {1} {0}, {1} {1}, {0} {1}, {0} {0}))"
-        >>> squares = "".join(text.format(k, 6 - k) for k in range(3))
-        >>> found = nest_candidates(parse_wkt(squares))
-        >>> [outline.shape().area for outline in found]
-        [Fraction(20, 1), Fraction(4, 1)]
-    """
-    merged = nested.split(",") if isinstance(nested, str) else []
-    known = {outline.layer for outline in outlines}
-    if nested != "all" and not known.issuperset(merged):
-        missing = next(name for name in merged if name not in known)
-        near = suggest(missing, [name for name in known if name])
-        raise FormatError(f"nothing is on a layer {quote(missing)}{near}")
-    layers: defaultdict[str | None, list[tuple[int, Candidate]]] = defaultdict(list)
-    found: list[tuple[int, Candidate]] = []
-    for place, outline in enumerate(outlines):
-        if outline.ornament:
-            found.append((place, outline))
-        else:
-            is_merged = nested == "all" or outline.layer in merged
-            layers[merged[0] if is_merged else outline.layer].append((place, outline))
-    for members in layers.values():
-        try:
-            found += _nest(members)
-        except ValueError as error:
-            reason = f"nested outlines are read with all of their layer: {error}"
-            found += [(k, Candidate.refused(reason, o.name, o.layer)) for k, o in members]
-    return [outline for _, outline in sorted(found, key=lambda pair: pair[0])]
-
-
-def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
-    """Turn outlines inside others into holes; each outline has its number."""
-    rings = [
-        (
-            k,
-            ring._replace(
-                vertices=partial(list, ring.vertices()),
-                holes=tuple,
-                error=outline.error,
-                even_odd=outline.even_odd,
-            ),
-        )
-        for k, outline in members
-        for ring in (outline, *outline.holes())
-    ]
-    names = [ring.place or "the exterior" for _, ring in rings]
-    parents = nest([ring.polygon() for _, ring in rings], names)
-    holes: defaultdict[int, list[Candidate]] = defaultdict(list)
-    is_hole: dict[int | None, bool] = {None: True}
-    for i in _from_outside(parents):
-        is_hole[i] = not is_hole[parents[i]]
-    for (_, ring), parent in zip(rings, parents, strict=True):
-        if parent is not None:
-            holes[parent].append(ring)
-    return [
-        (
-            k,
-            ring._replace(
-                holes=partial(tuple, holes[i]),
-                error=max(one.error for one in (ring, *holes[i])),
-                finer=partial(_find_finer, ring, holes[i]),
-                even_odd=True if ring.even_odd is not None and holes[i] else ring.even_odd,
-            ),
-        )
-        for i, (k, ring) in enumerate(rings)
-        if not is_hole[i]
-    ]
-
-
-def _find_finer(
-    ring: Candidate, holes: Sequence[Candidate], tolerance: Fraction
-) -> Candidate | None:
-    """Find a ring and its holes with finer lines."""
-    found = []
-    for one in (ring, *holes):
-        finer = one.finer(tolerance) if one.finer else None if one.error else one
-        if finer is None:
-            return None
-        found.append(finer)
-    first, *others = found
-    error = max(one.error for one in found)
-    return first._replace(holes=partial(tuple, others), error=error)
 
 
 def _simple(ring: Sequence[Point], name: str) -> Polygon:

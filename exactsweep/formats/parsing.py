@@ -8,13 +8,14 @@ from typing import Unpack
 
 from exactsweep.formats import csv, plain
 from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.esicup import is_esicup, read_esicup
 from exactsweep.formats.exact_json import count_vertices, parse_json
 from exactsweep.formats.files import DXF_SIGN
 from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.json_polygons import read_exact
-from exactsweep.formats.nesting import nest_candidates
+from exactsweep.formats.layers import keep_layers
 from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
@@ -37,9 +38,9 @@ def parse_candidates(
 
 def parse_by(text: str, reading: Reading) -> PartList[Candidate]:
     """Find the polygons of a text by the settings of a reading."""
-    candidates = _parse(text, reading)
+    candidates = keep_layers(_parse(text, reading), reading)
     if reading.nested:
-        candidates = nest_candidates(candidates, reading.nested)
+        candidates = nest_candidates(candidates)
     if reading.clean:
         candidates = [one._replace(clean=reading.clean) for one in candidates]
     is_svg = text.lstrip().startswith("<")

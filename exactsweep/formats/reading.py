@@ -45,10 +45,11 @@ class Options(TypedDict, total=False):
     """The options of a reader of files, besides the tolerance for curves.
 
     Attributes:
-        nested: whether closed outlines inside others of their layer are holes, outlines inside a
-            hole polygons again, and so on. A format without layers has one layer; DXF and
-            Inkscape's SVG have layers. "all" treats all layers as one, and names between commas,
-            "OUTER,INNER", treat these layers as one.
+        nested: whether closed outlines inside others are holes, outlines inside a hole polygons
+            again, and so on; see `exactsweep.formats.nesting`. By default only in layouts.
+        layers: the names of the layers to read, in any case; by default all. DXF and Inkscape's SVG
+            have layers.
+        ignored_layers: the names of layers to leave out.
         join: the largest distance of ends of lines of SVG and DXF to be joined, a positive number.
             By default only equal ends are joined, and ends of curves within a fourth of the
             tolerance.
@@ -62,7 +63,9 @@ class Options(TypedDict, total=False):
             reason. By default none are.
     """
 
-    nested: bool | str
+    nested: bool | None
+    layers: Sequence[str]
+    ignored_layers: Sequence[str]
     join: object
     unit: str | None
     hidden: bool
@@ -76,13 +79,13 @@ class Reading:
     Args:
         tolerance: the largest distance between curves and the lines that replace them, a positive
             number as `to_fraction` reads it; None for about a thousandth of each outline.
-        nested, join, unit, hidden, y_down, clean: as for `Options`.
+        nested, layers, ignored_layers, join, unit, hidden, y_down, clean: as for `Options`.
 
     Attributes:
         tolerance, join: Fractions, or None.
         joining: the tolerance by whose fourth ends of curves are joined; None to choose one by the
             size of the drawing.
-        nested, unit, hidden, y_down: as given.
+        nested, layers, ignored_layers, unit, hidden, y_down: as given.
         found_unit: the millimetres of the file's unit; None if the file does not state it.
         passed: the number of omitted elements for each reason.
         notes: further remarks.
@@ -99,7 +102,9 @@ class Reading:
         self,
         tolerance: object = None,
         *,
-        nested: bool | str = False,
+        nested: bool | None = None,
+        layers: Sequence[str] = (),
+        ignored_layers: Sequence[str] = (),
         join: object = None,
         unit: str | None = None,
         hidden: bool = False,
@@ -112,6 +117,8 @@ class Reading:
         self.join = read_positive(join, "the distance of ends that are joined")
         self.clean = read_positive(clean, "the least area") or Fraction(0)
         self.nested, self.unit, self.hidden, self.y_down = nested, unit, hidden, y_down
+        self.layers = read_names(layers, "layers")
+        self.ignored_layers = read_names(ignored_layers, "ignored_layers")
         self.found_unit: Fraction | None = None
         self.passed: Counter[str] = Counter()
         self.notes: dict[str, None] = {}
@@ -124,6 +131,20 @@ class Reading:
         found.passed, found.notes = Counter(), {}
         found.lines = found.vertices = found.copies = found.copied = 0
         return found
+
+    @property
+    def options(self) -> Options:
+        """The settings besides the tolerance."""
+        return {
+            "nested": self.nested,
+            "layers": self.layers,
+            "ignored_layers": self.ignored_layers,
+            "join": self.join,
+            "unit": self.unit,
+            "hidden": self.hidden,
+            "y_down": self.y_down,
+            "clean": self.clean or None,
+        }
 
     def at(self, tolerance: Fraction) -> Reading:
         """Return the settings for another reading of the same text, at another tolerance."""
@@ -209,3 +230,10 @@ def read_positive(value: object, name: str) -> Fraction | None:
     if number <= 0:
         raise FormatError(f"{name}, {abridge(number)}, is not positive")
     return number
+
+
+def read_names(value: object, name: str) -> tuple[str, ...]:
+    """Read a list of strings of a caller."""
+    if not isinstance(value, list | tuple) or not all(isinstance(one, str) for one in value):
+        raise FormatError(f"{name} is {quote(value)}, not a list of strings")
+    return tuple(value)

@@ -24,6 +24,7 @@ from exactsweep.layout.solid import (
     measure_slack,
     put_on_lattice,
 )
+from exactsweep.numbers.number import Point
 
 _SHARED_BITS = 1024
 _ROOM = 1
@@ -46,7 +47,7 @@ class Board:
         self.placed = [k for k, one in enumerate(layout.placements) if one.part in self._regions]
         self.base = cache(lambda part: make_form(self._regions[part]))
         self._placed = cache(self._place)
-        self._forms: dict[tuple[str, Turn, bool, int], LatticeForm] = {}
+        self._forms: dict[tuple[str, Turn, bool, int, int], LatticeForm] = {}
 
     def turned(self, k: int, bits: int = TURN_BITS) -> Region:
         """Return the part of a placement, mirrored and turned by a rational turn, not moved."""
@@ -68,7 +69,8 @@ class Board:
         scales = {
             self.base(part)[0] * self._turn(k, TURN_BITS)[0] for (part, _), k in kinds.items()
         }
-        scales.add(layout.container.lattice()[0])
+        regions = [one.region for one in layout.defects]
+        scales.update(one.lattice()[0] for one in (layout.container, *regions) if one is not None)
         moves = [placements[k].move for k in self.placed]
         scales.update(x.denominator for x, _ in moves)
         scales.update(y.denominator for _, y in moves)
@@ -80,11 +82,18 @@ class Board:
         return self._placed(k, bits)
 
     def _place(self, k: int, bits: int) -> Solid:
-        placement = self.layout.placements[k]
-        part, turn, (x, y) = placement.part, placement.turn, placement.move
         shared = self._scale if bits == TURN_BITS else None
+        return self._put(k, self.layout.placements[k].move, bits, shared)
+
+    def solid_at(self, k: int, move: Point, bits: int = TURN_BITS) -> Solid:
+        """Return the solid of a placement with another move, on a lattice of its own."""
+        return self._put(k, move, bits, None)
+
+    def _put(self, k: int, move: Point, bits: int, shared: int | None) -> Solid:
+        placement = self.layout.placements[k]
+        part, turn, (x, y) = placement.part, placement.turn, move
         scale = shared or self.base(part)[0] * self._turn(k, bits)[0]
-        key = part, turn, placement.mirrored, bits
+        key = part, turn, placement.mirrored, bits, scale
         form = self._forms.get(key)
         if form is None:
             own, base = self.base(part)
@@ -104,8 +113,14 @@ class Board:
     @cached_property
     def frame(self) -> tuple[int, int, int, int]:
         """A rectangle with room around everything: left, low, right, high."""
-        low, high = self.layout.container.bounding_box
-        xs, ys = [floor(low.x), ceil(high.x)], [floor(low.y), ceil(high.y)]
+        xs, ys = [0], [0]
+        regions = [one.region for one in self.layout.defects]
+        boxes = [one.bounding_box for one in (self.layout.container, *regions) if one is not None]
+        if boxes:
+            xs, ys = (
+                [value for low, high in boxes for value in (floor(low[axis]), ceil(high[axis]))]
+                for axis in (0, 1)
+            )
         slack = _NONE
         for k in self.placed:
             solid = self.solid(k)
@@ -120,8 +135,32 @@ class Board:
 
     @cached_property
     def around(self) -> list[Solid]:
-        """The outside of the container in the frame, and each defect."""
+        """The outside of the container in the frame, if there is one, and each defect."""
+        return [*self._find_outside(), *self._find_defects()]
+
+    def required(self, wall: int) -> Fraction:
+        """Return the least allowed distance of parts from one of `around`."""
+        number = wall - self.first_defect
+        if self.layout.container is not None:
+            number -= len(self.layout.container.holes)
+        own = self.layout.defects[number].spacing if number >= 0 else None
+        return self.layout.margin if own is None else own
+
+    @cached_property
+    def greatest_margin(self) -> Fraction:
+        """The greatest of the distances that `required` returns."""
+        spacings = [one.spacing for one in self.layout.defects if one.spacing is not None]
+        return max([self.layout.margin, *spacings])
+
+    @property
+    def first_defect(self) -> int:
+        """The number of the first defect in `around`."""
+        return 0 if self.layout.container is None else 1
+
+    def _find_outside(self) -> Iterator[Solid]:
         container = self.layout.container
+        if container is None:
+            return
         own, ring = container.exterior.lattice()
         west, south, east, north = (c * own for c in self.frame)
         exterior: list[Any] = list(ring)
@@ -129,20 +168,28 @@ class Board:
             [[(west, south), (east, south), (east, north), (west, north)], exterior[::-1]],
             lambda: cut_outside(exterior, (west, south, east, north)),
         )
-        found = []
-        for scale, form in ((own, outside), *(make_form(Region(h)) for h in container.holes)):
-            finer = self._scale or scale
-            error = self.layout.error
-            found.append(Solid(form.scaled(finer // scale), 0, 0, finer, error, error))
-        return found
+        yield self._fix(own, outside, self.layout.error)
+
+    def _find_defects(self) -> Iterator[Solid]:
+        """Yield the holes of the container, then the other defects."""
+        layout = self.layout
+        for hole in () if layout.container is None else layout.container.holes:
+            yield self._fix(*make_form(Region(hole)), layout.error)
+        for defect in layout.defects:
+            yield self._fix(*make_form(defect.region), defect.error)
+
+    def _fix(self, scale: int, form: LatticeForm, error: Fraction) -> Solid:
+        finer = self._scale or scale
+        return Solid(form.scaled(finer // scale), 0, 0, finer, error, error)
 
     @cached_property
     def _room(self) -> LatticeBox | None:
         """The box of a rectangular container without the margin, in which parts are inside."""
-        low, high = self.layout.container.bounding_box
-        if self._scale is None or len(self.layout.container.exterior) > 4:
+        container = self.layout.container
+        if container is None or self._scale is None or len(container.exterior) > 4:
             return None
-        if self.layout.container.exterior.area != (high.x - low.x) * (high.y - low.y):
+        low, high = container.bounding_box
+        if container.exterior.area != (high.x - low.x) * (high.y - low.y):
             return None
         margin, scale = self.layout.margin + self.layout.error, self._scale
         return (
@@ -182,15 +229,34 @@ class Board:
         for k, j in find_near(boxes, ceil(reach * unit)):
             yield placed[k], placed[j]
 
+    def list_beside(self, k: int, reach: Fraction) -> list[int]:
+        """List the placements whose boxes are within reach of one in both coordinates."""
+        unit, room = self.unit, ceil(reach * self.unit)
+        left, right, low, high = _enlarge(self.solid(k), unit)
+        found = []
+        for j in self.placed:
+            west, east, south, north = _enlarge(self.solid(j), unit)
+            is_near = west - right <= room >= left - east and south - high <= room >= low - north
+            if j != k and is_near:
+                found.append(j)
+        return found
+
     def find_defects(self, reach: Fraction) -> dict[int, list[int]]:
         """Find for each placement the defects, as in `around`, whose boxes are within reach."""
-        placed, unit = self.placed, self.unit
-        boxes = [_enlarge(solid, unit) for solid in (*map(self.solid, placed), *self.around[1:])]
+        placed, unit, first = self.placed, self.unit, self.first_defect
+        solids = *map(self.solid, placed), *self.around[first:]
+        boxes = [_enlarge(solid, unit) for solid in solids]
         found: dict[int, list[int]] = {k: [] for k in placed}
         for k, j in find_near(boxes, ceil(reach * unit)):
             if k < len(placed) <= j:
-                found[placed[k]].append(j - len(placed) + 1)
+                found[placed[k]].append(j - len(placed) + first)
         return {k: sorted(walls) for k, walls in found.items()}
+
+    def find_walls(self) -> Iterator[tuple[int, list[int]]]:
+        """Find for each placement all of `around` that may be nearer than required."""
+        outside = range(self.first_defect)
+        for k, defects in self.find_defects(self.greatest_margin).items():
+            yield k, defects if self.is_clear(k) else [*outside, *defects]
 
 
 def _enlarge(solid: Solid, unit: int) -> LatticeBox:

@@ -13,8 +13,10 @@ from fractions import Fraction
 
 from exactsweep.geometry.canonical import find_centroid
 from exactsweep.geometry.turn import read_turn
+from exactsweep.layout.board import Board
 from exactsweep.layout.judge import Judgement, judge_layout
 from exactsweep.layout.layout import Layout, LayoutPart, Placement
+from exactsweep.layout.repair import make_box
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import ORIGIN, Point
 
@@ -32,6 +34,9 @@ _SCALES = (
     Fraction(360, 127),
 )
 _PLACED = {"overlap", "outside", "undecided"}
+
+# Overlaps that are this many times smaller than the parts are no matter of conventions.
+_ROUNDING = 10**6
 
 Convention = Callable[[LayoutPart, Placement], tuple[LayoutPart, Placement]]
 
@@ -52,12 +57,35 @@ def diagnose(judgement: Judgement) -> list[str]:
     wrong = {k for f in judgement.faults if f.kind in _PLACED for k in f.placements}
     if len(wrong) < max(_FEW, len(layout.placements) / _SHARE) or len(wrong) > _MANY:
         return []
+    if all(f.is_within(judgement._board.grain / _ROUNDING) for f in judgement.faults[:_FEW]):
+        return []
     found = []
     for name, change in _list_conventions(layout):
         left = _count_faults(judge_layout(_apply(layout, change)))
         if left * _LEFT <= faults:
             found.append((left, f"with {name}, {left} of {faults} faults would be left"))
     return [said for _, said in sorted(found, key=lambda one: one[0])][:_NAMED]
+
+
+def find_radians(layout: Layout) -> list[str]:
+    """Say that turns look like radians, if one is nearly a multiple of 15 degrees in radians.
+
+    >>> found = find_radians(Layout(None, (), (Placement("a", read_turn("3.14159"), ORIGIN),)))
+    >>> print(*found)
+    the turn 3.14159 of placement 0 looks like radians: 180 degrees; turns are degrees
+    """
+    for k, placement in enumerate(layout.placements):
+        angle = placement.turn.degrees
+        if angle is None or angle.denominator == 1:
+            continue
+        degrees = (angle if angle <= 180 else angle - 360) * _DEGREES
+        whole = round(degrees)
+        if whole and whole % 15 == 0 and abs(degrees - whole) < _NEARLY * 10 and abs(whole) <= 360:
+            return [
+                f"the turn {float(angle):.7g} of placement {k} looks like radians: "
+                f"{whole} degrees; turns are degrees"
+            ]
+    return []
 
 
 def _count_faults(judgement: Judgement) -> int:
@@ -70,7 +98,9 @@ def _apply(layout: Layout, change: Convention) -> Layout:
     placements = []
     for placement in layout.placements:
         part, placed = change(layout.part_by_id[placement.part], placement)
-        name = parts.setdefault(replace(part, demand=None, turns=None), str(len(parts)))
+        name = parts.setdefault(
+            replace(part, demand=None, turns=None, mirrored_turns=None), str(len(parts))
+        )
         placements.append(replace(placed, part=name))
     named = tuple(replace(part, id=name) for part, name in parts.items())
     return replace(layout, parts=named, placements=tuple(placements))
@@ -78,7 +108,7 @@ def _apply(layout: Layout, change: Convention) -> Layout:
 
 def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
     """List other readings of a placement, the likeliest first."""
-    low, high = layout.container.bounding_box
+    low, high = (layout.container or make_box(Board(layout).frame)).bounding_box
 
     def turn(by: Callable[[Fraction], Fraction], *, all_of_them: bool = True) -> Convention:
         return lambda part, p: (part, _turn(p, by) if p.mirrored or all_of_them else p)

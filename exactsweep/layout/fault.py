@@ -2,29 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
-from exactsweep.geometry.distance import find_foot
-from exactsweep.layout.solid import Solid, share_scale
+from exactsweep.geometry.overlap import Relation
+from exactsweep.layout.repair import find_depth_move, find_repair
+from exactsweep.layout.solid import Solid, meet, share_scale
 from exactsweep.layout.verdict import find_witness
 from exactsweep.numbers.digits import abridge, to_plain
 from exactsweep.numbers.number import Point
-from exactsweep.sweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.words import count, write_pair
 
 if TYPE_CHECKING:
-    from exactsweep.geometry.polygon import Polygon
     from exactsweep.layout.board import Board
 
 FaultKind = Literal[
     "overlap", "outside", "too close", "missing", "surplus", "turn", "mirror", "shape", "undecided"
 ]
 """The kinds of faults, the worst first."""
+
+
+_REPAIRED = "overlap", "outside", "too close", "undecided"
 
 
 @dataclass(frozen=True)
@@ -93,51 +93,85 @@ class Fault:
 
     @cached_property
     def move(self) -> Point | None:
-        """The shortest move that repairs an "overlap" or "outside"; else None.
+        """A shortest move that repairs a fault of placements in their positions; else None.
 
-        For an overlap, the move frees the last placement from the first, without regard to other
-        parts. For a part outside, it moves the part into the container, free of defects; it is None
-        if the part, with its turn, does not fit in.
+        The move frees the last placement from the fault, with the spacing or the margin, without
+        regard to other parts. For a part outside, it moves the part into the container, free of
+        defects; it is None if the part, with its turn, does not fit in. The judge has accepted it.
+        It is the shortest one if no distance is required and all turns are rational; otherwise see
+        `exactsweep.layout.repair`.
 
-        Cost: that of `no_fit_polygon` or of `inner_fit_polygon`, on first access.
+        Cost: that of `find_repair`, on first access.
         """
-        if self.kind not in ("overlap", "outside"):
+        if self._board is None or self.kind not in _REPAIRED:
             return None
-        assert self._board is not None
-        k = self.placements[-1]
-        moved, at = self._board.turned(k, self._bits), self._board.layout.placements[k].move
-        loops: Iterable[Polygon]
-        if self.kind == "outside":
-            inner = inner_fit_polygon(self._board.layout.container, moved)
-            loops = [ring for one in inner.regions for ring in (one.exterior, *one.holes)]
-            fits = inner.exact_fits
-        else:
-            j = self.placements[0]
-            fixed, there = self._board.turned(j, self._bits), self._board.layout.placements[j].move
-            at = Point(at.x - there.x, at.y - there.y)
-            no_fit = no_fit_polygon(stationary=fixed, orbiting=moved)
-            loops, fits = [no_fit.exterior, *no_fit.holes], no_fit.exact_fits
-        edges = [(a, b) for loop in loops for a, b in pairwise((*loop.vertices, loop.vertices[0]))]
-        moves = [
-            Point(foot.x - at.x, foot.y - at.y)
-            for foot in (find_foot(at, edge) for edge in (*edges, *fits))
-        ]
-        return min(moves, key=lambda by: (by.x * by.x + by.y * by.y, by), default=None)
+        return find_repair(self._board, self.placements, self._bits)
+
+    @cached_property
+    def depth_squared(self) -> Fraction | None:
+        """The squared length of the shortest move to contact, for "overlap" and "outside".
+
+        It does not regard the spacing or the margin. It is None if the part fits nowhere. For turns
+        without a rational value and for flattened curves, the length may be off by the bound.
+
+        Cost: that of `find_depth_move`, on first access.
+        """
+        if self._board is None or self.kind not in ("overlap", "outside"):
+            return None
+        move = find_depth_move(self._board, self.placements, self._bits)
+        return None if move is None else move.x**2 + move.y**2
 
     @property
-    def depth_squared(self) -> Fraction | None:
-        """The squared length of `move`, if there is one."""
-        return None if self.move is None else self.move.x**2 + self.move.y**2
+    def required(self) -> Fraction | None:
+        """The required distance, for "too close"."""
+        if self._board is None or self.kind != "too close":
+            return None
+        if len(self.placements) > 1:
+            return self._board.layout.spacing
+        return self._board.required(self.wall)
 
-    def to_json(self) -> dict[str, Any]:
-        """Write the fault as plain JSON data, numbers as strings."""
+    def is_within(self, depth: Fraction) -> bool:
+        """Decide whether the fault is at most a depth deep, or short of the required distance.
+
+        All errors count: the answer is True only if it is proved for the true turns and curves.
+
+        Args:
+            depth: at least 0.
+
+        Cost: that of `depth_squared` for overlaps.
+        """
+        room = depth - self.bound
+        if room < 0 or self._board is None:
+            return False
+        if self.kind in ("overlap", "outside"):
+            return self.depth_squared is not None and self.depth_squared <= room * room
+        if self.kind == "too close":
+            assert self.required is not None
+            assert self.distance_squared is not None
+            least = self.required - room
+            return least <= 0 or self.distance_squared >= least * least
+        if self.kind != "undecided":
+            return False
+        if meet(*self.find_pair(self._bits)) is not Relation.OVERLAP:
+            return 2 * self.bound <= depth
+        move = find_depth_move(self._board, self.placements, self._bits)
+        return move is not None and move.x**2 + move.y**2 <= room * room
+
+    def to_json(self, *, measured: bool = True) -> dict[str, Any]:
+        """Write the fault as plain JSON data, numbers as strings.
+
+        Args:
+            measured: whether to compute the depth and the repair.
+        """
         found = {
             "part": self.part,
             "reason": self.reason or None,
             "number": self.number or None,
             "points": self.points or None,
             "distance_squared": self.distance_squared,
-            "move": self.move,
+            "required": self.required,
+            "depth_squared": self.depth_squared if measured else None,
+            "move": self.move if measured else None,
             "bound": self.bound or None,
             "error": self.error or None,
         }

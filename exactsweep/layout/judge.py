@@ -29,6 +29,7 @@ from exactsweep.layout.verdict import PairVerdict, judge_pair
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
 
@@ -71,14 +72,35 @@ class Judgement:
         return not self.faults
 
     @cached_property
-    def density(self) -> Fraction:
-        """The area of the placed simple parts divided by that of the container."""
+    def density(self) -> Fraction | None:
+        """The area of the placed simple parts divided by that of the container.
+
+        Without a container, it is that of the `box`; None if nothing is placed.
+        """
         parts, placed = self.layout.part_by_id, self._board.placed
         areas = Counter(self.layout.placements[k].part for k in placed)
         total = add_up(
             number * region.area for id, number in areas.items() if (region := parts[id].region)
         )
-        return total / self.layout.container.area
+        if self.layout.container is not None:
+            return total / self.layout.container.area
+        if self.box is None:
+            return None
+        low, high = self.box
+        return total / ((high.x - low.x) * (high.y - low.y))
+
+    @cached_property
+    def box(self) -> tuple[Point, Point] | None:
+        """The lower left and the upper right corner of the box of all placed parts.
+
+        It is None if nothing is placed. The sides may be off by the errors of turns and curves.
+        """
+        boxes = [(solid.box, solid.scale) for solid in map(self._board.solid, self._board.placed)]
+        if not boxes:
+            return None
+        sides = [[Fraction(side) / scale for side in box] for box, scale in boxes]
+        left, right, low, high = zip(*sides, strict=True)
+        return Point(min(left), min(low)), Point(max(right), max(high))
 
     @cached_property
     def distance(self) -> NearestPair | None:
@@ -148,12 +170,13 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
 
 def _judge_container(board: Board) -> Iterator[Fault]:
     """Find the faults of placements with the outside and the defects, at most one each."""
-    margin, solid = board.layout.margin, board.solid
-    for k, defects in board.find_defects(margin).items():
+    solid = board.solid
+    for k, walls in board.find_walls():
         worst: list[tuple[Fraction, Fault]] = []
-        for wall in defects if board.is_clear(k) else (0, *defects):
+        for wall in walls:
             fixed = board.around[wall]
-            found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
+            required = board.required(wall)
+            found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, required)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)
             rank = Fraction(-1) if found.gap is None else found.gap.value
             worst += ((rank, fault) for fault in faults)
@@ -192,8 +215,9 @@ def _judge_rules(layout: Layout) -> Iterator[Fault]:
     for k, placement in enumerate(layout.placements):
         placements[placement.part].append(k)
         part = layout.part_by_id[placement.part]
-        if part.turns is not None and placement.turn not in part.turns:
-            reason = f"part {part.id} may not be turned by {placement.turn}"
+        if not part.allows(placement):
+            only = ", mirrored" if placement.mirrored else ""
+            reason = f"part {part.id} may not be turned by {placement.turn}{only}"
             yield Fault("turn", (k,), part.id, reason)
         if part.mirrored is False and placement.mirrored:
             yield Fault("mirror", (k,), part.id, f"part {part.id} may not be mirrored")

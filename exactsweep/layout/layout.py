@@ -40,6 +40,7 @@ class LayoutPart:
         mirrored: whether a placement may be mirrored; None also allows it.
         error: a bound on the distance between the rings and the curves that they stand for, in both
             directions; 0 for a polygon.
+        mirrored_turns: the allowed turns of mirrored placements; None for those of `turns`.
     """
 
     id: str
@@ -49,15 +50,19 @@ class LayoutPart:
     turns: tuple[Turn, ...] | None = None
     mirrored: bool | None = None
     error: Fraction = Fraction(0)
+    mirrored_turns: tuple[Turn, ...] | None = None
 
     @classmethod
     def from_json(cls, data: object, path: str) -> LayoutPart:
         """Read a part; messages begin with the path."""
-        found = read_object(
-            data, path, ("id", "exterior"), ("holes", "demand", "turns", "mirrored", "error")
-        )
+        rules = ("demand", "turns", "mirrored", "mirrored_turns")
+        found = read_object(data, path, ("id", "exterior"), ("holes", *rules, "error"))
         exterior, holes = read_rings(found, path)
-        demand, turns = found.get("demand"), found.get("turns")
+        demand = found.get("demand")
+        turns, mirrored = (
+            None if found.get(name) is None else read_list(found[name], f"{path}.{name}", read_turn)
+            for name in ("turns", "mirrored_turns")
+        )
         if demand is not None and (type(demand) is not int or demand < 0):
             raise LayoutError(f"{path}.demand is {quote(demand)}, not an integer of 0 or more")
         return cls(
@@ -65,10 +70,18 @@ class LayoutPart:
             exterior,
             holes,
             demand,
-            None if turns is None else read_list(turns, f"{path}.turns", read_turn),
+            turns,
             read_flag(found.get("mirrored"), f"{path}.mirrored"),
             read_gap(found.get("error", 0), f"{path}.error"),
+            mirrored,
         )
+
+    def allows(self, placement: Placement) -> bool:
+        """Decide whether the turn of a placement is allowed."""
+        turns = self.turns
+        if placement.mirrored and self.mirrored_turns is not None:
+            turns = self.mirrored_turns
+        return turns is None or placement.turn in turns
 
     @cached_property
     def region(self) -> Region | None:
@@ -108,10 +121,10 @@ class Placement:
     @classmethod
     def from_json(cls, data: object, path: str) -> Placement:
         """Read a placement; messages begin with the path."""
-        found = read_object(data, path, ("part", "turn", "move"), ("mirrored",))
+        found = read_object(data, path, ("part", "move"), ("turn", "mirrored"))
         return cls(
             read_id(found["part"], f"{path}.part"),
-            read_turn(found["turn"], f"{path}.turn"),
+            read_turn(found.get("turn", 0), f"{path}.turn"),
             read_vertex(found["move"], f"{path}.move"),
             read_flag(found.get("mirrored"), f"{path}.mirrored") or False,
         )
@@ -124,11 +137,35 @@ class Placement:
 
 
 @dataclass(frozen=True)
+class Defect:
+    """A shape that no part may overlap; it may touch or cross the container and other defects.
+
+    Attributes:
+        region: a Region.
+        error: as for `LayoutPart`.
+        spacing: the least allowed distance of parts; None for the margin of the layout.
+    """
+
+    region: Region
+    error: Fraction = Fraction(0)
+    spacing: Fraction | None = None
+
+    @classmethod
+    def from_json(cls, data: object, path: str) -> Defect:
+        """Read a defect; messages begin with the path."""
+        rings, error = _read_shape(data, path, "spacing")
+        assert isinstance(data, Mapping)
+        given = data.get("spacing")
+        spacing = None if given is None else read_gap(given, f"{path}.spacing")
+        return cls(_make_region(rings, path), error, spacing)
+
+
+@dataclass(frozen=True)
 class Layout:
     """Placements of parts in a container; `from_json` reads one.
 
     Attributes:
-        container: a Region, whose holes are defects.
+        container: a Region, whose holes are defects; None if only the distances of parts count.
         parts: a tuple of LayoutPart with different ids.
         placements: a tuple of Placement.
         spacing: the least allowed distance of two placed parts, at least 0.
@@ -136,14 +173,16 @@ class Layout:
             at least 0.
         error: a bound on the distance between the rings of the container and the curves that they
             stand for; 0 for a polygon.
+        defects: a tuple of Defect, besides the holes of the container.
     """
 
-    container: Region
+    container: Region | None
     parts: tuple[LayoutPart, ...]
     placements: tuple[Placement, ...]
     spacing: Fraction = Fraction(0)
     margin: Fraction = Fraction(0)
     error: Fraction = Fraction(0)
+    defects: tuple[Defect, ...] = ()
 
     @classmethod
     def from_json(cls, data: object) -> Layout:
@@ -155,6 +194,7 @@ class Layout:
 
         Returns:
             A Layout. Parts need not be simple polygons; the judge reports those that are not.
+            Holes of the container that touch or cross its boundary or one another are `defects`.
 
         Raises:
             LayoutError: the data are not a layout. The message names the field, such as
@@ -172,7 +212,7 @@ class Layout:
             >>> layout.placements[0].move
             Point(x=Fraction(1, 1), y=Fraction(0, 1))
         """
-        fields = ("container", "parts", "placements"), ("spacing", "margin")
+        fields = ("parts", "placements"), ("container", "defects", "spacing", "margin")
         found = read_object(data, "the layout", *fields)
         parts = read_list(found["parts"], "parts", LayoutPart.from_json)
         numbers: dict[str, int] = {}
@@ -185,7 +225,11 @@ class Layout:
                 raise LayoutError(
                     f"placements[{k}].part: no part has the id {quote(placement.part)}"
                 )
-        container, error = _read_container(found["container"])
+        defects = read_list(found.get("defects", ()), "defects", Defect.from_json)
+        container, holes = None, tuple[Defect, ...]()
+        error = Fraction(0)
+        if found.get("container") is not None:
+            container, error, holes = _read_container(found["container"])
         return cls(
             container,
             parts,
@@ -193,6 +237,7 @@ class Layout:
             read_gap(found.get("spacing", 0), "spacing"),
             read_gap(found.get("margin", 0), "margin"),
             error,
+            (*holes, *defects),
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -200,12 +245,14 @@ class Layout:
 
         Cost: linear.
         """
+        defects = [
+            _list_shape(one.region, one.error)
+            | ({} if one.spacing is None else {"spacing": one.spacing})
+            for one in self.defects
+        ]
         data = {
-            "container": {
-                "exterior": self.container.exterior.vertices,
-                "holes": [hole.vertices for hole in self.container.holes],
-                **_list_error(self.error),
-            },
+            **({"container": _list_shape(self.container, self.error)} if self.container else {}),
+            **({"defects": defects} if defects else {}),
             "parts": [_list_fields(part) for part in self.parts],
             "placements": [
                 {
@@ -223,9 +270,10 @@ class Layout:
 
     @property
     def greatest_error(self) -> Fraction:
-        """The greatest error of the container and of the placed parts; 0 without curves."""
+        """The greatest error of the container, defects and placed parts; 0 without curves."""
         placed = {placement.part for placement in self.placements}
-        return max([self.error, *(part.error for part in self.parts if part.id in placed)])
+        errors = [part.error for part in self.parts if part.id in placed]
+        return max([self.error, *errors, *(one.error for one in self.defects)])
 
     @cached_property
     def part_by_id(self) -> Mapping[str, LayoutPart]:
@@ -233,21 +281,50 @@ class Layout:
         return {part.id: part for part in self.parts}
 
 
-def _read_container(data: object) -> tuple[Region, Fraction]:
-    found = read_object(data, "container", ("exterior",), ("holes", "error"))
-    rings, error = (
-        read_rings(found, "container"),
-        read_gap(found.get("error", 0), "container.error"),
-    )
+def _read_container(data: object) -> tuple[Region, Fraction, tuple[Defect, ...]]:
+    """Read the container; holes that are not apart from each other and its boundary are defects."""
+    (exterior, holes), error = _read_shape(data, "container")
+    alone = _make_region((exterior, ()), "container")
     try:
-        return Region(*rings), error
+        return Region(exterior, holes), error, ()
+    except PolygonError:
+        defects = (
+            Defect(_make_region((hole, ()), f"container.holes[{k}]"), error)
+            for k, hole in enumerate(holes)
+        )
+        return alone, error, tuple(defects)
+
+
+def _read_shape(
+    data: object, path: str, *others: str
+) -> tuple[tuple[Loop, tuple[Loop, ...]], Fraction]:
+    found = read_object(data, path, ("exterior",), ("holes", "error", *others))
+    return read_rings(found, path), read_gap(found.get("error", 0), f"{path}.error")
+
+
+def _make_region(rings: tuple[Loop, tuple[Loop, ...]], path: str) -> Region:
+    try:
+        return Region(*rings)
     except PolygonError as error:
-        raise LayoutError(f"container: {error}") from None
+        raise LayoutError(f"{path}: {error}") from None
+
+
+def _list_shape(region: Region, error: Fraction) -> dict[str, Any]:
+    holes = [hole.vertices for hole in region.holes]
+    return {"exterior": region.exterior.vertices, "holes": holes, **_list_error(error)}
 
 
 def _list_fields(part: LayoutPart) -> dict[str, Any]:
-    turns = None if part.turns is None else [turn.to_json() for turn in part.turns]
-    allowed = {"demand": part.demand, "turns": turns, "mirrored": part.mirrored}
+    turns, mirrored = (
+        None if turns is None else [turn.to_json() for turn in turns]
+        for turns in (part.turns, part.mirrored_turns)
+    )
+    allowed = {
+        "demand": part.demand,
+        "turns": turns,
+        "mirrored": part.mirrored,
+        "mirrored_turns": mirrored,
+    }
     return {
         "id": part.id,
         "exterior": part.exterior,

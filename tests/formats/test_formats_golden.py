@@ -20,7 +20,7 @@ from exactsweep.formats import (
     parse_regions,
     round_regions,
 )
-from exactsweep.formats.layouts import parse_layouts
+from exactsweep.formats.layouts import FoundLayout, parse_layouts
 from exactsweep.formats.rounding import Side
 from exactsweep.geometry.region import AnyPolygon, Region
 
@@ -34,9 +34,7 @@ def find_outcome(case: dict[str, Any]) -> object:
     """Read the text of a case, in the way that the case names."""
     text, options = case["text"], case.get("options", {})
     if case.get("as") == "layout":
-        return attempt(
-            lambda: json.loads(json.dumps([one[:3] for one in parse_layouts(text, **options)]))
-        )
+        return attempt(lambda: [show_layout(one) for one in parse_layouts(text, **options)])
     if case.get("as") == "written":
         return {form: attempt(partial(write, text, form, options)) for form in WRITTEN}
     if case.get("as") == "rounded":
@@ -52,6 +50,11 @@ def attempt(read: Callable[[], object]) -> object:
         return read()
     except ValueError as error:
         return f"{type(error).__name__}: {error}"
+
+
+def show_layout(found: FoundLayout) -> list[object]:
+    told = found.name, found.data, found.notes, found.unchecked, found.unit
+    return list(json.loads(json.dumps(told)))
 
 
 def show(polygon: AnyPolygon) -> str:

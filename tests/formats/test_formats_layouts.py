@@ -130,7 +130,10 @@ def test_outlines_that_become_holes_are_noted() -> None:
     """A part on another one is drawn like a hole."""
     sides = (9, 0), (4, 1), (1, 2)
     boxes = "".join(f'<rect width="{w}" height="{w}" x="{x}" y="{x}"/>' for w, x in sides)
-    (plain,), (nested,) = (read(f"<svg>{boxes}</svg>", nested=choice) for choice in (False, True))
-    assert (len(plain.data["parts"]), plain.notes) == (2, ())
-    note = "1 outline inside others counted as holes, not as parts (--nested)"
+    (flat,), (nested,) = (read(f"<svg>{boxes}</svg>", nested=choice) for choice in (False, None))
+    assert (len(flat.data["parts"]), flat.notes) == (2, ())
+    note = (
+        "1 outline inside others read as a hole, not as a part: line 1: rect in line 1: rect "
+        "(--flat reads each outline as a part)"
+    )
     assert (len(nested.data["parts"]), nested.notes) == (1, (note,))

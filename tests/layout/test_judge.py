@@ -98,6 +98,7 @@ def test_faults_as_json() -> None:
         "kind": "overlap",
         "placements": [0, 1],
         "points": [["3/4", "1/2"]],
+        "depth_squared": "1/4",
         "move": ["1/2", "0"],
     }
     assert missing == {"kind": "missing", "placements": [0, 1], "part": "t", "number": 1}

@@ -39,12 +39,17 @@ def test_faults_come_first_and_the_worst_of_them() -> None:
         "density     0.3125, exactly 5/16\n"
         "contacts    0\n"
         "\n"
-        "fault      where      how bad      witness              repaired by\n"
-        "overlap    0 and 1    0.5 deep     (0.75, 0.5)          moving 1 by (0.5, 0)\n"
-        "outside    2          0.5 deep     (3.5, 4.25)          moving 2 by (0, -0.5)\n"
-        "too close  0 and 3    0.5 apart    (0, 1) (0, 1.5)\n"
-        "too close  1 and 3    0.5 apart    (0.5, 1) (0.5, 1.5)\n"
-        "missing    part tile  1 placement\n"
+        "   fault      where              how bad                             witness          "
+        "    repaired by\n"
+        "1  overlap    0 tile and 1 tile  0.5 deep                            (0.75, 0.5)      "
+        "    moving 1 by (1.1, 0)\n"
+        "2  outside    2 tile             0.5 deep                            (3.5, 4.25)      "
+        "    moving 2 by (0, -0.5)\n"
+        "3  too close  0 tile and 3 tile  0.5 apart, 0.6 required, 0.1 short  (0, 1) (0, 1.5)  "
+        "    moving 3 by (0, 0.1)\n"
+        "4  too close  1 tile and 3 tile  0.5 apart, 0.6 required, 0.1 short  (0.5, 1) (0.5, 1.5)"
+        "  moving 3 by (0, 0.1)\n"
+        "5  missing    part tile          1 placement\n"
     )
 
 
@@ -58,7 +63,7 @@ def test_a_terminal_is_not_overrun() -> None:
 def test_a_valid_layout_says_how_near_it_is() -> None:
     text = report_layout(judged("gap-1e-30"), notes=["one", "two"])
     assert text.startswith("verdict     valid\n")
-    assert "nearest     placements 0 and 1, 1e-30 apart\n" in text
+    assert "nearest     0 tile and 1 tile, 1e-30 apart\n" in text
     assert text.endswith("note: one\nnote: two\n")
 
 
@@ -142,7 +147,7 @@ def test_a_picture_has_all_parts_and_the_faulty_ones_in_red() -> None:
     # One part is good; the four faults with a witness are enlarged, three of them with two parts.
     assert (found["part"], found["frame"]) == (1, 4)
     assert found["bad"] == 4 + 2 + 1 + 2 + 2
-    assert found["number"] == 8
+    assert found["number"] == 5  # of the placements
     valid = judged("tiles")
     found = classes(draw_layout(valid, (), "tiles"))
     assert found["part"] == 6
@@ -185,7 +190,7 @@ def test_faults_of_a_layout_elsewhere_are_enlarged_alike(case: Any) -> None:
 def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
     judgement = judged("far-1e-30")
     (place,) = enlarge_faults(judgement, rank_faults(judgement))
-    assert place.caption == "overlap, 0 and 1; the picture is 6e-30 wide"
+    assert place.caption == "overlap, 0 tile and 1 tile; the picture is 6e-30 wide"
     edges = set()
     for data in re.findall(r'class="bad" d="([^"]+)"', place.svg):
         edges |= {float(x) for x in re.findall(r"[ML](-?[\d.]+) ", data) if 0 < float(x) < SIDE}

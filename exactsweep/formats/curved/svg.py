@@ -191,7 +191,9 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         if len(found) > 1 and is_filled(shape):
             closed += [path.closed() for path in opened if len(path.points) > 2 or path.curves]
             opened = [path for path in opened if len(path.points) == 2 and not path.curves]
-        drawn: list[Candidate | OpenLine] = [*_draw_regions(closed, shape, reading)]
+        words = tuple(shape.element.get("class", "").split())
+        regions = _draw_regions(closed, shape, reading)
+        drawn: list[Candidate | OpenLine] = [one._replace(words=words) for one in regions]
         if not drawn and not opened:
             raise OrnamentError("fewer than three vertices")
     except ValueError as error:

@@ -15,10 +15,13 @@ from exactsweep.formats.layouts.found import (
     FoundLayout,
     NestingInstance,
     find_named,
+    list_unknown,
     make_layouts,
     require_instance,
 )
 from exactsweep.formats.node import Data, JsonNode
+
+_DOCUMENT = "type", "instance_name", "name", "items", "container", "meta", "num_items"
 
 
 def read_instance(document: JsonNode) -> NestingInstance:
@@ -28,7 +31,9 @@ def read_instance(document: JsonNode) -> NestingInstance:
         allowed = {"demand": item.get("quantity", "1").whole, "turns": ["0"], "mirrored": False}
         parts[str(k)] = {"id": str(k), **_polygon(item), **allowed}
     containers = {"container": _polygon(document / "container")}
-    return NestingInstance("cgshop", parts, {}, containers, {}, ())
+    unchecked = list_unknown([document], *_DOCUMENT)
+    unchecked += list_unknown((document / "items").each(), "quantity", "value", "x", "y")
+    return NestingInstance("cgshop", parts, {}, containers, {}, (), tuple(unchecked))
 
 
 def read_solution(document: JsonNode, known: NestingInstance | None) -> list[FoundLayout]:

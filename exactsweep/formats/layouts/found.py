@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -13,6 +14,8 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.node import Data, JsonNode, write_ring, write_shape
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
+
+_INDEX = re.compile(r"\[\d+\]")
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
 """Where a part stands as it is drawn."""
@@ -29,6 +32,9 @@ class FoundLayout(NamedTuple):
         name: which one of several it is; "" where it is the only one.
         data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
         notes: what the reader passed over, a sentence each.
+        unchecked: rules and shapes that are not judged, a phrase each.
+        places: where each placement is in the file, such as "line 7"; empty if unknown.
+        unit: the unit of the file's lengths, such as "mm"; "" if unknown.
         flatten: finds the shapes of some parts, by id, and of the container, None, with curves
             flattened at another tolerance; those that it cannot find are left out. None if no
             curve was read.
@@ -37,6 +43,9 @@ class FoundLayout(NamedTuple):
     name: str
     data: Data
     notes: tuple[str, ...] = ()
+    unchecked: tuple[str, ...] = ()
+    places: tuple[str, ...] = ()
+    unit: str = ""
     flatten: Flatten | None = None
 
 
@@ -50,6 +59,7 @@ class NestingInstance(NamedTuple):
         containers: by id, each as in Layout JSON; none where a strip has a free width.
         rest: what goes into each layout as it is: "spacing", "margin".
         notes: what was passed over.
+        unchecked: rules that are not judged, a phrase each.
         height: that of a strip with a free width.
         width: the greatest one of that strip, if there is one.
         stock: by id, how many containers there are; none where any number may be used.
@@ -61,6 +71,7 @@ class NestingInstance(NamedTuple):
     containers: dict[str, Data]
     rest: Data
     notes: tuple[str, ...]
+    unchecked: tuple[str, ...] = ()
     height: Fraction | None = None
     width: Fraction | None = None
     stock: Mapping[str, int] = MappingProxyType({})
@@ -74,16 +85,21 @@ class FilledSheet(NamedTuple):
         placements: likewise.
         copies: how many such sheets there are.
         rest: as of a NestingInstance, for this sheet alone.
+        places: where each placement is in the file; empty if unknown.
     """
 
     container: Data
     placements: list[Data]
     copies: int = 1
     rest: Mapping[str, Any] = MappingProxyType({})
+    places: tuple[str, ...] = ()
 
 
 def make_layouts(
-    sheets: Sequence[FilledSheet], instance: NestingInstance, notes: Sequence[str] = ()
+    sheets: Sequence[FilledSheet],
+    instance: NestingInstance,
+    notes: Sequence[str] = (),
+    unchecked: Sequence[str] = (),
 ) -> list[FoundLayout]:
     """Make a layout of each sheet.
 
@@ -116,7 +132,9 @@ def make_layouts(
         data = {"container": sheet.container, "parts": parts, "placements": sheet.placements}
         copies = f", {sheet.copies} copies" if sheet.copies > 1 else ""
         name = f"sheet {k}{copies}" if len(sheets) > 1 else ""
-        found.append(FoundLayout(name, {**data, **instance.rest, **sheet.rest}, said))
+        data |= {**instance.rest, **sheet.rest}
+        rules = (*instance.unchecked, *unchecked)
+        found.append(FoundLayout(name, data, said, rules, sheet.places))
     return found
 
 
@@ -158,3 +176,15 @@ def write_rings(outline: Candidate) -> Data:
     holes = [write_ring(hole.vertices()) for hole in outline.holes()]
     shape = write_shape(write_ring(outline.vertices()), holes)
     return shape | ({"error": format_fraction(outline.error)} if outline.error else {})
+
+
+def list_unknown(nodes: Iterable[JsonNode], *known: str) -> list[str]:
+    """List the members of objects that are not understood, each once, as a phrase."""
+    found = {
+        f"{_INDEX.sub('', node.path).removeprefix('$').removeprefix('.')}.{name}".removeprefix(".")
+        for node in nodes
+        if isinstance(node.value, Mapping)
+        for name in node.value
+        if name not in known
+    }
+    return [f"the unknown field {quote(name)}" for name in sorted(found)]

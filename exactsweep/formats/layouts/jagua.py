@@ -1,7 +1,10 @@
 """JSON of sparrow, jagua-rs and spyrrow.
 
 An instance has items with a demand and orientations in degrees, any where none are listed, and a
-strip or bins. A solution turns items counter-clockwise about their origin, then moves them. spyrrow
+strip or bins. A solution turns items counter-clockwise about their origin, then moves them. From
+version 1.0.0 on, an instance has the least distance of items from each other and from the
+container, and each item an `orientation`: its rotations, and the axes about which it may be
+reflected before. A placement that is `reflected` is so at the X axis, before it is turned. spyrrow
 writes no file: the attributes of its solution are the members here. All convert an angle of the
 instance to radians and back in single precision: of 30 degrees they write 30.000002.
 
@@ -25,32 +28,52 @@ from exactsweep.formats.layouts.found import (
     NestingInstance,
     compare_stock,
     find_named,
+    list_unknown,
     make_layouts,
     require_instance,
     require_within_strip,
 )
 from exactsweep.formats.node import Data, JsonNode, write_box, write_shape
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
+
+_DOCUMENT = "name", "items", "bins", "strips", "strip_height", "min_item_separation", "solution"
+_ITEM = "id", "demand", "shape", "allowed_orientations", "orientation", "min_quality"
+_CONTAINER = "id", "shape", "zones", "stock", "cost"
+_SOLUTION = (
+    *("strip_width", "width", "height", "layout", "layouts", "containers", "density", "cost"),
+    *("run_time_sec", "placed_items", "container_id", "usage"),
+)
+_PLACED = "item_id", "id", "transformation", "rotation", "translation", "reflected"
+_MOST_TURNS = 65_536
+# Angles in single precision are as near.
+_NEARLY = Fraction(1, 10_000)
 
 
 def read_instance(document: JsonNode) -> NestingInstance:
     """Read the items and bins of an instance; raises FormatError."""
     parts: dict[str, Data] = {}
-    containers, stock, notes = {}, {}, []
+    containers, stock = {}, {}
+    unchecked = list_unknown([document], *_DOCUMENT)
+    unchecked += list_unknown((document / "items").each(), *_ITEM)
+    unchecked += list_unknown(document.get("bins", []).each(), *_CONTAINER)
     for item in (document / "items").each():
         name = (item / "id").name
         if name in parts:
             raise FormatError(f"{item.path}.id: the id {quote(name)} is there twice")
         part = {"id": name, **_shape(item / "shape"), "demand": (item / "demand").whole}
         part["mirrored"] = False
-        if item.has("allowed_orientations"):
+        if item.has("orientation"):
+            unchecked += list_unknown([item / "orientation"], "rotation", "reflection_axes")
+            part |= _read_orientation(item / "orientation")
+        elif item.has("allowed_orientations"):
             turns = [turn.number for turn in (item / "allowed_orientations").each()]
             part["turns"] = turns or ["0"]
         if item.has("min_quality"):
-            notes.append(f"item {name}: its least quality is not looked at")
+            unchecked.append(f"the least quality of item {name}")
         parts[name] = part
     for bin in document.get("bins", []).each():
-        containers[(bin / "id").name] = _container(bin, notes)
+        containers[(bin / "id").name] = _container(bin, unchecked)
         if bin.has("stock"):
             stock[(bin / "id").name] = (bin / "stock").whole
     least = {name: part["demand"] for name, part in parts.items()}
@@ -58,9 +81,41 @@ def read_instance(document: JsonNode) -> NestingInstance:
     name = "height" if document.has("strips") else "strip_height"
     height = (strip / name).fraction if strip.has(name) else None
     width = (strip / "max_width").fraction if strip.has("max_width") else None
+    rest = {}
+    if document.has("min_item_separation"):
+        apart = (document / "min_item_separation").number
+        rest = {"spacing": apart, "margin": apart}
     return NestingInstance(
-        "jagua", parts, least, containers, {}, tuple(notes), height, width, stock
+        "jagua", parts, least, containers, rest, (), tuple(unchecked), height, width, stock
     )
+
+
+def _read_orientation(orientation: JsonNode) -> Data:
+    """Read which turns are allowed, and which ones of reflected copies, as Layout JSON has them."""
+    rotation = orientation / "rotation"
+    mode = (rotation / "mode").name
+    axes = [axis.fraction for axis in orientation.get("reflection_axes", []).each()]
+    found: Data = {"mirrored": bool(axes)}
+    if mode == "continuous":
+        return found
+    if mode == "discrete":
+        turns = [(angle.fraction, angle.number) for angle in (rotation / "angles").each()]
+    elif mode == "stepped":
+        step = (rotation / "step").fraction
+        number = round(360 / step) if step > 0 else 0
+        if not 0 < number <= _MOST_TURNS or abs(number * step - 360) > _NEARLY:
+            raise FormatError(f"{rotation.path}.step does not divide 360 degrees")
+        # Of a step such as 51.428571 the exact one is meant.
+        angles = [Fraction(360 * k, number) for k in range(number)]
+        turns = [(angle, format_fraction(angle)) for angle in angles]
+    else:
+        raise FormatError(f"{rotation.path}.mode: {quote(mode)} is no mode of rotation")
+    found["turns"] = [written for _, written in turns]
+    # Mirrored at the Y axis, turned by 180 degrees, is mirrored at the X axis.
+    mirrored = sorted({(angle + 2 * axis + 180) % 360 for angle, _ in turns for axis in axes})
+    if mirrored and set(mirrored) != {angle % 360 for angle, _ in turns}:
+        found["mirrored_turns"] = [format_fraction(angle) for angle in mirrored]
+    return found
 
 
 def read_solution(document: JsonNode, known: NestingInstance | None) -> list[FoundLayout]:
@@ -85,8 +140,16 @@ def read_solution(document: JsonNode, known: NestingInstance | None) -> list[Fou
         zero = Fraction(0)
         boxes = [{"exterior": write_box(zero, zero, width.fraction, instance.height)}]
     placed = [*map(_placed, layouts)]
-    notes = [*compare_stock(used, instance), *_allow_rounded(instance, chain(*placed))]
-    return make_layouts([*map(FilledSheet, boxes, placed)], instance, notes)
+    notes = [*_allow_rounded(instance, chain(*placed))]
+    items = [item for one in layouts for item in (one / "placed_items").each()]
+    motions = [item.either("transformation") for item in items]
+    unchecked = [
+        *compare_stock(used, instance),
+        *list_unknown([solution], *_SOLUTION),
+        *list_unknown(layouts, *_SOLUTION),
+        *list_unknown([*items, *motions], *_PLACED),
+    ]
+    return make_layouts([*map(FilledSheet, boxes, placed)], instance, notes, unchecked)
 
 
 def _placed(layout: JsonNode) -> list[Data]:
@@ -95,26 +158,46 @@ def _placed(layout: JsonNode) -> list[Data]:
         motion = item.either("transformation")
         part = (item / ("item_id" if item.has("item_id") else "id")).name
         move, turn = (motion / "translation").pair, (motion / "rotation").number
-        found.append({"part": part, "turn": turn, "move": move})
+        placement: Data = {"part": part, "turn": turn, "move": move}
+        if motion.get("reflected", False).is_true:
+            half_turned = format_fraction((motion / "rotation").fraction + 180)
+            placement |= {"turn": half_turned, "mirrored": True}
+        found.append(placement)
     return found
 
 
 def _allow_rounded(instance: NestingInstance, placements: Iterable[Data]) -> Iterator[str]:
     """Allow turns that are allowed ones as the program rounds them, and name them."""
-    exact = {
-        name: {Fraction(turn) % 360 for turn in part["turns"]}
+    exact: dict[tuple[str, str], set[Fraction]] = {
+        (name, key): {Fraction(turn) % 360 for turn in part[key]}
         for name, part in instance.parts.items()
-        if "turns" in part
+        for key in ("turns", "mirrored_turns")
+        if key in part
     }
     for placement in placements:
         name, turn = placement["part"], placement["turn"]
-        if name in exact and Fraction(turn) % 360 not in exact[name]:
-            allowed = instance.parts[name]["turns"]
-            meant = next((one for one in allowed if _round(one) == _read_single(turn)), None)
+        key = "mirrored_turns" if placement.get("mirrored") else "turns"
+        if (name, key) not in exact:
+            key = "turns"
+        if (name, key) in exact and Fraction(turn) % 360 not in exact[name, key]:
+            allowed = instance.parts[name][key]
+            is_near = _is_near if placement.get("mirrored") else _is_rounded
+            meant = next((one for one in allowed if is_near(one, turn)), None)
             if meant is not None:
-                exact[name].add(Fraction(turn) % 360)
+                exact[name, key].add(Fraction(turn) % 360)
                 allowed.append(turn)
                 yield f"item {name}: the turn {turn} is {meant} in single precision"
+
+
+def _is_rounded(degrees: str, written: str) -> bool:
+    """Decide whether a turn is another one as the program rounds it."""
+    return _round(degrees) == _read_single(written)
+
+
+def _is_near(degrees: str, written: str) -> bool:
+    """Decide whether a turn is nearly another one, up to whole turns."""
+    apart = (Fraction(degrees) - Fraction(written)) % 360
+    return min(apart, 360 - apart) <= _NEARLY
 
 
 def _round(degrees: str) -> float:
@@ -128,13 +211,13 @@ def _read_single(number: str) -> float:
     return nan if "/" in number else c_float(float(number)).value
 
 
-def _container(value: JsonNode, notes: list[str]) -> Data:
+def _container(value: JsonNode, unchecked: list[str]) -> Data:
     """Read a container, of which zones of quality 0 are holes."""
     found = _shape(value / "shape")
     for zone in value.get("zones", []).each():
         quality = (zone / "quality").whole
         if quality:
-            notes.append(f"{zone.path}: a zone of quality {quality} is not looked at")
+            unchecked.append(f"a zone of quality {quality} ({zone.path})")
         else:
             found.setdefault("holes", []).append(_shape(zone / "shape")["exterior"])
     return found

@@ -22,9 +22,9 @@ from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
+from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, write_rings
-from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.node import Data
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import name_refusals, quote
@@ -142,7 +142,7 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
             shape = drawing.one_shape([named[f"item_{name}"]], use)
             drawing.parts[name] = {"id": name, **shape}
         placements.append({"part": name, **drawing.motion(use)})
-    yield FilledSheet(container, placements)
+    yield FilledSheet(container, placements, places=_list_lines(uses))
 
 
 def _nested(root: Element, drawing: _NestDrawing) -> Iterator[FilledSheet]:
@@ -164,9 +164,14 @@ def _nested(root: Element, drawing: _NestDrawing) -> Iterator[FilledSheet]:
                 known[key] = str(len(known))
                 drawing.parts[known[key]] = {"id": known[key], **shape}
             placements.append({"part": known[key], **drawing.motion(child)})
-        yield FilledSheet(drawing.one_shape(outlines, group), placements)
+        container = drawing.one_shape(outlines, group)
+        yield FilledSheet(container, placements, places=_list_lines(moved))
     if known:
         drawing.require_all(root, read)
+
+
+def _list_lines(elements: Iterable[Element]) -> tuple[str, ...]:
+    return tuple(f"line {line(element)}" for element in elements)
 
 
 def _is_sheet(element: Element) -> bool:

@@ -22,6 +22,7 @@ from exactsweep.formats.layouts.found import (
     NestingInstance,
     compare_stock,
     find_named,
+    list_unknown,
     make_layouts,
 )
 from exactsweep.formats.node import Data, JsonNode, write_box, write_ring, write_shape
@@ -29,25 +30,40 @@ from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
 
+_SHAPE = "type", "x", "y", "width", "height", "radius", "vertices", "elements", "holes", "shape"
+_DOCUMENT = "objective", "parameters", "item_types", "bin_types", "name", "bins", "open_dimension_x"
+_PARAMETERS = "item_item_minimum_spacing", "item_bin_minimum_spacing", "leftover_corner"
+_ITEM = (
+    *("shapes", "copies", "copies_min", "allowed_rotations", "allow_mirroring", "profit", "name"),
+    *_SHAPE,
+)
+_BIN = (
+    *("defects", "item_bin_minimum_spacing", "copies", "copies_min", "cost", "fixed_items", "name"),
+    *_SHAPE,
+)
+
 
 def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
     """Read the item types and bin types of an instance; raises FormatError."""
-    notes: list[str] = []
+    unchecked = list_unknown([document], *_DOCUMENT)
+    unchecked += list_unknown((document / "item_types").each(), *_ITEM)
+    unchecked += list_unknown((document / "bin_types").each(), *_BIN)
     optional = document.get("objective", "").name.lower() == "knapsack"
     parameters = document.get("parameters", {})
+    unchecked += list_unknown([parameters], *_PARAMETERS)
     parts, least, containers, stock = {}, {}, {}, {}
     for k, item in enumerate((document / "item_types").each()):
         shapes = [*(item / "shapes").each()] if item.has("shapes") else [item]
         if len(shapes) != 1:
             raise FormatError(f"{item.path}: {len(shapes)} shapes together are not one part")
-        part = {"id": str(k), **_shape(shapes[0], reading), **_allowed(item, notes)}
+        part = {"id": str(k), **_shape(shapes[0], reading), **_allowed(item, unchecked)}
         copies, few = item.get("copies", "1").whole, item.get("copies_min", "-1").whole
         if copies >= 0:
             part["demand"] = copies
         least[str(k)] = few if few >= 0 else 0 if optional else copies
         parts[str(k)] = part
     for k, bin in enumerate((document / "bin_types").each()):
-        container = _shape(bin, reading)
+        container, defects = _shape(bin, reading), []
         # Before 2026, all bins had one spacing.
         common = parameters.get("item_bin_minimum_spacing", "0").value
         margin = bin.get("item_bin_minimum_spacing", common)
@@ -55,22 +71,16 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
         if copies >= 0:
             stock[str(k)] = copies
         if bin.has("fixed_items"):
-            notes.append(f"{bin.path}: whether its fixed items are placed is not looked at")
+            unchecked.append(f"whether the fixed items of {bin.path} are placed")
         for defect in bin.get("defects", []).each():
             shape = _shape(defect, reading)
-            container.setdefault("holes", []).append(shape["exterior"])
-            if "error" in shape:
-                errors = shape["error"], container.get("error", "0")
-                container["error"] = max(errors, key=Fraction)
-            if "holes" in shape:
-                raise FormatError(f"{defect.path}: a defect with holes is not read")
-            apart = defect.get("item_defect_minimum_spacing", "0")
-            if apart.fraction != margin.fraction:
-                notes.append(f"{defect.path}: its own spacing, {apart.value}, is not looked at")
-        containers[str(k)] = container | {"margin": margin.number}
+            apart = defect.get("item_defect_minimum_spacing", "0").number
+            defects.append(shape | {"spacing": apart})
+            unchecked += list_unknown([defect], "item_defect_minimum_spacing", "id", *_SHAPE)
+        containers[str(k)] = container | {"margin": margin.number, "defects": defects}
     rest = {"spacing": parameters.get("item_item_minimum_spacing", "0").number}
     return NestingInstance(
-        "packingsolver", parts, least, containers, rest, tuple(notes), stock=stock
+        "packingsolver", parts, least, containers, rest, (), tuple(unchecked), stock=stock
     )
 
 
@@ -82,7 +92,9 @@ def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[
     used: Counter[str] = Counter()
     for bin in (document / "bins").each():
         container = dict(find_named(instance.containers, bin / "id", "bin type"))
-        rest = {"margin": container.pop("margin")}
+        rest: Data = {"margin": container.pop("margin")}
+        if defects := container.pop("defects"):
+            rest["defects"] = defects
         placements = []
         for item in (bin / "items").each():
             find_named(instance.parts, item / "id", "item type")
@@ -93,7 +105,7 @@ def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[
         copies = bin.get("copies", "1").whole
         used[(bin / "id").name] += copies
         found.append(FilledSheet(container, placements, copies, rest))
-    return make_layouts(found, instance, compare_stock(used, instance))
+    return make_layouts(found, instance, (), compare_stock(used, instance))
 
 
 def _read_drawn(document: JsonNode) -> list[FoundLayout]:
@@ -102,34 +114,38 @@ def _read_drawn(document: JsonNode) -> list[FoundLayout]:
     sheets = []
     for bin in (document / "bins").each():
         container = _drawn(bin)
-        holes = [_drawn(defect)["exterior"] for defect in bin.get("defects", []).each()]
+        defects = [_drawn(defect) for defect in bin.get("defects", []).each()]
         placements = []
         for item in (bin / "items").each():
             for shape in (item / "item_shapes").each():
                 name = str(len(parts))
                 parts[name] = {"id": name, **_drawn(shape)}
                 placements.append(STANDING | {"part": name})
-        sheets.append(FilledSheet(container | {"holes": holes}, placements))
+        rest = {"defects": defects} if defects else {}
+        sheets.append(FilledSheet(container, placements, rest=rest))
     note = "without the instance, items are judged as the solution draws them, rounded"
     return make_layouts(sheets, NestingInstance("packingsolver", parts, {}, {}, {}, (note,)))
 
 
-def _allowed(item: JsonNode, notes: list[str]) -> Data:
-    """Read which turns are allowed, where they are single angles, and whether mirrored."""
-    ranges, mirrored = [], []
+def _allowed(item: JsonNode, unchecked: list[str]) -> Data:
+    """Read which turns are allowed, where they are single angles, and which ones mirrored."""
+    plain: list[Fraction] = []
+    mirrored: list[Fraction] = []
+    ranges: list[Fraction] = []
+    both = item.get("allow_mirroring", False).is_true
     for one in item.get("allowed_rotations", []).each():
-        ranges.append(((one / "start").fraction, (one / "end").fraction))
-        mirrored.append(one.get("mirror", False).is_true)
-    found: Data = {}
-    if not item.get("allow_mirroring", False).is_true:
-        if any(mirrored):
-            notes.append(f"{item.path}: which turns are for mirrored copies is not looked at")
-        else:
-            found["mirrored"] = False
-    if all(low == high for low, high in ranges):
-        found["turns"] = [format_fraction(low) for low, _ in ranges] or ["0"]
-    elif all(high - low < 360 for low, high in ranges):
-        notes.append(f"{item.path}: whether turns are in its ranges is not looked at")
+        low, high = (one / "start").fraction, (one / "end").fraction
+        (mirrored if one.get("mirror", False).is_true else plain).append(low)
+        ranges.append(high - low)
+    found: Data = {"mirrored": both or bool(mirrored)}
+    if any(size and size < 360 for size in ranges):
+        unchecked.append(f"whether turns are in the ranges of {item.path}")
+    if any(ranges):
+        return found
+    found["turns"] = [*map(format_fraction, plain or ([] if mirrored else [Fraction(0)]))]
+    if mirrored:
+        copies = [*plain, *mirrored] if both else mirrored
+        found["mirrored_turns"] = [*map(format_fraction, copies)]
     return found
 
 

@@ -2,36 +2,34 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import partial
-from typing import Any, Unpack
+from glob import has_magic
+from typing import Any, Literal, Unpack
 
-from exactsweep.formats.candidate import Candidate, choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json
 from exactsweep.formats.files import read_text, show_path
-from exactsweep.formats.folder import make_unique
 from exactsweep.formats.layouts import cgshop, jagua, packingsolver
+from exactsweep.formats.layouts.drawing import draw_layouts
 from exactsweep.formats.layouts.found import (
-    STANDING,
     FoundLayout,
     NestingInstance,
     make_layouts,
     require_within_strip,
-    write_rings,
 )
 from exactsweep.formats.layouts.instances import read_instance
-from exactsweep.formats.nesting import nest_candidates
+from exactsweep.formats.layouts.inventory import compare_inventory, read_inventory
 from exactsweep.formats.node import Data, JsonNode
-from exactsweep.formats.parsing import parse_by
-from exactsweep.formats.part_list import Said
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import quote, tells_arguments
-from exactsweep.words import count
+
+_Container = str | Literal[False] | None
 
 
 class LayoutOptions(Options, total=False):
@@ -39,12 +37,12 @@ class LayoutOptions(Options, total=False):
 
     Attributes:
         instance: the instance that a solution answers.
-        container: which outline of a drawing is the container.
+        container: which outline of a drawing is the container; False for no container.
         tolerance: how far lines may be from curves.
     """
 
     instance: str | None
-    container: str | None
+    container: _Container
     tolerance: object
 
 
@@ -76,7 +74,10 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayo
         [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
     """
     instance, container, reading = _take_options(**options)
-    return _parse_each(text, _parse_instance(instance, reading), container, reading)
+    known = _parse_instance(instance, reading)
+    if instance is not None and known is None:
+        raise FormatError("not an instance of a nesting program")
+    return _parse_each(text, known, container, reading)
 
 
 @tells_arguments
@@ -89,9 +90,10 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
             spyrrow, of packingsolver and of CG:SHOP 2024 as JSON; SVG of sparrow, jagua-rs, SVGnest
             and Deepnest; or any drawing that `read_regions` reads, its outlines where they stand.
         instance: the file of the instance that a solution answers; needed where the solution does
-            not hold it. It says what is to be placed how often, and which turns are allowed.
-        container: which outline of a drawing is the container, by name, index or layer; if left
-            out, the one whose box is around all others.
+            not hold it. It says what is to be placed how often, and which turns are allowed. Or a
+            drawing, a file of polygons or a folder of parts, each to be placed once.
+        container: which outline of a drawing is the container, by name, index or layer; False for
+            no container; if left out, the command finds it.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
 
@@ -105,10 +107,19 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
     """
     instance, container, reading = _take_options(**options)
     file, choice = split_choice(path)
-    with name_file(instance or file):
-        known = _parse_instance(None if instance is None else read_text(instance), reading)
+    known, wanted = None, None
+    if instance is not None:
+        text = "" if os.path.isdir(instance) or has_magic(instance) else read_text(instance)
+        with name_file(instance):
+            known = _parse_instance(text, reading) if text.lstrip()[:1] == "{" else None
+        if known is None:
+            wanted = read_inventory(instance, reading)
     with name_file(file):
         found = _parse_each(read_text(file), known, container, reading)
+        if wanted is not None:
+            if len(found) > 1:
+                raise FormatError(f"{len(found)} sheets; an instance of parts is for one sheet")
+            found = [compare_inventory(one, wanted) for one in found]
         if choice is None:
             return found
         if choice.isascii() and choice.isdigit() and int(choice) < len(found):
@@ -118,11 +129,11 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
 
 def _take_options(
     instance: str | None = None,
-    container: str | None = None,
+    container: _Container = None,
     tolerance: object = None,
     **options: Unpack[Options],
-) -> tuple[str | None, str | None, Reading]:
-    for name, value in (("instance", instance), ("container", container)):
+) -> tuple[str | None, _Container, Reading]:
+    for name, value in (("instance", instance), ("container", container or None)):
         if not isinstance(value, str | None):
             raise FormatError(f"{name} is {quote(value)}, not a string")
     return instance, container, Reading(tolerance, **options)
@@ -131,17 +142,21 @@ def _take_options(
 def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | None:
     if text is None:
         return None
-    found = read_instance(JsonNode(parse_json(text)), reading)
-    if found is None:
-        raise FormatError("not an instance of a nesting program")
-    return found
+    return read_instance(JsonNode(parse_json(text)), reading)
 
 
 def _parse_each(
-    text: str, known: NestingInstance | None, container: str | None, reading: Reading
+    text: str,
+    known: NestingInstance | None,
+    container: _Container,
+    reading: Reading,
 ) -> list[FoundLayout]:
     """Read the layouts of a text so that each can be read again, more finely."""
     found = _parse(text, known, container, reading)
+    if container is False:
+        found = [one._replace(data={**one.data}) for one in found]
+        for one in found:
+            one.data.pop("container", None)
     if text.lstrip()[:1] in "[{":
         # Layout JSON has its errors as they are.
         return found
@@ -150,7 +165,7 @@ def _parse_each(
         k: int, names: Collection[str | None], tolerance: Fraction
     ) -> Mapping[str | None, Data]:
         data = _parse(text, known, container, reading.at(tolerance))[k].data
-        shapes = {part["id"]: part for part in data["parts"]} | {None: data["container"]}
+        shapes = {part["id"]: part for part in data["parts"]} | {None: data.get("container", {})}
         return {name: shapes[name] for name in names if name in shapes}
 
     return [
@@ -162,20 +177,23 @@ def _parse_each(
 
 
 def _list_curved(data: Data) -> list[Data]:
-    return [shape for shape in (data["container"], *data["parts"]) if "error" in shape]
+    return [shape for shape in (data.get("container", {}), *data["parts"]) if "error" in shape]
 
 
 def _parse(
-    text: str, known: NestingInstance | None, container: str | None, reading: Reading
+    text: str,
+    known: NestingInstance | None,
+    container: _Container,
+    reading: Reading,
 ) -> list[FoundLayout]:
     first = text.lstrip()[:1]
-    if container is None and first == "{":
+    if not container and first == "{":
         found = _read_json(JsonNode(parse_json(text)), known, reading)
         if found:
             # No such file states its unit.
             reading.scale(None)
             return found
-    if container is None and first == "<" and reading.unit is None:
+    if not container and first == "<" and reading.unit is None:
         from exactsweep.formats.curved.xml import parse_xml
         from exactsweep.formats.layouts.nest_svg import read_nest
 
@@ -190,14 +208,14 @@ def _parse(
             return make_layouts(sheets, known or drawn, notes)
     if known is not None:
         raise FormatError("not a solution to an instance")
-    return [_draw_layout(text, container, reading)]
+    return draw_layouts(text, container, reading)
 
 
 def _read_json(
     document: JsonNode, known: NestingInstance | None, reading: Reading
 ) -> list[FoundLayout]:
     """Read a document; the result is empty if no nesting program writes such documents."""
-    if all(map(document.has, ("container", "parts", "placements"))):
+    if all(map(document.has, ("parts", "placements"))):
         if known is not None:
             raise FormatError("Layout JSON has its own parts and rules, and no instance")
         return [FoundLayout("", _with_counts(document))]
@@ -244,68 +262,3 @@ def _make_shape(part: Data) -> object:
         return Region(*rings)
     except PolygonError:
         return rings
-
-
-def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLayout:
-    """Make a layout of a drawing, each outline a part where it stands.
-
-    Raises FormatError if one of them cannot be read: with it, the layout may be wrong.
-    """
-    drawn = parse_by(text, reading.without_nesting())
-    notes = [
-        *drawn.left_out,
-        *drawn.notes,
-        *(f"left out: {one.fault}" for one in drawn if one.fault),
-    ]
-    said = Said(notes, notes)
-    outlines: list[Candidate] = []
-    for one in drawn:
-        if not one.ornament:
-            try:
-                outlines += one.split(said)
-            except PolygonError:
-                # The judge reports the shape.
-                outlines.append(one)
-    if not outlines:
-        raise FormatError(notes[0] if notes else "no outline is drawn")
-    around = _find_around(outlines) if container is None else choose(outlines, container)
-    rest = [one for one in outlines if one is not around]
-    if not rest:
-        raise FormatError("one outline alone is drawn: nothing is placed")
-    if reading.nested:
-        drawn_rings = len(rest)
-        rest = nest_candidates(rest, reading.nested)
-        if len(rest) < drawn_rings:
-            inside = count(drawn_rings - len(rest), "outline")
-            notes.append(f"{inside} inside others counted as holes, not as parts (--nested)")
-    names = make_unique([one.name or one.layer or str(k) for k, one in enumerate(rest)])
-    parts = [{"id": name, **write_rings(one)} for name, one in zip(names, rest, strict=True)]
-    placements = [STANDING | {"part": name} for name in names]
-    data: Data = {"container": write_rings(around), "parts": parts, "placements": placements}
-    drawn_as = dict(zip(names, rest, strict=True)) | {None: around}
-
-    def flatten(names: Collection[str | None], tolerance: Fraction) -> Mapping[str | None, Data]:
-        found: dict[str | None, Data] = {}
-        for name in names:
-            finer = drawn_as[name].finer
-            one = finer(tolerance) if finer else None
-            if one is not None:
-                found[name] = write_rings(one)
-        return found
-
-    return FoundLayout("", data, tuple(notes), flatten if _list_curved(data) else None)
-
-
-def _find_around(outlines: list[Candidate]) -> Candidate:
-    boxes = []
-    for one in outlines:
-        vertices = one.vertices()
-        if not vertices:
-            raise FormatError(f"{one.place}: no vertices")
-        xs, ys = zip(*vertices, strict=True)
-        boxes.append((min(xs), min(ys), -max(xs), -max(ys)))
-    least = [min(sides) for sides in zip(*boxes, strict=True)]
-    around = [one for one, box in zip(outlines, boxes, strict=True) if [*box] == least]
-    if len(around) != 1:
-        raise FormatError("no outline is around all others; name the container (--container)")
-    return around[0]

@@ -1,20 +1,21 @@
-"""A judged layout as one self-contained HTML page without scripts."""
+"""A judged layout as one self-contained HTML page: zoom, parts by name, one fault a click."""
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Iterable, Sequence
+from hashlib import sha256
 from importlib.resources import files
 
 from exactsweep import __version__
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.report.picture import SIDE, draw_parts, enlarge_faults, write_style
-from exactsweep.layout.report.table import tell_error, tell_fault, write_verdict
-from exactsweep.layout.report.worst import WorstFirst
-from exactsweep.numbers.digits import abridge
-from exactsweep.text.report import approximate, take_root
+from exactsweep.layout.report.table import find_remarks, list_measures, tell_fault
+from exactsweep.layout.report.worst import NO_CONTEXT, ReportContext, WorstFirst
 from exactsweep.text.template import make_environment
+from exactsweep.words import spell_out
 
-_MOST_LISTED = 1000
+_MOST_LISTED, _MOST_MARKED = 1000, 20
 
 
 def write_layout_page(
@@ -24,6 +25,7 @@ def write_layout_page(
     notes: Iterable[str] = (),
     *,
     y_down: bool = False,
+    context: ReportContext = NO_CONTEXT,
 ) -> str:
     """Write a judged layout as an HTML page, with pictures of the worst faults.
 
@@ -33,6 +35,7 @@ def write_layout_page(
         title: the name of the layout.
         notes: further remarks.
         y_down: whether Y points down in the pictures.
+        context: what the reader of the file knows.
 
     Returns:
         The page. It escapes all names.
@@ -42,25 +45,40 @@ def write_layout_page(
     from markupsafe import Markup
 
     environment = make_environment()
-    template = files("exactsweep.layout.report").joinpath("page.html.j2").read_text("utf-8")
+    folder = files("exactsweep.layout.report")
+    template = folder.joinpath("page.html.j2").read_text("utf-8")
+    script = folder.joinpath("page.js").read_text("utf-8")
+    digest = b64encode(sha256(script.encode()).digest()).decode()
+    names = [spell_out(f"{k} {one.part}") for k, one in enumerate(judgement.layout.placements)]
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
-    environment.filters |= {"about": approximate, "exactly": abridge, "root": take_root}
-    environment.filters["tell_error"] = tell_error
+    facts = list_measures(judgement, ranked, context)
+    is_good = judgement.valid or all(one.accepted for one in ranked)
     return environment.from_string(template).render(
         side=SIDE,
         title=title,
         version=__version__,
         style=Markup(write_style()),
-        verdict=write_verdict(judgement),
-        judgement=judgement,
+        script=Markup(script),
+        script_hash=f"sha256-{digest}",
+        names=names[:_MOST_LISTED],
+        placed={
+            number: " ".join(map(str, one.fault.placements[:_MOST_MARKED]))
+            for number, one in enumerate(ranked[:_MOST_LISTED], 1)
+        },
+        verdict=facts.pop("verdict"),
+        facts=facts,
+        good=is_good,
         width=width,
         height=height,
         main=Markup(main),
         panels=[
             (panel.number, panel.caption, Markup(panel.svg))
-            for panel in enlarge_faults(judgement, ranked, y_down=y_down)
+            for panel in enlarge_faults(judgement, ranked, y_down=y_down, context=context)
         ],
-        faults=[(one.fault.kind, *tell_fault(one)) for one in ranked[:_MOST_LISTED]],
+        faults=[
+            (number, one.fault.kind, *tell_fault(judgement, one, context))
+            for number, one in enumerate(ranked[:_MOST_LISTED], 1)
+        ],
         more=max(0, len(ranked) - _MOST_LISTED),
-        notes=[*notes],
+        notes=[*notes, *find_remarks(judgement, ranked, context)],
     )

@@ -10,22 +10,24 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from html import escape
 from importlib.resources import files
+from itertools import chain
 from typing import NamedTuple
 
 from exactsweep.canvas import style
 from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.pieces import clip
-from exactsweep.layout.report.worst import WorstFirst, rank_faults
-from exactsweep.numbers.number import Point, Vertex
+from exactsweep.layout.report.worst import NO_CONTEXT, ReportContext, WorstFirst, rank_faults
+from exactsweep.numbers.number import Loop, Point, Vertex
 from exactsweep.text.report import approximate, take_root
-from exactsweep.words import count
+from exactsweep.words import count, spell_out
 
 _WIDTH, _NARROW, _LEAST, _MOST = 960, 480, 160, 640
 _MARGIN, _GAP, _LINE = 14, 20, 20
-_MOST_ENLARGED = 12
+_MOST_ENLARGED, _MOST_LABELLED = 12, 150
 
 SIDE = 218
 """Of the square picture of a place, in pixels."""
@@ -55,7 +57,12 @@ class Enlarged(NamedTuple):
 
 
 def draw_layout(
-    judgement: Judgement, ranked: Sequence[WorstFirst], title: str, *, y_down: bool = False
+    judgement: Judgement,
+    ranked: Sequence[WorstFirst],
+    title: str,
+    *,
+    y_down: bool = False,
+    context: ReportContext = NO_CONTEXT,
 ) -> str:
     """Draw a layout as an SVG image with its faults enlarged below.
 
@@ -64,6 +71,7 @@ def draw_layout(
         ranked: its faults, as `rank_faults` sorts them.
         title: the title of the picture.
         y_down: whether Y points down, as in viewers of SVG.
+        context: what the reader of the file knows.
 
     Returns:
         An SVG document, for light and dark backgrounds.
@@ -74,7 +82,7 @@ def draw_layout(
     Cost: linear in the vertices of the placed parts and of the enlarged faults.
     """
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
-    panels = enlarge_faults(judgement, ranked, y_down=y_down)
+    panels = enlarge_faults(judgement, ranked, y_down=y_down, context=context)
     across = (width - 2 * _MARGIN + _GAP) // (SIDE + _GAP)
     drawn = []
     for k, panel in enumerate(panels):
@@ -124,17 +132,19 @@ class LayoutPicture:
 def draw_parts(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> tuple[int, int, str]:
-    """Draw the container and all parts; faults are red, with numbers at their witnesses.
+    """Draw the container and all parts; faulty ones are red, with a circle at each witness.
+
+    The numbers in the parts are those of the placements.
 
     Returns:
         The width and the height, in pixels, and elements of SVG.
     """
     layout = judgement.layout
     placed = [place_part(layout, k) for k in range(len(layout.placements))]
-    around = layout.container.rings
-    points = [
-        point for ring in (*around, *(ring for one in placed for ring in one)) for point in ring
-    ]
+    around, defects = list_walls(layout)
+    points: list[Point] = [point for ring in chain(around, *defects, *placed) for point in ring]
+    if not points:
+        return _WIDTH, _LEAST, ""
     (xs, ys) = zip(*points, strict=True)
     share = Fraction(max(ys) - min(ys)) / (max(xs) - min(xs))
     wide, high = _WIDTH - 2 * _MARGIN, _MOST - 2 * _MARGIN
@@ -145,23 +155,33 @@ def draw_parts(
         window = window.turned()
     # That there are too few, or too many, is no fault of one of them.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
-    drawn = [_path("defect", [hole], window) for hole in around[1:]]
+    drawn = [_path("defect", rings, window) for rings in defects]
     for is_bad in (False, True):
         name = "bad" if is_bad else "part"
-        drawn += [_path(name, one, window) for k, one in enumerate(placed) if (k in bad) == is_bad]
-    drawn.append(_path("container", around[:1], window))
-    marked = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
-    for number, one in enumerate(marked, 1):
+        drawn += [
+            _path(name, one, window, named=(k, layout.placements[k].part))
+            for k, one in enumerate(placed)
+            if (k in bad) == is_bad
+        ]
+    if around:
+        drawn.append(_path("container", around, window))
+    for one in [one for one in ranked if one.fault.points][:_MOST_ENLARGED]:
         x, y = window.place(one.fault.points[0])
-        drawn.append(
-            f'<circle class="mark number" cx="{x:.1f}" cy="{y:.1f}" r="10"/>'
-            f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{number}</text>'
-        )
+        drawn.append(f'<circle class="mark" cx="{x:.1f}" cy="{y:.1f}" r="10"/>')
+    labelled = range(len(placed)) if len(placed) <= _MOST_LABELLED else sorted(bad)
+    for k in labelled[:_MOST_LABELLED]:
+        if placed[k][0]:
+            x, y = window.place(find_inner_point(judgement, k) or placed[k][0][0])
+            drawn.append(f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{k}</text>')
     return width, height, "".join(drawn)
 
 
 def enlarge_faults(
-    judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
+    judgement: Judgement,
+    ranked: Sequence[WorstFirst],
+    *,
+    y_down: bool = False,
+    context: ReportContext = NO_CONTEXT,
 ) -> list[Enlarged]:
     """Draw the places of the worst faults, each large enough to show the fault."""
     layout = judgement.layout
@@ -170,7 +190,7 @@ def enlarge_faults(
     for number, one in enumerate(shown, 1):
         fault = one.fault
         points = fault.points
-        move = None if one.square is None else fault.move
+        move = fault.move
         sizes = [square for square in (one.square, fault.distance_squared) if square]
         placed = {k: place_part(layout, k) for k in fault.placements}
         near = _measure(placed[fault.placements[-1]])
@@ -180,22 +200,44 @@ def enlarge_faults(
         window = Window(*low, *high, SIDE, SIDE)
         if y_down:
             window = window.turned()
-        around = layout.container.rings
-        drawn = [_path("defect", [_clip(hole, window)], window) for hole in around[1:]]
+        around, defects = list_walls(layout)
+        drawn = [
+            _path("defect", [_clip(ring, window) for ring in rings], window) for rings in defects
+        ]
         drawn += [
             _path("bad", [_clip(ring, window) for ring in one], window) for one in placed.values()
         ]
-        drawn.append(_path("container", [_clip(around[0], window)], window))
+        drawn.append(_path("container", [_clip(ring, window) for ring in around], window))
         if move is not None:
             end = Point(center.x + move.x, center.y + move.y)
             drawn.append(_path("way", [[center, end]], window, closed=False))
         for x, y in map(window.place, points):
             drawn.append(f'<circle class="mark" cx="{x:.1f}" cy="{y:.1f}" r="4"/>')
         drawn.append(f'<rect class="frame" x=".5" y=".5" width="{SIDE - 1}" height="{SIDE - 1}"/>')
-        named = " and ".join(map(str, fault.placements))
-        caption = f"{fault.kind}, {named}; the picture is {approximate(2 * near)} wide"
+        named = context.name_placements(judgement, fault)
+        wide = context.add_unit(approximate(2 * near))
+        caption = f"{fault.kind}, {named}; the picture is {wide} wide"
         found.append(Enlarged(number, caption, "".join(drawn)))
     return found
+
+
+def list_walls(layout: Layout) -> tuple[list[Loop], list[list[Loop]]]:
+    """Return the exterior of the container, if there is one, and the rings of each defect."""
+    defects = [[*one.region.rings] for one in layout.defects]
+    if layout.container is None:
+        return [], defects
+    exterior, *holes = layout.container.rings
+    return [exterior], [[hole] for hole in holes] + defects
+
+
+def find_inner_point(judgement: Judgement, k: int) -> Point | None:
+    """Return a point inside a placed part, in its largest piece; None if it is not simple."""
+    if k not in judgement._board.placed:
+        return None
+    solid = judgement._board.solid(k)
+    piece = max(solid.pieces, key=find_doubled_area)
+    xs, ys = zip(*piece, strict=True)
+    return solid.leave(Fraction(sum(xs), len(xs)), Fraction(sum(ys), len(ys)))
 
 
 def place_part(layout: Layout, k: int) -> list[list[Point]]:
@@ -223,10 +265,24 @@ def _measure(rings: Sequence[Sequence[Point]]) -> Fraction:
 
 
 def _path(
-    name: str, rings: Iterable[Sequence[Vertex]], window: Window, *, closed: bool = True
+    name: str,
+    rings: Iterable[Sequence[Vertex]],
+    window: Window,
+    *,
+    closed: bool = True,
+    named: tuple[int, str] | None = None,
 ) -> str:
     data = write_path((map(window.place, ring) for ring in rings), closed=closed)
-    return f'<path class="{name}" d="{data}"/>' if data else ""
+    if not data:
+        return ""
+    if named is None:
+        return f'<path class="{name}" d="{data}"/>'
+    number, part = named
+    title = escape(spell_out(f"{number} {part}"))
+    return (
+        f'<path class="{name}" id="part-{number}" data-name="{title}" d="{data}">'
+        f"<title>{title}</title></path>"
+    )
 
 
 def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:

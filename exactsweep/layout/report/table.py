@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from exactsweep.formats.exact_json import write_json
-from exactsweep.layout.fault import Fault
+from exactsweep.layout.fault import FaultKind
 from exactsweep.layout.judge import Judgement
-from exactsweep.layout.report.worst import WorstFirst, rank_faults
-from exactsweep.numbers.digits import abridge, format_fraction
-from exactsweep.numbers.number import Point
+from exactsweep.layout.report.worst import (
+    MOST_MEASURED,
+    NO_CONTEXT,
+    ReportContext,
+    WorstFirst,
+    rank_faults,
+)
+from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
+from exactsweep.numbers.number import ORIGIN, Point
 from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
 from exactsweep.text.results import write_object
 from exactsweep.words import count, spell_out
 
 _MOST_LISTED = 30
+# Faults that are this many times smaller than the layout look like rounding.
+_ROUNDING = 10**6
 
 
 def report_layout(
@@ -27,6 +35,7 @@ def report_layout(
     *,
     notes: Iterable[str] = (),
     everything: bool = False,
+    context: ReportContext = NO_CONTEXT,
 ) -> str:
     """Describe a judged layout: its faults, the worst first, or the least distance of parts.
 
@@ -36,6 +45,7 @@ def report_layout(
         terminal_width: the width of the terminal in columns; None for plain text.
         notes: further remarks.
         everything: whether to list all faults.
+        context: what the reader of the file knows.
 
     Returns:
         Lines of text.
@@ -56,34 +66,52 @@ def report_layout(
         density     1
         contacts    0
         <BLANKLINE>
-        fault    where    how bad   witness      repaired by
-        overlap  0 and 1  0.1 deep  (0.95, 0.5)  moving 1 by (0.1, 0)
+           fault    where              how bad   witness      repaired by
+        1  overlap  0 tile and 1 tile  0.1 deep  (0.95, 0.5)  moving 1 by (0.1, 0)
     """
-    ranked = rank_faults(judgement) if ranked is None else ranked
-    layout = judgement.layout
-    facts = {
-        "verdict": write_verdict(judgement),
-        "placements": f"{len(layout.placements)} of {count(len(layout.parts), 'part')}",
-        "density": _about(approximate(judgement.density), abridge(judgement.density)),
-        "contacts": str(len(judgement.contacts)),
-    }
-    if layout.greatest_error:
-        facts["curves"] = tell_error(layout.greatest_error)
-    nearest = judgement.distance
-    if nearest is not None and not (judgement.faults or judgement.contacts):
-        first, second = nearest.placements
-        root = approximate(take_root(nearest.square))
-        facts["nearest"] = f"placements {first} and {second}, {root} apart"
+    ranked = rank_faults(judgement, accepted=context.accepted) if ranked is None else ranked
+    facts = list_measures(judgement, ranked, context)
     tables = [list_facts(facts, max(map(len, facts)))]
     if ranked:
-        listed = make_table(("fault", "where", "how bad", "witness", "repaired by"))
-        for one in ranked if everything else ranked[:_MOST_LISTED]:
-            listed.add_row(one.fault.kind, *tell_fault(one))
+        listed = make_table(("", "fault", "where", "how bad", "witness", "repaired by"))
+        for number, one in enumerate(ranked if everything else ranked[:_MOST_LISTED], 1):
+            where, *rest = tell_fault(judgement, one, context)
+            listed.add_row(str(number), one.fault.kind, where, *rest)
         tables.append(listed)
     text = lay_out(tables, terminal_width)
     if len(ranked) > _MOST_LISTED and not everything:
         text += f"... {len(ranked) - _MOST_LISTED} more (--all)\n"
-    return text + "".join(f"note: {note}\n" for note in notes)
+    return text + "".join(
+        f"note: {note}\n" for note in [*notes, *find_remarks(judgement, ranked, context)]
+    )
+
+
+def list_measures(
+    judgement: Judgement, ranked: Sequence[WorstFirst], context: ReportContext = NO_CONTEXT
+) -> dict[str, str]:
+    """Write the verdict and the measures of a layout, by name."""
+    layout = judgement.layout
+    facts = {
+        "verdict": write_verdict(judgement, ranked, context),
+        "placements": f"{len(layout.placements)} of {count(len(layout.parts), 'part')}",
+    }
+    if layout.container is None and judgement.box is not None:
+        low, high = judgement.box
+        width, height = high.x - low.x, high.y - low.y
+        sides = f"{approximate(width)} x {context.add_unit(approximate(height))}"
+        facts["container"] = "none: only the parts among themselves are judged"
+        facts["box"] = f"{sides}, in a square of {approximate(max(width, height))}"
+    if judgement.density is not None:
+        facts["density"] = _about(approximate(judgement.density), abridge(judgement.density))
+    facts["contacts"] = str(len(judgement.contacts))
+    if layout.greatest_error:
+        facts["curves"] = tell_error(layout.greatest_error)
+    nearest = judgement.distance
+    if nearest is not None and not (judgement.faults or judgement.contacts):
+        named = " and ".join(context.name_placement(judgement, k) for k in nearest.placements)
+        root = context.add_unit(approximate(take_root(nearest.square)))
+        facts["nearest"] = f"{named}, {root} apart"
+    return facts
 
 
 def tell_error(error: Fraction) -> str:
@@ -91,51 +119,127 @@ def tell_error(error: Fraction) -> str:
     return f"judged as curves; drawn as lines within {approximate(error, up=True)} of them"
 
 
-def write_verdict(judgement: Judgement) -> str:
-    """Write that a layout is valid, or count its faults of each kind."""
+def write_verdict(
+    judgement: Judgement,
+    ranked: Sequence[WorstFirst] = (),
+    context: ReportContext = NO_CONTEXT,
+) -> str:
+    """Write that a layout is valid, or count its faults of each kind.
+
+    Args:
+        judgement: a Judgement.
+        ranked: its faults as `rank_faults` sorts them; needed if some depth is accepted.
+        context: what the reader of the file knows.
+    """
+    accepted = [one for one in ranked if one.accepted]
     kinds = Counter(fault.kind for fault in judgement.faults)
-    if not kinds:
-        return "valid"
+    kinds.subtract(one.fault.kind for one in accepted)
+    unchecked = f", but not judged: {'; '.join(context.unchecked)}" if context.unchecked else ""
+    depth = "" if context.accepted is None else approximate(context.accepted)
+    if not judgement.faults:
+        return f"valid{unchecked}"
+    if len(accepted) == len(judgement.faults):
+        return f"valid within {depth}: {sum_up(accepted, context)}: rounding{unchecked}"
+    said = _count_kinds({kind: number for kind, number in kinds.items() if number})
+    more = f"; {len(accepted)} more within {depth}" if accepted else ""
+    undecided = all(one == "undecided" for one in kinds if kinds[one])
+    return f"{'' if undecided else 'not valid: '}{said}{more}"
+
+
+def _count_kinds(kinds: Mapping[FaultKind, int]) -> str:
     plain = {"overlap", "turn", "shape"}
-    said = [
+    return ", ".join(
         count(number, kind) if kind in plain else f"{number} {kind}"
         for kind, number in kinds.items()
+    )
+
+
+def sum_up(ranked: Sequence[WorstFirst], context: ReportContext) -> str:
+    """Count faults, and say how deep all of them are at most, or how short of the distance."""
+    said = _count_kinds(Counter(one.fault.kind for one in ranked))
+    depths = [measure_depth(one) for one in ranked]
+    deepest = context.add_unit(approximate(max(depths), up=True))
+    word = "deep" if all(one.fault.distance_squared is None for one in ranked) else "off"
+    if len(ranked) == 1:
+        return f"{said}, {deepest} {word}"
+    return f"{said}, all at most {deepest} {word}"
+
+
+def measure_depth(one: WorstFirst) -> Fraction:
+    """Return a bound on the depth of a fault, or on what is missing of the required distance."""
+    fault = one.fault
+    if fault.distance_squared is not None and fault.required is not None:
+        missing = fault.required**2 - fault.distance_squared
+        return missing / (fault.required + take_root(fault.distance_squared)) + fault.bound
+    return (take_root(one.square) if one.square else Fraction(0)) + fault.bound
+
+
+def find_remarks(
+    judgement: Judgement, ranked: Sequence[WorstFirst], context: ReportContext
+) -> list[str]:
+    """Say that all faults are tiny, if they are, and what was not judged beside them."""
+    said = []
+    measured = [
+        one
+        for one in ranked
+        if one.square is not None and one.fault.kind in ("overlap", "outside", "too close")
     ]
-    if set(kinds) == {"undecided"}:
-        return ", ".join(said)
-    return f"not valid: {', '.join(said)}"
+    if ranked and len(measured) == len(ranked) and context.accepted is None:
+        deepest = max(map(measure_depth, measured))
+        low, high = judgement.box or (ORIGIN, ORIGIN)
+        if deepest * _ROUNDING < max(high.x - low.x, high.y - low.y):
+            accept = _round_up(deepest)
+            said.append(f"{sum_up(measured, context)}: rounding? (--accept {accept} accepts it)")
+    if ranked and context.unchecked and not all(one.accepted for one in ranked):
+        said.append(f"not judged: {'; '.join(context.unchecked)}")
+    return said
 
 
-def tell_fault(one: WorstFirst) -> tuple[str, str, str, str]:
+def _round_up(value: Fraction) -> str:
+    """Round a positive number up to one digit.
+
+    >>> _round_up(Fraction("0.0123"))
+    '0.02'
+    """
+    unit = Fraction(10) ** find_magnitude(value)
+    return approximate(-(-value // unit) * unit)
+
+
+def tell_fault(
+    judgement: Judgement, one: WorstFirst, context: ReportContext = NO_CONTEXT
+) -> tuple[str, str, str, str]:
     """Describe a fault: the place, the measure, the witness and the repair, in rounded numbers."""
     fault = one.fault
     bad, repair = fault.reason, ""
-    if fault.distance_squared is not None:
-        bad = f"{approximate(take_root(fault.distance_squared))} apart"
-    elif one.square is not None and fault.move is not None:
-        bad = f"{approximate(take_root(one.square))} deep"
-        repair = f"moving {fault.placements[-1]} by {_write_about(fault.move)}"
-    elif fault.kind == "outside":
-        bad = "fits nowhere as it is turned"
+    if fault.distance_squared is not None and fault.required is not None:
+        found, required = take_root(fault.distance_squared), fault.required
+        bad = f"{context.add_unit(approximate(found))} apart, {approximate(required)} required"
+        bad += f", {approximate(measure_depth(one))} short"
+    elif one.square is not None:
+        bad = f"{context.add_unit(approximate(take_root(one.square)))} deep"
     elif fault.number:
         bad = count(fault.number, "placement")
-    places, bad = spell_out(_name_places(fault)), spell_out(bad)
-    return places, bad, " ".join(map(_write_about, fault.points)), repair
+    if fault.move is not None:
+        repair = f"moving {fault.placements[-1]} by {_write_about(fault.move)}"
+    elif fault.kind == "outside" and one.square is None:
+        bad = "fits nowhere as it is turned"
+    places = context.name_placements(judgement, fault)
+    return places, spell_out(bad), " ".join(map(_write_about, fault.points)), repair
 
 
-def _name_places(fault: Fault) -> str:
-    placed = " and ".join(map(str, fault.placements))
-    if fault.part is not None and len(fault.placements) != 1:
-        return f"part {fault.part}"
-    return f"{placed} (part {fault.part})" if fault.part is not None else placed
-
-
-def write_layout_json(judgement: Judgement, notes: Iterable[str] = ()) -> str:
+def write_layout_json(
+    judgement: Judgement,
+    notes: Iterable[str] = (),
+    ranked: Sequence[WorstFirst] | None = None,
+    context: ReportContext = NO_CONTEXT,
+) -> str:
     """Write a judgement as JSON: the verdict, faults, contacts, density and the nearest pair.
 
     Args:
         judgement: a Judgement.
         notes: further remarks.
+        ranked: its faults as `rank_faults` sorts them, if the caller has them.
+        context: what the reader of the file knows.
 
     Returns:
         One object. Placements have ints as numbers; all other numbers are strings that
@@ -144,11 +248,20 @@ def write_layout_json(judgement: Judgement, notes: Iterable[str] = ()) -> str:
     Cost: that of `rank_faults` and of `Judgement.distance`.
     """
     nearest = judgement.distance
+    ranked = rank_faults(judgement, accepted=context.accepted) if ranked is None else ranked
+    box = judgement.box
     data: dict[str, Any] = {
         "valid": judgement.valid,
-        "faults": [one.fault.to_json() for one in rank_faults(judgement)],
+        "accepted": None if context.accepted is None else all(one.accepted for one in ranked),
+        "unchecked": list(context.unchecked),
+        "faults": [
+            _list_fault(judgement, one, context, measured=k < MOST_MEASURED)
+            for k, one in enumerate(ranked)
+        ],
         "contacts": [list(pair) for pair in judgement.contacts],
         "density": judgement.density,
+        "box": None if box is None else [list(map(format_fraction, corner)) for corner in box],
+        "unit": context.unit or None,
         "distance_squared": None if nearest is None else format_fraction(nearest.square),
         "nearest": None if nearest is None else list(nearest.placements),
         "notes": list(notes),
@@ -156,6 +269,19 @@ def write_layout_json(judgement: Judgement, notes: Iterable[str] = ()) -> str:
     error = judgement.layout.greatest_error
     data |= {"error": error} if error else {}
     return write_object({name: write_json(value) for name, value in data.items()})
+
+
+def _list_fault(
+    judgement: Judgement, one: WorstFirst, context: ReportContext, *, measured: bool
+) -> dict[str, Any]:
+    fault, placements = one.fault, judgement.layout.placements
+    data = fault.to_json(measured=measured)
+    data["parts"] = [placements[k].part for k in fault.placements]
+    if context.places:
+        data["places"] = [context.places[k] for k in fault.placements]
+    if context.accepted is not None:
+        data["accepted"] = one.accepted
+    return data
 
 
 def _write_about(point: Point) -> str:

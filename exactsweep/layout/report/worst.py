@@ -1,13 +1,14 @@
-"""The faults of a judgement, the worst first."""
+"""The faults of a judgement, the worst first, and the context of a report."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple, get_args
 
 from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.judge import Judgement
+from exactsweep.words import spell_out
 
 MOST_MEASURED = 200
 """The number of faults that are measured; nobody reads a longer list."""
@@ -18,39 +19,85 @@ class WorstFirst(NamedTuple):
 
     Attributes:
         fault: the Fault.
-        square: the squared length of the shortest move that repairs the fault, or the squared
-            distance of parts too close; None if there is no measure, or it was not computed.
+        square: the squared depth of an overlap or of a part outside, or the squared distance of
+            parts too close; None if there is no measure, or it was not computed.
+        accepted: whether it is at most as deep as is accepted.
     """
 
     fault: Fault
     square: Fraction | None
+    accepted: bool = False
+
+
+class ReportContext(NamedTuple):
+    """What the reader of a file knows about a layout.
+
+    Attributes:
+        unchecked: rules and shapes that were not judged, a phrase each.
+        places: where each placement is in the file; empty if unknown.
+        unit: the unit of lengths, such as "mm"; "" if unknown.
+        accepted: the depth up to which faults are accepted; None to accept none.
+    """
+
+    unchecked: Sequence[str] = ()
+    places: Sequence[str] = ()
+    unit: str = ""
+    accepted: Fraction | None = None
+
+    def name_placement(self, judgement: Judgement, k: int) -> str:
+        """Return the number of a placement, the id of its part and its place in the file."""
+        part = judgement.layout.placements[k].part
+        place = self.places[k] if k < len(self.places) else ""
+        name = str(k) if part == str(k) else f"{k} {part}"
+        return spell_out(f"{name} ({place})" if place else name)
+
+    def name_placements(self, judgement: Judgement, fault: Fault) -> str:
+        """Return the names of the placements of a fault, or its part."""
+        if fault.part is not None and len(fault.placements) != 1:
+            return spell_out(f"part {fault.part}")
+        return " and ".join(self.name_placement(judgement, k) for k in fault.placements)
+
+    def add_unit(self, length: str) -> str:
+        """Append the unit to a length."""
+        return f"{length} {self.unit}" if self.unit else length
+
+
+NO_CONTEXT = ReportContext()
+"""The context of a layout without a file."""
 
 
 def rank_faults(
-    judgement: Judgement, tell: Callable[[int, int], object] = lambda done, total: None
+    judgement: Judgement,
+    tell: Callable[[int, int], object] = lambda done, total: None,
+    accepted: Fraction | None = None,
 ) -> list[WorstFirst]:
-    """Sort the faults of a judgement by kind, and within a kind the worst first.
+    """Sort the faults of a judgement: those not accepted first, by kind, and the worst first.
 
     Args:
         judgement: a Judgement.
         tell: a function that is called with the number of measured faults and their final number.
+        accepted: the depth up to which faults are accepted.
 
     Returns:
-        list of WorstFirst. The shortest move that repairs it measures an overlap or a part outside,
-        the distance measures parts too close. Only the first MOST_MEASURED faults are measured.
+        list of WorstFirst. The depth measures an overlap or a part outside, the distance measures
+        parts too close. Only the first MOST_MEASURED faults are measured, or all if some depth is
+        accepted.
 
-    Cost: that of `Fault.move` for each measured fault.
+    Cost: that of `Fault.depth_squared` for each measured fault.
     """
     found = []
-    total = min(len(judgement.faults), MOST_MEASURED)
+    total = len(judgement.faults)
+    if accepted is None:
+        total = min(total, MOST_MEASURED)
     for k, fault in enumerate(judgement.faults):
-        square = None
-        if k < MOST_MEASURED:
+        square, is_accepted = fault.distance_squared, False
+        if k < total:
             tell(k, total)
-            square = fault.depth_squared
-        found.append(WorstFirst(fault, square))
+            square = fault.depth_squared if square is None else square
+            is_accepted = accepted is not None and fault.is_within(accepted)
+        found.append(WorstFirst(fault, square, is_accepted))
     order = get_args(FaultKind)
-    return sorted(found, key=lambda one: (order.index(one.fault.kind), *_rank(one)))
+    return sorted(found, key=lambda one: (one.accepted, order.index(one.fault.kind), *_rank(one)))
 
 
 def _rank(one: WorstFirst) -> tuple[bool, Fraction]:

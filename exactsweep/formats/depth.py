@@ -1,0 +1,285 @@
+"""Outlines of drawings inside others: polygons, holes, polygons in holes, and so on by depth.
+
+Outlines may cross, as those of parts that overlap. Then only an outline inside two that cross is
+ambiguous.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, insort
+from collections import defaultdict
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import partial
+from typing import NamedTuple
+
+from exactsweep.formats.candidate import Candidate
+from exactsweep.geometry.overlap import Overlap
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import common_lattice
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import ORIGIN
+
+
+class Nested(NamedTuple):
+    """Outlines after nesting.
+
+    Attributes:
+        outlines: one Candidate for each ring inside an even number of others, in order. Its holes
+            are the rings just inside. Outlines that are not simple polygons stay apart.
+        holes: pairs of an outline that became a hole and the outline around it.
+        ambiguous: pairs of an outline and two outlines around it that cross. It is not among the
+            `outlines`.
+    """
+
+    outlines: list[Candidate]
+    holes: list[tuple[Candidate, Candidate]]
+    ambiguous: list[tuple[Candidate, tuple[Candidate, Candidate]]]
+
+
+def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
+    """Turn outlines inside others into holes, by depth.
+
+    Args:
+        outlines: the outlines of a file.
+
+    Returns:
+        list of Candidate, as `Nested.outlines`. An outline that two crossing outlines contain
+        refuses. If one outline is not a simple polygon, all refuse, because the holes are unknown.
+        Ornaments stay apart.
+
+    Cost: that of `nest_outlines`.
+
+    Example:
+        >>> from exactsweep.formats.wkt import parse_wkt
+        >>> text = "POLYGON (({0} {0}, {1} {0}, {1} {1}, {0} {1}, {0} {0}))"
+        >>> squares = "".join(text.format(k, 6 - k) for k in range(3))
+        >>> found = nest_candidates(parse_wkt(squares))
+        >>> [outline.shape().area for outline in found]
+        [Fraction(20, 1), Fraction(4, 1)]
+    """
+    plain = [outline for outline in outlines if not outline.ornament]
+    try:
+        for outline in plain:
+            for ring in (outline, *outline.holes()):
+                ring._replace(holes=tuple).polygon()
+    except ValueError as error:
+        reason = f"nested outlines are read together: {error}"
+        return [o if o.ornament else Candidate.refused(reason, o.name, o.layer) for o in outlines]
+    found = nest_outlines(plain)
+    refused = [
+        Candidate.refused(tell_ambiguity(outline, around), outline.name, outline.layer)
+        for outline, around in found.ambiguous
+    ]
+    return [*found.outlines, *refused, *(outline for outline in outlines if outline.ornament)]
+
+
+def tell_ambiguity(outline: Candidate, around: Sequence[Candidate]) -> str:
+    """Say which outlines cross around another one."""
+    one, other = (tell_place(ring) for ring in around)
+    return f"{tell_place(outline)} is inside {one} and inside {other}, which cross"
+
+
+def tell_place(outline: Candidate) -> str:
+    """Return the place of an outline and its name or layer, for messages."""
+    if outline.name and quote(outline.name) not in outline.place:
+        return f"{outline.place or 'outline'} {quote(outline.name)}"
+    return outline.place or "the exterior"
+
+
+def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
+    """Turn outlines inside others into holes; outlines may cross.
+
+    An outline inside an odd number of others is a hole of the innermost one, and one inside an
+    even number is a polygon. Of equal outlines inside the same polygon the first is a hole, and the
+    others are polygons in it; other equal outlines are polygons on top of each other.
+
+    Args:
+        outlines: those of a file, without ornaments. An outline keeps its own holes.
+
+    Returns:
+        Nested.
+
+    Cost: O(m n) at worst for each pair of rings of m and n vertices of which one box is inside the
+        other.
+    """
+    rings: list[_OwnedRing] = []
+    for k, outline in enumerate(outlines):
+        own = len(rings)
+        for ring in (outline, *outline.holes()):
+            plain = ring._replace(
+                vertices=partial(list, ring.vertices()),
+                holes=tuple,
+                error=outline.error,
+                even_odd=outline.even_odd,
+            )
+            rings.append(
+                _OwnedRing(k, plain, _find_polygon(plain), None if ring is outline else own)
+            )
+    tree = _Tree([ring.polygon for ring in rings])
+    holes: defaultdict[int, list[int]] = defaultdict(list)
+    exteriors: list[int] = []
+    ambiguous = []
+    # For each group of equal rings, the depth just inside, and the polygons whose holes are there.
+    inside: dict[int, tuple[int, list[int]]] = {}
+    for group in tree.groups():
+        first = group[0]
+        owners = {i: owner for i in group if (owner := rings[i].owner) is not None}
+        others = [i for i in group if i not in owners]
+        for i, owner in owners.items():
+            holes[owner].append(i)
+        if first in tree.crossings:
+            one, other = tree.crossings[first]
+            ambiguous += [
+                (rings[i].outline, (rings[one].outline, rings[other].outline)) for i in others
+            ]
+            continue
+        parent = tree.parents[first]
+        depth, polygons = (0, []) if parent is None else inside[parent]
+        if depth % 2:
+            free = [k for k in polygons if k not in owners.values()]
+            for i, k in zip(others, free, strict=False):
+                holes[k].append(i)
+            others = others[len(free) :]
+            depth += bool(others)
+        exteriors += others
+        inside[first] = depth + 1, others or [*owners.values()]
+    for i, found in enumerate(rings):
+        if found.polygon is None and found.owner is None:
+            exteriors.append(i)
+        elif found.polygon is None and found.owner is not None:
+            holes[found.owner].append(i)
+    exteriors.sort()
+    return Nested(
+        [_join(rings, i, holes[i]) for i in exteriors],
+        [(rings[k].outline, rings[i].outline) for i in exteriors for k in holes[i]],
+        ambiguous,
+    )
+
+
+class _OwnedRing(NamedTuple):
+    """A ring of an outline: the number of the outline, its polygon, and its own exterior."""
+
+    number: int
+    outline: Candidate
+    polygon: Polygon | None
+    owner: int | None
+
+
+def _join(rings: Sequence[_OwnedRing], exterior: int, holes: Sequence[int]) -> Candidate:
+    outline, inner = rings[exterior].outline, [rings[k].outline for k in holes]
+    return outline._replace(
+        holes=partial(tuple, inner),
+        error=max(one.error for one in (outline, *inner)),
+        finer=partial(_find_finer, outline, inner),
+        even_odd=True if outline.even_odd is not None and inner else outline.even_odd,
+    )
+
+
+def _find_finer(
+    outline: Candidate, holes: Sequence[Candidate], tolerance: Fraction
+) -> Candidate | None:
+    """Find an outline and its holes with finer lines."""
+    found = []
+    for one in (outline, *holes):
+        finer = one.finer(tolerance) if one.finer else None if one.error else one
+        if finer is None:
+            return None
+        found.append(finer)
+    first, *others = found
+    error = max(one.error for one in found)
+    return first._replace(holes=partial(tuple, others), error=error)
+
+
+def _find_polygon(ring: Candidate) -> Polygon | None:
+    try:
+        return ring.polygon()
+    except ValueError:
+        return None
+
+
+class _Tree:
+    """Rings by what is around them.
+
+    Args:
+        rings: Polygons; None takes no part.
+
+    Attributes:
+        parents: for each ring the innermost ring around it, or None.
+        crossings: two rings that cross, for each ring inside both.
+    """
+
+    def __init__(self, rings: Sequence[Polygon | None]) -> None:
+        sound = [(k, ring, ring.bounding_box) for k, ring in enumerate(rings) if ring is not None]
+        self.parents: dict[int, int | None] = {}
+        self.crossings: dict[int, tuple[int, int]] = {}
+        self._sizes = {k: (ring.area, k) for k, ring, _ in sound}
+        self._polygons = {k: ring for k, ring, _ in sound}
+        self._boxes = {k: box for k, _, box in sound}
+        # Of equal rings the first one stands for all.
+        self._first = {k: k for k in self._sizes}
+        # The larger rings whose boxes meet the box of a ring and that are not around it.
+        self._rivals: dict[int, list[int]] = {}
+        self._active: list[tuple[Fraction, int]] = []
+        # From left to right, so that what is around a ring comes before it.
+        for k, _, box in sorted(sound, key=lambda one: (one[2][0].x, -one[1].area, one[0])):
+            self._add(k, box[0].x)
+
+    def _add(self, k: int, left: Fraction) -> None:
+        """Find the rings around one, the smallest first; those that end left of it are past."""
+        active, size = self._active, self._sizes[k]
+        place = bisect_left(active, (size[0], -1))
+        rivals, parent = [], None
+        while place < len(active):
+            _, j = active[place]
+            if self._boxes[j][1].x <= left:
+                del active[place]
+                continue
+            if self._is_around(j, k):
+                if self._sizes[j][0] == size[0]:
+                    self._first[k] = j
+                    return
+                parent = j
+                break
+            if self._meet(j, k):
+                rivals.append(j)
+            place += 1
+        if parent is not None:
+            near = [j for j in self._rivals[parent] if self._meet(j, k)]
+            crossing = next((j for j in near if self._is_around(j, k)), None)
+            if crossing is not None:
+                self.crossings[k] = parent, crossing
+            elif parent in self.crossings:
+                self.crossings[k] = self.crossings[parent]
+            rivals += near
+        self.parents[k], self._rivals[k] = parent, rivals
+        for _, j in active[: bisect_left(active, size)]:
+            if self._meet(j, k):
+                self._rivals[j].append(k)
+        insort(active, size)
+
+    def _meet(self, j: int, k: int) -> bool:
+        (left, low), (right, high) = self._boxes[j]
+        (west, south), (east, north) = self._boxes[k]
+        return left < east and west < right and low < north and south < high
+
+    def _is_around(self, j: int, k: int) -> bool:
+        (left, low), (right, high) = self._boxes[j]
+        (west, south), (east, north) = self._boxes[k]
+        if left > west or right < east or low > south or high < north:
+            return False
+        return is_within(self._polygons[k], self._polygons[j])
+
+    def groups(self) -> list[list[int]]:
+        """Return the groups of equal rings, the largest rings first."""
+        groups: defaultdict[int, list[int]] = defaultdict(list)
+        for k, first in self._first.items():
+            groups[first].append(k)
+        return sorted(groups.values(), key=lambda group: (-self._sizes[group[0]][0], group))
+
+
+def is_within(inner: Polygon, outer: Polygon) -> bool:
+    """Decide whether a polygon lies inside another one, whose boundary it may touch."""
+    _, (around, within) = common_lattice([outer, inner])
+    # The complement of the outer one is what its ring, run through backward, leaves of the plane.
+    return not Overlap([around[::-1]], [within], unbounded=True).at(ORIGIN)

@@ -1,0 +1,123 @@
+"""Congruent regions: the turn and the move that take one region to another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+from exactsweep.numbers.number import Loop, Point
+
+_SHARE = 1e-6
+_Corner = tuple[Fraction, Fraction, Fraction]
+
+
+class Congruence(NamedTuple):
+    """A map of a part: mirrored (x to -x) first, turned about the origin, then moved.
+
+    Attributes:
+        mirrored: whether the part is mirrored.
+        turn: the cosine and the sine.
+        move: the move.
+        exact: whether the map takes the part to the region exactly; otherwise vertices are at most
+            a millionth of the size of the part apart.
+    """
+
+    mirrored: bool
+    turn: tuple[Fraction, Fraction]
+    move: Point
+    exact: bool
+
+
+def find_congruence(part: Region, drawn: Region) -> Congruence | None:
+    """Find a map that takes a part to a region; exactly, or else nearly.
+
+    Args:
+        part: a Region.
+        drawn: another one.
+
+    Cost: O(n^2) for exteriors of n vertices; O(n) for most pairs that are not congruent.
+
+    Example:
+        >>> part = Region([(0, 0), (2, 0), (2, 1)])
+        >>> find_congruence(part, Region([(5, 0), (5, 2), (4, 2)])).turn
+        (Fraction(0, 1), Fraction(1, 1))
+    """
+    if len(part.exterior) != len(drawn.exterior) or len(part.holes) != len(drawn.holes):
+        return None
+    nearly = None
+    for mirrored in (False, True):
+        for found in _list_maps(part, drawn, mirrored=mirrored):
+            if found.exact:
+                return found
+            nearly = nearly or found
+    return nearly
+
+
+def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congruence]:
+    ring = _mirror(part.exterior) if mirrored else part.exterior.vertices
+    goal = drawn.exterior.vertices
+    corners, goals = _list_corners(ring), _list_corners(goal)
+    room = _SHARE * float(max(length for length, _, _ in corners)) ** 0.5
+    for shift in range(len(goal)):
+        others = goals[shift:] + goals[:shift]
+        is_same = corners == others
+        if not is_same and not all(map(_is_near, corners, others)):
+            continue
+        (ax, ay), (bx, by) = _edge(ring, 0), _edge(goal, shift)
+        square = ax * ax + ay * ay
+        turn = (ax * bx + ay * by) / square, (ax * by - ay * bx) / square
+        found = Congruence(mirrored, turn, _find_move(ring[0], goal[shift], turn), is_same)
+        holes = [[_apply(found, p) for p in hole.vertices] for hole in part.holes]
+        if is_same and {Polygon(hole) for hole in holes} == {*drawn.holes}:
+            yield found
+        elif all(any(_is_beside(hole, other, room) for other in drawn.holes) for hole in holes):
+            yield found._replace(exact=False)
+
+
+def _is_beside(ring: Sequence[Point], other: Polygon, room: float) -> bool:
+    """Decide whether each vertex of a ring is close to one of another ring of as many."""
+    if len(ring) != len(other):
+        return False
+    return all(
+        any(abs(float(p.x - q.x)) + abs(float(p.y - q.y)) <= room for q in other.vertices)
+        for p in ring
+    )
+
+
+def _is_near(one: _Corner, other: _Corner) -> bool:
+    room = _SHARE * float(max(one[0], other[0]) + abs(one[1]) + abs(one[2]))
+    return all(abs(float(a - b)) <= room for a, b in zip(one, other, strict=True))
+
+
+def _mirror(ring: Polygon) -> Loop:
+    return tuple(Point(-x, y) for x, y in reversed(ring.vertices))
+
+
+def _edge(ring: Sequence[Point], k: int) -> tuple[Fraction, Fraction]:
+    (ax, ay), (bx, by) = ring[k], ring[(k + 1) % len(ring)]
+    return bx - ax, by - ay
+
+
+def _list_corners(ring: Sequence[Point]) -> list[_Corner]:
+    """List the squared length of each edge, and its dot and cross product with the next one."""
+    edges = [_edge(ring, k) for k in range(len(ring))]
+    return [
+        (x * x + y * y, x * u + y * v, x * v - y * u)
+        for (x, y), (u, v) in zip(edges, edges[1:] + edges[:1], strict=True)
+    ]
+
+
+def _find_move(start: Point, end: Point, turn: tuple[Fraction, Fraction]) -> Point:
+    cosine, sine = turn
+    return Point(
+        end.x - cosine * start.x + sine * start.y, end.y - sine * start.x - cosine * start.y
+    )
+
+
+def _apply(found: Congruence, point: Point) -> Point:
+    x, y = -point.x if found.mirrored else point.x, point.y
+    (cosine, sine), move = found.turn, found.move
+    return Point(cosine * x - sine * y + move.x, sine * x + cosine * y + move.y)

@@ -1,0 +1,168 @@
+"""The containers among the outlines of a drawing, and the outlines in each."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from exactsweep.formats.candidate import Candidate, select
+from exactsweep.formats.depth import tell_place
+from exactsweep.formats.error import FormatError
+from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.error import quote
+
+_WORDS = re.compile(r"(sheet|bin|board|container|stock)s?(?:[\W_]*\d+)?", re.IGNORECASE)
+_LISTED = 4
+
+_Bounds = tuple[Fraction, Fraction, Fraction, Fraction]
+
+
+class Sheet(NamedTuple):
+    """A container of a drawing.
+
+    Attributes:
+        container: its outline; None if there is none.
+        defects: outlines that no part may overlap.
+        outlines: the other outlines on it.
+    """
+
+    container: Candidate | None
+    defects: list[Candidate]
+    outlines: list[Candidate]
+
+
+def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sheet]:
+    """Find the containers of a drawing, and assign all other outlines to them.
+
+    A container is the outline of the given name, index or layer; else the only one on a layer that
+    is called sheet, bin, board, container or stock; else the one whose box is around all others;
+    else those with such a name, class or layer; else the largest one, if it holds the centers of
+    all other boxes. Other outlines on the layer of a container that has such a name, or was given,
+    are defects. Names are compared without case.
+
+    Args:
+        outlines: those of a drawing.
+        container: the name, index or layer of the container, if it is known.
+
+    Raises:
+        FormatError: no outline is a container, or none has the given name; the message lists the
+            candidates.
+
+    Cost: linear for each container.
+    """
+    boxes = {id(one): _bound(one) for one in outlines}
+
+    def size(one: Candidate) -> Fraction:
+        left, low, right, high = boxes[id(one)]
+        return (right - left) * (high - low)
+
+    marked = _list_marked(outlines, container)
+    by_size = sorted(marked, key=size, reverse=True)
+    found: list[Candidate] = []
+    for one in by_size:
+        if not any(_meet(boxes[id(one)], boxes[id(other)]) for other in found):
+            found.append(one)
+    on_layer = [one for one in found if one.layer is not None and _is_word(one.layer)]
+    if container is None and len(on_layer) != 1:
+        around = _find_around(outlines, boxes)
+        found = [around] if around is not None else found
+    elif container is None:
+        found = on_layer
+    if not found:
+        largest = max(outlines, key=size)
+        others = [one for one in outlines if one is not largest]
+        ties = any(size(one) == size(largest) for one in others)
+        if ties or not all(_holds(boxes[id(largest)], boxes[id(one)]) for one in others):
+            raise FormatError(_list_candidates(sorted(outlines, key=size, reverse=True), boxes))
+        found = [largest]
+    found.sort(key=lambda one: next(k for k, other in enumerate(outlines) if other is one))
+    layers = {
+        one.layer for one in found if one.layer and (_is_word(one.layer) or one.layer == container)
+    }
+    sheets = [Sheet(one, [], []) for one in found]
+    for one in outlines:
+        if not any(one is other for other in found):
+            sheet = _find_sheet(boxes[id(one)], sheets, boxes)
+            (sheet.defects if one.layer in layers else sheet.outlines).append(one)
+    return sheets
+
+
+def _list_marked(outlines: Sequence[Candidate], container: str | None) -> list[Candidate]:
+    """List the outlines that a name marks as containers."""
+    if container is None:
+        return [
+            one
+            for one in outlines
+            if any(word and _is_word(word) for word in (one.name, one.layer, *one.words))
+        ]
+    spelled = {
+        word
+        for one in outlines
+        for word in (one.name, one.layer)
+        if word is not None and word.casefold() == container.casefold()
+    }
+    choice = container if container in spelled or len(spelled) != 1 else spelled.pop()
+    found = select(outlines, choice)
+    if len(found) > 1 and all(one.name == choice for one in found):
+        number = [str(k) for k, one in enumerate(outlines) if any(one is o for o in found)]
+        raise FormatError(
+            f"{len(found)} outlines have the name {quote(choice)}; choose one by index: "
+            f"{', '.join(number[:_LISTED])}"
+        )
+    return found
+
+
+def _is_word(word: str) -> bool:
+    return _WORDS.fullmatch(word) is not None
+
+
+def _bound(outline: Candidate) -> _Bounds:
+    vertices = outline.vertices()
+    if not vertices:
+        raise FormatError(f"{outline.place}: no vertices")
+    xs, ys = zip(*vertices, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Bounds]) -> Candidate | None:
+    """Find the only outline whose box is around all others."""
+    lefts, lows, rights, highs = zip(*boxes.values(), strict=True)
+    whole = min(lefts), min(lows), max(rights), max(highs)
+    found = [one for one in outlines if boxes[id(one)] == whole]
+    return found[0] if len(found) == 1 else None
+
+
+def _meet(one: _Bounds, other: _Bounds) -> bool:
+    left, low, right, high = one
+    west, south, east, north = other
+    return left < east and west < right and low < north and south < high
+
+
+def _holds(sheet: _Bounds, box: _Bounds) -> bool:
+    """Decide whether a box has its center in another one."""
+    left, low, right, high = sheet
+    west, south, east, north = box
+    return 2 * left <= west + east <= 2 * right and 2 * low <= south + north <= 2 * high
+
+
+def _find_sheet(box: _Bounds, sheets: Sequence[Sheet], boxes: dict[int, _Bounds]) -> Sheet:
+    """Find the sheet that holds a box, or that it meets; else the first one."""
+    for test in (_holds, _meet):
+        for sheet in sheets:
+            if test(boxes[id(sheet.container)], box):
+                return sheet
+    return sheets[0]
+
+
+def _list_candidates(largest: Sequence[Candidate], boxes: dict[int, _Bounds]) -> str:
+    listed = []
+    for one in largest[:_LISTED]:
+        left, low, right, high = boxes[id(one)]
+        size = f"{abridge(right - left)} x {abridge(high - low)}"
+        listed.append(f"{tell_place(one)}, {size}")
+    return (
+        "no outline is around all others; name the container (--container). The largest are "
+        f"{'; '.join(listed)}"
+    )

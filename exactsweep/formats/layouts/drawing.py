@@ -1,0 +1,199 @@
+"""Layouts of drawings: every outline is a part where it stands, or a hole of one."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Collection, Mapping, Sequence
+from fractions import Fraction
+from functools import partial
+from typing import Literal
+
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.depth import Nested, nest_outlines, tell_ambiguity, tell_place
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.folder import make_unique
+from exactsweep.formats.layouts.containers import Sheet, find_sheets
+from exactsweep.formats.layouts.found import STANDING, FoundLayout, write_rings
+from exactsweep.formats.node import Data
+from exactsweep.formats.parsing import parse_by
+from exactsweep.formats.part_list import Said
+from exactsweep.formats.reading import UNITS, Reading
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Point
+from exactsweep.words import count
+
+_LINE = re.compile(r"line \d+")
+
+
+def draw_layouts(
+    text: str, container: str | Literal[False] | None, reading: Reading
+) -> list[FoundLayout]:
+    """Make a layout of each container of a drawing; see `find_sheets`.
+
+    Args:
+        text: the drawing.
+        container: the name, index or layer of the container, if it is known; False for none.
+        reading: its settings; outlines are nested unless `nested` is False.
+
+    Raises:
+        FormatError: an outline cannot be read: with it, the layout may be wrong.
+
+    Cost: linear, and that of `nest_outlines`.
+    """
+    drawn = parse_by(text, reading.without_nesting())
+    notes = [*drawn.left_out, *drawn.notes]
+    notes += [f"left out: {one.fault}" for one in drawn if one.fault and one.ornament]
+    plain = [one for one in drawn if not one.ornament]
+    if not plain:
+        raise FormatError(notes[0] if notes else "no outline is drawn")
+    closed, unchecked = _leave_open_layers(plain)
+    said = Said(notes, notes)
+    outlines: list[Candidate] = []
+    for one in closed:
+        try:
+            outlines += one.split(said)
+        except PolygonError:
+            # The judge reports the shape.
+            outlines.append(one)
+    sheets = [Sheet(None, [], outlines)] if container is False else find_sheets(outlines, container)
+    if all(not sheet.outlines for sheet in sheets):
+        raise FormatError("one outline alone is drawn: nothing is placed")
+    # Pixels are what SVG has where it states no unit.
+    sizes = {size: name for name, size in UNITS.items() if name != "px"}
+    unit = sizes.get(drawn.coordinates.unit or Fraction(0), "")
+    found = []
+    for k, sheet in enumerate(sheets):
+        name = f"sheet {k}" if len(sheets) > 1 else ""
+        layout = _make_layout(sheet, nested=reading.nested is not False)
+        found.append(
+            layout._replace(
+                name=name,
+                notes=(*notes, *layout.notes),
+                unchecked=(*unchecked, *layout.unchecked),
+                unit=unit,
+            )
+        )
+    return found
+
+
+def _leave_open_layers(outlines: Sequence[Candidate]) -> tuple[list[Candidate], list[str]]:
+    """Leave out layers on which nothing is closed, such as engraving, and name them."""
+    closed = {one.layer for one in outlines if not one.fault}
+    found, left = [], Counter[str | None]()
+    for one in outlines:
+        if one.fault and one.layer in closed:
+            hint = (
+                "" if one.layer is None else f" (--ignore-layer {one.layer} leaves its layer out)"
+            )
+            raise FormatError(f"{one.fault}{hint}")
+        if one.fault and not closed:
+            raise FormatError(one.fault)
+        if one.fault:
+            left[one.layer] += 1
+        else:
+            found.append(one)
+    return found, [
+        f"{count(number, 'shape')} on "
+        f"{'no layer' if layer is None else f'the layer {quote(layer)}'}, none of them closed"
+        for layer, number in left.items()
+    ]
+
+
+def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
+    notes: list[str] = []
+    unchecked: list[str] = []
+    parts = sheet.outlines
+    if nested:
+        found = nest_outlines(parts)
+        parts = found.outlines
+        notes += _tell_holes(found)
+        unchecked += [
+            f"{tell_ambiguity(outline, around)} (left out)" for outline, around in found.ambiguous
+        ]
+        unchecked += _find_lookalikes(found)
+    if sheet.defects:
+        notes.append(
+            f"{count(len(sheet.defects), 'outline')} on the layer of the container read as defects"
+        )
+    names = make_unique([_name_part(one, k) for k, one in enumerate(parts)])
+    data: Data = {
+        "parts": [{"id": name, **write_rings(one)} for name, one in zip(names, parts, strict=True)],
+        "placements": [STANDING | {"part": name} for name in names],
+    }
+    if sheet.container is not None:
+        data["container"] = write_rings(sheet.container)
+    if sheet.defects:
+        data["defects"] = [write_rings(one) for one in sheet.defects]
+    drawn_as: dict[str | None, Candidate] = dict(zip(names, parts, strict=True))
+    if sheet.container is not None:
+        drawn_as[None] = sheet.container
+    shapes = [data.get("container", {}), *data["parts"]]
+    is_curved = any("error" in shape for shape in shapes)
+    return FoundLayout(
+        "",
+        data,
+        tuple(notes),
+        tuple(unchecked),
+        tuple(map(_find_line, parts)),
+        flatten=partial(_flatten, drawn_as) if is_curved else None,
+    )
+
+
+def _flatten(
+    drawn_as: Mapping[str | None, Candidate], names: Collection[str | None], tolerance: Fraction
+) -> Mapping[str | None, Data]:
+    """Find shapes with finer lines; those that are none are left out."""
+    found: dict[str | None, Data] = {}
+    for name in names:
+        finer = drawn_as[name].finer if name in drawn_as else None
+        one = finer(tolerance) if finer else None
+        if one is not None:
+            found[name] = write_rings(one)
+    return found
+
+
+def _name_part(outline: Candidate, k: int) -> str:
+    """Return the name or the layer of an outline; its number on the first layer of DXF."""
+    layer = outline.layer if outline.layer != "0" else None
+    return outline.name or layer or str(k)
+
+
+def _tell_holes(found: Nested) -> list[str]:
+    """Say how many outlines became holes: a part on another one is drawn like a hole."""
+    if not found.holes:
+        return []
+    first = ", ".join(f"{tell_place(one)} in {tell_place(other)}" for one, other in found.holes[:2])
+    more = ", ..." if len(found.holes) > 2 else ""
+    number = len(found.holes)
+    what = f"{count(number, 'outline')} inside others"
+    read = "read as a hole, not as a part" if number == 1 else "read as holes, not as parts"
+    return [f"{what} {read}: {first}{more} (--flat reads each outline as a part)"]
+
+
+def _find_lookalikes(found: Nested) -> list[str]:
+    """Name holes with the shape of a part: they may be parts on top of others."""
+    shapes = {_measure(one.vertices()): one for one in reversed(found.outlines)}
+    alike = [
+        (one, around, shapes[shape])
+        for one, around in found.holes
+        if (shape := _measure(one.vertices())) in shapes
+    ]
+    return [
+        f"whether {tell_place(one)} is a hole of {tell_place(around)}, or a part on it: it has the "
+        f"size of the part {tell_place(part)}"
+        for one, around, part in alike[:1]
+    ] + ([f"{len(alike) - 1} more outlines like it"] if len(alike) > 1 else [])
+
+
+def _measure(ring: Sequence[Point]) -> tuple[int, str]:
+    """Measure a ring independently of moves and turns, which round its vertices."""
+    area = abs(Fraction(find_doubled_area(ring)))
+    digits = f"{area.numerator / area.denominator:.6e}" if area < Fraction(10) ** 300 else ""
+    return len(ring) - (ring[0] == ring[-1]), digits
+
+
+def _find_line(outline: Candidate) -> str:
+    match = _LINE.search(outline.place)
+    return match[0] if match else ""

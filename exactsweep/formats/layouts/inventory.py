@@ -1,0 +1,168 @@
+"""The parts of a drawing or a folder as the instance of a layout: which are missing or changed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.folder import list_parts, make_unique
+from exactsweep.formats.layouts.congruence import find_congruence
+from exactsweep.formats.layouts.found import FoundLayout
+from exactsweep.formats.node import Data, write_ring
+from exactsweep.formats.reading import Reading
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.region import Region
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import to_fraction
+from exactsweep.words import count
+
+
+class WantedPart(NamedTuple):
+    """A part that is to be placed.
+
+    Attributes:
+        name: its name.
+        region: its shape.
+        error: the error of its curves.
+        number: how often it is to be placed.
+    """
+
+    name: str
+    region: Region
+    error: Fraction
+    number: int
+
+
+def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
+    """Read the parts of a file, folder or pattern; congruent parts of one are counted.
+
+    Raises:
+        FormatError: a part cannot be read.
+    """
+    listing = list_parts([path], reading.tolerance, **(reading.options | {"nested": True}))
+    found: list[WantedPart] = []
+    names = make_unique([part.name for part in listing.parts])
+    for name, part in zip(names, listing.parts, strict=True):
+        if part.candidate.ornament:
+            continue
+        region, error = part.candidate.region(), part.candidate.error
+        for k, one in enumerate(found):
+            same = find_congruence(one.region, region)
+            if same is not None and same.exact:
+                found[k] = one._replace(number=one.number + 1)
+                break
+        else:
+            found.append(WantedPart(name, region, error, 1))
+    if not found:
+        raise FormatError("no part in the instance")
+    return found
+
+
+def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> FoundLayout:
+    """Make a layout of the wanted parts: those that are missing, surplus or changed are faults.
+
+    Each part of the layout that is congruent with a wanted one becomes this one, turned and
+    mirrored as it is drawn. A part that has nearly this shape counts as it, too, but is judged as
+    it is drawn. Others keep their shape and are surplus.
+    """
+    parts: dict[str, Data] = {part["id"]: part for part in found.data["parts"]}
+    used = Counter(placement["part"] for placement in found.data["placements"])
+    turned = {
+        placement["part"]
+        for placement in found.data["placements"]
+        if placement.get("turn", "0") != "0" or placement.get("mirrored")
+    }
+    left = {one.name: one.number for one in wanted}
+    exact: dict[str, tuple[WantedPart, Data]] = {}
+    others: list[Data] = []
+    notes: list[str] = []
+    for name, part in parts.items():
+        match = _find_match(part, wanted, left)
+        if match is None:
+            others.append({**part, "demand": 0})
+            near = next((one for one in wanted if _is_named(name, one.name)), None)
+            what = "is not in the instance" if near is None else "has another shape in the instance"
+            notes.append(f"part {quote(name)} {what}")
+            continue
+        one, placed = match
+        if placed is None or name in turned:
+            take = min(used[name], left[one.name])
+            others.append({**part, "demand": take})
+            left[one.name] -= take
+            if placed is None:
+                notes.append(f"part {quote(name)} is nearly part {quote(one.name)} of the instance")
+        else:
+            exact[name] = one, placed
+    taken = {part["id"] for part in others}
+    names = {one.name: _find_name(one.name, taken) for one in wanted}
+    placements = []
+    for placement in found.data["placements"]:
+        name = placement["part"]
+        if name not in exact:
+            placements.append(placement)
+            continue
+        one, placed = exact[name]
+        pairs = zip(placed["move"], placement["move"], strict=True)
+        move = [format_fraction(to_fraction(a) + to_fraction(b)) for a, b in pairs]
+        placements.append({**placed, "part": names[one.name], "move": move})
+    shapes = [
+        {
+            "id": names[one.name],
+            "exterior": write_ring(one.region.exterior.vertices),
+            "holes": [write_ring(hole.vertices) for hole in one.region.holes],
+            "demand": left[one.name],
+            **({"error": format_fraction(one.error)} if one.error else {}),
+        }
+        for one in wanted
+    ]
+    data = {**found.data, "parts": [*shapes, *others], "placements": placements}
+    notes.insert(0, f"{count(sum(one.number for one in wanted), 'part')} in the instance")
+    return found._replace(data=data, notes=(*found.notes, *notes))
+
+
+def _find_match(
+    part: Data, wanted: Sequence[WantedPart], left: dict[str, int]
+) -> tuple[WantedPart, Data | None] | None:
+    """Find the wanted part that a part is, and its placement if it is exactly this one."""
+    try:
+        region = Region(part["exterior"], part.get("holes", []))
+    except PolygonError:
+        return None
+    found: tuple[WantedPart, Data | None] | None = None
+    for one in sorted(wanted, key=lambda one: not _is_named(part["id"], one.name)):
+        same = find_congruence(one.region, region)
+        if same is not None and same.exact:
+            turn = [*map(format_fraction, same.turn)]
+            placed: Data = {"turn": turn, "move": [*map(format_fraction, same.move)]}
+            return one, placed | ({"mirrored": True} if same.mirrored else {})
+        error = one.error + Fraction(str(part.get("error", 0)))
+        if found is None and (same is not None or (error and _is_alike(one.region, region, error))):
+            found = one, None
+    return found
+
+
+def _is_alike(one: Region, other: Region, error: Fraction) -> bool:
+    """Decide whether two curved shapes have the same area within their errors."""
+    if len(one.holes) != len(other.holes):
+        return False
+    around = sum(
+        float((a.x - b.x) ** 2 + (a.y - b.y) ** 2) ** 0.5
+        for ring in one.rings
+        for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)
+    )
+    return bool(abs(float(one.area - other.area)) <= 2 * around * float(error))
+
+
+def _is_named(name: str, wanted: str) -> bool:
+    """Decide whether a name is a wanted one, perhaps with the number of a copy."""
+    return name == wanted or name.rpartition("-")[0] == wanted
+
+
+def _find_name(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "'"
+    return name

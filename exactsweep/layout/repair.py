@@ -1,0 +1,255 @@
+"""The shortest moves that repair faults of placed parts, each judged before it is returned.
+
+Let r be the required distance and the errors of two solids. For r = 0 the shortest move ends at the
+nearest point of the boundary of the no-fit polygon, or at an exact fit: a foot of a perpendicular.
+For r > 0 the moved part is enlarged by a polygon around a disc of radius r, so that contact with
+the enlarged part keeps the distance. The move is then shortened in its direction. It is longer than
+the shortest one by at most r (1/cos(pi/32) - 1), about 0.5 percent of r.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+from functools import cache, partial
+from itertools import pairwise
+from math import pi, tan
+
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.distance import find_foot
+from exactsweep.geometry.overlap import Relation
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+from exactsweep.layout.board import Board
+from exactsweep.layout.solid import Solid
+from exactsweep.layout.verdict import judge_pair
+from exactsweep.numbers.digits import find_magnitude
+from exactsweep.numbers.number import ORIGIN, Edge, Point
+from exactsweep.sweep import free_positions, inner_fit_polygon, no_fit_polygon
+
+_SIDES, _STEPS, _DIGITS = 32, 30, (6, 9, 12)
+# For radii below this share of the part a square is precise enough.
+_TINY = Fraction(1, 10**6)
+
+
+def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point | None:
+    """Find the shortest move to where the last placement overlaps nothing of a fault.
+
+    Args:
+        board: the solids.
+        placements: two placements that overlap; or one that is outside the container or on a
+            defect.
+        bits: the precision of turns without a rational value; the errors do not count.
+
+    Returns:
+        The move of the last placement; None if it fits nowhere with its turn.
+
+    Cost: that of `no_fit_polygon` or of `free_positions`.
+    """
+    return _find_move(board, placements, bits, Fraction(0))
+
+
+def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | None:
+    """Find a shortest move that frees the last placement from a fault, spacing or margin included.
+
+    Args:
+        board: the solids.
+        placements: two placements that are to keep the spacing; or one that is to keep the margin.
+        bits: the precision of turns without a rational value.
+
+    Returns:
+        A move, which the judge accepts; None if there is none.
+
+    Cost: that of two no-fit polygons, and for r > 0 of some 30 judgements of the pair.
+    """
+    k = placements[-1]
+    solid = board.solid(k, bits)
+    if len(placements) > 1:
+        required = board.layout.spacing
+        slack = solid.slack + board.solid(placements[0], bits).slack
+    else:
+        required = board.greatest_margin
+        slack = solid.slack + max((wall.slack for wall in board.around), default=Fraction(0))
+    room = required + slack
+    move = _find_move(board, placements, bits, room)
+    if move is None:
+        return None
+    is_free = make_judge(board, placements, bits)
+    if room and move != ORIGIN:
+        move = _shorten(move, is_free)
+    return move if is_free(move) else None
+
+
+def find_free_move(board: Board, k: int) -> Point | None:
+    """Find the shortest move of a placement to where it is free of all others and the container.
+
+    Args:
+        board: the solids.
+        k: the number of the placement.
+
+    Returns:
+        A move in x and y by at most half the size of the part, and longer than the shortest one as
+        by `find_repair`; None if there is none.
+
+    Cost: that of `free_positions` with the placed parts that are near.
+    """
+    layout = board.layout
+    left, right, low, high = (Fraction(side) / board.solid(k).scale for side in board.solid(k).box)
+    reach = max(right - left, high - low) / 2
+    placed = board.list_beside(k, 2 * reach)
+    room = max(layout.spacing, board.greatest_margin) + board.solid(k).slack
+    room += max((board.solid(j).slack for j in placed), default=Fraction(0)) + layout.error
+    obstacles = [defect.region for defect in layout.defects]
+    obstacles += [board.turned(j).translated(layout.placements[j].move) for j in placed]
+    moved = board.turned(k)
+    if room:
+        moved = enlarge(moved, room)
+    inner = free_positions(layout.container or make_box(board.frame), obstacles, moved)
+    loops = [ring for one in inner.regions for ring in (one.exterior, *one.holes)]
+    move = _find_nearest(layout.placements[k].move, loops, inner.exact_fits)
+    return None if move is None or max(abs(move.x), abs(move.y)) > reach else move
+
+
+def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[Point], bool]:
+    """Return a function that judges the last placement after a move, against the others."""
+    k = placements[-1]
+    at = board.layout.placements[k].move
+
+    def is_free(move: Point) -> bool:
+        there = Point(at.x + move.x, at.y + move.y)
+
+        def moved(fixed: Callable[[int], Solid]) -> Callable[[int], tuple[Solid, Solid]]:
+            return lambda b: (board.solid_at(k, there, b), fixed(b))
+
+        if len(placements) > 1:
+            pairs = [(moved(partial(board.solid, placements[0])), board.layout.spacing)]
+        else:
+            pairs = [
+                (moved(partial(_give, wall)), board.required(k))
+                for k, wall in enumerate(board.around)
+            ]
+        for pair, required in pairs:
+            found = judge_pair(pair, bits, required)
+            if found.too_close is not False or found.meeting is Relation.OVERLAP:
+                return False
+        return True
+
+    return is_free
+
+
+def _give(solid: Solid, bits: int) -> Solid:
+    return solid
+
+
+def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fraction) -> Point | None:
+    """Find the shortest move to where the last placement, enlarged by the room, is free."""
+    k = placements[-1]
+    at, moved = board.layout.placements[k].move, board.turned(k, bits)
+    if room:
+        moved = enlarge(moved, room)
+    loops: Iterable[Polygon]
+    if len(placements) > 1:
+        j = placements[0]
+        there = board.layout.placements[j].move
+        at = Point(at.x - there.x, at.y - there.y)
+        no_fit = no_fit_polygon(stationary=board.turned(j, bits), orbiting=moved)
+        loops, fits = [no_fit.exterior, *no_fit.holes], no_fit.exact_fits
+    else:
+        layout = board.layout
+        defects = [defect.region for defect in layout.defects]
+        container = layout.container or make_box(board.frame)
+        if defects:
+            inner = free_positions(container, defects, moved)
+        else:
+            inner = inner_fit_polygon(container, moved)
+        loops = [ring for one in inner.regions for ring in (one.exterior, *one.holes)]
+        fits = inner.exact_fits
+    return _find_nearest(at, loops, fits)
+
+
+def _find_nearest(at: Point, loops: Iterable[Polygon], fits: Iterable[Edge]) -> Point | None:
+    edges = [(a, b) for loop in loops for a, b in pairwise((*loop.vertices, loop.vertices[0]))]
+    moves = [
+        Point(foot.x - at.x, foot.y - at.y)
+        for foot in (find_foot(at, edge) for edge in (*edges, *fits))
+    ]
+    return min(moves, key=lambda by: (by.x * by.x + by.y * by.y, by), default=None)
+
+
+def make_box(frame: tuple[int, int, int, int]) -> Region:
+    """Make a rectangle around a frame, with room for all of its contents on each side."""
+    west, south, east, north = frame
+    across, up = east - west, north - south
+    left, low, right, high = west - across, south - up, east + across, north + up
+    return Region([(left, low), (right, low), (right, high), (left, high)])
+
+
+def enlarge(region: Region, radius: Fraction) -> Region:
+    """Return a region that contains all points at distance at most `radius` of another one.
+
+    >>> print(enlarge(Region([(0, 0), (9, 0), (9, 9), (0, 9)]), Fraction(1, 10**7)).bounding_box[0])
+    Point(x=Fraction(-1, 10000000), y=Fraction(-1, 10000000))
+    """
+    low, high = region.bounding_box
+    sides = 4 if radius < _TINY * min(high.x - low.x, high.y - low.y) else _SIDES
+    disc = Region([(x * radius, y * radius) for x, y in _make_disc(sides)])
+    grown = no_fit_polygon(stationary=region, orbiting=disc)
+    try:
+        return Region(grown.exterior, [hole.vertices for hole in grown.holes])
+    except PolygonError:
+        # Holes that touch; without them the region is larger.
+        return Region(grown.exterior)
+
+
+@cache
+def _make_disc(sides: int) -> tuple[Point, ...]:
+    """Make a polygon around the unit disc, symmetric, of rational tangents.
+
+    >>> _make_disc(4)[0]
+    Point(x=Fraction(1, 1), y=Fraction(1, 1))
+    """
+    normals = []
+    for quarter in range(4):
+        for k in range(sides // 4):
+            half = Fraction(tan(pi * k / sides)).limit_denominator(50)
+            square = half * half
+            x, y = (1 - square) / (1 + square), 2 * half / (1 + square)
+            for _ in range(quarter):
+                x, y = -y, x
+            normals.append((x, y))
+    corners = []
+    for (a, b), (c, d) in pairwise((*normals, normals[0])):
+        share = 1 + a * c + b * d
+        corners.append(Point((a + c) / share, (b + d) / share))
+    return tuple(corners)
+
+
+def _shorten(move: Point, is_free: Callable[[Point], bool]) -> Point:
+    """Shorten a move in its direction as far as it frees, and round it to few digits."""
+    if not is_free(move):
+        return move
+    low, high = Fraction(0), Fraction(1)
+    for _ in range(_STEPS):
+        middle = (low + high) / 2
+        if is_free(Point(move.x * middle, move.y * middle)):
+            high = middle
+        else:
+            low = middle
+    shorter = Point(move.x * high, move.y * high)
+    for digits in _DIGITS:
+        rounded = Point(_round(shorter.x, digits), _round(shorter.y, digits))
+        if is_free(rounded):
+            return rounded
+    return shorter
+
+
+def _round(value: Fraction, digits: int) -> Fraction:
+    """Round a number to significant digits.
+
+    >>> _round(Fraction(200, 3), 3)
+    Fraction(667, 10)
+    """
+    if not value:
+        return value
+    unit = Fraction(10) ** (find_magnitude(abs(value)) - digits + 1)
+    return round(value / unit) * unit
