@@ -14,11 +14,10 @@ from functools import partial
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.geometry.overlap import Overlap
+from exactsweep.geometry.overlap import contains
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import quote
-from exactsweep.numbers.number import ORIGIN
 
 
 class Nested(NamedTuple):
@@ -281,5 +280,4 @@ class _Tree:
 def is_within(inner: Polygon, outer: Polygon) -> bool:
     """Decide whether a polygon lies inside another one, whose boundary it may touch."""
     _, (around, within) = common_lattice([outer, inner])
-    # The complement of the outer one is what its ring, run through backward, leaves of the plane.
-    return not Overlap([around[::-1]], [within], unbounded=True).at(ORIGIN)
+    return contains([around], [within])
