@@ -10,12 +10,23 @@ from typing import Any
 import click
 
 from exactsweep import __version__
-from exactsweep.cli.help import add_examples
+from exactsweep.cli.help import add_examples, name_reading_options
 from exactsweep.cli.limits import add_limits
 from exactsweep.words import spell_out
 
 _NAMES = (
-    *("batch", "compare", "conform", "convert", "corpus", "draw", "example", "explain", "ifp"),
+    *(
+        "batch",
+        "compare",
+        "conform",
+        "convert",
+        "corpus",
+        "draw",
+        "example",
+        "explain",
+        "help",
+        "ifp",
+    ),
     *("judge", "layout", "lesson", "nfp", "overlap", "reproduce", "sum", "sweep", "verify", "view"),
 )
 # Characters of a refusal by click, which repeats what is refused.
@@ -42,6 +53,7 @@ def _load(name: str) -> click.Command:
     command: click.Command = getattr(import_module(f"exactsweep.cli.{name}"), f"{name}_command")
     add_examples(command)
     add_limits(command)
+    name_reading_options(command)
     return command
 
 

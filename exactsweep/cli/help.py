@@ -1,8 +1,21 @@
-"""Examples at the end of the help of each command."""
+"""Help: examples at the end, and the options for reading files, which have a page of their own."""
 
 from inspect import cleandoc
 
 import click
+
+
+class ReadingOption(click.Option):
+    """An option for reading files; `exactsweep help reading` describes it."""
+
+    def get_help_record(self, ctx: click.Context) -> None:
+        """Leave the option out of the help of a command."""
+
+    def describe(self, ctx: click.Context) -> tuple[str, str]:
+        """Return the option and its description."""
+        record = super().get_help_record(ctx)
+        assert record
+        return record
 
 
 def add_examples(command: click.Command) -> None:
@@ -20,3 +33,53 @@ def add_examples(command: click.Command) -> None:
     command.help = text.replace("\n\n    ", "\n\n\b\n    ")
     heading = "Examples" if "\n" in examples else "Example"
     command.epilog = f"\b\n{heading}:\n{examples}"
+
+
+def name_reading_options(command: click.Command) -> None:
+    """Name the options for reading files in one line of the help, for each command of a group."""
+    if isinstance(command, click.Group):
+        for inner in command.commands.values():
+            name_reading_options(inner)
+        return
+    names = [option.opts[-1] for option in command.params if isinstance(option, ReadingOption)]
+    if names:
+        line = f"Also {' '.join(names)}: see 'exactsweep help reading'."
+        command.epilog = f"{line}\n\n{command.epilog or ''}"
+
+
+@click.command("help")
+@click.argument("topic", required=False)
+@click.pass_context
+def help_command(ctx: click.Context, topic: str | None) -> None:
+    """Show the help of a command, or of the options for reading files.
+
+    TOPIC is the name of a command, or 'reading'. Without it, all commands are listed.
+
+    Example:
+      exactsweep help reading
+      exactsweep help nfp
+    """
+    whole = ctx.find_root()
+    assert isinstance(whole.command, click.Group)
+    if topic is None:
+        click.echo(whole.get_help())
+        return
+    if topic == "reading":
+        click.echo(_describe_reading(whole.command, whole))
+        return
+    command = whole.command.get_command(whole, topic)
+    if command is None:
+        raise click.UsageError(f"No such command or topic {topic!r}; try 'exactsweep help'.")
+    click.echo(command.get_help(click.Context(command, info_name=topic, parent=whole)))
+
+
+def _describe_reading(group: click.Group, ctx: click.Context) -> str:
+    """Describe the options for reading files, by those of a command that has all of them."""
+    command = group.get_command(ctx, "convert")
+    assert command
+    formatter = ctx.make_formatter()
+    formatter.write_text("All commands that read polygons have these options.")
+    formatter.write_paragraph()
+    options = [option for option in command.params if isinstance(option, ReadingOption)]
+    formatter.write_dl([option.describe(ctx) for option in options])
+    return formatter.getvalue().rstrip("\n")

@@ -2,10 +2,11 @@
 
 import click
 
+from exactsweep.cli.help import ReadingOption
 from exactsweep.cli.options import name_mistakes
 from exactsweep.numbers.limits import DEFAULT_DIGITS, DEFAULT_MIB, limits
 
-_READING_NOTHING = {"corpus", "example", "reproduce"}
+_READING_NOTHING = {"corpus", "example", "help", "lesson", "reproduce"}
 
 
 def _raise_limit(ctx: click.Context, option: click.Parameter, value: float | None) -> None:
@@ -25,6 +26,7 @@ _LIMITS = (
         metavar="MIB",
         help="Read files up to this size, where each vertex counts for at least 16 bytes; by "
         f"default {DEFAULT_MIB}.",
+        cls=ReadingOption,
     ),
     click.option(
         "--max-digits",
@@ -35,6 +37,7 @@ _LIMITS = (
         metavar="N",
         help="Read numbers with up to N digits above and below the fraction bar, or 32 times as "
         f"many if they are written out; by default {DEFAULT_DIGITS}.",
+        cls=ReadingOption,
     ),
 )
 

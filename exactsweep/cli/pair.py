@@ -16,6 +16,7 @@ from exactsweep import (
     no_fit_polygon,
     sweep,
 )
+from exactsweep.cli.help import ReadingOption
 from exactsweep.cli.options import PATH, Decorator, checked, gather
 from exactsweep.cli.parts import find_parts, read_named, say_all, say_error, say_left_out
 from exactsweep.cli.working import working
@@ -75,6 +76,7 @@ takes_reading = gather(
         metavar="TOLERANCE",
         help="Replace curves of SVG and DXF by lines within this distance; by default about a "
         "thousandth of each outline. All answers state the error.",
+        cls=ReadingOption,
     ),
     click.option(
         "--join",
@@ -82,12 +84,14 @@ takes_reading = gather(
         metavar="DISTANCE",
         help="Join ends of lines of SVG and DXF within this distance. By default only equal ends "
         "are joined.",
+        cls=ReadingOption,
     ),
     click.option(
         "--nested/--flat",
         default=None,
         help="Read outlines inside others as holes, outlines in a hole as polygons, and so on; or "
         "each outline as a polygon. By default flat; 'exactsweep layout' nests.",
+        cls=ReadingOption,
     ),
     click.option(
         "--layer",
@@ -95,6 +99,7 @@ takes_reading = gather(
         multiple=True,
         metavar="NAME",
         help="Read only this layer of SVG and DXF; may be repeated.",
+        cls=ReadingOption,
     ),
     click.option(
         "--ignore-layer",
@@ -102,24 +107,33 @@ takes_reading = gather(
         multiple=True,
         metavar="NAME",
         help="Leave out a layer of SVG and DXF, such as engraving; may be repeated.",
+        cls=ReadingOption,
     ),
     click.option(
         "--clean",
         callback=checked(lambda text: how.Reading(clean=text).clean),
         metavar="AREA",
         help="Leave out polygons of a smaller area, and report them.",
+        cls=ReadingOption,
     ),
-    click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too."),
+    click.option(
+        "--hidden",
+        is_flag=True,
+        help="Read hidden geometry of SVG and DXF, too.",
+        cls=ReadingOption,
+    ),
     click.option(
         "--y-down/--y-up",
         default=None,
         help="The direction of Y in the files; by default down in SVG and up in all others.",
+        cls=ReadingOption,
     ),
     click.option(
         "--unit",
         type=click.Choice(list(how.UNITS)),
         help="Scale SVG and DXF that state their unit to this one. By default numbers are "
         "unchanged.",
+        cls=ReadingOption,
     ),
 )
 """Gives a command the options of reading files, as `reading`, a dict of arguments."""
