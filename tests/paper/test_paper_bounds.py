@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 
 from exactsweep import Polygon
-from exactsweep.paper.contact_segments import find_contacts
 from exactsweep.corpus.generator.growing import edges_over_needles, undercuts_under_ceilings
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks import (
@@ -27,6 +26,7 @@ from exactsweep.paper.checks import (
     undercuts,
 )
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
+from exactsweep.paper.contact_segments import find_contacts
 from exactsweep.paper.costs import COSTS, Cost, measure_costs
 from exactsweep.paper.counting import CountedList, peak, seconds, watch_operations
 from exactsweep.paper.functions import look_up_bottom

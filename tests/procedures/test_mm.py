@@ -9,8 +9,8 @@ from hypothesis import given
 from tiers import examples
 
 from exactsweep import Polygon, sweep
-from exactsweep.paper.definition import reference_loops
 from exactsweep.numbers.number import Vertex
+from exactsweep.paper.definition import reference_loops
 from exactsweep.paper.kernel import (
     find_convex_parts,
     sweep_mm,
