@@ -105,7 +105,9 @@ def to_graph(points: Sequence[Vertex]) -> Graph:
     made = Chain.of(points)
     contacts: list[VertexContact] = [(v, k, 0) for k, v in enumerate(made.vertices)]
     pieces: list[Piece] = [
-        (*line, *ends) for line, ends in zip(made.lines, pairwise(contacts), strict=True) if line
+        (*line[:3], *ends)
+        for line, ends in zip(made.lines, pairwise(contacts), strict=True)
+        if line
     ]
     return Graph([piece[3][0][::2] for piece in pieces] + [made.vertices[-1][::2]], pieces)
 

@@ -78,7 +78,7 @@ def merge_by_slope(*chains: Chain) -> Chain:
     edges = [
         (dy * unit // dx if unit else divide_exactly(dy, dx), dx, dy)
         for chain in chains
-        for dx, dy, _ in filter(None, chain.lines)
+        for dx, dy, *_ in filter(None, chain.lines)
     ]
     x: Rational = sum(chain.vertices[0][0] for chain in chains)
     y: Rational = sum(chain.vertices[0][1] for chain in chains)

@@ -29,8 +29,8 @@ T = TypeVar("T")
 Break = tuple[Rational, Rational]
 """(x, w): the abscissa x/w, w > 0; not reduced."""
 
-Line = tuple[Rational, Rational, Rational]
-"""(dx, dy, c): the points with y = (dy x + c) / dx, dx > 0."""
+Line = tuple[Rational, Rational, Rational, *tuple[object, ...]]
+"""(dx, dy, c, ...): the points with y = (dy x + c) / dx, dx > 0; other items do not matter."""
 
 Homogeneous = tuple[Rational, Rational, Rational]
 """(x, y, w): the point (x/w, y/w), w > 0."""
@@ -184,7 +184,8 @@ def precedes(first: Break, second: Break) -> bool:
 
 def find_point(line: Line, at: Break) -> Homogeneous:
     """Find the point of a line at a break, reduced."""
-    (dx, dy, c), (x, w) = line, at
+    dx, dy, c = line[:3]
+    x, w = at
     if not dx:
         raise ChainError("the envelope has a gap: its graphs do not overlap in x")
     x, y, w = x * dx, dy * x + c * w, dx * w
@@ -278,7 +279,14 @@ def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None
     if known := chain._parts.get((whose, unit)):
         return known
     edges = [
-        line and (line[1] * unit // line[0] if unit else divide_exactly(*line[1::-1]), whose, *line)
+        line
+        and (
+            line[1] * unit // line[0] if unit else divide_exactly(line[1], line[0]),
+            whose,
+            line[0],
+            line[1],
+            line[2],
+        )
         for line in chain.lines
     ]
     # A part begins after a vertical edge, and where the slope decreases.

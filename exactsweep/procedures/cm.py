@@ -111,7 +111,7 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
         _, left = find_touched(generatrix, directrix, before, at, at)
         right, _ = find_touched(generatrix, directrix, after, at, at)
         (x, w), (a, b) = at, subtract(before, after)
-        px, py, pw = find_point((after if a * x + b * w < 0 else before)[:3], at)
+        px, py, pw = find_point(after if a * x + b * w < 0 else before, at)
         # The vertices of G_t between both contacts, and those in them.
         (_, _, j), (_, _, j_end), (_, _, k), (_, _, k_end) = *before[3:], *after[3:]
         last = j if precedes((x - gs[j_end][0] * w, w), left) else j_end

@@ -64,25 +64,23 @@ class Graph:
         Raises ChainError if the graph has a gap. Cost: O(n).
         """
         before = self.pieces[0]
-        line: Line = before[:3]
-        vertices, lines = [find_point(line, self.breaks[0])], list[Line | None]([line])
+        vertices, lines = [find_point(before, self.breaks[0])], list[Line | None]([before])
         for piece, at in zip(self.pieces[1:], self.breaks[1:-1], strict=True):
-            line = piece[:3]
             if before[4] is piece[3]:
                 # Successive edges of one sum: no arithmetic is needed.
                 vertices.append(piece[3][0])
-                lines.append(line)
+                lines.append(piece)
             else:
                 bend, shift = subtract(before, piece)
                 step = bend * at[0] + shift * at[1]
                 if step:
-                    vertices.append(find_point(before[:3], at))
+                    vertices.append(find_point(before, at))
                     lines.append(None)
                 if step or bend:
-                    vertices.append(find_point(line, at))
-                    lines.append(line)
+                    vertices.append(find_point(piece, at))
+                    lines.append(piece)
             before = piece
-        vertices.append(find_point(before[:3], self.breaks[-1]))
+        vertices.append(find_point(before, self.breaks[-1]))
         return Chain(vertices, lines)
 
     def __iter__(self) -> Iterator[Vertex]:

@@ -43,7 +43,8 @@ class pause_collector:  # noqa: N801
     """Disable the garbage collector in a `with` block that makes many objects.
 
     The collector searches all objects for cycles whenever their number has grown by some share. The
-    kernel makes no cycles. The pause halves the time of large loops: Figure 10 for (64, 64).
+    kernel makes no cycles. The outer loop of Figure 10 for (64, 64), of 15,900 vertices, takes 94
+    ms without the pause, and 45 ms with it.
     """
 
     def __enter__(self) -> None:
