@@ -69,16 +69,16 @@ class MovedPair:
         ['overlap', 'contact', 'apart']
         """
         shape, part = self._shape, self._part
-        if self._crossing:
-            ours, other = self._crossing
-            if _cross(_move(ours, 0, 0, scale)[4:6], _move(other, x, y, scale)[4:6]):
-                return Relation.OVERLAP
         x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
         (left, right, low, high), (west, east, south, north) = shape.box, part.box
         left, right = max(left, west + x0), min(right, east + x1)
         low, high = max(low, south + y0), min(high, north + y1)
         if left > right or low > high:
             return Relation.APART
+        if self._crossing:
+            ours, other = self._crossing
+            if _cross(_move(ours, 0, 0, scale)[4:6], _move(other, x, y, scale)[4:6]):
+                return Relation.OVERLAP
         near = shape.near((left, right, low, high))
         others = part.near((left - x1, right - x0, low - y1, high - y0)) if near else []
         cones = self._find_cones(near if others else [], others, x, y, scale)

@@ -177,7 +177,12 @@ def _find_positions(
     pairs = [MovedPair(EdgeIndex(rings), part) for rings in obstacles]
 
     def overlaps(position: HomogeneousPoint) -> bool:
-        return any(pair.relate(*position) is Relation.OVERLAP for pair in pairs)
+        for k, pair in enumerate(pairs):
+            if pair.relate(*position) is Relation.OVERLAP:
+                # The obstacle that overlapped last is likely to do so again.
+                pairs.insert(0, pairs.pop(k))
+                return True
+        return False
 
     return find_free(cut(segments), overlaps, scale, least)
 
