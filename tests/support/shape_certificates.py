@@ -51,7 +51,8 @@ def _region(shape: Holed) -> Region:
 
 
 def _write(answer: Any) -> Certificate:
-    return json.loads(json.dumps(answer.certificate()))
+    found: Certificate = json.loads(json.dumps(answer.certificate()))
+    return found
 
 
 def written_again(certificate: Certificate) -> Certificate:
