@@ -71,12 +71,13 @@ class _PairLattice:
         return [make_node(x * self.scale, y * self.scale) for x, y in _read(points)]
 
     def enter_loop(self, points: _PointList) -> list[DirectedSegment]:
-        """Enter a loop as it is listed."""
-        return list_sides(self.enter(points))
+        """Enter a loop as it is listed; a wrong claim may repeat vertices."""
+        nodes = self.enter(points)
+        return list_sides([p for k, p in enumerate(nodes) if p != nodes[k - 1]])
 
     def enter_reversed(self, points: _PointList) -> list[DirectedSegment]:
         """Enter a loop from its last point back to the first."""
-        return list_sides(self.enter(points)[::-1])
+        return self.enter_loop([*points][::-1])
 
     def enter_fits(self, fits: Iterable[_PointList]) -> list[DirectedSegment]:
         """Enter exact fits."""

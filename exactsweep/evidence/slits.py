@@ -13,7 +13,7 @@ from fractions import Fraction
 from exactsweep.evidence.homogeneous import DirectedSegment, Node, make_node, make_side, place
 
 Gap = tuple[Node, Node]
-_Coordinates = tuple[Fraction, Fraction]
+_PlanePoint = tuple[Fraction, Fraction]
 
 
 def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[DirectedSegment]:
@@ -32,8 +32,8 @@ def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[Directe
     >>> [(slit.start, slit.end) for slit in unite([(b, c), (b, b), (b, a)], [])]
     [((0, 0, 1), (2, 0, 1))]
     """
-    along: dict[object, list[tuple[_Coordinates, _Coordinates]]] = defaultdict(list)
-    points: set[_Coordinates] = set()
+    along: dict[object, list[tuple[_PlanePoint, _PlanePoint]]] = defaultdict(list)
+    points: set[_PlanePoint] = set()
     for p, q in gaps:
         start, end = sorted((place(p), place(q)))
         if start == end:

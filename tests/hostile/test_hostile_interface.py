@@ -201,7 +201,6 @@ OF_SHAPES: dict[str, dict[str, Any]] = {
     "vertex_index": {"k": 0},
 }
 OF_POSITIONS: dict[str, dict[str, Any]] = {
-    "certificate": {"proof": False},
     "locate": {"position": (0, 0)},
     "plot": {"y_down": False},
 }
@@ -212,7 +211,6 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
     (
         EXAMPLE,
         {
-            "certificate": {"proof": False},
             "contacts_along": {"loops": [EXAMPLE.trajectory.vertices]},
             "contacts_at": {"position": (0, 0)},
             "plot": PLOTTED,
