@@ -117,9 +117,10 @@ class Work:
 
     def spend(self, steps: float, *numbers: int) -> None:
         """Take steps from those that are left: more than these, as measured, for long numbers."""
-        bits = max(0, max(numbers, key=abs, default=0).bit_length() - 60)
-        self.left -= steps * (1 + bits / 35 + bits**2 / 65000)
-        need(self.left >= 0, "too large: to check it takes more steps than a file of its size may")
+        bits = max(map(int.bit_length, numbers)) - 60 if numbers else 0
+        self.left -= steps * (1 + bits / 35 + bits**2 / 65000) if bits > 0 else steps
+        if self.left < 0:
+            raise Refused("too large: to check it takes more steps than a file of its size may")
 
 
 def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
