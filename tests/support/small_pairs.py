@@ -3,9 +3,8 @@
 The exterior comes first; coordinates are ints.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import cache
-from itertools import chain
 from random import Random
 from typing import Any, NamedTuple
 
@@ -200,25 +199,6 @@ def shares_direction(pair: SmallPair) -> bool:
     """Decide whether both are monotone to one direction; with holes they are not."""
     rings = [tuple(ring) for shape in pair for ring in shape]
     return len(rings) == 2 and has_shared_direction(rings)
-
-
-def has_shared_direction(rings: Sequence[Sequence[tuple[Any, Any]]]) -> bool:
-    """Decide whether some direction is one to which all rings are weakly monotone.
-
-    These directions are closed angles that end in directions square to edges. So it is enough to
-    try those.
-    """
-    edges = [
-        [(q[0] - p[0], q[1] - p[1]) for p, q in zip(ring, [*ring[1:], ring[0]], strict=True)]
-        for ring in rings
-    ]
-    return any(all(_count_turns(ring, (-y, x)) == 2 for ring in edges) for x, y in chain(*edges))
-
-
-def _count_turns(edges: Sequence[tuple[Any, Any]], u: tuple[Any, Any]) -> int:
-    """Count how often a ring turns back in a direction; edges square to it do not count."""
-    signs = [along > 0 for x, y in edges if (along := x * u[0] + y * u[1])]
-    return sum(a != b for a, b in zip(signs, signs[1:] + signs[:1], strict=True))
 
 
 def _placed(rng: Random, pair: SmallPair) -> SmallPair:
