@@ -155,7 +155,7 @@ Definition in_box (p : qpoint) : bool :=
 Definition check_inner_fit : bool :=
   all_integral (Zpos N) C && all_integral (Zpos N) G && all_integral (Zpos N) regions && forallb (integral_edge N) fits &&
   (fl <? fr)%Z && (fb <? ft)%Z && (bl <? br)%Z && (bb <? bt)%Z &&
-  cancels (flat_map edges (outside c) ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring fl fb fr ft)) &&
+  cancel (flat_map edges (outside c) ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring fl fb fr ft)) &&
   simple_solid solid_G &&
   forallb (fun e => in_box (fst e) && in_box (snd e)) segments &&
   forallb is_convex (outside c) && forallb is_convex (part c) &&
@@ -169,7 +169,7 @@ Hypothesis Fx : (fl < fr)%Z.
 Hypothesis Fy : (fb < ft)%Z.
 Hypothesis Bx : (bl < br)%Z.
 Hypothesis By : (bb < bt)%Z.
-Hypothesis Cn : cancels (flat_map edges (outside c) ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring fl fb fr ft)) = true.
+Hypothesis Cn : cancel (flat_map edges (outside c) ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring fl fb fr ft)) = true.
 Hypothesis SG : simple_solid solid_G = true.
 Hypothesis Within : forall e, In e segments -> in_box (fst e) = true /\ in_box (snd e) = true.
 Hypothesis PO : forall P, In P (outside c) -> is_convex P = true.
@@ -299,7 +299,7 @@ Lemma container_wind z :
 Proof.
   destruct (pat_common z z) as (k & v & _ & K & V & _).
   rewrite (winding_W (Zpos N) k C (int_rings (Zpos N) C) z v); [|reflexivity|exact K|apply int_rings_at, IC|exact V].
-  pose proof (cancels_wind k _ _ (grow (Zpos N) v) K Cn) as E. rewrite map_app, wind_app in E.
+  pose proof (cancel_wind k _ _ (grow (Zpos N) v) K Cn) as E. rewrite map_app, wind_app in E.
   fold (W k (outside c) (grow (Zpos N) v)) (W k (int_rings (Zpos N) C) (grow (Zpos N) v)) in E. rewrite W_count in E.
   pose proof (box_wind k fl fb fr ft (grow (Zpos N) v) K Fx Fy) as B. unfold W at 1 in B. cbn [flat_map] in B.
   rewrite app_nil_r in B. rewrite B in E. clear B.

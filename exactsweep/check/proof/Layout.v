@@ -105,7 +105,7 @@ Definition check_layout : bool :=
       let '(x0, y0, x1, y1) := frame c in
       let out := make_item (map (fun p => (p, 0)) (outside_pieces c)) (int D e) in
       (x0 <? x1) && (y0 <? y1) && is_amount D e && all_integral D rs && forallb is_fan (outside_pieces c) &&
-      cancels (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings D rs)) (edges (box_ring x0 y0 x1 y1)) &&
+      cancel (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings D rs)) (edges (box_ring x0 y0 x1 y1)) &&
       forallb (fun x => within_frame (int D (Statements.margin l) + int D e) (frame c) (snd x) &&
         is_apart (int D (Statements.margin l)) (fun i j => outside_normals (-1) i (fst x) j) out (snd x)) items
   end.
@@ -291,13 +291,13 @@ Hypothesis IC : all_integral (Zpos N) C = true.
 Hypothesis Fx : (x0 < x1)%Z.
 Hypothesis Fy : (y0 < y1)%Z.
 Hypothesis FO : fans out.
-Hypothesis Cn : cancels (flat_map edges out ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring x0 y0 x1 y1)) = true.
+Hypothesis Cn : cancel (flat_map edges out ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring x0 y0 x1 y1)) = true.
 Lemma frame_inside z : (forall h, In h (planes (x0, y0, x1, y1)) -> ~ beyond_plane h z) ->
   (forall P, In P out -> Statements.winding [qring N P] z <> 1%Z) -> Statements.inside C z.
 Proof.
   intros NB NP. unfold Statements.inside. destruct (pat_common z z) as (k & v & _ & K & V & _).
   rewrite (winding_W (Zpos N) k C (int_rings (Zpos N) C) z v); [|reflexivity|exact K|apply int_rings_at, IC|exact V].
-  pose proof (cancels_wind k _ _ (grow (Zpos N) v) K Cn) as E. rewrite map_app, wind_app in E.
+  pose proof (cancel_wind k _ _ (grow (Zpos N) v) K Cn) as E. rewrite map_app, wind_app in E.
   fold (W k out (grow (Zpos N) v)) (W k (int_rings (Zpos N) C) (grow (Zpos N) v)) in E. rewrite W_count in E.
   pose proof (box_wind k x0 y0 x1 y1 (grow (Zpos N) v) K Fx Fy) as B. unfold W at 1 in B. cbn [flat_map] in B.
   rewrite app_nil_r in B. rewrite B in E. clear B.

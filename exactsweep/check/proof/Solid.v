@@ -2,7 +2,7 @@
 
    Vertices are integers.  The rational point (x / k, y / k) is written as z = (x, y) with all vertices
    multiplied by k, so what holds for every k > 0 and every z holds at every rational point. *)
-Require Import ZArith Lia List Bool.
+Require Import ZArith Lia List Bool Permutation Orders Mergesort.
 From Exactsweep Require Import Cancel Constant Fans Pieces.
 Import ListNotations.
 Open Scope Z_scope.
@@ -89,26 +89,63 @@ Proof.
   destruct (Z.leb_spec (k * snd q) (snd z)); destruct (Z.ltb_spec (snd z) (k * snd q)); cbn; try reflexivity; lia.
 Qed.
 
-Definition cancels (es fs : list edge) : bool :=
-  let l := signed (filter tilted es) ++ neg (signed (filter tilted fs)) in
-  forallb (fun x => total l (fst x) =? 0) l.
+(* Keys in order: what starts and ends at one point of one line comes together. *)
+Definition then_compare (c d : comparison) : comparison := match c with Eq => d | _ => c end.
+Definition key_compare (x y : key) : comparison :=
+  let '((a, b, c), p) := x in let '((a', b', c'), p') := y in
+  then_compare (Z.compare a a') (then_compare (Z.compare b b') (then_compare (Z.compare c c')
+    (then_compare (Z.compare (fst p) (fst p')) (Z.compare (snd p) (snd p'))))).
+Module KeyOrder <: TotalLeBool.
+  Definition t := (key * Z)%type.
+  Definition leb (x y : t) : bool := match key_compare (fst x) (fst y) with Gt => false | _ => true end.
+  Theorem leb_total : forall x y, leb x y = true \/ leb y x = true.
+  Proof.
+    intros ((((a, b), c), (u, v)), s) ((((a', b'), c'), (u', v')), s'). unfold leb, key_compare. cbn [fst snd].
+    rewrite (Z.compare_antisym a a'), (Z.compare_antisym b b'), (Z.compare_antisym c c'), (Z.compare_antisym u u'), (Z.compare_antisym v v').
+    destruct (a ?= a'), (b ?= b'), (c ?= c'), (u ?= u'), (v ?= v'); cbn; auto.
+  Qed.
+End KeyOrder.
+Module KeySort := Sort KeyOrder.
+(* Each run of one key adds up to 0. *)
+Fixpoint runs_cancel (k : key) (s : Z) (l : list (key * Z)) : bool :=
+  match l with
+  | [] => s =? 0
+  | (k', s') :: r =>
+      match key_compare k k' with Eq => runs_cancel k (s + s') r | _ => (s =? 0) && runs_cancel k' s' r end
+  end.
+Definition cancel (pieces rings : list edge) : bool :=
+  match KeySort.sort (signed (filter tilted pieces) ++ neg (signed (filter tilted rings))) with
+  | [] => true
+  | (k, s) :: r => runs_cancel k s r
+  end.
 
-Lemma total_none l k : ~ In k (map fst l) -> total l k = 0.
+Lemma key_compare_eq x y : key_compare x y = Eq -> x = y.
 Proof.
-  induction l as [|[k' s] r IH]; [reflexivity|]. cbn. intro N.
-  destruct (key_dec k' k) as [->|]; [exfalso; apply N; auto|]. rewrite IH; [reflexivity|tauto].
+  destruct x as (((a, b), c), (u, v)), y as (((a', b'), c'), (u', v')). unfold key_compare. cbn [fst snd].
+  destruct (Z.compare_spec a a'); try discriminate. destruct (Z.compare_spec b b'); try discriminate.
+  destruct (Z.compare_spec c c'); try discriminate. destruct (Z.compare_spec u u'); try discriminate.
+  destruct (Z.compare_spec v v'); try discriminate. cbn. congruence.
 Qed.
+Lemma runs_cancel_total l : forall k s, runs_cancel k s l = true -> forall x, (if key_dec k x then s else 0) + total l x = 0.
+Proof.
+  induction l as [|(k', s') r IH]; intros k s H x; cbn [runs_cancel total] in *.
+  - apply Z.eqb_eq in H. subst s. destruct (key_dec k x); reflexivity.
+  - destruct (key_compare k k') eqn:C.
+    + apply key_compare_eq in C. subst k'. pose proof (IH _ _ H x) as E. destruct (key_dec k x); lia.
+    + apply andb_prop in H as (S0 & H). apply Z.eqb_eq in S0. subst s. pose proof (IH _ _ H x). destruct (key_dec k x); lia.
+    + apply andb_prop in H as (S0 & H). apply Z.eqb_eq in S0. subst s. pose proof (IH _ _ H x). destruct (key_dec k x); lia.
+Qed.
+Lemma total_permutation l m x : Permutation l m -> total l x = total m x.
+Proof. induction 1 as [|(k, s) l m _ IH|(k, s) (k', s') l|l m n _ IH _ IH']; cbn [total]; lia. Qed.
 
-Lemma cancels_wind k es fs z : 0 < k -> cancels es fs = true ->
+Lemma cancel_wind k es fs z : 0 < k -> cancel es fs = true ->
   wind (map (grow_edge k) es) z = wind (map (grow_edge k) fs) z.
 Proof.
   intros K C. rewrite <- (wind_tilted k es), <- (wind_tilted k fs), !wind_weigh_k by assumption.
-  unfold cancels in C. rewrite forallb_forall in C.
-  set (l := signed (filter tilted es)) in *. set (m := signed (filter tilted fs)) in *.
+  unfold cancel in C. set (l := signed (filter tilted es)) in *. set (m := signed (filter tilted fs)) in *.
   assert (weigh (phik k z) (l ++ neg m) = 0) as E.
-  { eapply weigh_zero; [apply le_n|]. intro x.
-    destruct (in_dec key_dec x (map fst (l ++ neg m))) as [I|N]; [|apply total_none, N].
-    apply in_map_iff in I as ((y & s) & <- & I). apply Z.eqb_eq, C in I || (apply C, Z.eqb_eq in I). exact I. }
+  { eapply weigh_zero; [apply le_n|]. intro x. rewrite (total_permutation _ _ x (KeySort.Permuted_sort (l ++ neg m))).
+    destruct (KeySort.sort (l ++ neg m)) as [|(k0, s0) r]; [reflexivity|]. exact (runs_cancel_total r k0 s0 C x). }
   rewrite weigh_app, weigh_neg in E. lia.
 Qed.
 
@@ -138,7 +175,7 @@ Qed.
 (* Solids *)
 Record solid := { rings : list ring; pieces : list ring }.
 Definition is_solid (s : solid) : bool :=
-  forallb is_fan (pieces s) && cancels (flat_map edges (pieces s)) (flat_map edges (rings s)).
+  forallb is_fan (pieces s) && cancel (flat_map edges (pieces s)) (flat_map edges (rings s)).
 
 Fixpoint count (k : Z) (ps : list ring) (z : pt) : Z :=
   match ps with [] => 0 | p :: r => ring_wind (map (grow k) p) z + count k r z end.
@@ -149,7 +186,7 @@ Proof. induction ps as [|p r IH]; [reflexivity|]. rewrite W_cons, IH. reflexivit
 Lemma solid_count k s z : 0 < k -> is_solid s = true -> W k (rings s) z = count k (pieces s) z.
 Proof.
   intros K H. unfold is_solid in H. apply andb_prop in H as (_ & C).
-  rewrite <- W_count. unfold W. symmetry. apply cancels_wind; assumption.
+  rewrite <- W_count. unfold W. symmetry. apply cancel_wind; assumption.
 Qed.
 
 Definition fans (ps : list ring) : Prop := forall p, In p ps -> is_fan p = true.

@@ -1,0 +1,211 @@
+"""Certificates as input of the checker in Coq: the extracted program, and theorems."""
+
+import copy
+import subprocess
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import islice
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+from command import run
+
+from exactsweep import inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.check.extracted import PROOF, accept, build_checker, missing_tools
+from exactsweep.check.standalone import Refused, prove
+from exactsweep.check.terms import Nat, Some, to_claim, write_numbers
+from exactsweep.check.theorem import write_theorem
+from exactsweep.corpus import cases, layout_cases
+from exactsweep.layout import judge_layout
+
+CAVE = [
+    (0, 0),
+    (4, 0),
+    (4, 2),
+    (3, 2),
+    (3, 1),
+    (1, 1),
+    (1, 4),
+    (3, 4),
+    (3, 3),
+    (4, 3),
+    (4, 5),
+    (0, 5),
+]
+UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
+TRAY = [(0, 0), (5, 0), (5, "7/2"), (0, 4)]
+
+needs_tools = pytest.mark.skipif(bool(missing_tools()), reason=f"no {', '.join(missing_tools())}")
+
+
+def small_certificates() -> dict[str, Any]:
+    valid = next(case for case in layout_cases() if case.expected.get("valid"))
+    return {
+        "no_fit": no_fit_polygon(CAVE, UNIT).certificate(),
+        "inner_fit": inner_fit_polygon(TRAY, UNIT).certificate(),
+        "sweep": sweep(UNIT, CAVE).certificate(),
+        "layout": judge_layout(valid.layout).certificate(),
+    }
+
+
+def corpus_certificates(size: int, step: int) -> Iterator[Any]:
+    for case in islice(cases(max_size=size), None, None, step):
+        yield no_fit_polygon(case.directrix, case.generatrix).certificate()
+        yield inner_fit_polygon(case.directrix, case.generatrix).certificate()
+        yield sweep(case.generatrix, case.directrix).certificate()
+    for layout in layout_cases():
+        if layout.expected.get("valid"):
+            yield judge_layout(layout.layout).certificate()
+
+
+def is_proved(certificate: Any) -> bool:
+    try:
+        prove(certificate)
+    except Refused:
+        return False
+    return True
+
+
+def places(item: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """The paths of all that a change may touch; the head stays."""
+    if path and path[0] not in ("format", "version", "claim"):
+        yield path
+    for key, value in (
+        item.items() if type(item) is dict else enumerate(item) if type(item) is list else ()
+    ):
+        yield from places(value, (*path, key))
+
+
+def change(certificate: Any, rng: Random) -> Any:
+    """Change a certificate in one place: a number, an entry of a list, or its order."""
+    changed = copy.deepcopy(certificate)
+    every = list(places(changed))
+    *path, last = rng.choice([e for e in every if e[0] != "proof"] if rng.random() < 0.5 else every)
+    at = changed
+    for key in path:
+        at = at[key]
+    value = at[last]
+    if type(value) is bool:
+        at[last] = not value
+    elif type(value) is int:
+        at[last] = value + rng.choice((1, -1, 2))
+    elif type(value) is str:
+        try:
+            at[last] = str(Fraction(value) + rng.choice((1, -1, Fraction(1, 1000))))
+        except ValueError:
+            at[last] = "0"
+    elif type(value) is list and value:
+        k, kind = rng.randrange(len(value)), rng.randrange(4)
+        if kind == 0:
+            del value[k]
+        elif kind == 1:
+            value.insert(k, copy.deepcopy(rng.choice(value)))
+        elif kind == 2:
+            value.reverse()
+        else:
+            rng.shuffle(value)
+    return changed
+
+
+def test_terms_have_one_word_for_each_number() -> None:
+    claim = to_claim(small_certificates()["no_fit"])
+    assert (
+        write_numbers(claim._replace(statement={}, evidence={"a": ("t", Some(Nat(3)))}))
+        == "no_fit 1 3"
+    )
+    assert write_numbers(
+        claim._replace(statement={"a": ("t", [(Fraction(1, 2), None)])}, evidence={})
+    ) == ("no_fit 1 1/2 0")
+    assert write_numbers(claim).split()[:4] == ["no_fit", "1", "12", "0/1"]
+
+
+@pytest.mark.parametrize("kind", ["no_fit", "inner_fit", "sweep", "layout"])
+def test_a_theorem_has_the_numbers_of_the_certificate(kind: str) -> None:
+    text = write_theorem(small_certificates()[kind], "name")
+    assert "name.v" in text
+    assert "Theorem proved : Statements." in text
+    assert text.count("(") == text.count(")")
+    if kind in ("no_fit", "sweep"):
+        assert "(4, 5); (0, 5)]" in text
+        assert "[((2, 2), (4, 2))]" in text
+
+
+def test_other_versions_and_faults_have_no_theorem() -> None:
+    certificate = small_certificates()["no_fit"]
+    with pytest.raises(ValueError, match="version"):
+        to_claim({**certificate, "version": 2})
+    faulty = next(case for case in layout_cases() if case.expected.get("faults"))
+    with pytest.raises(ValueError, match="faults"):
+        to_claim(judge_layout(faulty.layout).certificate())
+
+
+def test_a_theorem_is_written_on_the_command_line(tmp_path: Path) -> None:
+    for name, points in (("d", CAVE), ("g", UNIT)):
+        ring = ",".join(f"{x} {y}" for x, y in [*points, points[0]])
+        (tmp_path / f"{name}.wkt").write_text(f"POLYGON(({ring}))")
+    done = run("nfp", str(tmp_path / "d.wkt"), str(tmp_path / "g.wkt"), "--certificate")
+    (tmp_path / "proof.json").write_text(done.stdout)
+    done = run("verify", str(tmp_path / "proof.json"), "--coq", str(tmp_path / "claim.v"))
+    assert done.exit_code == 0
+    assert (tmp_path / "claim.v").read_text() == write_theorem(
+        small_certificates()["no_fit"], "claim"
+    )
+
+
+@needs_tools
+@pytest.mark.long
+def test_both_checkers_agree_on_true_and_changed_certificates() -> None:
+    rng, true = Random(4), list(corpus_certificates(14, 24))
+    changed = [change(certificate, rng) for certificate in true for _ in range(6)]
+    assert accept(true) == [True] * len(true)
+    assert all(map(is_proved, true))
+    answers, expected = accept(changed), list(map(is_proved, changed))
+    assert answers == expected
+    assert 0 < sum(expected) < len(expected) / 4
+
+
+@needs_tools
+@pytest.mark.long
+def test_malformed_lines_are_not_accepted() -> None:
+    true = small_certificates()["no_fit"]
+    assert accept([true, None, {}, {**true, "holes": 3}, {**true, "exact_fits": [[]]}, true]) == [
+        True,
+        False,
+        False,
+        False,
+        False,
+        True,
+    ]
+    lines = "no_fit\nno_fit 1 1/0\nother 3\nno_fit -1\n"
+    done = subprocess.run(
+        [build_checker()], input=lines, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == ["unreadable"] * 4
+
+
+@needs_tools
+@pytest.mark.long
+@pytest.mark.parametrize("kind", ["no_fit", "inner_fit", "sweep", "layout"])
+def test_coq_proves_a_certificate_and_not_a_changed_one(tmp_path: Path, kind: str) -> None:
+    build_checker()
+    certificate = small_certificates()[kind]
+    wrong = copy.deepcopy(certificate)
+    if kind == "layout":
+        wrong["layout"]["placements"][-1]["move"][0] += "1"
+    elif kind == "inner_fit":
+        wrong["regions"][0]["exterior"][0][0] = "1/3"
+    else:
+        wrong["exact_fits"] = []
+    for name, given in (("right", certificate), ("wrong", wrong)):
+        (tmp_path / f"{name}.v").write_text(write_theorem(given, name))
+        done = subprocess.run(
+            ["coqc", "-R", str(PROOF), "Exactsweep", f"{name}.v"],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.stdout == "Closed under the global context\n" * (name == "right")
+        assert (done.returncode == 0) == (name == "right")
