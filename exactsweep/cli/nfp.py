@@ -11,6 +11,7 @@ from exactsweep.cli.pair import errors_of_files, keep_errors, read_each, takes_s
 from exactsweep.cli.result import Form, takes_form, tell_error, write_result
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.text.report import approximate, lay_out, make_table
 from exactsweep.text.results import no_fit_to_regions
 
@@ -62,8 +63,10 @@ def nfp_command(
     elif form.kind == "json":
         from exactsweep.batch.record import write_result_line
 
+        bound = Fraction(sum(errors_of_files()))
+        known = {"curve_error": format_fraction(bound)} if bound else {}
         lines = (
-            write_result_line(k, {"generatrix": g, "directrix": d}, result, "nfp")
+            write_result_line(k, {"generatrix": g, "directrix": d} | known, result, "nfp")
             for k, ((d, g), result) in enumerate(zip(names, found, strict=True))
         )
         write_readable(b"".join(lines).decode(), form.output)
