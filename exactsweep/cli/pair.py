@@ -330,7 +330,6 @@ def read_placed(
     say_left_out(said.left_out)
     say_all(said.notes)
     keep_errors(max(errors))
-    say_error(max(errors), reading)
     if listing.coordinates.y_down != coordinates_of_files().y_down:
         say_all([f"{', '.join(map(show_path, files))}: Y turned, to point as in the other files"])
         others = [region.scaled((1, -1)) for region in others]

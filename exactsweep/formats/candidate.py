@@ -9,6 +9,7 @@ from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.curved.curves import bound_root
+from exactsweep.formats.curved.path import SimpleLines
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.part_list import Said
 from exactsweep.formats.size import FAULT, require_count
@@ -149,7 +150,7 @@ class Candidate(NamedTuple):
         """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
         for hole in self.holes():
             raise FormatError(f"{hole.place}: an inner ring: with it, this is a Region, no Polygon")
-        return self._read(lambda: Polygon(self._short_vertices()))
+        return self._read(self._make_polygon)
 
     def region(self) -> Region:
         """Read the polygon with its holes; refuses as `polygon` does, but accepts holes."""
@@ -241,6 +242,11 @@ class Candidate(NamedTuple):
             rings = [one._replace(holes=tuple) for one in (self, *self.holes())]
             exterior, *holes = [ring.region() for ring in rings]
             return exterior, holes
+
+    def _make_polygon(self) -> Polygon:
+        points = self._short_vertices()
+        known = points.polygon if isinstance(points, SimpleLines) else None
+        return known or Polygon(points)
 
     def shape(self) -> AnyPolygon:
         """Read a Region if there are holes, else a Polygon."""

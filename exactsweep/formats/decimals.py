@@ -127,9 +127,9 @@ def show_point(point: Point) -> str:
     """Write a point for a message: decimals as a file has them, long ones rounded.
 
     >>> show_point(Point(Fraction(1, 8), Fraction(1, 3)))
-    '(0.125, 0.3333333333)'
+    '(0.125,0.3333333333)'
     """
-    return f"({', '.join(map(_show, point))})"
+    return f"({','.join(map(_show, point))})"
 
 
 def _show(value: Fraction) -> str:
