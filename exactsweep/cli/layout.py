@@ -4,24 +4,30 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import click
 
+from exactsweep.cli.layout_rows import (
+    LayoutRow,
+    judge_file,
+    judge_finely,
+    list_notes,
+    write_rows,
+)
 from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_output, takes_workers
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.reports import to_gap
 from exactsweep.cli.working import show_bar, working
-from exactsweep.formats import FormatError, show_path
+from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.limits import keep_limits, list_limits
-from exactsweep.words import count, spell_out
+from exactsweep.words import count
 
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
@@ -29,36 +35,8 @@ if TYPE_CHECKING:
     from exactsweep.layout.report import ReportContext
 
 
-# The factor of the tolerance each time that curves are flattened again, and the most times.
-_FINER, _MOST_FINER = Fraction(1, 100), 2
-
-
 _UNCHECKED = 3
 """The exit code of --strict if all is valid, but not everything was judged."""
-
-
-class LayoutRow(NamedTuple):
-    """A layout of several, as the table of all shows it.
-
-    Attributes:
-        name: the file, and which sheet of it.
-        verdict: "valid", what is wrong, or why it could not be read.
-        valid: None where it could not be read.
-        placements: how many there are.
-        worst: how bad the worst fault is; of a valid one the least distance.
-        notes: what the reader passed over.
-        accepted: whether all faults are at most as deep as is accepted.
-        unchecked: rules and shapes that were not judged.
-    """
-
-    name: str
-    verdict: str
-    valid: bool | None
-    placements: int = 0
-    worst: str = ""
-    notes: Sequence[str] = ()
-    accepted: bool = False
-    unchecked: Sequence[str] = ()
 
 
 def _choose_container(container: str | None, no_container: bool) -> str | Literal[False] | None:
@@ -73,7 +51,7 @@ def _make_gaps(spacing: Fraction | None, margin: Fraction | None) -> dict[str, s
 
 
 class _Rules(NamedTuple):
-    """What decides the exit code: an accepted depth, and whether everything has to be judged."""
+    """Rules of the exit code: an accepted depth, and whether everything has to be judged."""
 
     accept: Fraction | None
     strict: bool
@@ -213,7 +191,7 @@ def layout_command(
     if wanted.as_json:
         text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
     else:
-        text = _write_rows(rows, measure_columns(wanted.output))
+        text = write_rows(rows, measure_columns(wanted.output))
     write(text, wanted.output)
     good = all(row.valid or row.accepted for row in rows)
     unchecked = any(row.unchecked for row in rows)
@@ -286,52 +264,6 @@ def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
     return f"repaired in {show_path(path)}: {moved} {context.add_unit(longest)}; judged valid"
 
 
-def list_notes(found: FoundLayout, judgement: Judgement) -> list[str]:
-    """List the remarks on a layout: of its reader, and other conventions that explain it."""
-    from exactsweep.layout.diagnose import diagnose, find_radians
-
-    guesses = diagnose(judgement)
-    if not any("radians" in guess for guess in guesses):
-        guesses += find_radians(judgement.layout)
-    return [*map(spell_out, found.notes), *guesses]
-
-
-def judge_finely(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
-    """Judge a layout, and flatten the curves of what is undecided more finely, up to a budget."""
-    from exactsweep.layout import judge_layout
-
-    data, judgement = found.data, judge_layout(_make(found, gaps, title))
-    for _ in range(_MOST_FINER):
-        layout = judgement.layout
-        unsure = [f for f in judgement.faults if f.kind == "undecided" and f.error]
-        if not unsure or found.flatten is None:
-            break
-        names: set[str | None] = {layout.placements[k].part for f in unsure for k in f.placements}
-        if any(len(f.placements) == 1 for f in unsure):
-            names.add(None)
-        errors = [layout.error if n is None else layout.part_by_id[n].error for n in names]
-        names -= {name for name, error in zip(names, errors, strict=True) if not error}
-        try:
-            finer = found.flatten(names, max(errors) * _FINER)
-        except FormatError:
-            # Too many lines.
-            break
-        if not finer:
-            break
-        parts = [{**part, **finer.get(part["id"], {})} for part in data["parts"]]
-        walls = {"container": finer[None]} if finer.get(None) else {}
-        data = {**data, **walls, "parts": parts}
-        judgement = judge_layout(_make(found._replace(data=data), gaps, title))
-    return judgement
-
-
-def _make(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Any:
-    from exactsweep.layout import Layout
-
-    with name_refusals(title):
-        return Layout.from_json({**found.data, **gaps})
-
-
 def _judge_all(
     paths: Sequence[str],
     options: Mapping[str, Any],
@@ -355,54 +287,3 @@ def _judge_all(
                 show(k + 1, "")
     finally:
         pool.close()
-
-
-def judge_file(
-    path: str,
-    read: Callable[[], Sequence[FoundLayout]],
-    gaps: Mapping[str, str],
-    accept: Fraction | None = None,
-) -> list[LayoutRow]:
-    """Judge the layouts of a file; one that cannot be read is a row as well."""
-    rows = []
-    try:
-        for found in read():
-            name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
-            rows.append(_sum_up(name, found, judge_finely(found, gaps, name), accept))
-    except ValueError as error:
-        rows.append(LayoutRow(show_path(path), str(error), None))
-    return rows
-
-
-def _sum_up(
-    name: str, found: FoundLayout, judgement: Judgement, accept: Fraction | None
-) -> LayoutRow:
-    from exactsweep.layout.report import ReportContext, rank_faults
-    from exactsweep.layout.report.table import list_measures, tell_fault
-
-    context = ReportContext(found.unchecked, found.places, found.unit, accept)
-    ranked = rank_faults(judgement, accepted=accept)
-    facts = list_measures(judgement, ranked, context)
-    worst = tell_fault(judgement, ranked[0], context)[1] if ranked else facts.get("nearest", "")
-    return LayoutRow(
-        name,
-        facts["verdict"],
-        judgement.valid,
-        len(judgement.layout.placements),
-        worst,
-        [*map(spell_out, found.notes)],
-        accepted=all(one.accepted for one in ranked),
-        unchecked=found.unchecked,
-    )
-
-
-def _write_rows(rows: Sequence[LayoutRow], terminal_width: int | None) -> str:
-    from exactsweep.text.report import lay_out, make_table
-
-    table = make_table(("layout", "placements", "verdict", "worst or nearest"), {"placements"})
-    for row in rows:
-        placements = "" if row.valid is None else str(row.placements)
-        table.add_row(row.name, placements, row.verdict, row.worst)
-    valid = sum(bool(row.valid) or row.accepted for row in rows)
-    notes = [f"note: {row.name}: {note}\n" for row in rows for note in row.notes]
-    return lay_out([table], terminal_width) + "".join(notes) + f"{valid} of {len(rows)} valid\n"

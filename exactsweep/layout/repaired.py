@@ -5,7 +5,7 @@ apart by at least d in this direction. The shortest moves that do so for all fau
 Hildreth's method, in floats, which decide nothing: the layout is moved and judged again, and new
 faults add their own conditions. That ends soon where parts have room of the size of the faults, as
 after rounding. It may not end: the least moves that free all parts need not exist nearby, and
-finding them is a hard problem. What is left after some rounds is moved, one by one, to the nearest
+finding them is a hard problem. After some rounds, each placement with a fault moves to the nearest
 position that is free of all neighbours, if there is any.
 
 Source: Hildreth, "A quadratic programming procedure", Naval Research Logistics Quarterly 4, 1957.

@@ -54,7 +54,7 @@ def test_a_turn_that_jagua_rounds_is_the_allowed_one(turn: float) -> None:
 def test_a_turn_that_jagua_rounds_is_noted_once() -> None:
     (note,) = read_jagua(30.000002)[0].notes
     for found in read_jagua(30.000002, 0, 30.000002):
-        assert found.notes == ("container 0: 3 used, 2 in stock", note)
+        assert (found.notes, found.unchecked) == ((note,), ("container 0: 3 used, 2 in stock",))
         assert found.data["parts"][0]["turns"] == ["0", "30", "30.000002"]
 
 
@@ -70,8 +70,9 @@ def test_a_whole_turn_changes_nothing(turn: float) -> None:
 
 
 def test_more_containers_than_in_stock_are_noted() -> None:
-    assert {found.notes for found in read_jagua(0, 0)} == {()}
-    assert {found.notes for found in read_jagua(0, 0, 0)} == {("container 0: 3 used, 2 in stock",)}
+    assert {found.unchecked for found in read_jagua(0, 0)} == {()}
+    (told,) = {found.unchecked for found in read_jagua(0, 0, 0)}
+    assert told == ("container 0: 3 used, 2 in stock",)
 
 
 def test_a_solution_does_not_change_the_bins_of_its_instance() -> None:
@@ -134,30 +135,35 @@ def test_the_margin_of_all_bins_is_kept() -> None:
 def test_no_copies_of_a_bin_are_none_and_negative_ones_any_number(
     copies: int, notes: list[str]
 ) -> None:
-    assert [*read_packed(bin={"copies": copies}).notes] == notes
+    assert [*read_packed(bin={"copies": copies}).unchecked] == notes
 
 
 def test_items_are_not_mirrored_if_nothing_says_so() -> None:
     assert kinds(read_packed(None)) == []
 
 
-def test_turns_for_mirrored_copies_are_noted() -> None:
+def test_turns_for_mirrored_copies_are_rules() -> None:
     turns = [{"start": 0, "end": 0}, {"start": 180, "end": 180}]
     assert kinds(read_packed(mirror=True, item={"allowed_rotations": turns})) == ["mirror"]
     any_turn = {"allowed_rotations": turns, "allow_mirroring": True}
     found = read_packed(mirror=True, item=any_turn)
     assert (kinds(found), found.notes) == ([], ())
     turns[1]["mirror"] = True
-    (note,) = read_packed(mirror=True, item={"allowed_rotations": turns}).notes
-    assert note.endswith("which turns are for mirrored copies is not looked at")
+    found = read_packed(mirror=True, item={"allowed_rotations": turns})
+    assert found.data["parts"][0]["turns"] == ["0"]
+    assert found.data["parts"][0]["mirrored_turns"] == ["180"]
+    found = read_packed(mirror=True, item={**any_turn, "allowed_rotations": turns})
+    assert found.data["parts"][0]["mirrored_turns"] == ["0", "180"]
+    assert found.unchecked == ()
 
 
-def test_fixed_items_are_noted_and_defects_with_holes_refused() -> None:
-    (note,) = read_packed(bin={"fixed_items": [{"item_type_id": 0}]}).notes
-    assert note == "$.bin_types[0]: whether its fixed items are placed is not looked at"
+def test_fixed_items_are_not_judged_and_defects_may_have_holes() -> None:
+    (told,) = read_packed(bin={"fixed_items": [{"item_type_id": 0}]}).unchecked
+    assert told == "whether the fixed items of $.bin_types[0] are placed"
     square = {"type": "rectangle", "width": 2, "height": 2}
-    with pytest.raises(FormatError, match=r"defects\[0\]: a defect with holes"):
-        read_packed(bin={"defects": [{**square, "holes": [{**square, "width": 1, "height": 1}]}]})
+    holed = {**square, "holes": [{**square, "width": 1, "height": 1}]}
+    (defect,) = read_packed(bin={"defects": [holed]}).data["defects"]
+    assert (len(defect["holes"]), defect["spacing"]) == (1, "0")
 
 
 def test_layout_json_has_its_own_rules() -> None:

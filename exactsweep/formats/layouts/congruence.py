@@ -11,7 +11,7 @@ from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import Loop, Point
 
 _SHARE = 1e-6
-_Corner = tuple[Fraction, Fraction, Fraction]
+_EdgeShape = tuple[Fraction, Fraction, Fraction]
 
 
 class Congruence(NamedTuple):
@@ -87,7 +87,7 @@ def _is_beside(ring: Sequence[Point], other: Polygon, room: float) -> bool:
     )
 
 
-def _is_near(one: _Corner, other: _Corner) -> bool:
+def _is_near(one: _EdgeShape, other: _EdgeShape) -> bool:
     room = _SHARE * float(max(one[0], other[0]) + abs(one[1]) + abs(one[2]))
     return all(abs(float(a - b)) <= room for a, b in zip(one, other, strict=True))
 
@@ -101,7 +101,7 @@ def _edge(ring: Sequence[Point], k: int) -> tuple[Fraction, Fraction]:
     return bx - ax, by - ay
 
 
-def _list_corners(ring: Sequence[Point]) -> list[_Corner]:
+def _list_corners(ring: Sequence[Point]) -> list[_EdgeShape]:
     """List the squared length of each edge, and its dot and cross product with the next one."""
     edges = [_edge(ring, k) for k in range(len(ring))]
     return [

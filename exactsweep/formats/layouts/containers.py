@@ -16,7 +16,7 @@ from exactsweep.numbers.error import quote
 _WORDS = re.compile(r"(sheet|bin|board|container|stock)s?(?:[\W_]*\d+)?", re.IGNORECASE)
 _LISTED = 4
 
-_Bounds = tuple[Fraction, Fraction, Fraction, Fraction]
+_Spread = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
 class Sheet(NamedTuple):
@@ -118,7 +118,7 @@ def _is_word(word: str) -> bool:
     return _WORDS.fullmatch(word) is not None
 
 
-def _bound(outline: Candidate) -> _Bounds:
+def _bound(outline: Candidate) -> _Spread:
     vertices = outline.vertices()
     if not vertices:
         raise FormatError(f"{outline.place}: no vertices")
@@ -126,7 +126,7 @@ def _bound(outline: Candidate) -> _Bounds:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Bounds]) -> Candidate | None:
+def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Spread]) -> Candidate | None:
     """Find the only outline whose box is around all others."""
     lefts, lows, rights, highs = zip(*boxes.values(), strict=True)
     whole = min(lefts), min(lows), max(rights), max(highs)
@@ -134,20 +134,20 @@ def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Bounds]) -> Ca
     return found[0] if len(found) == 1 else None
 
 
-def _meet(one: _Bounds, other: _Bounds) -> bool:
+def _meet(one: _Spread, other: _Spread) -> bool:
     left, low, right, high = one
     west, south, east, north = other
     return left < east and west < right and low < north and south < high
 
 
-def _holds(sheet: _Bounds, box: _Bounds) -> bool:
+def _holds(sheet: _Spread, box: _Spread) -> bool:
     """Decide whether a box has its center in another one."""
     left, low, right, high = sheet
     west, south, east, north = box
     return 2 * left <= west + east <= 2 * right and 2 * low <= south + north <= 2 * high
 
 
-def _find_sheet(box: _Bounds, sheets: Sequence[Sheet], boxes: dict[int, _Bounds]) -> Sheet:
+def _find_sheet(box: _Spread, sheets: Sequence[Sheet], boxes: dict[int, _Spread]) -> Sheet:
     """Find the sheet that holds a box, or that it meets; else the first one."""
     for test in (_holds, _meet):
         for sheet in sheets:
@@ -156,7 +156,7 @@ def _find_sheet(box: _Bounds, sheets: Sequence[Sheet], boxes: dict[int, _Bounds]
     return sheets[0]
 
 
-def _list_candidates(largest: Sequence[Candidate], boxes: dict[int, _Bounds]) -> str:
+def _list_candidates(largest: Sequence[Candidate], boxes: dict[int, _Spread]) -> str:
     listed = []
     for one in largest[:_LISTED]:
         left, low, right, high = boxes[id(one)]

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.files import show_path
 from exactsweep.formats.folder import list_parts, make_unique
 from exactsweep.formats.layouts.congruence import find_congruence
 from exactsweep.formats.layouts.found import FoundLayout
@@ -58,7 +59,7 @@ def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
         else:
             found.append(WantedPart(name, region, error, 1))
     if not found:
-        raise FormatError("no part in the instance")
+        raise FormatError(f"{show_path(path)}: neither an instance of a nesting program nor parts")
     return found
 
 

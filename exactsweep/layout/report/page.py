@@ -35,7 +35,7 @@ def write_layout_page(
         title: the name of the layout.
         notes: further remarks.
         y_down: whether Y points down in the pictures.
-        context: what the reader of the file knows.
+        context: facts of the file, and the accepted depth.
 
     Returns:
         The page. It escapes all names.

@@ -71,7 +71,7 @@ def draw_layout(
         ranked: its faults, as `rank_faults` sorts them.
         title: the title of the picture.
         y_down: whether Y points down, as in viewers of SVG.
-        context: what the reader of the file knows.
+        context: facts of the file, and the accepted depth.
 
     Returns:
         An SVG document, for light and dark backgrounds.
@@ -278,7 +278,7 @@ def _path(
     if named is None:
         return f'<path class="{name}" d="{data}"/>'
     number, part = named
-    title = escape(spell_out(f"{number} {part}"))
+    title = escape(spell_out(f"{number} {part}".strip()))
     return (
         f'<path class="{name}" id="part-{number}" data-name="{title}" d="{data}">'
         f"<title>{title}</title></path>"

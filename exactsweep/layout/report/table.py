@@ -45,7 +45,7 @@ def report_layout(
         terminal_width: the width of the terminal in columns; None for plain text.
         notes: further remarks.
         everything: whether to list all faults.
-        context: what the reader of the file knows.
+        context: facts of the file, and the accepted depth.
 
     Returns:
         Lines of text.
@@ -129,7 +129,7 @@ def write_verdict(
     Args:
         judgement: a Judgement.
         ranked: its faults as `rank_faults` sorts them; needed if some depth is accepted.
-        context: what the reader of the file knows.
+        context: facts of the file, and the accepted depth.
     """
     accepted = [one for one in ranked if one.accepted]
     kinds = Counter(fault.kind for fault in judgement.faults)
@@ -239,7 +239,7 @@ def write_layout_json(
         judgement: a Judgement.
         notes: further remarks.
         ranked: its faults as `rank_faults` sorts them, if the caller has them.
-        context: what the reader of the file knows.
+        context: facts of the file, and the accepted depth.
 
     Returns:
         One object. Placements have ints as numbers; all other numbers are strings that

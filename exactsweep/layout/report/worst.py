@@ -30,7 +30,7 @@ class WorstFirst(NamedTuple):
 
 
 class ReportContext(NamedTuple):
-    """What the reader of a file knows about a layout.
+    """Facts of the file of a layout, and the accepted depth.
 
     Attributes:
         unchecked: rules and shapes that were not judged, a phrase each.
@@ -48,7 +48,7 @@ class ReportContext(NamedTuple):
         """Return the number of a placement, the id of its part and its place in the file."""
         part = judgement.layout.placements[k].part
         place = self.places[k] if k < len(self.places) else ""
-        name = str(k) if part == str(k) else f"{k} {part}"
+        name = str(k) if part == str(k) else f"{k} {part}".strip()
         return spell_out(f"{name} ({place})" if place else name)
 
     def name_placements(self, judgement: Judgement, fault: Fault) -> str:
