@@ -6,13 +6,14 @@ from math import lcm
 from random import Random
 from typing import Any
 
+import tampering
+from references import reference_inner_fit, reference_no_fit, reference_swept
+from shape_certificates import falsified
 from small_pairs import Shape, SmallPair, shares_direction
 
 import exactsweep
-from exactsweep import DirectionError, Point, Region
+from exactsweep import DirectionError, Point
 from exactsweep.check import classify, point_in_polygon, verify
-from exactsweep.evidence.certificate import claim_inner_fit, claim_no_fit, claim_sweep
-from exactsweep.evidence.proof import add_proof
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.definition import reference_exact_fits, reference_loops
 

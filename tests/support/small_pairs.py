@@ -320,3 +320,19 @@ def _smaller(pair: SmallPair) -> list[SmallPair]:
 
 def _nearer(c: int) -> int:
     return c - (c > 0) + (c < 0)
+
+
+def has_shared_direction(rings: Any) -> bool:
+    """Decide whether all rings are weakly monotone to one direction, square to some edge."""
+    edges = [
+        [(q[0] - p[0], q[1] - p[1]) for p, q in zip(r, [*r[1:], r[0]], strict=True)] for r in rings
+    ]
+    return any(
+        all(_count_turns([x * u + y * v for x, y in own]) == 2 for own in edges)
+        for u, v in {(-y, x) for own in edges for x, y in own}
+    )
+
+
+def _count_turns(along: Any) -> int:
+    signs = [n > 0 for n in along if n]
+    return sum(a != b for a, b in zip(signs, signs[1:] + signs[:1], strict=True))
