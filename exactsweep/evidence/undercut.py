@@ -55,7 +55,7 @@ class Undercut(NamedTuple):
     positions: tuple[Point, ...]
 
 
-class Drawing(NamedTuple):
+class TracedPiece(NamedTuple):
     """A piece of a line that an edge or a vertex of G draws at a vertex or along an edge of T.
 
     Attributes:
@@ -107,7 +107,7 @@ class Tracer:
                     single = single or [slide.point(first)]
         return single
 
-    def choose(self, edge: Edge, whole: Segment) -> list[Drawing]:
+    def choose(self, edge: Edge, whole: Segment) -> list[TracedPiece]:
         """Choose few drawings that together cover an edge.
 
         The search tries, in this order, until it has covered the edge: edges of G with an end in
@@ -115,7 +115,7 @@ class Tracer:
 
         Raises ExactSweepError if nothing draws the edge, because it does not belong to the sweep.
         """
-        tried: list[Drawing] = []
+        tried: list[TracedPiece] = []
         for source in (
             self.draw_from_ends(whole, edge),
             self.draw_along(whole),
@@ -131,7 +131,7 @@ class Tracer:
                 return [tried[k] for k in chosen]
         raise ExactSweepError("no feature of the generatrix draws this edge")
 
-    def draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[Drawing]:
+    def draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[TracedPiece]:
         """Draw by edges of G that end, at a vertex of T, in one of some points."""
         for i, own in self._edges[whole.direction]:
             for p in ends:
@@ -139,13 +139,13 @@ class Tracer:
                     if minus(p, q) in self.path.numbers:
                         yield _draw_at(minus(p, q), own)
 
-    def draw_along(self, whole: Segment) -> Iterator[Drawing]:
+    def draw_along(self, whole: Segment) -> Iterator[TracedPiece]:
         """Draw by vertices and edges of G along edges of T."""
         pens = self._find_pens(whole.direction)
         for k, slide in self._slides[whole.direction]:
             for pen in pens.get(whole.offset - slide.offset, ()):
                 low, high = slide.low + pen.low, slide.high + pen.high
-                yield Drawing(self.path.edge(k), whole._replace(low=low, high=high))
+                yield TracedPiece(self.path.edge(k), whole._replace(low=low, high=high))
 
     def _find_pens(self, u: Vector) -> dict[Rational, list[Segment]]:
         """Group the vertices of G by lines of a direction; an edge stands for its first vertex."""
@@ -157,7 +157,7 @@ class Tracer:
             self._pens[u] = pens
         return self._pens[u]
 
-    def draw_at_stops(self, whole: Segment) -> Iterator[Drawing]:
+    def draw_at_stops(self, whole: Segment) -> Iterator[TracedPiece]:
         """Draw by edges of G at vertices of T."""
         for _, own in self._edges[whole.direction]:
             low, high = whole.low - own.high, whole.high - own.low
@@ -205,8 +205,8 @@ def find_closing_positions(
     return "point", list(dict.fromkeys(positions))
 
 
-def _draw_at(t: Vertex, own: Segment) -> Drawing:
+def _draw_at(t: Vertex, own: Segment) -> TracedPiece:
     """Draw an edge of G at a vertex of T."""
     place = lay_point(t, own.direction)
     offset, along = own.offset + place.offset, place.low
-    return Drawing((t,), Segment(own.direction, offset, own.low + along, own.high + along))
+    return TracedPiece((t,), Segment(own.direction, offset, own.low + along, own.high + along))

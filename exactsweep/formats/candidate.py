@@ -367,13 +367,8 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     if not (named or prefix):
         choice = layer
     # A name may look like an index, and so may a layer: DXF's first one is "0".
-    index = (
-        -1
-        if layer
-        else int(choice)
-        if choice.isascii() and choice.isdigit() and len(choice) < 10
-        else -1
-    )
+    is_index = not layer and choice.isascii() and choice.isdigit() and len(choice) < 10
+    index = int(choice) if is_index else -1
     if len(named) != 1 and 0 <= index < len(candidates):
         return [candidates[index]]
     layered = [candidate for candidate in candidates if candidate.layer == choice]

@@ -115,7 +115,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
             rings.append(
                 _OwnedRing(k, plain, _find_polygon(plain), None if ring is outline else own)
             )
-    tree = _Tree([ring.polygon for ring in rings])
+    tree = _Nesting([ring.polygon for ring in rings])
     holes: defaultdict[int, list[int]] = defaultdict(list)
     exteriors: list[int] = []
     ambiguous = []
@@ -197,7 +197,7 @@ def _find_polygon(ring: Candidate) -> Polygon | None:
         return None
 
 
-class _Tree:
+class _Nesting:
     """Rings by what is around them.
 
     Args:

@@ -24,7 +24,7 @@ from exactsweep.geometry.reading import to_lattice
 from exactsweep.geometry.vectors import compare_angles, minus, turn, way_key
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
 
-_Sides = tuple[int, int]
+_WindingNumbers = tuple[int, int]
 """The winding numbers below and above an edge that runs from left to right."""
 
 
@@ -117,7 +117,7 @@ def _simplify(value: Rational) -> Rational:
     return value.numerator if value.denominator == 1 else value
 
 
-def _wind(pieces: Sequence[Edge]) -> dict[Edge, _Sides]:
+def _wind(pieces: Sequence[Edge]) -> dict[Edge, _WindingNumbers]:
     """Find the winding numbers on both sides of each piece."""
     numbers: defaultdict[Edge, int] = defaultdict(int)
     for a, b in pieces:
@@ -127,7 +127,7 @@ def _wind(pieces: Sequence[Edge]) -> dict[Edge, _Sides]:
     for a, b in numbers:
         starting[a].append((a, b))
         vertices |= {a, b}
-    found: dict[Edge, _Sides] = {}
+    found: dict[Edge, _WindingNumbers] = {}
     line: list[Edge] = []
     for vertex in sorted(vertices):
         low = bisect_left(line, True, key=lambda e: turn(e[0], e[1], vertex) <= 0)

@@ -23,7 +23,7 @@ from operator import itemgetter
 
 from exactsweep.numbers.number import Rational
 from exactsweep.procedures import sums
-from exactsweep.procedures.chain import Part
+from exactsweep.procedures.chain import ConvexPart
 from exactsweep.procedures.graph import Graph
 from exactsweep.procedures.sums import Ranges
 
@@ -36,7 +36,9 @@ staircases of 256 vertices, which have less to prune, 1.0 and 1.15 times.
 
 
 def subtrajectories(
-    generatrix_parts: Sequence[Part], directrix_parts: Sequence[Part], ranges: Ranges | None = None
+    generatrix_parts: Sequence[ConvexPart],
+    directrix_parts: Sequence[ConvexPart],
+    ranges: Ranges | None = None,
 ) -> list[tuple[int, int, Graph]]:
     """Return those of `sums.subtrajectories` that may be on the envelope.
 
@@ -73,7 +75,9 @@ def subtrajectories(
     return sorted(found, key=itemgetter(0, 1))
 
 
-def bound_all(parts: Sequence[Part]) -> list[tuple[Rational, Rational, Rational, int, Part]]:
+def bound_all(
+    parts: Sequence[ConvexPart],
+) -> list[tuple[Rational, Rational, Rational, int, ConvexPart]]:
     """Return the least y, x-range and number of each part, from the lowest part to the highest.
 
     The least y and the x-range are rounded outwards to ints. The part itself comes last.

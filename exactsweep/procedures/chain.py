@@ -63,7 +63,7 @@ class Chain:
 
     def __init__(self, vertices: list[Homogeneous], lines: list[Line | None] | None = None) -> None:
         self.vertices, self._lines = vertices, lines
-        self._parts: dict[tuple[int, Rational], list[Part]] = {}
+        self._parts: dict[tuple[int, Rational], list[ConvexPart]] = {}
 
     @classmethod
     def of(cls, points: Sequence[Vertex]) -> Chain:
@@ -215,7 +215,7 @@ def _are_collinear(p: Homogeneous, q: Homogeneous, r: Homogeneous) -> bool:
     return px * (qy * rw - ry * qw) + py * (qw * rx - rw * qx) + pw * (qx * ry - rx * qy) == 0
 
 
-class Part(NamedTuple):
+class ConvexPart(NamedTuple):
     """A convex part of a chain, between two reflex vertices, vertical edges or ends of the chain.
 
     If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of D_b only
@@ -252,7 +252,7 @@ def measure_unit(*chains: Chain) -> Rational:
     return 1 << 2 * width.bit_length()
 
 
-def partition(generatrix: Chain, directrix: Chain) -> tuple[list[Part], list[Part]]:
+def partition(generatrix: Chain, directrix: Chain) -> tuple[list[ConvexPart], list[ConvexPart]]:
     """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM).
 
     Cost: O(m + n).
@@ -261,7 +261,9 @@ def partition(generatrix: Chain, directrix: Chain) -> tuple[list[Part], list[Par
     return find_convex_parts(generatrix, 1, unit), find_convex_parts(directrix, 0, unit)
 
 
-def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None) -> list[Part]:
+def find_convex_parts(
+    chain: Chain, whose: int = 0, unit: Rational | None = None
+) -> list[ConvexPart]:
     """Cut a chain at its reflex vertices and vertical edges into convex parts. Cost: O(n).
 
     The chain caches them, for nesting sweeps each polygon around many others.
@@ -294,7 +296,7 @@ def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None
         k for k, (d, e) in enumerate(pairwise([None, *edges])) if e and (not d or e[0] < d[0])
     ]
     heights: list[Break] = [(y, w) for _, y, w in chain.vertices]
-    parts: list[Part] = []
+    parts: list[ConvexPart] = []
     for first, end in pairwise([*starts, len(edges)]):
         own = [edge for edge in edges[first:end] if edge]
         last = first + len(own)
@@ -304,6 +306,6 @@ def find_convex_parts(chain: Chain, whose: int = 0, unit: Rational | None = None
             flattest = (-inf,)
         if last == len(edges) or (not edges[last] and precedes(heights[last], heights[last + 1])):
             steepest = (inf,)
-        parts.append(Part(chain.vertices, first, own, flattest, steepest))
+        parts.append(ConvexPart(chain.vertices, first, own, flattest, steepest))
     chain._parts[whose, unit] = parts
     return parts

@@ -19,7 +19,7 @@ from math import gcd
 from typing import NamedTuple
 
 from exactsweep.geometry.near import find_near
-from exactsweep.procedures.segments import BOTH, ContactSegment, Line, Parameter
+from exactsweep.procedures.segments import BOTH, ContactSegment, LatticeLine, Parameter
 
 HomogeneousPoint = tuple[int, int, int]
 """The point (x / w, y / w) as coprime ints (x, y, w), w > 0."""
@@ -27,7 +27,7 @@ HomogeneousPoint = tuple[int, int, int]
 OneWayPiece = tuple[HomogeneousPoint, HomogeneousPoint, int, int]
 """A piece with overlap on its left: its start, its end, its direction."""
 
-TwoWayPiece = tuple[Line, HomogeneousPoint, HomogeneousPoint]
+TwoWayPiece = tuple[LatticeLine, HomogeneousPoint, HomogeneousPoint]
 """A piece with overlap on both sides: its line, its lower and its upper end."""
 
 
@@ -152,7 +152,7 @@ def _find_left_over(
     return [(find_point(line, *p), find_point(line, *q)) for p, q in left]
 
 
-def find_point(line: Line, n: int, d: int) -> HomogeneousPoint:
+def find_point(line: LatticeLine, n: int, d: int) -> HomogeneousPoint:
     """Return the point of a line at the parameter n / d.
 
     >>> find_point((1, 1, 0), 2, 4), find_point((0, 2, -1), 3, 1)

@@ -32,7 +32,7 @@ from exactsweep.geometry.direction import reduce_direction
 from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Rational, Vertex
 
-Line = tuple[int, int, int]
+LatticeLine = tuple[int, int, int]
 """The line dx * y - dy * x = c as (dx, dy, c), coprime, with dx > 0, or dx = 0 < dy."""
 
 Parameter = tuple[int, int]
@@ -87,7 +87,12 @@ class ContactSegment:
     )
 
     def __init__(
-        self, line: Line, low: Parameter, high: Parameter, sides: Sides, low_sides: Sides = NEITHER
+        self,
+        line: LatticeLine,
+        low: Parameter,
+        high: Parameter,
+        sides: Sides,
+        low_sides: Sides = NEITHER,
     ) -> None:
         self.line, self.low, self.high = line, low, high
         self.sides, self.low_sides, self.high_sides = sides, low_sides, NEITHER
@@ -141,7 +146,7 @@ def find_contact_segments(
     shapes = [[_list_edges(ring) for ring in rings] for rings in (stationary, moving)]
     angle, turn = _measure_angles([edge for rings in shapes for ring in rings for edge in ring])
     ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
-    pieces: defaultdict[Line, list[tuple[Rational, Rational, bool]]] = defaultdict(list)
+    pieces: defaultdict[LatticeLine, list[tuple[Rational, Rational, bool]]] = defaultdict(list)
     for edges_of, rings, vertices_of in (
         (ranked[0], moving, ranked[1]),
         (ranked[1], stationary, ranked[0]),
@@ -160,7 +165,7 @@ def find_contact_segments(
 def _move(
     edges: Iterable[EdgeFeature],
     vertex: Vertex,
-    pieces: defaultdict[Line, list[tuple[Rational, Rational, bool]]],
+    pieces: defaultdict[LatticeLine, list[tuple[Rational, Rational, bool]]],
 ) -> None:
     """Add to the pieces of each line the edges on it, moved by a vertex."""
     x, y = vertex
@@ -230,7 +235,9 @@ def _find_convex_vertices(angles: Sequence[int], turn: int) -> Iterator[tuple[in
             yield k, first, last
 
 
-def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator[ContactSegment]:
+def _join(
+    line: LatticeLine, pieces: list[tuple[Rational, Rational, bool]]
+) -> Iterator[ContactSegment]:
     """Yield the segments with constant sides that the contact segments of one line make up."""
     if len(pieces) == 1:
         ((low, high, ahead),) = pieces

@@ -6,14 +6,14 @@ from bisect import bisect_left
 from collections.abc import Sequence
 
 from exactsweep.numbers.number import Rational
-from exactsweep.procedures.chain import Break, Homogeneous, Part
+from exactsweep.procedures.chain import Break, ConvexPart, Homogeneous
 from exactsweep.procedures.graph import Graph, Piece, VertexContact
 
 Ranges = Sequence[tuple[Break, Break]]
 """Disjoint x-ranges, from left to right."""
 
 
-def subtrajectory(generatrix: Part, directrix: Part) -> Graph | None:
+def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph | None:
     """Merge the relevant edges of two convex parts by slope; None if there are none.
 
     The edges lie end to end from the first contact on, as `merge_by_slope` lays those of convex
@@ -62,7 +62,9 @@ def subtrajectory(generatrix: Part, directrix: Part) -> Graph | None:
 
 
 def subtrajectories(
-    generatrix_parts: Sequence[Part], directrix_parts: Sequence[Part], ranges: Ranges | None = None
+    generatrix_parts: Sequence[ConvexPart],
+    directrix_parts: Sequence[ConvexPart],
+    ranges: Ranges | None = None,
 ) -> list[tuple[int, int, Graph]]:
     """Return (i, j, T(G_i, D_j)) for all pairs of parts with relevant edges, by i and j.
 
