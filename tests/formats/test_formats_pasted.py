@@ -52,9 +52,9 @@ def test_formats_of_no_polygons_are_refused_by_name(text: str, name: str) -> Non
 
 def test_rows_with_sizes_are_rectangles() -> None:
     found = parse_polygons("x,y,width,height\n1,2,4,3\n5,5,1,1\n")
-    assert [part.polygon.bounds for part in found] == [(1, 2, 5, 5), (5, 5, 6, 6)]
+    assert [[*map(int, part.polygon.bounds)] for part in found] == [[1, 2, 5, 5], [5, 5, 6, 6]]
     named = parse_polygons("TYPE,ID,COPIES,BIN,X,Y,LX,LY\nITEM,7,1,0,0,0,2,3\n")
-    assert [(part.name, part.polygon.area) for part in named] == [("7", 6)]
+    assert [(part.name, int(part.polygon.area)) for part in named] == [("7", 6)]
 
 
 @pytest.mark.parametrize("column", ["deg", "angle", "rotation", "radius"])
@@ -74,7 +74,7 @@ def test_instances_give_their_parts() -> None:
     shape = {"type": "simple_polygon", "data": [[0, 0], [2, 0], [0, 2]]}
     instance = {"name": "own", "items": [{"id": 4, "demand": 2, "shape": shape}], "strip_height": 9}
     (part,) = parse_polygons(json.dumps(instance))
-    assert (part.name, part.polygon.area) == ("4", 2)
+    assert (part.name, int(part.polygon.area)) == ("4", 2)
     circle = {"type": "circle", "radius": 1}
     types = {"bin_types": [{"type": "rectangle", "width": 4, "height": 4}], "item_types": [circle]}
     (disc,) = parse_regions(json.dumps(types))
@@ -92,7 +92,7 @@ def test_pieces_of_esicup_are_read() -> None:
         "</nesting>"
     )
     found = parse_polygons(text)
-    assert [(part.name, part.polygon.area) for part in found] == [("a", 6)]
+    assert [(part.name, int(part.polygon.area)) for part in found] == [("a", 6)]
     assert found.left_out == ["piece 'b': 2 components, which are not one outline"]
 
 
