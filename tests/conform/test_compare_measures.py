@@ -321,6 +321,18 @@ def test_closeness_by_hand(ring: Ring, bound: str, found: bool) -> None:
     assert are_close([SQUARE], [ring], Fraction(bound)) is found
 
 
+def test_a_long_edge_may_be_off_by_nearly_the_bound() -> None:
+    """No half of the bound reaches across what lies between."""
+    far = 10**9
+    long = points((0, 0), (far, 0), (far, far), (0, far))
+    moved = [Point(x + 1, y - 1) for x, y in long]
+    assert are_close([long], [moved], Fraction(101, 100))
+    assert not are_close([long], [moved], Fraction(1))
+    slanted = points((0, 0), (far, 3 * far), (-far, far))
+    moved = [Point(x - 1, y + 1) for x, y in slanted]
+    assert are_close([slanted], [moved], Fraction(5, 4))
+
+
 def test_a_band_along_the_boundary_is_not_the_region() -> None:
     """All of its boundary is near, on both sides; what it encloses is not."""
     e = Fraction(1, 100)

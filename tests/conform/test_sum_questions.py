@@ -1,14 +1,17 @@
 """Programs that compute a + b are asked for that."""
 
 import json
+import re
 from typing import Any
 
 import pytest
+from command import ROOT
 from right_answers import WRITINGS, judge_writing
 
 from exactsweep import Polygon, Region, no_fit_polygon
 from exactsweep.conform import conform
 from exactsweep.conform.judge.compare import compare
+from exactsweep.conform.report.html import SIDE, draw_panels
 from exactsweep.conform.run.outcome import judge_answer
 from exactsweep.conform.run.peer import read_answer
 from exactsweep.conform.run.protocol import (
@@ -58,6 +61,22 @@ def test_a_case_is_asked_as_two_summands() -> None:
     assert judge_answer(ROOM, ROOM, read_answer(answer), hello).verdict == "exact"
 
 
+def test_the_page_shows_what_is_asked() -> None:
+    page = (ROOT / "exactsweep/conform/MINKOWSKI.md").read_text(encoding="utf-8")
+    hello, lines = re.findall(r"^```json\n(.*?)^```$", page, re.M | re.S)
+    line, answer = lines.splitlines()
+    given, said = json.loads(line), read_hello(hello.strip())
+    reflected = [[f"-{c}".replace("--", "") for c in p] for p in given["b"]]
+    case = Case.of(given["id"], "", given["a"], reflected)
+    assert line == write_line(case, said)
+    assert judge_answer(case, case, read_answer(json.loads(answer)), said).verdict == "exact"
+    square = Case.of("square", "", SQUARE, SQUARE)
+    wrong = compare(square, {"minkowski_sum": [[(-1, -1), (1, -1), (0, 1)]]}).parts[0].unsound
+    assert wrong is not None
+    words, _, _ = wrong.says.partition(";")
+    assert f"`{words}`" in page
+
+
 def test_a_function_is_asked_for_a_sum_whatever_the_reference_point() -> None:
     chosen = [*cases(prefix="holes-", max_size=30), *cases(prefix="worked-")]
     chosen += [Case.of("off", "", SQUARE, [(5, 5), (6, 5), (5, "13/2")], ("1/3", 7))]
@@ -103,6 +122,15 @@ def test_mistakes_are_named_in_terms_of_sums() -> None:
     assert part.unsound.says.endswith("that is outside their Minkowski sum")
     larger = judge(case, [Polygon(exact[0]).scaled(2).vertices])
     assert "is not the sum of a point of a and a point of b" in larger.conservative.says
+
+
+def test_the_witness_is_drawn_where_the_sum_is() -> None:
+    far = Case.of("far", "", SQUARE, SQUARE, (1000, 1000))
+    run = conform(lambda a, b: a, [far], name="mine", questions=["minkowski_sum"])
+    (panel, *_) = draw_panels(next(run.show()))
+    assert panel.caption == "minkowski sum"
+    assert panel.witness is not None
+    assert all(0 < c < SIDE for c in panel.witness)
 
 
 def test_a_slit_may_be_traced_or_left_out() -> None:

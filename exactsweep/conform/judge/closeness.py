@@ -26,8 +26,8 @@ from exactsweep.conform.judge.boundary import RingBoundary, find_boundary, trace
 from exactsweep.conform.judge.region import RegionError, Trapezoid, find_differences
 from exactsweep.numbers.number import Fit, Point, PointRings
 
-_DEEPEST = 24
-"""Cuts of a trapezoid, one within the other; a difference that thin is a tie of (2)."""
+_MOST_CUTS = 1000
+"""Cuts of a trapezoid; where more are needed, (2) is nearly a tie."""
 
 
 class _OpenInterval(NamedTuple):
@@ -216,7 +216,7 @@ def _is_difference_thin(first: PointRings, second: PointRings, bound: Fraction) 
     try:
         for cell in find_differences(first, second):
             own = [_NearEdge.around(edge, bound / 2) for edge in cell.edges]
-            if not _is_held(cell, own) and not _is_thin(cell, _select(cell, list_edges())):
+            if not (_is_held(cell, own) or _is_thin(cell, _select(cell, list_edges()))):
                 return False
     except RegionError:
         return False
@@ -235,10 +235,20 @@ def _is_held(cell: Trapezoid, edges: Iterable[_NearEdge]) -> bool:
     return any(all(map(edge.holds, corners)) for edge in edges)
 
 
-def _is_thin(cell: Trapezoid, edges: Sequence[_NearEdge], depth: int = 0) -> bool:
-    if _is_held(cell, edges):
-        return True
-    middle = cell.middle()
-    if depth == _DEEPEST or not any(edge.holds(middle) for edge in edges):
-        return False
-    return all(_is_thin(half, _select(half, edges), depth + 1) for half in cell.halve())
+def _is_thin(whole: Trapezoid, edges: Sequence[_NearEdge]) -> bool:
+    """Decide (2) for a trapezoid; False, too, where a tie would take too many cuts."""
+    left = [(whole, edges)]
+    for _ in range(_MOST_CUTS):
+        if not left:
+            return True
+        cell, edges = left.pop()
+        # Between two edges less than the bound apart, each half is close to one of them.
+        if any(
+            all(_is_held(part, edges) for part in parts)
+            for parts in ((cell,), cell.split_by_height(), cell.split_by_width())
+        ):
+            continue
+        if not any(edge.holds(cell.middle()) for edge in edges):
+            return False
+        left += ((half, _select(half, edges)) for half in cell.halve())
+    return False

@@ -206,7 +206,7 @@ def _scene(case: Case, outcome: Outcome, name: str) -> _Scene:
     for t in _ring([witness.get("translation")]):
         generatrix = generatrix.translated(t)
         if name not in ("inner", "outer"):
-            seen = add(case.reference, t)
+            seen = t if name == SUM else add(case.reference, t)
     layers: list[Layer] = [
         ("directrix", case.directrix.rings, True),
         ("generatrix", generatrix.rings, True),
