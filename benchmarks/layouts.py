@@ -110,6 +110,7 @@ def place_all(layout: Layout) -> list[Region]:
         region = region.mirrored() if placement.mirrored else region
         cosine, sine, _ = placement.turn.near()
         placed.append(region.rotated((cosine, sine)).translated(placement.move))
+    assert layout.container is not None
     low, high = zip(*(shape.bounding_box for shape in (*placed, layout.container)), strict=True)
     left, bottom = min(p.x for p in low) - 1, min(p.y for p in low) - 1
     right, top = max(p.x for p in high) + 1, max(p.y for p in high) + 1

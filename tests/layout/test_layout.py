@@ -57,6 +57,7 @@ def test_what_is_written_is_read_again() -> None:
 def test_every_field_arrives() -> None:
     layout = Layout.from_json(example())
     tile, bow = layout.parts
+    assert layout.container is not None
     assert layout.container.area == 20
     assert tile.demand == 1
     assert tile.mirrored is False
