@@ -14,6 +14,7 @@ from exactsweep.cli.turns import Pose, takes_turns
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion
 from exactsweep.geometry.turn import read_turn
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.text.report import approximate, lay_out, make_table
 from exactsweep.text.results import no_fit_to_regions
 
@@ -77,8 +78,10 @@ def nfp_command(
     elif form.kind == "json":
         from exactsweep.batch.record import write_result_line
 
+        bound = Fraction(sum(errors_of_files()))
+        known = {"curve_error": format_fraction(bound)} if bound else {}
         lines = (
-            write_result_line(k, {"generatrix": g, "directrix": d}, result, "nfp")
+            write_result_line(k, {"generatrix": g, "directrix": d} | known, result, "nfp")
             for k, ((d, g), result) in enumerate(zip(names, found, strict=True))
         )
         write_readable(b"".join(lines).decode(), form.output)

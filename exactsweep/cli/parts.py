@@ -32,6 +32,7 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
         raise FormatError(summarize(reasons))
     say_left_out(listing.left_out)
     say_all(listing.notes)
+    say_error(max(part.candidate.error for part in listing.parts), reading)
     return listing
 
 
@@ -69,7 +70,6 @@ def read_named(
         raise FormatError(summarize(reasons))
     say_left_out(reasons)
     say_all(notes)
-    say_error(max(one.error for one in found), reading)
     if not keep or listing.files > 1:
         unique = make_unique(names)
         found = [one._replace(name=name) for one, name in zip(found, unique, strict=True)]

@@ -9,6 +9,7 @@ from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.curved.curves import bound_root
+from exactsweep.formats.curved.path import SimpleLines
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.part_list import Said
 from exactsweep.formats.size import FAULT, require_count
@@ -149,7 +150,7 @@ class Candidate(NamedTuple):
         """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
         for hole in self.holes():
             raise FormatError(f"{hole.place}: an inner ring: with it, this is a Region, no Polygon")
-        return self._read(lambda: Polygon(self._short_vertices()))
+        return self._read(self._make_polygon)
 
     def region(self) -> Region:
         """Read the polygon with its holes; refuses as `polygon` does, but accepts holes."""
@@ -171,7 +172,7 @@ class Candidate(NamedTuple):
             FormatError, PolygonError: as by the function; of a ring without a fill rule, too.
 
         Cost: that of the function, and for a ring that is not simple that of
-            `exactsweep.formats.filling.fill`.
+            `exactsweep.geometry.filling.fill`.
         """
         if not self.clean:
             try:
@@ -208,7 +209,7 @@ class Candidate(NamedTuple):
 
     def fill(self, rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[Self]:
         """Return the regions that rings fill."""
-        from exactsweep.formats.filling import fill
+        from exactsweep.geometry.filling import fill
 
         filled = fill(rings, even_odd=even_odd, measured=bool(self.error))
         error = self.error + (bound_root(filled.hidden) if self.error else 0)
@@ -226,21 +227,10 @@ class Candidate(NamedTuple):
         pieces = finer.split(Said([], [])) if finer else []
         return pieces[k] if len(pieces) == number else None
 
-    def separate(self) -> tuple[Region, list[Region]]:
-        """Read the polygon, and its holes as regions if they touch or cross it or each other.
-
-        Raises:
-            FormatError: as by `region`.
-            PolygonError: a ring is not simple.
-        """
-        try:
-            return self.region(), []
-        except PolygonError:
-            if not self.holes():
-                raise
-            rings = [one._replace(holes=tuple) for one in (self, *self.holes())]
-            exterior, *holes = [ring.region() for ring in rings]
-            return exterior, holes
+    def _make_polygon(self) -> Polygon:
+        points = self._short_vertices()
+        known = points.polygon if isinstance(points, SimpleLines) else None
+        return known or Polygon(points)
 
     def shape(self) -> AnyPolygon:
         """Read a Region if there are holes, else a Polygon."""

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from fractions import Fraction
 from math import ceil, log2
 
@@ -16,6 +17,7 @@ DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
 
 _DECIMAL = re.compile(DECIMAL)
 _DECIMALS = re.compile(rf"(?:[\s,]*+{DECIMAL})*+[\s,]*+")
+_SHOWN = 10
 _PARTS = re.compile(r"(-?)\+?([0-9.]*)(.*)")
 
 
@@ -119,3 +121,25 @@ def format_decimal(value: Fraction) -> str:
     digits = write_int(scaled).zfill(places + 1)
     sign = "-" if value < 0 else ""
     return f"{sign}{digits[:-places]}.{digits[-places:]}"
+
+
+def show_point(point: Point) -> str:
+    """Write a point for a message: decimals as a file has them, long ones rounded.
+
+    >>> show_point(Point(Fraction(1, 8), Fraction(1, 3)))
+    '(0.125,0.3333333333)'
+    """
+    return f"({','.join(map(_show, point))})"
+
+
+def _show(value: Fraction) -> str:
+    if value.denominator == 1 and abs(value) < 10**_SHOWN:
+        return str(value)
+    with suppress(FormatError):
+        text = format_decimal(value)
+        if len(text) <= _SHOWN + 6:
+            return text
+    try:
+        return f"{float(value):.{_SHOWN}g}"
+    except OverflowError:
+        return abridge(value)

@@ -15,10 +15,11 @@ by the rounding alone.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from cmath import rect
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import atan2, ceil, floor, isqrt, lcm, pi, tan
+from math import atan2, ceil, floor, isqrt, lcm, pi, sin, tan
 from typing import NamedTuple, Protocol
 
 from exactsweep.formats.curved.affine import Affine
@@ -46,8 +47,8 @@ class Curve(Protocol):
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
         """Return the points at some places, rounded to multiples of 1 / grid."""
 
-    def near(self, place: int) -> complex:
-        """Return a point as floats, as seen from the start of the curve."""
+    def sampler(self) -> Callable[[int], complex]:
+        """Return a function from places to points as floats, as seen from the start."""
 
 
 class Bezier(NamedTuple):
@@ -112,18 +113,22 @@ class Bezier(NamedTuple):
             ys.append((2 * y * grid + w) // (2 * w))
         return make_points(divide_all(xs, grid), divide_all(ys, grid))
 
-    def near(self, place: int) -> complex:
-        """Return a point as floats, as seen from the start of the curve."""
+    def sampler(self) -> Callable[[int], complex]:
+        """Return a function from places to points as floats, as seen from the start."""
         x, y = self.controls[0]
-        t = place / WHOLE
         weights = [*map(float, self.weights)] or [1.0] * len(self.controls)
-        row = [
+        lifted = [
             (complex(p - x, q - y) * w, w) for (p, q), w in zip(self.controls, weights, strict=True)
         ]
-        while len(row) > 1:
-            row = [(a + t * (b - a), v + t * (w - v)) for (a, v), (b, w) in pairwise(row)]
-        point, weight = row[0]
-        return point / weight
+
+        def near(place: int) -> complex:
+            t, row = place / WHOLE, lifted
+            while len(row) > 1:
+                row = [(a + t * (b - a), v + t * (w - v)) for (a, v), (b, w) in pairwise(row)]
+            point, weight = row[0]
+            return point / weight
+
+        return near
 
 
 class Arc(NamedTuple):
@@ -169,24 +174,17 @@ class Arc(NamedTuple):
             ys.append((2 * y * grid + w) // (2 * w))
         return make_points(divide_all(xs, grid), divide_all(ys, grid))
 
-    def near(self, place: int) -> complex:
-        """Return a point as floats, as seen from the start of the curve."""
-        # Of small arcs, the difference of two cosines would have few digits.
-        half = self.span * (place / WHOLE) / 2
-        t = tan(half / 2)
-        sine = 2 * t / (1 + t * t) if abs(half) < pi / 2 else _sin(half)
-        step = 2 * sine * 1j * _unit(self.first + half)
+    def sampler(self) -> Callable[[int], complex]:
+        """Return a function from places to points as floats, as seen from the start."""
         a, b, c, d = map(float, self.image[:4])
-        return complex(a * step.real + c * step.imag, b * step.real + d * step.imag)
 
+        def near(place: int) -> complex:
+            # Of small arcs, the difference of two cosines would have few digits.
+            half = self.span * (place / WHOLE) / 2
+            step = 2j * sin(half) * rect(1, self.first + half)
+            return complex(a * step.real + c * step.imag, b * step.real + d * step.imag)
 
-def _sin(angle: float) -> float:
-    return _unit(angle).imag
-
-
-def _unit(angle: float) -> complex:
-    cosine, sine, w = _find_unit_point(angle)
-    return complex(cosine / w, sine / w)
+        return near
 
 
 def _find_unit_point(angle: float) -> tuple[int, int, int]:

@@ -18,11 +18,12 @@ from exactsweep.formats.curved.path import (
     find_share,
     round_points,
 )
+from exactsweep.formats.decimals import show_point
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import Point
-from exactsweep.words import count, write_pair
+from exactsweep.words import count
 
 # Joints within reach of an end that are looked at before it is refused.
 _MAX_CROWD = 64
@@ -228,7 +229,7 @@ class Joints:
         close = [joint for cell in cells for joint in cell]
         if len(close) > _MAX_CROWD:
             raise FormatError(
-                f"more than {_MAX_CROWD} ends within reach of the end {write_pair(end)}"
+                f"more than {_MAX_CROWD} ends within reach of the end {show_point(end)}"
             )
         near = [
             ((p.x - end.x) ** 2 + (p.y - end.y) ** 2, p, k) for k in close for p in [self.points[k]]
@@ -297,9 +298,9 @@ def _outlines(
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
     meets = f"is one of {count} that meet"
     if count == 1:
-        exactly = "" if reading.join else " exactly (--join allows a distance)"
+        exactly = "" if reading.join else " exactly; --join DISTANCE closes small gaps"
         meets = f"meets no other end{exactly}"
-    return f"{line.place}: the end {write_pair(end)} {meets}"
+    return f"{line.place}: the end {show_point(end)} {meets}"
 
 
 def _walk(

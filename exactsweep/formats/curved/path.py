@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import pi
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.curved.curves import WHOLE, Arc, Curve, bound_root
@@ -38,17 +38,24 @@ _BISECTIONS = 32
 CURVED, _STRAIGHT = 1000, 10**9
 
 
-class _End(NamedTuple):
+class _End:
     """A curve as seen from one of its ends."""
 
-    curve: Curve
-    at_start: bool
+    def __init__(self, curve: Curve, *, at_start: bool) -> None:
+        self.at_start, self._near = at_start, curve.sampler()
+        self._whole = 0j if at_start else self._near(WHOLE)
 
     def near(self, place: int) -> complex:
         """Return the point at a place, counted from this end."""
-        if self.at_start:
-            return self.curve.near(place)
-        return self.curve.near(WHOLE - place) - self.curve.near(WHOLE)
+        return self._near(place if self.at_start else WHOLE - place) - self._whole
+
+
+class SimpleLines(list[Point]):
+    """The vertices of a closed line, and their Polygon; None if it is not simple."""
+
+    def __init__(self, points: Iterable[Point], polygon: Polygon | None) -> None:
+        super().__init__(points)
+        self.polygon = polygon
 
 
 class Path:
@@ -139,8 +146,9 @@ class Path:
         xs, ys = [x for x, _ in self.points], [y for _, y in self.points]
         for k, (curve, forward) in self.curves.items():
             x, y = self.points[k if forward else k + 1]
+            near = curve.sampler()
             for i in range(1, _SAMPLES):
-                point = curve.near(WHOLE * i // _SAMPLES)
+                point = near(WHOLE * i // _SAMPLES)
                 xs.append(x + Fraction(point.real))
                 ys.append(y + Fraction(point.imag))
         return max(max(xs) - min(xs), max(ys) - min(ys))
@@ -182,7 +190,10 @@ class Path:
         found = self.draw(tolerance, reading, fine=finer > 0)
         if not finer:
             if self.is_closed and self.curves:
-                found = flatten_together([self], reading, lambda r: Polygon(r[0]), found)[0][0]
+                rings, polygon = flatten_together(
+                    [self], reading, lambda rings: Polygon(rings[0]), found
+                )
+                found = SimpleLines(rings[0], polygon)
             self._lines = tolerance, found
         return found
 
@@ -224,8 +235,15 @@ class Path:
     ) -> None:
         """Give two curves that meet vertices at the same distances, while they are not apart."""
         (one, one_way), (other, other_way) = self.curves[before], self.curves[after]
-        ends = _End(one, not one_way), _End(other, other_way)
         try:
+            ends = _End(one, at_start=not one_way), _End(other, at_start=other_way)
+            firsts = [
+                end.near(min(row) if end.at_start else WHOLE - max(row))
+                for end, k in zip(ends, (before, after), strict=True)
+                for row in [places[k] or [WHOLE // 2]]
+            ]
+            if abs(firsts[0] - firsts[1]) > max(map(abs, firsts)):
+                return
             rows: list[list[tuple[float, int]]] = [
                 _list_distances(end, places[k])
                 for end, k in zip(ends, (before, after), strict=True)
