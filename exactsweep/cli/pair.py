@@ -23,6 +23,7 @@ from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
 from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.depth import separate_holes
 from exactsweep.formats.folder import bring_to_one
 from exactsweep.formats.part_list import Coordinates, Said
 from exactsweep.formats.polygons import name_file, read_choice, read_single, split_choice
@@ -307,7 +308,7 @@ def read_placed(
     """
     (one, file), (other, its_file) = _choose_two(stays, moves, reading)
     with working("reading"), name_file(file):
-        first, regions = one.separate()
+        first, regions = separate_holes(one)
     with working("reading"), name_file(its_file):
         second = read_single(other, Candidate.named_region).region
     if not placed:

@@ -227,22 +227,6 @@ class Candidate(NamedTuple):
         pieces = finer.split(Said([], [])) if finer else []
         return pieces[k] if len(pieces) == number else None
 
-    def separate(self) -> tuple[Region, list[Region]]:
-        """Read the polygon, and its holes as regions if they touch or cross it or each other.
-
-        Raises:
-            FormatError: as by `region`.
-            PolygonError: a ring is not simple.
-        """
-        try:
-            return self.region(), []
-        except PolygonError:
-            if not self.holes():
-                raise
-            rings = [one._replace(holes=tuple) for one in (self, *self.holes())]
-            exterior, *holes = [ring.region() for ring in rings]
-            return exterior, holes
-
     def _make_polygon(self) -> Polygon:
         points = self._short_vertices()
         known = points.polygon if isinstance(points, SimpleLines) else None

@@ -14,9 +14,10 @@ from functools import partial
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
+from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.overlap import contains
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import common_lattice
+from exactsweep.geometry.region import Region, common_lattice
 from exactsweep.numbers.error import quote
 
 
@@ -71,6 +72,23 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
         for outline, around in found.ambiguous
     ]
     return [*found.outlines, *refused, *(outline for outline in outlines if outline.ornament)]
+
+
+def separate_holes(outline: Candidate) -> tuple[Region, list[Region]]:
+    """Read an outline, and its holes as regions if they touch or cross it or each other.
+
+    Raises:
+        FormatError: as by `Candidate.region`.
+        PolygonError: a ring is not simple.
+    """
+    try:
+        return outline.region(), []
+    except PolygonError:
+        if not outline.holes():
+            raise
+        rings = [one._replace(holes=tuple) for one in (outline, *outline.holes())]
+        exterior, *holes = [ring.region() for ring in rings]
+        return exterior, holes
 
 
 def tell_ambiguity(outline: Candidate, around: Sequence[Candidate]) -> str:

@@ -8,10 +8,11 @@ from math import pi
 from typing import Any
 
 import pytest
+from layouts import box, lay, put
 
 from exactsweep.layout import Layout, judge_layout
 from exactsweep.layout import diagnose as diagnosing
-from exactsweep.layout.diagnose import diagnose
+from exactsweep.layout.diagnose import diagnose, find_radians
 from exactsweep.numbers.number import Rational
 
 L = [("0", "0"), ("3", "0"), ("3", "1"), ("1", "1"), ("1", "2"), ("0", "2")]
@@ -166,3 +167,27 @@ def test_the_convention_that_leaves_the_fewest_faults_is_named_first(
     )
     said = [f"with {name}, {counts[name]} of 20 faults would be left" for name in "bac"]
     assert diagnose(judgement) == said
+
+
+@pytest.mark.parametrize(
+    ("turn", "said"),
+    [
+        ("3.141592653589793", "180 degrees"),
+        ("1.5708", "90 degrees"),
+        ("-0.785398", "-45 degrees"),
+        ("90", ""),
+        ("2.5", ""),
+        ("33.3", ""),
+    ],
+)
+def test_turns_that_look_like_radians_are_named(turn: str, said: str) -> None:
+    turned = lay(box(-9, -9, 9, 9), {"t": box(0, 0, 2, 1)}, put("t", (0, 0), turn))
+    found = find_radians(turned)
+    assert (said in found[0]) if said else not found
+
+
+def test_rounding_is_no_matter_of_conventions() -> None:
+    tiles = [put("t", (k * Fraction("0.9999999999"), 0)) for k in range(8)]
+    judgement = judge_layout(lay(box(0, 0, 9, 9), {"t": box(0, 0, 1, 1)}, *tiles))
+    assert len(judgement.faults) == 7
+    assert diagnose(judgement) == []

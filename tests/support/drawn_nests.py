@@ -71,7 +71,10 @@ def write_svg(plates: Sequence[Plate], *, engraved: bool = False, sheet: bool = 
     groups = _group("cut", drawn)
     if engraved:
         points = " ".join(f"{x},{y}" for x, y in ENGRAVED)
-        groups += _group("engrave", [f'<polyline points="{points}"/>', "<text>A7</text>"])
+        groups += _group(
+            "engrave",
+            [f'<polyline points="{points}" fill="none" stroke="black"/>', "<text>A7</text>"],
+        )
     inkscape = "http://www.inkscape.org/namespaces/inkscape"
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{inkscape}" width="162mm" '

@@ -164,7 +164,8 @@ def list_walls(layout: Layout, shapes: Sequence[Region]) -> list[Region]:
     room = 2 * (right - left + high - low + layout.margin)
     left, right, low, high = left - room, right + room, low - room, high + room
     frame = [(left, low), (right, low), (right, high), (left, high)]
-    return [Region(frame, [layout.container.exterior]), *map(Region, layout.container.holes)]
+    defects = [*map(Region, layout.container.holes), *(one.region for one in layout.defects)]
+    return [Region(frame, [layout.container.exterior]), *defects]
 
 
 def compare(drawn: RandomLayout, rng: Random, deep: bool) -> str:

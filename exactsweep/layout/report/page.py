@@ -15,7 +15,7 @@ from exactsweep.layout.report.worst import NO_CONTEXT, ReportContext, WorstFirst
 from exactsweep.text.template import make_environment
 from exactsweep.words import spell_out
 
-_MOST_LISTED, _MOST_MARKED = 1000, 20
+_MOST_LISTED, _MOST_MARKED, _REPAIRED = 1000, 20, 50
 
 
 def write_layout_page(
@@ -76,7 +76,11 @@ def write_layout_page(
             for panel in enlarge_faults(judgement, ranked, y_down=y_down, context=context)
         ],
         faults=[
-            (number, one.fault.kind, *tell_fault(judgement, one, context))
+            (
+                number,
+                one.fault.kind,
+                *tell_fault(judgement, one, context, repaired=number <= _REPAIRED),
+            )
             for number, one in enumerate(ranked[:_MOST_LISTED], 1)
         ],
         more=max(0, len(ranked) - _MOST_LISTED),

@@ -75,7 +75,7 @@ def report_layout(
     if ranked:
         listed = make_table(("", "fault", "where", "how bad", "witness", "repaired by"))
         for number, one in enumerate(ranked if everything else ranked[:_MOST_LISTED], 1):
-            where, *rest = tell_fault(judgement, one, context)
+            where, *rest = tell_fault(judgement, one, context, repaired=number <= MOST_MEASURED)
             listed.add_row(str(number), one.fault.kind, where, *rest)
         tables.append(listed)
     text = lay_out(tables, terminal_width)
@@ -206,9 +206,20 @@ def _round_up(value: Fraction) -> str:
 
 
 def tell_fault(
-    judgement: Judgement, one: WorstFirst, context: ReportContext = NO_CONTEXT
+    judgement: Judgement,
+    one: WorstFirst,
+    context: ReportContext = NO_CONTEXT,
+    *,
+    repaired: bool = True,
 ) -> tuple[str, str, str, str]:
-    """Describe a fault: the place, the measure, the witness and the repair, in rounded numbers."""
+    """Describe a fault: the place, the measure, the witness and the repair, in rounded numbers.
+
+    Args:
+        judgement: the Judgement of the fault.
+        one: the fault.
+        context: facts of the file, and the accepted depth.
+        repaired: whether to compute the repair.
+    """
     fault = one.fault
     bad, repair = fault.reason, ""
     if fault.distance_squared is not None and fault.required is not None:
@@ -219,9 +230,9 @@ def tell_fault(
         bad = f"{context.add_unit(approximate(take_root(one.square)))} deep"
     elif fault.number:
         bad = count(fault.number, "placement")
-    if fault.move is not None:
+    if repaired and fault.move is not None:
         repair = f"moving {fault.placements[-1]} by {_write_about(fault.move)}"
-    elif fault.kind == "outside" and one.square is None:
+    elif repaired and fault.kind == "outside" and one.square is None:
         bad = "fits nowhere as it is turned"
     places = context.name_placements(judgement, fault)
     return places, spell_out(bad), " ".join(map(_write_about, fault.points)), repair
