@@ -200,6 +200,8 @@ def _layout(c: Any) -> Claim:
     given, proof, zero = c["layout"], c["proof"], Fraction(0)
     parts, placed = given["parts"], given["placements"]
     index = {part["id"]: k for k, part in enumerate(parts)}
+    if len(index) != len(parts):
+        raise ValueError("two parts have one id")
     solids = [given.get("container"), *(given.get("defects") or [])]
     shapes = [(_rings(e), Fraction(e.get("error") or 0)) if e else ([], zero) for e in solids]
     outside = [[_ring(e) for e in pieces] for pieces in proof["outside"]]
