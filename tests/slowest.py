@@ -10,7 +10,7 @@ import json
 import resource
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -193,7 +193,7 @@ def rotations(n: int, digits: int) -> Certificate:
     return layout([part], placed, None, [{"kind": "missing", "part": "a"}])
 
 
-KINDS: dict[str, Callable[[int, int], Certificate]] = {
+KINDS: Mapping[str, Callable[[int, int], Certificate]] = {
     kind.__name__: kind
     for kind in (crowd, strips, corners, slices, islands, fits_in_a_cell, chains)
 } | {kind.__name__: kind for kind in (long_numbers, placements, faults, rotations)}

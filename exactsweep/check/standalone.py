@@ -43,11 +43,11 @@ is where a x + b y + c w > 0. Layouts, 7, need 1 and 2 alone; claims on position
    the frame. L is in B; the four half-planes around B count as listed sums, with edges of B for
    sides. In the proof, W + 1 has the place of W, and every t sees a half-plane, hence L before it.
 6. `layout`. A normal n with gap = min n.b - max n.a >= 0 and gap^2 >= s^2 |n|^2, for all vertices a
-   of one piece and b of another, shows that they are s apart and do not overlap. Errors, up to
-   which two shapes are known, are added to s. What is outside the container, in a frame, and every
-   defect are shapes. A rotation that is off by d moves a point at distance r from the origin by at
-   most d r. A point in two shapes, deeper than their errors, shows that they overlap; one nearer to
-   both than half the spacing less errors that they are too close.
+   of one piece and b of another, shows that they are s apart and do not overlap. If two shapes are
+   known up to errors, their sum is added to s. The complement of the container, in a frame, is a
+   shape, and so is every defect. A rotation that is off by d moves a point at distance r from the
+   origin by at most d r. A point in two shapes, deeper than their errors, shows that they overlap;
+   one nearer to both than half the spacing less errors shows that they are too close.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
-MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 4 * 10**7, 400
+MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 10**7, 100
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
 NULL: dict[str, Any] = dict.fromkeys(("turn", "error", "spacing", "margin"), "0") | {
     "holes": [],
@@ -107,21 +107,20 @@ class Work:
     """The steps that are left, of at most a microsecond with short numbers, more with long ones."""
 
     def __init__(self, certificate: Any, max_steps: float | None) -> None:
-        stack, size, longest = [certificate], 0, 1
+        stack, size = [certificate], 0
         while stack:
             item = stack.pop()
             stack += item.values() if type(item) is dict else item if type(item) is list else ()
-            length = len(item) if type(item) is str else 0
-            is_number = length > 0 and item[-1:].isdigit()
-            size, longest = size + length + 4, max(longest, length * is_number)
+            size += 4 + (len(item) if type(item) is str else 0)
             need(size + 4 * len(stack) < MAX_SIZE, "too large to be read")
-        self.weight = 1 + longest / 6 + longest**2 / 1400  # as measured
         self.left = max_steps or max(MAX_STEPS, STEPS_PER_BYTE * size)
 
-    def spend(self, steps: float, of_boxes: float = 0) -> None:
-        """Take steps from those that are left; those of boxes have short numbers."""
-        self.left -= steps * self.weight + of_boxes
-        need(self.left >= 0, "too large: to check it takes more steps than a file of its size may")
+    def spend(self, steps: float, *numbers: int) -> None:
+        """Take steps from those that are left: more than these, as measured, for long numbers."""
+        bits = max(map(int.bit_length, numbers)) - 60 if numbers else 0
+        self.left -= steps * (1 + bits / 35 + bits**2 / 65000) if bits > 0 else steps
+        if self.left < 0:
+            raise Refused("too large: to check it takes more steps than a file of its size may")
 
 
 def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
@@ -277,7 +276,7 @@ def near(work: Work, *trees: Any, touch: int = 0) -> Iterator[tuple[Any, Any, An
     while stack:
         found = stack.pop()
         ((a, b, c, d), m, _), ((e, f, g, h), n, _), ((i, j, k, l), o, _) = found  # noqa: E741
-        work.spend(0, 1)
+        work.spend(1)
         if e + i < b + touch and a < f + j + touch and g + k < d + touch and c < h + l + touch:
             at = 0 if m >= n and m >= o else 1 if n >= o else 2
             if found[at][1] < 0:
@@ -322,9 +321,10 @@ def solid(name: str, rings: list[Ring], item: Any, work: Work) -> list[Ring]:
         need(is_convex(points), f"{name}, piece {k}: not convex, counter-clockwise", points[0])
     cancel(name, pieces, rings)
     around, scale = [*map(edges, pieces)], scale_of(chain(*rings))
+    longest = [max(map(abs, chain(*chain(*e)))) for e in around]
     boxes = tree([(box(points, scale), k) for k, points in enumerate(pieces)])
     for k, j, _ in near(work, boxes, boxes, NOWHERE):
-        work.spend(len(pieces[k]) * len(pieces[j]))
+        work.spend(len(pieces[k]) * len(pieces[j]), longest[k], longest[j])
         is_apart = k >= j or apart(around[k], around[j])
         need(is_apart, f"{name}: pieces {k} and {j} are not apart", pieces[k][0])
     return pieces
@@ -400,14 +400,14 @@ class Sums:
         self.d, self.h = ([edges(e[k:] + e[:k]) for e, k in of] for of in pairs)
         self.get = lru_cache(10**5 // max(map(len, chain(d, h, [()]))) + 1)(self.find)
 
-    def find(self, k: int) -> tuple[list[Line], list[Edge]]:
-        """Return the lines and the sides of a sum, or of a half-plane."""
+    def find(self, k: int) -> tuple[list[Line], list[Edge], int]:
+        """Return the lines and the sides of a sum or a half-plane, and a number as long as any."""
         sides = self.beyond[k - self.count : k - self.count + 1]
         if k < self.count:
             one, other = self.d[k // self.columns], self.h[k % self.columns]
-            self.work.spend(3 * (len(one) + len(other)))
+            self.work.spend(3 * (len(one) + len(other)), *one[0][2], *other[0][2])
             sides = edges(add_pieces(one, other))
-        return [line for *_, line in sides], sides
+        return [line for *_, line in sides], sides, max(map(abs, chain(*chain(*sides))))
 
 
 def add_pieces(one: list[Edge], other: list[Edge]) -> Ring:
@@ -479,11 +479,11 @@ def boundary(name: str, sums: Sums, known: list[Known], listed: Any, around: lis
     """Prove (a), (b), (c) and (e) of the lemma."""
     work, at = sums.work, tree([(box(e[:2], sums.scale), e) for e in known])
     for edge, other, _ in near(work, at, at, NOWHERE, touch=1):
-        work.spend(12)
+        work.spend(12, *edge.line, *other.line)
         need(edge is other or distinct(edge, other), f"{edge.name}: meets {other.name}", edge.start)
     for edge, i, j in near(work, at, *sums.trees):
-        lines = sums.get(i * sums.columns + j)[0]
-        work.spend(3 + len(lines))
+        lines, _, longest = sums.get(i * sums.columns + j)
+        work.spend(3 + len(lines), longest, *edge.line)
         is_clear = clip(lines, edge.start, edge.end) is None
         need(is_clear, f"{edge.name}: inside the sum of pieces {i} and {j}", edge.start)
     beside = cover_sides(name, sums, known, listed, around)
@@ -505,12 +505,12 @@ def cover_sides(name: str, sums: Sums, known: list[Known], listed: Any, around: 
             spans = list[Span | None]()
             for n in [found] if type(found) is int else items(at, found):
                 if integer(at, n, -len(known), len(entries)) >= 0:
-                    lines = sums.get(entries[n][0])[0]
-                    sums.work.spend(4 + len(lines))
+                    lines, _, longest = sums.get(entries[n][0])
+                    sums.work.spend(4 + len(lines), longest, *one[2])
                     spans.append(clip(lines, one[0], one[1]))
                     continue
-                sums.work.spend(45)
                 edge, span = known[-1 - n], share(one, known[-1 - n])
+                sums.work.spend(45, *edge.line, *one[2])
                 spans.append(span)
                 if span and edge.start == edge.end:
                     beside[-1 - n, True] = beside[-1 - n, False] = [(0, 1, True)]
@@ -524,8 +524,9 @@ def cover_sides(name: str, sums: Sums, known: list[Known], listed: Any, around: 
 def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, work: Work) -> None:
     """Prove (d) of the lemma: require a winding number of all loops at points."""
     around = [edge[:3] for edge in known if edge.loop]
+    longest = max(map(abs, chain((0,), *chain(*around))))
     for z in points:
-        work.spend(len(around) / 2)
+        work.spend(len(around) / 2, longest, *z)
         times = winding(around, z)
         need(times == wanted, f"{name}: there loops wind {times} times, not {wanted}", z)
 
@@ -708,7 +709,7 @@ class Layout:
         need(flag is None or type(flag) is bool, f"{name}, mirrored: neither true nor false")
         asked, to = read_rotation(name, turn), read_rotation(name, items(name, rational))
         (_, rings, error, _), _, used = self.parts[key]
-        self.work.spend(20 + 10 * sum(map(len, rings)))
+        self.work.spend(20 + 10 * sum(map(len, rings)), *chain(*chain(*rings)))
         if asked != to:
             need(type(asked) is not tuple, f"{name}: its entry of turns is another rotation")
             far = max(sum(map(abs, place(p))) for p in chain(*rings))
@@ -751,7 +752,8 @@ class Layout:
         for (a, i), (b, j), _ in near(self.work, at, at, NOWHERE):
             if a < b and b >= 0:
                 one, other = self.bodies[a], self.bodies[b]
-                self.work.spend(12 + len(one.rings[i]) + len(other.rings[j]))
+                size = len(one.rings[i]) + len(other.rings[j])
+                self.work.spend(12 + size, *one.rings[i][0], *other.rings[j][0])
                 distance = (self.margin if a < 0 else self.spacing) + one.error + other.error
                 known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1))
                 ways = [known] if known else AXES
@@ -777,7 +779,7 @@ class Layout:
         need(a >= 0 and a != b and points, f"{name}: not two bodies and a point")
         room = (self.margin if b < 0 else self.spacing) - one.error - other.error
         for body in (one, other):
-            self.work.spend(60 * sum(map(len, body.rings)))
+            self.work.spend(60 * sum(map(len, body.rings)), *points[0], *chain(*chain(*body.rings)))
             is_there = is_inside(body, points[0], -room / Fraction(2) if is_close else body.error)
             need(is_there, f"{name}: not inside {body.name}, or not near enough", *points)
         need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)

@@ -212,7 +212,7 @@ def test_a_placement_may_be_too_close_to_a_defect() -> None:
 
 
 def test_defects_cross_the_edge_and_each_other() -> None:
-    more = [{"exterior": rect(3, -1, 5, 5)}, {"exterior": rect(4, 4, 6, 6)}]
+    more: list[dict[str, Any]] = [{"exterior": rect(3, -1, 5, 5)}, {"exterior": rect(4, 4, 6, 6)}]
     cut = [[rect(0, 0, 2, 2)]]
     assert prove(layout([SQUARE], [at(1, 2)], cut, defects=more))
     reason = refusal(layout([SQUARE], [at("21/20", 2)], cut, defects=more))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -12,7 +13,7 @@ from hypothesis import strategies as st
 from strategies import Kind, pairs
 from tiers import examples
 
-from exactsweep import Polygon, Region, no_fit_polygon, sweep
+from exactsweep import Point, Polygon, Region, no_fit_polygon, sweep
 from exactsweep.check import verify
 from exactsweep.numbers.error import ExactSweepError
 
@@ -36,7 +37,7 @@ def test_a_reason_has_a_witness() -> None:
     cave = certificates()["cave"]
     verdict = verify({**cave, "exact_fits": [[["1/2", "1/2"], ["3/4", "1/2"]]]})
     assert not verdict.proved
-    assert verdict.witness == (0.5, 0.5)
+    assert verdict.witness == Point(Fraction(1, 2), Fraction(1, 2))
     assert verify({**cave, "version": 2}) == (False, "version: not 3", None)
 
 

@@ -1,6 +1,6 @@
 """Write the golden files anew: `python -m tests.goldens [PARTS]...`.
 
-These are the texts of this folder, both golden.json, the steps of checks, the reports of `conform`,
+These are the texts of this folder, both golden.json, the reports of `conform`,
 the options of all commands, all transcripts and all refusals.txt; git shows the changes.
 """
 
@@ -21,7 +21,6 @@ sys.path.extend(
     for folder in ("", "support", "batch", "check", "cli", "conform", "formats", "layout")
 )
 import test_batch_golden as batch
-import test_budget as budget
 import test_cli_options as options
 import test_formats_golden as formats
 import test_layout as layout
@@ -38,7 +37,6 @@ def list_goldens() -> Iterator[tuple[Path, Callable[[], str]]]:
         yield Path(__file__).with_name(f"{name}.txt"), partial(join_lines, lines)
     yield batch.FILE, partial(answer, batch.CASES, "record", batch.find_record)
     yield formats.FILE, partial(answer, formats.CASES, "outcome", formats.find_outcome)
-    yield budget.FILE, partial(join_lines, budget.list_steps)
     yield reports.FILE, reports.write_reports
     yield options.FILE, partial(join_lines, options.list_options)
     for path in list_transcripts():

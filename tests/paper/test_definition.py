@@ -10,12 +10,8 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Point, Polygon
-from exactsweep.check import (
-    classify,
-    point_in_polygon,
-    reference_exact_fits,
-    reference_loops,
-)
+from exactsweep.check import classify, point_in_polygon
+from exactsweep.paper.definition import reference_exact_fits, reference_loops
 
 Pair = tuple[Polygon, Polygon]
 Loop = list[tuple[Any, Any]]

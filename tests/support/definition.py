@@ -6,13 +6,14 @@ from math import lcm
 from random import Random
 from typing import Any
 
+import tampering
+from references import reference_inner_fit, reference_no_fit, reference_swept
+from shape_certificates import falsified
 from small_pairs import Shape, SmallPair, shares_direction
 
 import exactsweep
-from exactsweep import DirectionError, Point, Region
+from exactsweep import DirectionError, Point
 from exactsweep.check import classify, point_in_polygon, verify
-from exactsweep.evidence.certificate import claim_inner_fit, claim_no_fit, claim_sweep
-from exactsweep.evidence.proof import add_proof
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.definition import reference_exact_fits, reference_loops
 
@@ -24,21 +25,12 @@ def find_failure(pair: SmallPair, *, deep: bool = False, kernel: Any = exactswee
     """Say what differs from the definition, or nothing; `deep`: of all answers, not loops alone."""
     checks: list[Callable[[SmallPair, Any], Iterator[str]]] = [_loops]
     if deep:
-        checks += [_inner_fit, _reasons, _certificates, _classification]
+        checks += [_inner_fit, _reasons, _certificates, _reference]
     try:
         s = kernel.sweep(*_shapes(pair, kernel))
         return next((failure for check in checks for failure in check(pair, (kernel, s))), "")
     except Exception as error:
         return f"{type(error).__name__}: {error}"
-
-
-def _is_proved(claim: dict[str, Any]) -> bool:
-    return verify(add_proof(claim)).proved
-
-
-def _claim_no_fit(pair: SmallPair, exterior: Any, holes: Any, fits: Any) -> dict[str, Any]:
-    g, d = map(Region, _shapes(pair))
-    return claim_no_fit(d, g, exterior, holes, fits)
 
 
 def _loops(pair: SmallPair, answered: Any) -> Iterator[str]:
@@ -48,7 +40,7 @@ def _loops(pair: SmallPair, answered: Any) -> Iterator[str]:
         yield f"kind {s.kind}"
     if s.kind == "SS":
         n = kernel.no_fit_polygon(*reversed(_shapes(pair, kernel)))
-        if not _is_proved(_claim_no_fit(pair, n.exterior, n.holes, n.exact_fits)):
+        if (n.exterior.vertices, _vertices(n.holes), n.exact_fits) != reference_no_fit(d, g):
             yield "no-fit polygon"
         return
     for name, loop in reference_loops(g, d, s.direction)._asdict().items():
@@ -60,13 +52,16 @@ def _loops(pair: SmallPair, answered: Any) -> Iterator[str]:
 
 def _inner_fit(pair: SmallPair, answered: Any) -> Iterator[str]:
     kernel, s = answered
-    g, d = map(Region, _shapes(pair))
+    g, d = _shapes(pair)
     f = kernel.inner_fit_polygon(*reversed(_shapes(pair, kernel)))
-    if not _is_proved(claim_inner_fit(d, g, f.regions, f.exact_fits)):
+    regions = tuple((r.exterior.vertices, _vertices(r.holes)) for r in f.regions)
+    if (regions, f.exact_fits) != reference_inner_fit(d, g):
         yield "inner fit"
-    no_fit = _claim_no_fit(pair, s.trajectory, s.no_fit_holes, s.exact_fits)
-    if not _is_proved(claim_sweep(no_fit, s.inner, s.outer, s.unswept, s.area)):
-        yield "swept area"
+    if s.kind == "SS":
+        if (s.outer.vertices, s.inner.vertices, _vertices(s.unswept)) != reference_swept(d, g):
+            yield "swept area"
+    elif (s.trajectory.vertices, (), s.exact_fits) != reference_no_fit(d, g):
+        yield "the two definitions differ"
 
 
 def _reasons(pair: SmallPair, answered: Any) -> Iterator[str]:
@@ -106,27 +101,41 @@ def _reasons(pair: SmallPair, answered: Any) -> Iterator[str]:
 
 
 def _certificates(pair: SmallPair, answered: Any) -> Iterator[str]:
-    """All answers have certificates that are proved."""
+    """Certificates are proved, and not once they are changed in one place."""
     kernel, s = answered
-    g, d = _shapes(pair, kernel)
-    for answer in (s, kernel.inner_fit_polygon(d, g), kernel.no_fit_polygon(d, g)):
-        if not (result := verify(answer.certificate())).proved:
-            yield f"certificate: {result.reason}"
-
-
-def _classification(pair: SmallPair, answered: Any) -> Iterator[str]:
-    """The answer agrees with `classify`, at positions on the loops and between."""
-    kernel, _ = answered
-    g, d = _shapes(pair)
-    n = kernel.no_fit_polygon(*reversed(_shapes(pair, kernel)))
     rng = Random(repr(pair))
-    points = [p for loop in (n.exterior, *n.holes) for p in loop.vertices]
-    points += [p for fit in n.exact_fits for p in fit]
+    shapes = _shapes(pair, kernel)
+    answers = [s, kernel.inner_fit_polygon(shapes[1], shapes[0])]
+    if s.kind == "SS":
+        answers.append(kernel.no_fit_polygon(shapes[1], shapes[0]))
+    for answer in answers:
+        certificate = answer.certificate()
+        if not (result := verify(certificate)).proved:
+            yield f"certificate: {result.reason}"
+        change = falsified if "claim" in certificate else tampering.changes
+        changed = list(change(certificate, rng))
+        for name, false in rng.sample(changed, min(1, len(changed))):
+            if verify(false).proved:
+                yield f"proved, though changed: {name}"
+
+
+def _reference(pair: SmallPair, answered: Any) -> Iterator[str]:
+    """The references agree with `classify`, at positions on the loops and between."""
+    g, d = _shapes(pair)
+    true = reference_no_fit(d, g)
+    rng = Random(repr(pair))
+    loops = (true.exterior, *true.holes)
+    points = [p for loop in (*loops, *true.exact_fits) for p in loop]
     for _ in range(10):
         p, q = rng.choice(points), rng.choice(points)
         t = Point((p.x + q.x) / 2, (p.y + q.y) / 2)
-        if (found := classify(d, g, t).verdict.lower()) != n.locate(t):
-            yield f"classify says {found} at {t}, not {n.locate(t)}"
+        sides = [point_in_polygon(t, loop) for loop in loops]
+        if 0 in sides or any(_is_on(t, fit) for fit in true.exact_fits):
+            verdict = "CONTACT"
+        else:
+            verdict = "OVERLAP" if sides.count(1) == 1 else "FREE"
+        if (found := classify(d, g, t).verdict) != verdict:
+            yield f"classify says {found} at {t}, not {verdict}"
 
 
 def is_exact_fit(generatrix: Any, directrix: Any, fit: Fit) -> bool:
@@ -183,6 +192,10 @@ def _run_along(e: Edge, f: Edge) -> bool:
     return in_line and max(min(e), min(f)) < min(max(e), max(f))
 
 
+def _is_on(t: Point, fit: Fit) -> bool:
+    return t in fit or _is_inside(t, fit)
+
+
 def _rings(shape: Any) -> list[list[Vertex]]:
     rings = (shape.exterior, *shape.holes) if hasattr(shape, "holes") else (shape,)
     return [[*ring.vertices] for ring in rings]
@@ -194,3 +207,7 @@ def _shapes(pair: SmallPair, kernel: Any = exactsweep) -> tuple[Any, Any]:
 
 def _shape(shape: Shape | list[list[Vertex]], kernel: Any) -> Any:
     return kernel.Region(shape[0], shape[1:]) if shape[1:] else kernel.Polygon(shape[0])
+
+
+def _vertices(loops: Any) -> Any:
+    return tuple(loop.vertices for loop in loops)

@@ -285,9 +285,10 @@ def find_unproved(judgement: Judgement, rng: Random) -> str:
     if verify({**certificate, "valid": not certificate["valid"]}).proved:
         return "certificate: the other verdict is proved, too"
     # One for all pieces may be more than is needed: perhaps no two of them are near.
-    needed = [entry for entry in certificate["apart"] if entry[1] >= 0]
+    apart = certificate["proof"]["apart"] if certificate["valid"] else []
+    needed = [entry for entry in apart if entry[1] >= 0]
     if needed:
-        certificate["apart"].remove(rng.choice(needed))
+        apart.remove(rng.choice(needed))
         if verify(certificate).proved:
             return "certificate: it is proved without one of its normals"
     return ""
