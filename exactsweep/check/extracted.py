@@ -1,4 +1,4 @@
-"""The checker in Coq, extracted to OCaml, on certificates: for whoever trusts no Python.
+"""The checker in Coq, extracted to OCaml, on certificates.
 
 Needs coqc, ocamlfind and zarith, once, to build it; `proof/README.md` lists what has to be trusted.
 """

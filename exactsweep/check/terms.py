@@ -1,8 +1,8 @@
 """Certificates as input of the checker in Coq: terms, written as plain numbers or as Coq.
 
 A term is an int (an integer in Coq), a Fraction (a rational), a `Nat`, a bool, a list, a tuple, a
-`Record`, or a `Some` or None. Vertices of pieces are multiplied by a common denominator. Whoever
-believes an answer of the extracted checker about a file trusts this module to have read the file.
+`Record`, or a `Some` or None. Vertices of pieces are multiplied by a common denominator. An answer
+of the extracted checker about a file rests on this module, which reads the file.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from exactsweep.check.standalone import FORMAT, VERSION, rotation_error
 
-Pair = tuple[Fraction, Fraction]
+RationalPoint = tuple[Fraction, Fraction]
 AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))
 SLACK = 2**40  # errors of rotations are rounded up to one in so many of the common denominator
 
@@ -38,7 +38,7 @@ class Record(NamedTuple):
     fields: dict[str, Any]
 
 
-class Claim(NamedTuple):
+class CoqClaim(NamedTuple):
     """A claim for the checker in Coq.
 
     `statement` are the arguments of the claim, by name and type; `evidence` the others, of which
@@ -50,7 +50,7 @@ class Claim(NamedTuple):
     evidence: dict[str, tuple[str, Any]]
 
 
-def to_claim(certificate: Any) -> Claim:
+def to_claim(certificate: Any) -> CoqClaim:
     """Return the claim of a certificate of version 3 that is valid by the schema.
 
     A layout with faults has no claim here.
@@ -61,7 +61,7 @@ def to_claim(certificate: Any) -> Claim:
     return kinds[certificate["claim"]](certificate)
 
 
-def write_numbers(claim: Claim) -> str:
+def write_numbers(claim: CoqClaim) -> str:
     """Return a claim as words that the extracted checker reads."""
     terms = [term for part in claim[1:] for _, term in part.values()]
     return " ".join([claim.kind, *(word for term in terms for word in _words(term))])
@@ -70,25 +70,25 @@ def write_numbers(claim: Claim) -> str:
 # --- Reading --------------------------------------------------------------------------------------
 
 
-def _points(items: Any) -> list[Pair]:
+def _points(items: Any) -> list[RationalPoint]:
     return [(Fraction(x), Fraction(y)) for x, y in items]
 
 
-def _ring(items: Any) -> list[Pair]:
+def _ring(items: Any) -> list[RationalPoint]:
     points = _points(items)
     return [p for k, p in enumerate(points) if p != points[k - 1]]
 
 
-def _fits(items: Any) -> list[tuple[Pair, Pair]]:
+def _fits(items: Any) -> list[tuple[RationalPoint, RationalPoint]]:
     return [(start, end) for start, end in map(_points, items)]
 
 
-def _area(ring: list[Pair]) -> Fraction:
+def _area(ring: list[RationalPoint]) -> Fraction:
     ends = zip(ring, ring[1:] + ring[:1], strict=True)
     return sum((p[0] * q[1] - p[1] * q[0] for p, q in ends), Fraction(0))
 
 
-def _rings(shape: Any) -> list[list[Pair]]:
+def _rings(shape: Any) -> list[list[RationalPoint]]:
     """Return the rings of a shape, the exterior counter-clockwise, holes clockwise."""
     rings = [_ring(shape["exterior"]), *map(_ring, shape.get("holes") or [])]
     return [e if (_area(e) > 0) != bool(k) else e[::-1] for k, e in enumerate(rings)]
@@ -102,11 +102,11 @@ def _chain(item: Any) -> list[int]:
     return [item] if type(item) is int else item
 
 
-def _unit(*rings: Iterable[Pair]) -> int:
+def _unit(*rings: Iterable[RationalPoint]) -> int:
     return lcm(*(n.denominator for ring in rings for p in ring for n in p))
 
 
-def _scaled(pieces: list[list[Pair]], unit: int) -> list[Any]:
+def _scaled(pieces: list[list[RationalPoint]], unit: int) -> list[Any]:
     return [[(int(x * unit), int(y * unit)) for x, y in ring] for ring in pieces]
 
 
@@ -116,12 +116,12 @@ RINGS, RING = "list Statements.ring", "Statements.ring"
 SEGMENTS = "list (Statements.point * Statements.point)"
 
 
-def _no_fit(c: Any) -> Claim:
+def _no_fit(c: Any) -> CoqClaim:
     d, g, exterior, holes, fits = _answer(c)
     loops = [exterior, *(hole[::-1] for hole in holes)]
     statement = {"directrix": (RINGS, d), "generatrix": (RINGS, g), "loops": (RINGS, loops)}
     evidence = _evidence(c["proof"], d, g, loops, fits)
-    return Claim("no_fit", {**statement, "exact_fits": (SEGMENTS, fits)}, {"evidence": evidence})
+    return CoqClaim("no_fit", {**statement, "exact_fits": (SEGMENTS, fits)}, {"evidence": evidence})
 
 
 def _answer(c: Any) -> tuple[Any, ...]:
@@ -138,7 +138,7 @@ def _evidence(proof: Any, d: Any, g: Any, loops: Any, fits: Any) -> tuple[str, R
     return "no_fit_certificate", Record({"NoFit.unit": unit, **pieces, "NoFit.listed_sums": sums})
 
 
-def _sweep(c: Any) -> Claim:
+def _sweep(c: Any) -> CoqClaim:
     d, g, exterior, holes, fits = _answer(c)
     proof, rings = c["proof"], [_ring(r) for r in (c["outer"], c["inner"], *c["unswept"])]
     loops, slits = (
@@ -154,10 +154,10 @@ def _sweep(c: Any) -> Claim:
     statement |= {"loops": (RINGS, loops), "slits": (SEGMENTS, slits)}
     around = [exterior, *(hole[::-1] for hole in holes)]
     evidence = {"evidence": _evidence(proof, d, g, around, fits)}
-    return Claim("sweep", statement, {**evidence, "swept": ("sweep_certificate", Record(swept))})
+    return CoqClaim("sweep", statement, {**evidence, "swept": ("sweep_certificate", Record(swept))})
 
 
-def _inner_fit(c: Any) -> Claim:
+def _inner_fit(c: Any) -> CoqClaim:
     proof, container, part = c["proof"], _rings(c["container"]), _rings(c["part"])
     regions = [
         ring
@@ -183,7 +183,7 @@ def _inner_fit(c: Any) -> Claim:
     found |= {"InnerFit.outside": _scaled(outside, unit), "InnerFit.part": _scaled(moving, unit)}
     found |= {"InnerFit.listed_sums": _sums(proof["sums"])}
     found |= {"InnerFit.around": [_chain(chain) for chain in proof["around"]]}
-    return Claim("inner_fit", statement, {"evidence": ("inner_fit_certificate", Record(found))})
+    return CoqClaim("inner_fit", statement, {"evidence": ("inner_fit_certificate", Record(found))})
 
 
 def _rotation(turn: Any) -> Any:
@@ -194,12 +194,14 @@ def _rotation(turn: Any) -> Any:
     return degrees if degrees % 90 else tuple(map(Fraction, AXES[int(degrees) // 90]))
 
 
-def _layout(c: Any) -> Claim:
+def _layout(c: Any) -> CoqClaim:
     if c["valid"] is not True:
         raise ValueError("a layout with faults has no theorem")
     given, proof, zero = c["layout"], c["proof"], Fraction(0)
     parts, placed = given["parts"], given["placements"]
     index = {part["id"]: k for k, part in enumerate(parts)}
+    if len(index) != len(parts):
+        raise ValueError("two parts have one id")
     solids = [given.get("container"), *(given.get("defects") or [])]
     shapes = [(_rings(e), Fraction(e.get("error") or 0)) if e else ([], zero) for e in solids]
     outside = [[_ring(e) for e in pieces] for pieces in proof["outside"]]
@@ -288,10 +290,10 @@ def _layout(c: Any) -> Claim:
         )
     }
     evidence = {"evidence": ("certificate", Record(found)), "entries": ("list entry", normals)}
-    return Claim("layout", statement, evidence)
+    return CoqClaim("layout", statement, evidence)
 
 
-def _move(motion: Any, ring: list[Pair]) -> list[Pair]:
+def _move(motion: Any, ring: list[RationalPoint]) -> list[RationalPoint]:
     flag, c, s, (u, v) = motion
     points = [(-x if flag else x, y) for x, y in (ring[::-1] if flag else ring)]
     return [(c * x - s * y + u, s * x + c * y + v) for x, y in points]

@@ -1,6 +1,6 @@
 (* What certificates are checked with: a sweep together with its no-fit polygon, and normals by number. *)
 Require Import QArith ZArith List Bool.
-From Exactsweep Require Import Cancel Pieces Layout NoFit InnerFit Sweep.
+From Exactsweep Require Import Cancel Pieces Covers Layout NoFit InnerFit Sweep.
 From Exactsweep Require Statements.
 Import ListNotations.
 
@@ -20,6 +20,26 @@ Proof.
   unfold check_whole_sweep. intro H. apply andb_prop in H as (A & B). split.
   - exact (no_fit_sound _ _ _ _ c A).
   - exact (sweep_sound _ _ _ _ c' B).
+Qed.
+
+(* One translation, decided by the loops and fits of a no-fit polygon *)
+Inductive verdict := Overlap | Contact | Free.
+Definition locate (loops : list Statements.ring) (fits : list (Statements.point * Statements.point)) (t : Statements.point) : verdict :=
+  if existsb (fun e => on_b e t) (flat_map Statements.edges loops ++ fits) then Contact
+  else if (Statements.winding loops t =? 1)%Z then Overlap else Free.
+Theorem locate_sound D G loops fits t : Statements.no_fit_claim D G loops fits ->
+  match locate loops fits t with
+  | Overlap => Statements.overlaps_at D G t
+  | Contact => Statements.closure (Statements.overlaps_at D G) t /\ ~ Statements.overlaps_at D G t
+  | Free => ~ Statements.closure (Statements.overlaps_at D G) t
+  end.
+Proof.
+  intros (A & B). unfold locate. destruct (existsb (fun e => on_b e t) (flat_map Statements.edges loops ++ fits)) eqn:E.
+  - apply A. apply existsb_exists in E as (e & I & H). exists e. split; [exact I|apply on_b_spec, H].
+  - assert (N : ~ Statements.on_any (flat_map Statements.edges loops ++ fits) t).
+    { intros (e & I & H). apply on_b_complete in H. assert (T : existsb (fun e => on_b e t) (flat_map Statements.edges loops ++ fits) = true)
+        by (apply existsb_exists; exists e; auto). congruence. }
+    destruct (B t N) as [(O & W)|(O & W)]; rewrite W; [exact O|]. intro Cl. apply N, A. split; assumption.
 Qed.
 
 (* The normals of a layout: an entry for two pieces, else one for two solids as a whole *)
