@@ -152,6 +152,7 @@ def _sweep(c: Any) -> CoqClaim:
     statement = {"directrix": (RINGS, d), "generatrix": (RINGS, g), "exterior": (RING, exterior)}
     statement |= {"holes": (RINGS, holes), "exact_fits": (SEGMENTS, fits)}
     statement |= {"loops": (RINGS, loops), "slits": (SEGMENTS, slits)}
+    statement |= {"area": ("Q", Fraction(c["area"]))}
     around = [exterior, *(hole[::-1] for hole in holes)]
     evidence = {"evidence": _evidence(proof, d, g, around, fits)}
     return CoqClaim("sweep", statement, {**evidence, "swept": ("sweep_certificate", Record(swept))})

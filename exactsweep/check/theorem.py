@@ -16,7 +16,8 @@ CLAIMS = {
     "inner_fit": ("Statements.inner_fit_claim {}", "inner_fit_sound {0} {1}"),
     "sweep": (
         "Statements.no_fit_claim directrix generatrix (with_holes exterior holes) exact_fits /\\\n"
-        "  Statements.sweep_claim exterior generatrix loops slits",
+        "  Statements.sweep_claim exterior generatrix loops slits /\\\n"
+        "  (2 * area == Statements.doubled_area loops)%Q",
         "whole_sweep_sound {0} {1}",
     ),
     "layout": ("Statements.valid {}", "layout_valid entries {0} evidence"),

@@ -8,18 +8,21 @@ Import ListNotations.
 Definition with_holes (exterior : Statements.ring) (holes : list Statements.ring) : list Statements.ring :=
   exterior :: map (@rev _) holes.
 
-(* T, along which G is swept, is the exterior of the no-fit polygon. *)
+(* T, along which G is swept, is the exterior of the no-fit polygon; the area is that within the loops. *)
 Definition check_whole_sweep (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
     (fits : list (Statements.point * Statements.point)) (loops : list Statements.ring)
-    (slits : list (Statements.point * Statements.point)) (c : no_fit_certificate) (c' : sweep_certificate) : bool :=
-  check_no_fit D G (with_holes exterior holes) fits c && check_sweep exterior G loops slits c'.
-Theorem whole_sweep_sound D G exterior holes fits loops slits c c' :
-  check_whole_sweep D G exterior holes fits loops slits c c' = true ->
-  Statements.no_fit_claim D G (with_holes exterior holes) fits /\ Statements.sweep_claim exterior G loops slits.
+    (slits : list (Statements.point * Statements.point)) (area : Q) (c : no_fit_certificate) (c' : sweep_certificate) : bool :=
+  check_no_fit D G (with_holes exterior holes) fits c && check_sweep exterior G loops slits c' &&
+  Qeq_bool (2 * area) (Statements.doubled_area loops).
+Theorem whole_sweep_sound D G exterior holes fits loops slits area c c' :
+  check_whole_sweep D G exterior holes fits loops slits area c c' = true ->
+  Statements.no_fit_claim D G (with_holes exterior holes) fits /\ Statements.sweep_claim exterior G loops slits /\
+  (2 * area == Statements.doubled_area loops)%Q.
 Proof.
-  unfold check_whole_sweep. intro H. apply andb_prop in H as (A & B). split.
+  unfold check_whole_sweep. intro H. apply andb_prop in H as (H & E). apply andb_prop in H as (A & B). split; [|split].
   - exact (no_fit_sound _ _ _ _ c A).
   - exact (sweep_sound _ _ _ _ c' B).
+  - apply Qeq_bool_iff, E.
 Qed.
 
 (* One translation, decided by the loops and fits of a no-fit polygon *)

@@ -26,10 +26,11 @@ Fixpoint covers_from (reach : Q) (shut : bool) (l : list span) : bool :=
   match l with
   | [] => Statements.less 1 reach || (Qeq_bool 1 reach && shut)
   | (a, b, closed) :: r =>
-      (Statements.less a reach || (Qeq_bool a reach && (closed || shut))) &&
-      (if Statements.less reach b then covers_from b closed r
-       else if Qeq_bool reach b then covers_from reach (shut || closed) r
-       else covers_from reach shut r)
+      if Statements.less a reach || (Qeq_bool a reach && (closed || shut)) then
+        if Statements.less reach b then covers_from b closed r
+        else if Qeq_bool reach b then covers_from reach (shut || closed) r
+        else covers_from reach shut r
+      else covers_from reach shut r
   end.
 Definition covers (l : list span) : bool := covers_from 0 false (fold_right insert [] l).
 
@@ -92,9 +93,9 @@ Proof.
     + apply less_true in C. apply B; lra.
     + apply andb_prop in C as (C & Sh). apply Qeq_bool_iff in C.
       destruct (Qlt_le_dec s reach) as [L|L]; [apply B; lra|]. apply (E Sh). lra.
-  - apply andb_prop in C as (C0 & C).
-    assert (Q' : forall s x, In x r -> in_span s x -> P s) by (intros s' x I; apply (Q s' x); right; exact I).
+  - assert (Q' : forall s x, In x r -> in_span s x -> P s) by (intros s' x I; apply (Q s' x); right; exact I).
     pose proof (fun s => Q s (a, b, c) (or_introl eq_refl)) as Qa. cbn [in_span] in Qa.
+    destruct (Statements.less a reach || (Qeq_bool a reach && (c || shut))) eqn:C0; [|exact (IH Q' reach shut C B E s S)].
     assert (A : a <= reach) by (apply orb_prop in C0 as [C0|C0]; [apply less_true in C0; lra|apply andb_prop in C0 as (C0 & _); apply Qeq_bool_iff in C0; lra]).
     destruct (less_cases reach b) as [(L & X)|(L & X)]; rewrite X in C.
     + apply (IH Q' b c C); [|intros -> t T; apply Qa; lra|exact S].

@@ -148,3 +148,7 @@ Definition swept (T : ring) (G : list ring) (p : point) : Prop :=
 Definition sweep_claim (T : ring) (G loops : list ring) (slits : list (point * point)) : Prop :=
   forall p, ~ on_any (flat_map edges loops ++ slits) p ->
     (swept T G p /\ winding loops p = 1%Z) \/ (~ swept T G p /\ winding loops p = 0%Z).
+
+(* Twice the area within rings, by the shoelace formula *)
+Definition doubled_area (rs : list ring) : Q :=
+  fold_right Qplus 0 (map (fun e => fst (fst e) * snd (snd e) - fst (snd e) * snd (fst e)) (flat_map edges rs)).

@@ -66,8 +66,8 @@ let answer = function
     check_inner_fit c g regions fits (inner_fit_certificate ())
   | "sweep" ->
     let d = list rational_ring in let g = list rational_ring in let exterior = rational_ring () in let holes = list rational_ring in
-    let fits = list segment in let loops = list rational_ring in let slits = list segment in
-    let c = no_fit_certificate () in check_whole_sweep d g exterior holes fits loops slits c (sweep_certificate ())
+    let fits = list segment in let loops = list rational_ring in let slits = list segment in let area = rational () in
+    let c = no_fit_certificate () in check_whole_sweep d g exterior holes fits loops slits area c (sweep_certificate ())
   | "layout" ->
     let l = layout () in let c = certificate () in let n = normals () in
     check_layout n (fun a i b j -> n (B.int_of_big_int a) i b j) l c
