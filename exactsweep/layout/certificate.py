@@ -17,6 +17,7 @@ from exactsweep.geometry.grid import IntVertex
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
+from exactsweep.layout.layout import Layout
 from exactsweep.layout.misfit import drop_repeated, find_misfit
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
@@ -43,10 +44,13 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
     Raises:
         LayoutError: no fault has a proof, because all are undecided, or rings that only touch
-            themselves or each other; or a ring has fewer than three vertices.
+            themselves or each other; or a ring has fewer than three vertices; or the layout has
+            what certificates do not cover: no container, defects with a distance of their own,
+            turns of mirrored placements.
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
+    _require_covered(board.layout)
     rings = (ring for part in board.layout.parts for ring in (part.exterior, *part.holes))
     if any(len(drop_repeated(ring)) < _LEAST for ring in rings):
         raise LayoutError("a ring has fewer than three vertices: no certificate can list it")
@@ -68,6 +72,16 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
             "faults" if faults else "proof": found,
         }
     )
+
+
+def _require_covered(layout: Layout) -> None:
+    """Refuse a layout with rules that certificates of this version do not cover."""
+    if layout.container is None:
+        raise LayoutError("certificates do not cover layouts without a container")
+    if any(defect.spacing is not None for defect in layout.defects):
+        raise LayoutError("certificates do not cover defects with a spacing of their own")
+    if any(part.mirrored_turns is not None for part in layout.parts):
+        raise LayoutError("certificates do not cover turns of mirrored placements")
 
 
 def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
@@ -118,13 +132,18 @@ def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
 def _name_obstacles(board: Board) -> list[tuple[int, int]]:
     """Return for each obstacle its number in certificates, and that of its first piece.
 
-    The outside of the container, with its holes, is -1.
+    The outside of the container, with its holes, is -1, and defect k is -2 - k.
     """
-    return [(-1, first) for first in accumulate(_count_pieces(board), initial=0)]
+    number = _count_outside(board)
+    counts = (len(wall.form.pieces) for wall in board.around[: number - 1])
+    outside = [(-1, first) for first in accumulate(counts, initial=0)]
+    return outside + [(-2 - k, 0) for k in range(len(board.around) - number)]
 
 
-def _count_pieces(board: Board) -> Iterator[int]:
-    return (len(wall.form.pieces) for wall in board.around)
+def _count_outside(board: Board) -> int:
+    """Count the obstacles that are the outside of the container: without and in its holes."""
+    assert board.layout.container is not None
+    return board.first_defect + len(board.layout.container.holes)
 
 
 def _part_pieces(
@@ -176,8 +195,9 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
         elif fault.kind != "undecided":
             point = _find_point(board, fault, bits)
             if point is not None:
-                # -1 is the outside of the container, its holes included.
-                bodies = [*fault.placements, -1][:2]
+                # The outside of the container, its holes included, is -1; defect k is -2 - k.
+                wall = min(-1, _count_outside(board) - fault.wall - 2)
+                bodies = [*fault.placements, wall][:2]
                 proved.append({"kind": fault.kind, "placements": bodies, "point": point})
             elif bits < MOST_BITS:
                 return None
@@ -201,8 +221,10 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
 
 
 def _list_outside(board: Board) -> list[list[list[Point]]]:
-    """List the pieces of what is outside the container, its holes included."""
-    return [[ring for wall in board.around for ring in _leave(wall.form.pieces, wall.scale)]]
+    """List the pieces of what is outside the container, its holes included, and of each defect."""
+    number = _count_outside(board)
+    pieces = [_leave(wall.form.pieces, wall.scale) for wall in board.around]
+    return [[*chain.from_iterable(pieces[:number])], *pieces[number:]]
 
 
 def _leave(pieces: Sequence[ConvexRing], scale: int) -> list[list[Point]]:

@@ -10,7 +10,7 @@ import pytest
 from known_layouts import FAULTY, RING, SHEET, TILE, VALID
 from layouts import box, lay, put
 
-from exactsweep.check import verify
+from exactsweep.check import standalone, verify
 from exactsweep.layout import Layout, LayoutError, judge_layout
 from exactsweep.layout.outside import cut_outside
 
@@ -225,3 +225,56 @@ def test_the_outside_is_cut_into_rectangles_and_pockets(exterior: Any, pieces: i
     assert len(found) == pieces
     assert all(len({*piece}) == len(piece) for piece in found)
     prove(lay(exterior, {"t": box(0, 0, "1/8", "1/8")}, put("t", ("15/16", "3/4"))))
+
+
+def square(x: object, y: object, size: int) -> list[list[str]]:
+    left, low = Fraction(str(x)), Fraction(str(y))
+    ends = (left, low), (left + size, low), (left + size, low + size), (left, low + size)
+    return [[str(a), str(b)] for a, b in ends]
+
+
+@pytest.mark.parametrize(
+    ("move", "margin", "bodies"),
+    [
+        ((3, 3), "0", None),
+        ((0, 0), "0", [0, -2]),
+        ((1, 6), "0", [0, -4]),
+        ((6, 6), "0", [0, -1]),
+        ((9, 3), "0", [0, -1]),
+        ((3, 1), "1", None),
+        (("2.5", 2), "1", [0, -3]),
+    ],
+)
+def test_defects_that_cross_are_obstacles_of_their_own(
+    move: tuple[object, object], margin: str, bodies: list[int] | None
+) -> None:
+    """Defect k is -2 - k; holes of the container belong to its outside, -1."""
+    data = {
+        "container": {"exterior": square(0, 0, 10), "holes": [square(7, 7, 1)]},
+        "defects": [{"exterior": square(x, y, 2)} for x, y in ((-1, -1), (0, 4), (1, 5))],
+        "parts": [{"id": "a", "exterior": square(0, 0, 2)}],
+        "placements": [{"part": "a", "move": [str(c) for c in move]}],
+        "margin": margin,
+    }
+    certificate = judge_layout(Layout.from_json(data)).certificate()
+    assert standalone.prove(certificate)
+    assert certificate["valid"] is (bodies is None)
+    if bodies is not None:
+        assert bodies in [fault["placements"] for fault in certificate["faults"]]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"container": None},
+        {"defects": [{"exterior": square(0, 0, 1), "spacing": "1"}]},
+    ],
+)
+def test_rules_that_certificates_do_not_cover_are_refused(change: dict[str, Any]) -> None:
+    data = {
+        "container": {"exterior": square(0, 0, 10)},
+        "parts": [{"id": "a", "exterior": square(0, 0, 2)}],
+        "placements": [{"part": "a", "move": ["3", "3"]}],
+    }
+    with pytest.raises(LayoutError, match="certificates do not cover"):
+        judge_layout(Layout.from_json(data | change)).certificate()
