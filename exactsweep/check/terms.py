@@ -16,10 +16,15 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from exactsweep.check.standalone import FORMAT, VERSION, rotation_error
+from exactsweep.numbers.error import ExactSweepError
 
 RationalPoint = tuple[Fraction, Fraction]
 AXES = ((1, 0), (0, 1), (-1, 0), (0, -1))
 SLACK = 2**40  # errors of rotations are rounded up to one in so many of the common denominator
+
+
+class TheoremError(ExactSweepError):
+    """A certificate whose claim the checker in Coq does not cover."""
 
 
 class Nat(int):
@@ -57,7 +62,7 @@ def to_claim(certificate: Any) -> CoqClaim:
     """
     kinds = {"no_fit": _no_fit, "sweep": _sweep, "inner_fit": _inner_fit, "layout": _layout}
     if (certificate["format"], certificate["version"]) != (FORMAT, VERSION):
-        raise ValueError(f"not a certificate of version {VERSION}")
+        raise TheoremError(f"not a certificate of version {VERSION}")
     return kinds[certificate["claim"]](certificate)
 
 
@@ -197,12 +202,12 @@ def _rotation(turn: Any) -> Any:
 
 def _layout(c: Any) -> CoqClaim:
     if c["valid"] is not True:
-        raise ValueError("a layout with faults has no theorem")
+        raise TheoremError("a layout with faults has no theorem")
     given, proof, zero = c["layout"], c["proof"], Fraction(0)
     parts, placed = given["parts"], given["placements"]
     index = {part["id"]: k for k, part in enumerate(parts)}
     if len(index) != len(parts):
-        raise ValueError("two parts have one id")
+        raise TheoremError("two parts have one id")
     solids = [given.get("container"), *(given.get("defects") or [])]
     shapes = [(_rings(e), Fraction(e.get("error") or 0)) if e else ([], zero) for e in solids]
     outside = [[_ring(e) for e in pieces] for pieces in proof["outside"]]

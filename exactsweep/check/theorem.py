@@ -60,7 +60,7 @@ def write_theorem(certificate: Any, name: str = "certificate") -> str:
         certificate.
 
     Raises:
-        ValueError: the certificate is of another version, or a layout with faults.
+        TheoremError: the certificate is of another version, or a layout with faults.
     """
     claim = to_claim(certificate)
     statement, sound = CLAIMS[claim.kind]

@@ -24,9 +24,9 @@ from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import ORIGIN, Edge, Point
 from exactsweep.procedures.solution import made_once
 
-_Verdict = Literal["OVERLAP", "CONTACT", "FREE"]
+_RelationName = Literal["OVERLAP", "CONTACT", "FREE"]
 
-_VERDICTS: dict[Relation, _Verdict] = {
+_VERDICTS: dict[Relation, _RelationName] = {
     Relation.OVERLAP: "OVERLAP",
     Relation.CONTACT: "CONTACT",
     Relation.APART: "FREE",
@@ -61,7 +61,7 @@ class Overlap:
         return scale, [first, second]
 
     @made_once
-    def verdict(self) -> _Verdict:
+    def verdict(self) -> _RelationName:
         """Decide: "OVERLAP" if the interiors meet, "CONTACT" if the boundaries do, or "FREE"."""
         first, second = self._lattice[1]
         return _VERDICTS[relate(EdgeIndex(first), EdgeIndex(second))]

@@ -16,7 +16,7 @@ from exactsweep.procedures import cc, chain, cm, graph, mm
 from exactsweep.procedures.chain import Chain, inverse
 from exactsweep.procedures.graph import Graph, Piece, VertexContact
 
-PointList = list[Vertex]
+VertexList = list[Vertex]
 
 
 def reverse_top(top: Sequence[Vertex]) -> Chain:
@@ -24,19 +24,19 @@ def reverse_top(top: Sequence[Vertex]) -> Chain:
     return Chain.of(inverse(top))
 
 
-def trajectory_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> PointList:
+def trajectory_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> VertexList:
     """Run Trajectory_CC."""
     return cc.trajectory_cc(reverse_top(top), Chain.of(directrix)).points
 
 
-def sweep_inner_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> PointList:
+def sweep_inner_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> VertexList:
     """Run SweepI_CC."""
     return cc.sweep_inner_cc(reverse_top(top), Chain.of(directrix)).points
 
 
 def sweep_outer_cc(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
-) -> PointList:
+) -> VertexList:
     """Run SweepO_CC."""
     return cc.sweep_outer_cc(reverse_top(top), Chain.of(bottom), Chain.of(directrix)).points
 
@@ -48,7 +48,7 @@ def trajectory_cm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
 
 def sweep_inner_cm(
     top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph | None = None
-) -> PointList:
+) -> VertexList:
     """Run SweepI_CM."""
     return cm.sweep_inner_cm(reverse_top(top), Chain.of(directrix), trajectory).points
 
@@ -67,7 +67,7 @@ def trajectory_mm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
 
 def sweep_mm(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
-) -> tuple[PointList, PointList]:
+) -> tuple[VertexList, VertexList]:
     """Run Sweep_MM."""
     inner, outer = mm.sweep_mm(reverse_top(top), Chain.of(bottom), Chain.of(directrix))
     return inner.points, outer.points
@@ -75,12 +75,12 @@ def sweep_mm(
 
 def sweep_inner_mm(
     top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph
-) -> PointList:
+) -> VertexList:
     """Run the inner loop of Sweep_MM, in the undercuts alone."""
     return mm.sweep_inner_mm(reverse_top(top), Chain.of(directrix), trajectory).points
 
 
-def find_convex_parts(points: Sequence[Vertex]) -> list[PointList]:
+def find_convex_parts(points: Sequence[Vertex]) -> list[VertexList]:
     """Split a bottom chain at its reflex vertices and vertical edges (Section 4, step 1).
 
     >>> find_convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
@@ -93,7 +93,7 @@ def find_convex_parts(points: Sequence[Vertex]) -> list[PointList]:
     ]
 
 
-def require_convex(points: Sequence[Vertex]) -> PointList:
+def require_convex(points: Sequence[Vertex]) -> VertexList:
     """Return a convex bottom chain; raise ExactSweepError if it is not convex."""
     first, *others = find_convex_parts(points)
     if others:
@@ -125,19 +125,19 @@ def merge_sub_trajectories(chains: Chains) -> Graph:
     return graph.lower_envelope_mm(list_sub_trajectories(chains))
 
 
-def find_trajectory(chains: Chains) -> PointList:
+def find_trajectory(chains: Chains) -> VertexList:
     """Find the trajectory of a pair of any class: the lowest of all sums of two convex parts."""
     parts = find_convex_parts(inverse(chains.top)), find_convex_parts(chains.directrix)
     sums = [trajectory_cc(inverse(one), other) for one, other in product(*parts)]
     return list(graph.lower_envelope_mm(list(map(to_graph, sums))))
 
 
-def find_outer(chains: Chains) -> PointList:
+def find_outer(chains: Chains) -> VertexList:
     """Find the outer boundary of a pair of any class, as Sweep_MM does."""
     return find_trajectory(Chains(inverse(chains.bottom), [], find_trajectory(chains)))
 
 
-def find_inner(chains: Chains) -> PointList:
+def find_inner(chains: Chains) -> VertexList:
     """Find the inner boundary likewise; it reaches beyond D_b on both sides."""
     return slide_inside(inverse(chains.top), find_trajectory(chains), find_trajectory)
 
@@ -146,7 +146,7 @@ def slide_inside(
     bottom: Sequence[Vertex],
     container: Sequence[Vertex],
     trajectory: Callable[[Chains], Iterable[Vertex]],
-) -> PointList:
+) -> VertexList:
     """Find the lowest path of a shape inside a bottom chain, its own bottom chain touching it.
 
     After a half turn it slides along the complement of the chain, which is a bottom chain.
