@@ -188,7 +188,7 @@ def enlarge(region: Region, radius: Fraction) -> Region:
     """Return a region that contains all points at distance at most `radius` of another one.
 
     >>> print(enlarge(Region([(0, 0), (9, 0), (9, 9), (0, 9)]), Fraction(1, 10**7)).bounding_box[0])
-    Point(x=Fraction(-1, 10000000), y=Fraction(-1, 10000000))
+    (-1/10000000, -1/10000000)
     """
     low, high = region.bounding_box
     sides = 4 if radius < _TINY * min(high.x - low.x, high.y - low.y) else _SIDES

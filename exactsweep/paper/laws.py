@@ -8,7 +8,7 @@ from contextlib import suppress
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
-from exactsweep.procedures.chain import split
+from exactsweep.procedures.chain import Chain, inverse, split
 
 MANY = 40
 KINDS_OF_PAIRS = {
@@ -69,7 +69,8 @@ def is_x_monotone(ring: Ring) -> bool:
     (True, False)
     """
     with suppress(ValueError):
-        return bool(split(ring))
+        bottom, top = split(ring)
+        return all(map(Chain.of, (bottom, inverse(top))))
     return False
 
 

@@ -55,7 +55,7 @@ def test_without_distributed_no_scheduler_is_asked(
 ) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     job = take_all_pairs([NamedPolygon(UNIT, "a")], [NamedPolygon(UNIT, "b")])
-    with pytest.raises(FormatError, match=r"^a scheduler needs distributed: .*\[distributed\]'$"):
+    with pytest.raises(FormatError, match=r"needs distributed: pip install distributed$"):
         run_batch(job, str(tmp_path / "o.jsonl"), scheduler="local")
 
 

@@ -139,7 +139,6 @@ def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
         ("", "empty"),
         ("\n \n", "empty"),
         ("[[0, 0], [1, 0], [2, 0]]", "0: zero area"),
-        (SVG, "disc: line 1: circle 'disc': a curve"),
         ('{"directrix": 1}', "line 1: $ has no generatrix"),
         ('\n{"directrix": 1, "generatrix": 2}', "line 2: directrix: $ is '1'"),
         ('{"directrix": [], "generatrx": []}', "line 1: $ has 'generatrx'; did you mean 'gen"),

@@ -170,7 +170,6 @@ def test_floats_come_back_whole_or_are_refused(polygon: Polygon) -> None:
         (shapely.Point(0, 0), "Point is not a polygon of shapely"),
         ("POLYGON", "str is not a polygon of shapely"),
         (shapely.Polygon(), "the polygon is empty"),
-        (shapely.Polygon([(0, 0, 1), (1, 0, 1), (0, 1, 1)]), "Z coordinates cannot be swept"),
     ],
 )
 def test_other_geometries_are_refused(geometry: object, message: str) -> None:

@@ -24,9 +24,11 @@ from exactsweep import (
     Point,
     Polygon,
     PolygonError,
+    Polyline,
     inner_fit_polygon,
     limits,
     no_fit_polygon,
+    overlap,
 )
 from exactsweep.batch import take_all_pairs
 from exactsweep.canvas.style import Look
@@ -220,6 +222,8 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
     ),
     (no_fit_polygon(UNIT, UNIT), OF_POSITIONS),
     (inner_fit_polygon(HOLED, UNIT), OF_POSITIONS),
+    (overlap(HOLED, UNIT), {}),
+    (Polyline(UNIT), {}),
 ]
 
 

@@ -271,7 +271,7 @@ def adapt(case: Case, hello: Hello) -> Case:
         >>> case = Case.of("a", "", [(0, 0), ("1/2", 0), (0, 1)], [(1, 1), (2, 1), (1, 2)])
         >>> whole = adapt(case, Hello("mine", numbers="int32", reference="first"))
         >>> print(whole.directrix, "from", whole.trajectory.vertices[0])
-        (0, 0) (1, 0) (0, 2) from Point(x=Fraction(-2, 1), y=Fraction(0, 1))
+        (0, 0) (1, 0) (0, 2) from (-2, 0)
     """
     if SHAPES.index(case.shapes) > SHAPES.index(hello.shapes):
         raise UnsupportedError(f"not asked: it takes {hello.shapes} pairs, not {case.shapes} ones")
