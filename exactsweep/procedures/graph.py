@@ -180,13 +180,13 @@ def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
 
     Procedure LowerEnvelope_MM. Between graphs that do not overlap the envelope has a `GAP`.
 
+    Cost: O(N log k) for k graphs. N is the largest total size on a level of the recursion, at most
+    alpha(k) times the size of the input.
+
     >>> rising = Graph([(0, 1), (2, 1)], [(1, 1, 0, ((0, 0, 1), 0, 0), ((2, 2, 1), 1, 0))])
     >>> falling = Graph([(0, 1), (2, 1)], [(1, -1, 2, ((0, 2, 1), 1, 0), ((2, 0, 1), 2, 0))])
     >>> list(lower_envelope_mm([falling, rising])), list(lower_envelope_cm(rising, falling))
     ([(0, 0), (1, 1), (2, 0)], [(0, 0), (1, 1), (2, 0)])
-
-    Cost: O(N log k) for k graphs. N is the largest total size on a level of the recursion, at most
-    alpha(k) times the size of the input.
     """
     if len(graphs) == 1:
         return graphs[0]

@@ -53,7 +53,12 @@ def scatter(amount: float) -> list[tuple[float, float]]:
 
 
 @pytest.mark.parametrize(
-    ("amount", "verdict"), [(1e-13, "within"), (1e-8, "wrong"), (0.1, "malformed")]
+    ("amount", "verdict"),
+    [
+        pytest.param(1e-13, "within", marks=pytest.mark.long),
+        (1e-8, "wrong"),
+        (0.1, "malformed"),
+    ],
 )
 def test_a_large_noisy_answer_is_judged(
     amount: float, verdict: str, monkeypatch: pytest.MonkeyPatch

@@ -94,6 +94,7 @@ def test_a_file_in_place_of_the_folder_is_refused(tmp_path: Path) -> None:
     assert said.startswith(str(tmp_path / "file"))
 
 
+@pytest.mark.long
 def test_ids_questions_and_answers_of_released_versions_are_unchanged() -> None:
     """The digests were written when the versions were; a case is never changed or taken out."""
     released = json.loads((RELEASE / "versions.json").read_text(encoding="utf-8"))

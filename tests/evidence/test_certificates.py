@@ -34,7 +34,7 @@ def test_sweeps_of_many_parts_are_proved(n: int, m: int, size: int) -> None:
         proved += 1
 
 
-@pytest.mark.parametrize("is_convex", [True, False])
+@pytest.mark.parametrize("is_convex", [True, pytest.param(False, marks=pytest.mark.long)])
 def test_polygons_without_a_common_lattice_have_certificates(is_convex: bool) -> None:
     """Once drawings were looked for on lines whole units apart, as if all were on a lattice."""
     rng = Random(1)

@@ -64,7 +64,7 @@ def to_interval(value: Fraction | int) -> Any:
     return iv.mpf(value.numerator) / value.denominator
 
 
-@examples(60)
+@examples(10)
 @given(
     st.fractions(Fraction(1, 100), 3, max_denominator=1000),
     st.sampled_from([1, -1]),
@@ -109,7 +109,7 @@ def test_a_circular_segment_is_simple_and_near_in_both_directions(
     assert off <= allowed
 
 
-@examples(40)
+@examples(8)
 @given(
     st.lists(st.tuples(*[st.fractions(-9, 9, max_denominator=10)] * 2), min_size=2, max_size=2),
     st.booleans(),

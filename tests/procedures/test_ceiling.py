@@ -28,6 +28,7 @@ def answer_corpus() -> Iterator[tuple[object, ...]]:
             yield case.id, s.trajectory.vertices, s.inner.vertices, s.outer.vertices, s.exact_fits
 
 
+@pytest.mark.long
 def test_without_it_the_answers_of_the_corpus_are_the_same(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
