@@ -487,8 +487,8 @@ const shape = object(shapeKeys);
 const pieces = listOf(ring);
 
 function ringsOf({ exterior, holes }) {
-  const oriented = (r, sign) => (doubleArea(r).sign() === -sign ? reversed(r) : r);
-  return [oriented(exterior, 1), ...holes.map((r) => oriented(r, -1))];
+  const turned = (r, isHole) => (isHole === doubleArea(r).sign() > 0 ? reversed(r) : r);
+  return [turned(exterior, false), ...holes.map((r) => turned(r, true))];
 }
 
 const header = { format: exactly("exactsweep certificate"), version: exactly(3n), claim: text };
