@@ -484,7 +484,7 @@ const sums = listOf((value) => {
 });
 const shapeKeys = { exterior: ring, holes: optional(listOf(ring), []) };
 const shape = object(shapeKeys);
-const pieces = listOf(ring);
+const pieces = listOf(ring, 1), outsidePieces = listOf(ring);
 
 function ringsOf({ exterior, holes }) {
   const turned = (r, isHole) => (isHole === doubleArea(r).sign() > 0 ? reversed(r) : r);
@@ -552,7 +552,7 @@ function checkHoles(loops) { // of a region, as directed: exterior clockwise, ho
 
 function proveInnerFit(value) {
   const region = object({ exterior: loop, holes: listOf(loop) });
-  const proof = object({ frame: listOf(number, 4, 4), outside: pieces, part: pieces, sums, around: listOf(chain, 4, 4) });
+  const proof = object({ frame: listOf(number, 4, 4), outside: outsidePieces, part: pieces, sums, around: listOf(chain, 4, 4) });
   const c = object({
     ...header, container: shape, part: shape, regions: listOf(region), exact_fits: listOf(fit), proof,
   })(value);
@@ -601,10 +601,14 @@ function cosineAndSine(degrees) { // each within SLACK / 2
 }
 
 // A rotation: {key, point} with [cosine, sine] where rational, else {key, degrees}.
+const unit = (value) => {
+  const p = vertex(value);
+  need(dot(p, p).compare(ONE) === 0, "cosine and sine of another length than 1");
+  return p;
+};
 const rotation = (value) => {
   if (Array.isArray(value)) {
-    const p = vertex(value);
-    need(dot(p, p).compare(ONE) === 0, "a rotation is not of length 1");
+    const p = unit(value);
     return { key: pointKey(p), point: p };
   }
   const q = number(value), full = 360n * q.d;
@@ -650,10 +654,12 @@ const fault = (value) => {
 };
 const entry = (value) => {
   need(Array.isArray(value) && value.length === 6, "not an entry of `apart`");
-  return { key: value.slice(0, 4).map(index).join(" "), pair: value[0] + " " + value[2], normal: vertex(value.slice(4)) };
+  const key = value.slice(0, 4).map(small);
+  need(key.every((n) => n <= 999999999), "an index is too large");
+  return { key: key.join(" "), least: Math.min(...key), normal: vertex(value.slice(4)) };
 };
 const layoutProof = object({
-  frame: listOf(number, 4, 4), outside: listOf(pieces), pieces: listOf(pieces), apart: listOf(entry),
+  frame: listOf(number, 4, 4), outside: listOf(outsidePieces), pieces: listOf(pieces), apart: listOf(entry),
 });
 
 class Layout { // with placed parts; bodies by their numbers
@@ -757,11 +763,9 @@ function checkApart(a, b, s, normals) {
   for (const [i, p] of a.pieces.entries()) {
     for (const [j, q] of b.pieces.entries()) {
       spend(0.1);
+      if (isFar(a.extents[i], b.extents[j], s)) continue;
       const n = normals.get([a.n, i, b.n, j].join(" ")) ?? normals.get([a.n, -1, b.n, -1].join(" "));
-      if (!n) {
-        need(isFar(a.extents[i], b.extents[j], s), "two pieces are not apart along an axis");
-        continue;
-      }
+      need(n, "two pieces are not apart along an axis, and have no normal");
       const gap = smallest(q.map((v) => dot(n, v))).minus(largest(p.map((v) => dot(n, v))));
       need(n.x.sign() || n.y.sign(), "a normal is zero");
       need(gap.sign() >= 0 && !less(gap.times(gap), s.times(s).times(dot(n, n))), "two pieces are not apart");
@@ -777,11 +781,14 @@ function checkValid({ frame, outside, pieces: ofParts, apart }, layout) {
   need(outside.length === layout.defects.length + 1, "not a list of pieces for each defect");
   need(ofParts.length === layout.parts.length, "not a list of pieces for each part");
   checkMakesUp(outside[0], [rectangle(frame), ...ringsOf(layout.container).map(reversed)]);
-  layout.defects.forEach((defect, i) => checkMakesUp(outside[i + 1], ringsOf(defect)));
+  layout.defects.forEach((defect, i) => {
+    need(outside[i + 1].length > 0, "a defect without pieces");
+    checkMakesUp(outside[i + 1], ringsOf(defect));
+  });
   layout.parts.forEach((part, i) => { checkMakesUp(ofParts[i], part.rings); part.pieces = ofParts[i]; });
+  need(apart.every((e) => e.least >= -outside.length), "an entry of `apart` for no body");
   const normals = new Map(apart.map(({ key, normal }) => [key, normal]));
   need(normals.size === apart.length, "two entries of `apart` for the same pieces");
-  const named = new Set(apart.map((e) => e.pair));
   const body = (n, list, error) => ({ n, pieces: list, error, extents: list.map(extents) });
   const all = outside.map((list, i) => body(-1 - i, list, (i ? layout.defects[i - 1] : layout.container).error));
   layout.placements.forEach((p, n) => {
@@ -799,14 +806,13 @@ function checkValid({ frame, outside, pieces: ofParts, apart }, layout) {
     if (b.n < 0) continue;
     for (const a of all.slice(0, m)) {
       const s = (a.n < 0 ? layout.margin : layout.spacing).plus(a.error).plus(b.error).reduced();
-      const isPlain = a.box && b.box && !named.has(a.n + " " + b.n);
-      if (!isPlain || !isFar(a.box, b.box, s)) checkApart(a, b, s, normals);
+      if (a.box && !isFar(a.box, b.box, s)) checkApart(a, b, s, normals);
     }
   }
 }
 
 function proveLayout(value) {
-  const keys = { ...header, layout: layoutReader, turns: listOf(vertex), valid: flag };
+  const keys = { ...header, layout: layoutReader, turns: listOf(unit), valid: flag };
   const isValid = value.get("valid") === true;
   const c = object({ ...keys, ...(isValid ? { proof: layoutProof } : { faults: listOf(fault, 1) }) })(value);
   const layout = new Layout(c.layout, c.turns);

@@ -55,7 +55,7 @@ def change(certificate: Any, rng: Random) -> Any:
     if type(item) is int:
         return put(certificate, path, item + rng.choice([-2, -1, 1, 2, 7]))
     if type(item) is str and re.fullmatch("-?[0-9]+(/[0-9]+)?", item):
-        by = rng.choice([Fraction(1, 10**9), Fraction(-1, 3), 1, -2 * Fraction(item)])
+        by = rng.choice([Fraction(1, 10**9), Fraction(-1, 3), Fraction(1), -2 * Fraction(item)])
         return put(certificate, path, str(Fraction(item) + by))
     if type(item) is list and item:
         k = rng.randrange(len(item))
