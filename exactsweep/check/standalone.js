@@ -16,7 +16,7 @@ const need = (condition, reason) => condition || refuse(reason);
 
 // ---- Work: steps are charged as they cost, about a microsecond each.
 
-let steps = Infinity; // 5e6, and 200 for each byte of a file
+let steps = Infinity; // for a file: 5e6, and 150 for each of its bytes
 const spend = (n) => { steps -= n; need(steps >= 0, "too much work for the size of the file"); };
 
 // ---- Numbers: n/d with d > 0, not always in lowest terms; `size` bounds the digits of both.
@@ -55,7 +55,7 @@ class Q {
     const g = this.d === 1n ? 1n : gcd(this.n, this.d, this.size);
     return g === 1n ? this : new Q(this.n / g, this.d / g, this.size);
   }
-  key() { spend(this.size * this.size / 1e5); const q = this.reduced(); return q.n + "/" + q.d; }
+  key() { spend((this.size + this.size * this.size / 1000) / 100); const q = this.reduced(); return q.n + "/" + q.d; }
   bounds() { // two floats around the number
     const n = Number(this.n), d = Number(this.d), slack = Math.abs(n / d) * 1e-14 + 1e-300;
     return Number.isFinite(n) && Number.isFinite(d) ? [n / d - slack, n / d + slack] : [-Infinity, Infinity];
@@ -665,7 +665,7 @@ function proveLayout(value) {
 const PROVERS = { no_fit: proveNoFit, sweep: proveSweep, inner_fit: proveInnerFit, layout: proveLayout };
 
 function prove(bytes) { // what is proved, or an exception
-  steps = 5e6 + 200 * bytes.length;
+  steps = 5e6 + 150 * bytes.length;
   const value = parse(new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes));
   const claim = value instanceof Map && value.get("claim");
   need(typeof claim === "string" && Object.hasOwn(PROVERS, claim), "not a claim");

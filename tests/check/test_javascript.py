@@ -146,6 +146,53 @@ def test_both_agree_on_hostile_text(tmp_path: Path) -> None:
     assert check_agreement(texts, tmp_path) == 3
 
 
+def valid_layout(**changes: Any) -> Any:
+    """Two squares far apart in a container that is the frame."""
+    unit = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
+    parts = [{"id": "a", "exterior": unit}]
+    placements: Any = [{"part": "a", "move": ["0", "0"]}, {"part": "a", "move": ["3", "0"]}]
+    certificate: Any = {
+        "format": "exactsweep certificate",
+        "version": 3,
+        "claim": "layout",
+        "layout": {"container": {"exterior": SQUARE}, "parts": parts, "placements": placements},
+        "turns": [["1", "0"]] * 2,
+        "valid": True,
+        "proof": {
+            "frame": ["0", "0", "4", "4"],
+            "outside": [[]],
+            "pieces": [[unit]],
+            "apart": changes.get("apart", []),
+        },
+    }
+    if "turn" in changes:
+        certificate["layout"]["placements"][0] |= {"turn": "1/10", "move": ["1", "1"]}
+        certificate["turns"] = [changes["turn"], ["1", "0"]]
+    if "flat" in changes:
+        flat = {"id": "flat", "exterior": [["0", "0"], ["1", "0"], ["2", "0"]]}
+        certificate["layout"]["parts"] = [*parts, flat]
+        placements.append({"part": "flat", "move": ["0", "9"]})
+        certificate["turns"].append(["1", "0"])
+        certificate["proof"]["pieces"].append(changes["flat"])
+    return certificate
+
+
+def test_both_agree_on_the_letter_of_the_page(tmp_path: Path) -> None:
+    true = [
+        valid_layout(),
+        valid_layout(turn=["1", "0"]),
+        valid_layout(apart=[[0, -1, 1, -1, "0", "0"]]),  # not needed
+    ]
+    false = [
+        valid_layout(turn=["11/10", "0"]),  # another length than 1
+        valid_layout(apart=[[0, -2, 1, -1, "1", "0"]]),  # no body of that number
+        valid_layout(apart=[[0, 10**9, 1, 0, "1", "0"]]),
+        valid_layout(flat=[]),  # a part without pieces, outside
+    ]
+    assert check_agreement(true, tmp_path) == len(true)
+    assert check_agreement(false, tmp_path) == 0
+
+
 def test_a_file_of_large_numbers_ends(tmp_path: Path) -> None:
     certificate = faulty_layout([[f"{x}/{'3' * 20_000}1" for x in p] for p in BOW], ["1", "1"])
     certificate["layout"]["parts"][0]["turns"] = [f"1/{'7' * 40_000}"]
@@ -160,7 +207,7 @@ def test_a_missing_file_proves_nothing(tmp_path: Path) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, 2])
 def test_both_agree_on_drawn_certificates(seed: int, tmp_path: Path) -> None:
     rng = Random(seed)
     certificates = [*corpus_certificates(14, 12), *layout_certificates(1)]
