@@ -1,0 +1,221 @@
+"""The checker in JavaScript, written from CERTIFICATES.md alone, agrees with the one in Python."""
+
+import json
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import islice
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+from falsify import draw, list_places, mix
+from layout_adversary import draw_layouts
+from tampering import get, put
+
+from exactsweep import inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.check.standalone import Refused, load, prove
+from exactsweep.corpus import cases, layout_cases
+from exactsweep.layout import judge_layout
+from exactsweep.layout.reading import LayoutError
+
+CHECKER = Path(__file__).parents[2] / "exactsweep" / "check" / "standalone.js"
+HEAD = "format", "version", "claim"
+SQUARE = [["0", "0"], ["4", "0"], ["4", "4"], ["0", "4"]]
+BOW = [["0", "0"], ["2", "2"], ["2", "0"], ["0", "2"]]
+
+pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="no node")
+
+
+def corpus_certificates(size: int, step: int) -> Iterator[Any]:
+    for case in islice(cases(max_size=size), None, None, step):
+        yield no_fit_polygon(case.directrix, case.generatrix).certificate()
+        yield inner_fit_polygon(case.directrix, case.generatrix).certificate()
+        yield sweep(case.generatrix, case.directrix).certificate()
+
+
+def layout_certificates(step: int) -> Iterator[Any]:
+    for case in islice(layout_cases(), None, None, step):
+        try:
+            yield judge_layout(case.layout).certificate()
+        except LayoutError:  # no fault has a proof
+            continue
+
+
+def change(certificate: Any, rng: Random) -> Any:
+    """Move a number, change an index, or drop an entry of a list."""
+    places = [p for p in list_places(certificate) if p and p[0] not in HEAD]
+    path = rng.choice(places)
+    item = get(certificate, path)
+    if type(item) is bool:
+        return put(certificate, path, not item)
+    if type(item) is int:
+        return put(certificate, path, item + rng.choice([-2, -1, 1, 2, 7]))
+    if type(item) is str and re.fullmatch("-?[0-9]+(/[0-9]+)?", item):
+        by = rng.choice([Fraction(1, 10**9), Fraction(-1, 3), Fraction(1), -2 * Fraction(item)])
+        return put(certificate, path, str(Fraction(item) + by))
+    if type(item) is list and item:
+        k = rng.randrange(len(item))
+        return put(certificate, path, item[:k] + item[k + 1 :])
+    return change(certificate, rng)
+
+
+def changed(certificates: list[Any], count: int, seed: int) -> list[Any]:
+    rng = Random(seed)
+    return [change(c, rng) for c in certificates for _ in range(count)]
+
+
+def is_proved(text: str) -> bool:
+    try:
+        prove(load(text))
+    except (Refused, ValueError, RecursionError):  # the latter two: not JSON
+        return False
+    return True
+
+
+def ask_node(texts: list[str], folder: Path) -> list[str]:
+    """The lines that one process prints for all."""
+    files = [folder / f"{n}.json" for n in range(len(texts))]
+    for file, text in zip(files, texts, strict=True):
+        file.write_text(text, encoding="utf-8")
+    command = ["node", str(CHECKER), *(file.name for file in files)]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=folder)
+    lines = done.stdout.splitlines()
+    assert not done.stderr
+    assert done.returncode == (0 if all(line.startswith("proved: ") for line in lines) else 1)
+    return lines
+
+
+def check_agreement(certificates: list[Any], folder: Path) -> int:
+    """Both checkers say the same of each; return how many they prove."""
+    texts = [c if type(c) is str else json.dumps(c) for c in certificates]
+    answers = ask_node(texts, folder)
+    assert len(answers) == len(texts)
+    verdicts = [is_proved(text) for text in texts]
+    for text, answer, verdict in zip(texts, answers, verdicts, strict=True):
+        assert answer.startswith("proved: " if verdict else "not proved: "), (answer, text)
+    return sum(verdicts)
+
+
+def test_both_agree_on_certificates_and_on_changed_ones(tmp_path: Path) -> None:
+    true = [*corpus_certificates(10, 60), *layout_certificates(8)]
+    assert check_agreement(true, tmp_path) == len(true)
+    false = changed(true, 6, seed=1)
+    assert check_agreement(false, tmp_path) < len(false) / 2
+
+
+def faulty_layout(hole: Any, point: Any) -> Any:
+    part = {"id": "plate", "exterior": SQUARE, "holes": [hole]}
+    return {
+        "format": "exactsweep certificate",
+        "version": 3,
+        "claim": "layout",
+        "layout": {"container": {"exterior": SQUARE}, "parts": [part], "placements": []},
+        "turns": [],
+        "valid": False,
+        "faults": [{"kind": "shape", "part": "plate", "point": point}],
+    }
+
+
+def test_both_agree_on_hostile_text(tmp_path: Path) -> None:
+    certificate = faulty_layout(BOW, ["1/2", "1"])
+    text = json.dumps(certificate)
+    texts = [
+        text,
+        json.dumps(faulty_layout(BOW[::-1], ["1/2", "1"])),
+        json.dumps(faulty_layout(BOW[::-1], ["3/2", "1"])),
+        *(text.replace('"1/2"', new) for new in ('"2/4"', '"-0"', '"1/1"', '"+1"', '"1 "', "0.5")),
+        *(text.replace('"version": 3', f'"version": {new}') for new in ("3.0", "3e0", '"3"', "4")),
+        text.replace('"turns"', '"valid": false, "turns"'),
+        text.replace('"turns"', '"other": 1, "turns"'),
+        text.replace('"turns": []', '"turns": null'),
+        text.replace('"exterior"', '"error": null, "exterior"'),
+        text.replace('"exterior"', '"error": "-1", "exterior"'),
+        text[:-1],
+        text + "x",
+        "\ufeff" + text,
+        "[" * 100_000,
+        '"' + "1" * 100_000,
+        "",
+        "null",
+        "NaN",
+    ]
+    assert check_agreement(texts, tmp_path) == 3
+
+
+def valid_layout(**changes: Any) -> Any:
+    """Two squares far apart in a container that is the frame."""
+    unit = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
+    parts = [{"id": "a", "exterior": unit}]
+    placements: Any = [{"part": "a", "move": ["0", "0"]}, {"part": "a", "move": ["3", "0"]}]
+    certificate: Any = {
+        "format": "exactsweep certificate",
+        "version": 3,
+        "claim": "layout",
+        "layout": {"container": {"exterior": SQUARE}, "parts": parts, "placements": placements},
+        "turns": [["1", "0"]] * 2,
+        "valid": True,
+        "proof": {
+            "frame": ["0", "0", "4", "4"],
+            "outside": [[]],
+            "pieces": [[unit]],
+            "apart": changes.get("apart", []),
+        },
+    }
+    if "turn" in changes:
+        certificate["layout"]["placements"][0] |= {"turn": "1/10", "move": ["1", "1"]}
+        certificate["turns"] = [changes["turn"], ["1", "0"]]
+    if "flat" in changes:
+        flat = {"id": "flat", "exterior": [["0", "0"], ["1", "0"], ["2", "0"]]}
+        certificate["layout"]["parts"] = [*parts, flat]
+        placements.append({"part": "flat", "move": ["0", "9"]})
+        certificate["turns"].append(["1", "0"])
+        certificate["proof"]["pieces"].append(changes["flat"])
+    return certificate
+
+
+def test_both_agree_on_the_letter_of_the_page(tmp_path: Path) -> None:
+    true = [
+        valid_layout(),
+        valid_layout(turn=["1", "0"]),
+        valid_layout(apart=[[0, -1, 1, -1, "0", "0"]]),  # not needed
+    ]
+    false = [
+        valid_layout(turn=["11/10", "0"]),  # another length than 1
+        valid_layout(apart=[[0, -2, 1, -1, "1", "0"]]),  # no body of that number
+        valid_layout(apart=[[0, 10**9, 1, 0, "1", "0"]]),
+        valid_layout(flat=[]),  # a part without pieces, outside
+    ]
+    assert check_agreement(true, tmp_path) == len(true)
+    assert check_agreement(false, tmp_path) == 0
+
+
+def test_a_file_of_large_numbers_ends(tmp_path: Path) -> None:
+    certificate = faulty_layout([[f"{x}/{'3' * 20_000}1" for x in p] for p in BOW], ["1", "1"])
+    certificate["layout"]["parts"][0]["turns"] = [f"1/{'7' * 40_000}"]
+    assert ask_node([json.dumps(certificate)], tmp_path)[0].startswith("not proved: ")
+
+
+def test_a_missing_file_proves_nothing(tmp_path: Path) -> None:
+    for arguments in ([], [str(tmp_path / "none.json")]):
+        assert (
+            subprocess.run(["node", str(CHECKER), *arguments], capture_output=True).returncode == 1
+        )
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("seed", [1, 2])
+def test_both_agree_on_drawn_certificates(seed: int, tmp_path: Path) -> None:
+    rng = Random(seed)
+    certificates = [*corpus_certificates(14, 12), *layout_certificates(1)]
+    for _ in range(15):
+        drawn = [*draw(rng)]
+        layouts = [*draw_layouts(rng)]
+        certificates += drawn + layouts
+        certificates += [mix(one, other, rng) for one, other in (drawn, drawn[::-1]) for _ in "12"]
+    assert check_agreement(certificates, tmp_path) > 200
+    false = changed(certificates, 6, seed)
+    assert check_agreement(false, tmp_path) < len(false) / 2
