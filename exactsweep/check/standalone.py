@@ -573,6 +573,7 @@ def inner_fit(c: Any, work: Work) -> str:
     rings = [frame, *(points[::-1] for points in shape("container", first))]
     d = solid("outside", rings, cut, work)
     h = reflect(solid("part", shape("part", second), others, work))
+    need(h, "proof: no pieces of the part")
     for k, region in enumerate(items("regions", regions)):
         known += read_region(f"regions[{k}]", region, work)
     known += fits("exact_fits", exact)
