@@ -265,6 +265,14 @@ def find_wrong_move(layout: Layout, judgement: Judgement, number: int) -> str:
             continue
         if any(classify(one, moved, move).verdict == "OVERLAP" for one in fixed):
             return f"{fault.kind} {fault.placements}: the move does not free it"
+        length, depth = move.x**2 + move.y**2, fault.depth_squared
+        if depth is not None and length < depth:
+            return f"{fault.kind} {fault.placements}: the move is shorter than the depth"
+        # A repair keeps the distances, too, so it is a shortest move only if there are none.
+        if layout.spacing if fault.kind == "overlap" else layout.margin:
+            continue
+        if depth != length:
+            return f"{fault.kind} {fault.placements}: the depth is not that of the move"
         for a, b, c in ((1, 0, 1), (0, 1, 1), (-1, 0, 1), (0, -1, 1), (3, 4, 5), (-5, 12, 13)):
             for share in (Fraction(1, 2), Fraction(999, 1000)):
                 x, y = (
