@@ -53,7 +53,7 @@ for line in sys.stdin:
     print(json.dumps({"id": case["id"], "error": f"row {case['id']} is empty"}), flush=True)
 """
 FAULTS = {
-    "crash: exited with code 1; KeyError: '#'; crashing.py line 7",
+    "crash: exited with code 1; KeyError: #; crashing.py line 7",
     "crash: exited with code 1; IndexError: list index out of range; crashing.py line 10",
     "crash: exited with code 3; no memory for # cells",
     "crash: exited with code 4; no memory for # cells",
