@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import reduce
 from itertools import chain, pairwise
 from math import isqrt, lcm
@@ -19,7 +20,7 @@ from operator import or_
 from exactsweep.geometry.edges import Rings
 from exactsweep.procedures.segments import ContactSegment
 
-_FEW, _CROSSINGS = 250, 0.8
+_FEW, _CROSSINGS = 250, Fraction(4, 5)
 """The number of segments, and of their likely crossings with others, from which it saves time."""
 _SHARE = 8
 """The part of the segments' bounds that squares must cover, as 1 / 8, to save time."""

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from math import inf
 from unittest.mock import patch
 
 from polyominoes import Cells, region
@@ -28,7 +27,7 @@ def pruning(*, thin: bool, wide: bool) -> Iterator[None]:
         patch.object(neighbours, "_FEW", 0),
         patch.object(cover, "_FEW", 1),
         patch.object(cover, "_CROSSINGS", 0),
-        patch.object(cover, "_SHARE", inf),
+        patch.object(cover, "_SHARE", 10**9999),
     ):
         without_thin = patch.object(positions, "leave_out_overlapped", None)
         without_wide = patch.object(positions, "leave_out_covered", lambda segments, *_: segments)
