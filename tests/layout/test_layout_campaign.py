@@ -58,7 +58,11 @@ def test_wrong_moves_are_noticed() -> None:
         (("1/4", 0), "the move does not free"),
     ):
         fault = SimpleNamespace(
-            kind="overlap", placements=(0, 1), bound=0, move=Point(*map(to_fraction, move))
+            kind="overlap",
+            placements=(0, 1),
+            bound=0,
+            move=Point(*map(to_fraction, move)),
+            depth_squared=None,
         )
         judgement: Any = SimpleNamespace(faults=(fault,))
         assert wrong in find_wrong_move(LAYOUT, judgement, 1)

@@ -271,7 +271,7 @@ def find_wrong_move(layout: Layout, judgement: Judgement, number: int) -> str:
         # A repair keeps the distances, too, so it is a shortest move only if there are none.
         if layout.spacing if fault.kind == "overlap" else layout.margin:
             continue
-        if depth != length:
+        if depth not in (None, length):
             return f"{fault.kind} {fault.placements}: the depth is not that of the move"
         for a, b, c in ((1, 0, 1), (0, 1, 1), (-1, 0, 1), (0, -1, 1), (3, 4, 5), (-5, 12, 13)):
             for share in (Fraction(1, 2), Fraction(999, 1000)):
