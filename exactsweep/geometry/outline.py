@@ -11,7 +11,7 @@ from exactsweep.geometry.near import BoxRows
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
-from exactsweep.numbers.number import Edge, Point, Rational, Vertex, ratio
+from exactsweep.numbers.number import Edge, Point, Vertex, ratio
 
 
 class Outline:
@@ -70,14 +70,6 @@ class Outline:
     @cached_property
     def _places(self) -> BoxRows:
         return BoxRows([(x, x, y, y) for x, y in self.vertices])
-
-    def vertices_between(self, low: Rational, high: Rational) -> list[int]:
-        """Find the numbers of the vertices in an x-range, ends included, by x.
-
-        Cost: that of `BoxRows.find`, and O(n log n) the first time.
-        """
-        found = self._places.find((low, high, *self._index.box[2:]))
-        return sorted(found, key=lambda k: self.vertices[k][0])
 
     @cached_property
     def _all_numbers(self) -> dict[Vertex, list[int]]:

@@ -28,11 +28,6 @@ def test_features_at_a_point_are_those_of_the_definition() -> None:
             assert sorted(outline.edges_through((x, y), 2)) == expected
             corners = [k for k, vertex in enumerate(outline.vertices) if vertex == point]
             assert [*outline.vertices_at(point)] == [*outline.vertices_at((x, y), 2)] == corners
-        for start, end in [(0, 0), (1, 3), (-2, 1)]:
-            found = outline.vertices_between(start, end)
-            assert {*found} == {k for k, (x, _) in enumerate(outline.vertices) if start <= x <= end}
-            places = [outline.vertices[k][0] for k in found]
-            assert places == sorted(places)
 
 
 def test_features_are_counted_through_all_rings() -> None:
