@@ -211,7 +211,7 @@ class Candidate(NamedTuple):
         """Return the regions that rings fill."""
         from exactsweep.geometry.filling import fill
 
-        filled = fill(rings, even_odd=even_odd, measured=bool(self.error))
+        filled = fill(rings, "evenodd" if even_odd else "nonzero", measured=bool(self.error))
         error = self.error + (bound_root(filled.hidden) if self.error else 0)
         found: list[Self] = []
         for region in filled.regions:

@@ -14,14 +14,16 @@ after it.
 4. A test proves that the result is a polygon that contains the old one.
 
 A hole is a clockwise ring. Its new ring, found in the same way, lies inside the hole. If there is
-no such ring, the hole is left out.
+no such ring, the hole is left out. Inward, holes that grow may meet: the rest of the region may
+have several parts, which are rounded again until all vertices are on the grid.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import ceil, floor
 from typing import Literal, NamedTuple
 
@@ -31,6 +33,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.geometry import overlap
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
+from exactsweep.geometry.filling import fill
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.geometry.vectors import cross, find_hull, minus, turn
@@ -61,14 +64,22 @@ class Rounded(NamedTuple):
     """The result of rounding a region.
 
     Attributes:
-        region: the new region; None if nothing is left.
-        distance: a bound on the distance of old and new rings, without those left out.
-        left_out: the number of holes left out.
+        regions: the new regions: one, or none, or several if free ones fall apart.
+        distance: a bound on the distance of old and new rings, without those left out, and without
+            gaps between holes that closed.
+        left_out: the number of holes and of parts of the region left out.
     """
 
-    region: Region | None
+    regions: tuple[Region, ...]
     distance: Fraction
     left_out: int = 0
+
+    @property
+    def region(self) -> Region | None:
+        """The new region; None if nothing is left. Raises FormatError if it fell apart."""
+        if len(self.regions) > 1:
+            raise FormatError(f"rounding leaves {len(self.regions)} regions; see `regions`")
+        return self.regions[0] if self.regions else None
 
 
 class Changes(NamedTuple):
@@ -114,11 +125,10 @@ def round_regions(
         except PolygonError as error:
             name = "" if named.name is None else f"{ascii(named.name)[1:-1]}, "
             raise PolygonError(f"{name}rounded to {places} places: {error}") from None
-        changed += rounded.region != named.region
+        changed += rounded.regions != (named.region,)
         distance = max(distance, rounded.distance)
-        left_out += rounded.left_out + (rounded.region is None)
-        if rounded.region is not None:
-            found.append(named._replace(region=rounded.region))
+        left_out += rounded.left_out
+        found += [named._replace(region=region) for region in rounded.regions]
     return found, Changes(changed, distance, left_out)
 
 
@@ -150,7 +160,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
             that contains the old one, "inward" a region inside the old one.
 
     Returns:
-        A Rounded. Its region may be None for "inward", and never for "outward".
+        A Rounded, of one region, but of any number for "inward".
 
     Raises:
         PolygonError: the closest points do not form a region.
@@ -176,21 +186,25 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
             for old, new in zip(region.rings, rings, strict=True)
             for p, q in zip(old, new, strict=True)
         )
-        return Rounded(Region(rings[0], rings[1:]), distance)
+        return Rounded((Region(rings[0], rings[1:]),), distance)
     exterior, *holes = region.rings if side == "outward" else [r[::-1] for r in region.rings]
     outer = _move(exterior, grid)
     moved = [ring for hole in holes if (ring := _move(hole[::-1], grid)) is not None]
     if outer is None:
-        return Rounded(None, Fraction(0))
+        return Rounded((), Fraction(0), 1)
     distance = max(ring.distance for ring in (outer, *moved))
-    try:
-        found = Region(outer.polygon, [ring.polygon for ring in moved])
-    except PolygonError:
-        # Some holes have grown into each other, or out of the region.
-        if side == "inward":
-            return Rounded(None, Fraction(0))
-        return Rounded(Region(outer.polygon), outer.distance, len(holes))
-    return Rounded(found, distance, len(holes) - len(moved))
+    left_out = len(holes) - len(moved)
+    inner = [ring.polygon for ring in moved]
+    with suppress(PolygonError):
+        return Rounded((Region(outer.polygon, inner),), distance, left_out)
+    # Holes have grown into each other, or out of the region. New vertices may be off the grid.
+    clockwise = [ring.vertices[::-1] for ring in inner]
+    filled = fill([outer.polygon.vertices, *clockwise], "positive")
+    parts = [round_region(Region(ring, rings), places, side) for ring, *rings in filled.regions]
+    found = tuple(chain.from_iterable(part.regions for part in parts))
+    left_out += sum(part.left_out for part in parts) or not parts
+    distance += max((part.distance for part in parts), default=Fraction(0))
+    return Rounded(found, distance if found else Fraction(0), left_out)
 
 
 def contains(outer: Region, inner: Region) -> bool:
@@ -222,7 +236,7 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
     while len(alive) > 2:
         corners = [points[i] for i in alive]
         chains = _chains(corners)
-        moved = [point for chain in chains for point in chain]
+        moved = [*chain.from_iterable(chains)]
         if all(chains) and _is_proved(moved, old, is_exterior):
             return _scale(moved, _distance(points, alive, chains), grid)
         ears = _ears(corners)
@@ -331,12 +345,12 @@ def _distance(
     Along an edge the distance is largest at an end; what was left out lies along one new edge.
     """
     largest = Fraction(0)
-    for position, (i, chain) in enumerate(zip(alive, chains, strict=True)):
-        largest = max(largest, *(_measure(points[i], (p, p)) for p in chain))
+    for position, (i, new) in enumerate(zip(alive, chains, strict=True)):
+        largest = max(largest, *(_measure(points[i], (p, p)) for p in new))
         k = (position + 1) % len(alive)
         end = alive[k] + len(points) * (k == 0)
         for j in range(i + 1, end):
-            edge = chain[-1], chains[k][0]
+            edge = new[-1], chains[k][0]
             largest = max(largest, _measure(points[j % len(points)], edge))
     return bound_root(largest)
 

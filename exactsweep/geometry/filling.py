@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
@@ -23,6 +23,15 @@ from exactsweep.geometry.near import find_near
 from exactsweep.geometry.reading import to_lattice
 from exactsweep.geometry.vectors import compare_angles, minus, turn, way_key
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
+
+Rule = Literal["nonzero", "evenodd", "positive"]
+"""A rule that says by its winding number whether a point is filled."""
+
+_IS_FILLED: dict[Rule, Callable[[int], bool]] = {
+    "nonzero": lambda number: number != 0,
+    "evenodd": lambda number: number % 2 == 1,
+    "positive": lambda number: number > 0,
+}
 
 _WindingNumbers = tuple[int, int]
 """The winding numbers below and above an edge that runs from left to right."""
@@ -41,13 +50,13 @@ class Filled(NamedTuple):
     hidden: Fraction
 
 
-def fill(rings: Sequence[Sequence[Point]], *, even_odd: bool, measured: bool = False) -> Filled:
+def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False) -> Filled:
     """Find the regions that rings fill.
 
     Args:
         rings: the vertices of each ring, the first one perhaps again at the end.
-        even_odd: whether points with an even winding number are outside; otherwise those with
-            winding number 0 are.
+        rule: the points that are filled: those with a winding number that is not 0, odd or
+            positive.
         measured: whether to measure `hidden`.
 
     Returns:
@@ -57,7 +66,7 @@ def fill(rings: Sequence[Sequence[Point]], *, even_odd: bool, measured: bool = F
 
     Example:
         >>> bow = [Point(*map(Fraction, p)) for p in [(0, 0), (2, 2), (2, 0), (0, 2)]]
-        >>> [[*map(find_doubled_area, rings)] for rings in fill([bow], even_odd=True).regions]
+        >>> [[*map(find_doubled_area, rings)] for rings in fill([bow], "nonzero").regions]
         [[Fraction(2, 1)], [Fraction(2, 1)]]
     """
     scale, points = to_lattice(*zip(*(p for ring in rings for p in ring), strict=True))
@@ -68,10 +77,11 @@ def fill(rings: Sequence[Sequence[Point]], *, even_odd: bool, measured: bool = F
         first += len(ring)
         edges += [(a, b) for a, b in pairwise((*own, own[0])) if a != b]
     sides = _wind(_cut(edges))
+    is_filled = _IS_FILLED[rule]
     boundary: list[Edge] = []
     inside: list[Edge] = []
     for (a, b), (below, above) in sides.items():
-        is_below, is_above = (bool(w % 2 if even_odd else w) for w in (below, above))
+        is_below, is_above = is_filled(below), is_filled(above)
         if is_below != is_above:
             boundary.append((a, b) if is_above else (b, a))
         elif below or above:

@@ -37,7 +37,9 @@ def test_regions_grow_and_shrink_for_certain(polygon: Polygon, divisor: int, pla
             assert all((c * 10**places).denominator == 1 for v in found.vertices for c in v)
     if shrunk.region is not None:
         assert contains(region, shrunk.region)
-        assert round_region(shrunk.region, places, "inward") == Rounded(shrunk.region, Fraction(0))
+        assert round_region(shrunk.region, places, "inward") == Rounded(
+            (shrunk.region,), Fraction(0)
+        )
 
 
 @fewer
@@ -93,3 +95,34 @@ def test_places_beyond_the_limits_are_refused(places: int) -> None:
 @pytest.mark.parametrize("places", [0, MAX_PLACES])
 def test_places_at_the_limits_are_allowed(places: int) -> None:
     assert round_region(Region(SQUARE), places, "closest").region == Region(SQUARE)
+
+
+@fewer
+@given(st.lists(st.tuples(*[st.integers(1, 18)] * 2), min_size=1, max_size=9, unique=True))
+@example([(9, 10), (10, 9), (11, 10), (10, 11)])
+@example([(9, 9), (10, 9), (11, 9), (9, 10), (11, 10), (9, 11), (10, 11), (11, 11)])
+def test_free_regions_shrink_for_certain_where_holes_meet(corners: list[tuple[int, int]]) -> None:
+    plate = [(0, 0), (20, 0), (20, 20), (0, 20)]
+    low, high = Fraction(1, 300), Fraction(299, 300)
+    square = [(low, low), (high, low), (high, high), (low, high)]
+    region = Region(plate, [[(x + i, y + j) for x, y in square] for i, j in corners])
+    found = round_region(region, 0, "inward")
+    # Each hole grows to the cell around it.
+    assert sum(part.area for part in found.regions) == 400 - len(corners)
+    for part in found.regions:
+        assert contains(region, part)
+        assert all(c.denominator == 1 for v in part.vertices for c in v)
+
+
+def test_holes_that_grow_out_of_a_region_cut_it() -> None:
+    bar = Region(
+        [(0, 0), (9, 0), (9, 3), (0, 3)],
+        [[("4.5", "0.1"), ("4.6", "0.1"), ("4.6", "2.9"), ("4.5", "2.9")]],
+    )
+    left, right = round_region(bar, 0, "inward").regions
+    assert (left, right) == (
+        Region([(0, 0), (4, 0), (4, 3), (0, 3)]),
+        Region([(5, 0), (9, 0), (9, 3), (5, 3)]),
+    )
+    with pytest.raises(FormatError, match="leaves 2 regions"):
+        _ = round_region(bar, 0, "inward").region
