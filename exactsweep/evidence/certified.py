@@ -6,6 +6,19 @@ from abc import abstractmethod
 from typing import Any, ClassVar
 
 
+def refuse_to_set(answer: object, name: str, value: object) -> None:
+    """Raise AttributeError: answers are read-only, because they keep what they have computed.
+
+    Example:
+        >>> from exactsweep import sweep
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> sweep(square, square).reference = (1, 1)
+        Traceback (most recent call last):
+        AttributeError: an answer is read-only: reference cannot be set; ask again instead
+    """
+    raise AttributeError(f"an answer is read-only: {name} cannot be set; ask again instead")
+
+
 class Certified:
     """An answer. Two answers are equal if they answer the same question about equal polygons.
 
@@ -15,6 +28,12 @@ class Certified:
 
     asked: ClassVar[tuple[str, ...]]
     """The names of the attributes that define the question."""
+
+    __setattr__ = refuse_to_set
+
+    def _set(self, **attributes: object) -> None:
+        """Set attributes of a new answer."""
+        self.__dict__.update(attributes)
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):

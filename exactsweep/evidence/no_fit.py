@@ -8,18 +8,19 @@ from typing import Any, Literal
 
 from exactsweep.evidence.certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.certified import Certified
-from exactsweep.evidence.sweep import solve
+from exactsweep.evidence.sweep import Solution, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.interface import GeoJson, collect, make_polygon
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.number import ORIGIN, Fit, Point
+from exactsweep.numbers.number import ORIGIN, Area, Fit, Point
 from exactsweep.procedures.positions import FreeRegions, find_inner_fit
-from exactsweep.procedures.solution import made_once, place_fits, place_loop
-from exactsweep.words import write_pair
+from exactsweep.procedures.solution import Kind, made_once, place_fits, place_loop
+from exactsweep.words import count, write_pair
 
 
 class NoFitAnswer(Certified):
@@ -27,14 +28,18 @@ class NoFitAnswer(Certified):
 
     asked = ("stationary", "orbiting", "reference")
 
+    stationary: Region
+    orbiting: Region
+    reference: Point
+    kind: Kind
+    solution: Solution
+
     def __init__(
         self, stationary: Region, orbiting: Region, direction: Vector | None, reference: Point
     ) -> None:
-        self.stationary = stationary
-        self.orbiting = orbiting
-        self.reference = reference
-        self.solution = solve(orbiting, stationary, direction)
-        self.kind = self.solution.kind
+        solution = solve(orbiting, stationary, direction)
+        self._set(stationary=stationary, orbiting=orbiting, reference=reference)
+        self._set(solution=solution, kind=solution.kind)
 
     @made_once
     def exterior(self) -> Polygon:
@@ -93,9 +98,15 @@ class NoFitAnswer(Certified):
         )
 
     @property
+    def __geo_interface__(self) -> GeoJson:
+        """A GeoJSON Polygon with holes; with exact fits, a GeometryCollection of it and lines."""
+        area = [loop.vertices for loop in (self.exterior, *self.holes)]
+        return collect([area], self.exact_fits) if self.exact_fits else make_polygon(area)
+
+    @property
     def area(self) -> Fraction:
         """The area of the positions of overlap."""
-        return self.exterior.area - add_up(hole.area for hole in self.holes)
+        return Area(self.exterior.area - add_up(hole.area for hole in self.holes))
 
     def __str__(self) -> str:
         lines = [f"exterior, {len(self.exterior)} vertices: {self.exterior}"]
@@ -105,8 +116,8 @@ class NoFitAnswer(Certified):
     def __repr__(self) -> str:
         return (
             f"<NoFitPolygon {self.kind} of {len(self.orbiting)} around {len(self.stationary)} "
-            f"vertices: exterior {len(self.exterior)} vertices, {len(self.holes)} holes, "
-            f"{len(self.exact_fits)} exact fits>"
+            f"vertices: exterior {len(self.exterior)} vertices, {count(len(self.holes), 'hole')}, "
+            f"{count(len(self.exact_fits), 'exact fit')}>"
         )
 
 
@@ -115,13 +126,15 @@ class InnerFitAnswer(Certified):
 
     asked = ("container", "part", "reference", "placed")
 
+    container: Region
+    part: Region
+    reference: Point
+    placed: tuple[Region, ...]
+
     def __init__(
         self, container: Region, part: Region, reference: Point, placed: Sequence[Region] = ()
     ) -> None:
-        self.container = container
-        self.part = part
-        self.reference = reference
-        self.placed = tuple(placed)
+        self._set(container=container, part=part, reference=reference, placed=tuple(placed))
 
     @made_once
     def solution(self) -> FreeRegions:
@@ -183,9 +196,14 @@ class InnerFitAnswer(Certified):
         return claim_inner_fit(self.container, self.part, self._regions(ORIGIN), fits)
 
     @property
+    def __geo_interface__(self) -> GeoJson:
+        """A GeoJSON MultiPolygon; with exact fits, a GeometryCollection of polygons and lines."""
+        return collect([region.rings for region in self.regions], self.exact_fits)
+
+    @property
     def area(self) -> Fraction:
         """The area of the free regions."""
-        return add_up(region.area for region in self.regions)
+        return Area(add_up(region.area for region in self.regions))
 
     def __str__(self) -> str:
         lines = [f"region, {len(region)} vertices: {region}" for region in self.regions]
@@ -194,7 +212,7 @@ class InnerFitAnswer(Certified):
     def __repr__(self) -> str:
         return (
             f"<InnerFit of {len(self.part)} in {len(self.container)} vertices: "
-            f"{len(self.regions)} regions, {len(self.exact_fits)} exact fits>"
+            f"{count(len(self.regions), 'region')}, {count(len(self.exact_fits), 'exact fit')}>"
         )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Literal
 
+from exactsweep.evidence.certified import refuse_to_set
 from exactsweep.evidence.minkowski import solve_pair
 from exactsweep.geometry.distance import (
     SquaredDistance,
@@ -21,7 +22,7 @@ from exactsweep.geometry.intersection import (
 from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
 from exactsweep.numbers.error import tells_arguments
-from exactsweep.numbers.number import ORIGIN, Edge, Point
+from exactsweep.numbers.number import ORIGIN, Area, Edge, Point
 from exactsweep.procedures.solution import made_once
 
 _RelationName = Literal["OVERLAP", "CONTACT", "FREE"]
@@ -44,8 +45,13 @@ class Overlap:
         b: another Region.
     """
 
+    a: Region
+    b: Region
+
     def __init__(self, a: Region, b: Region) -> None:
-        self.a, self.b = a, b
+        self.__dict__.update(a=a, b=b)
+
+    __setattr__ = refuse_to_set
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Overlap):
@@ -74,7 +80,7 @@ class Overlap:
     @made_once
     def area(self) -> Fraction:
         """The area of the common part."""
-        return measure_common_area(self._boundary) / self._lattice[0] ** 2
+        return Area(measure_common_area(self._boundary) / self._lattice[0] ** 2)
 
     @made_once
     def witness(self) -> Point | None:

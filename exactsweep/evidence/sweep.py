@@ -19,6 +19,7 @@ from exactsweep.evidence.contact import (
 )
 from exactsweep.evidence.undercut import Tracer, Undercut, find_closing_positions
 from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.interface import GeoJson, make_polygon
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
@@ -26,10 +27,10 @@ from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import tells_arguments
-from exactsweep.numbers.number import Fit, Point, Vertex
+from exactsweep.numbers.number import Area, Fit, Point, Vertex
 from exactsweep.procedures.any_shape import ShapeSolution
 from exactsweep.procedures.monotone import MonotoneSolution
-from exactsweep.procedures.solution import made_once, place_fits, place_loop
+from exactsweep.procedures.solution import Kind, made_once, place_fits, place_loop
 from exactsweep.words import write_vector
 
 Solution = MonotoneSolution | ShapeSolution
@@ -57,6 +58,13 @@ class SweepAnswer(Certified):
 
     asked = ("generatrix", "directrix", "direction", "reference")
 
+    generatrix: AnyPolygon
+    directrix: AnyPolygon
+    direction: Vector | None
+    reference: Point
+    kind: Kind
+    solution: Solution
+
     def __init__(
         self,
         generatrix: AnyPolygon,
@@ -64,12 +72,9 @@ class SweepAnswer(Certified):
         direction: Vector | None,
         reference: Point,
     ) -> None:
-        self.generatrix = generatrix
-        self.directrix = directrix
-        self.direction = direction
-        self.reference = reference
-        self.solution = solve(generatrix, directrix, direction)
-        self.kind = self.solution.kind
+        solution = solve(generatrix, directrix, direction)
+        self._set(generatrix=generatrix, directrix=directrix, direction=direction)
+        self._set(reference=reference, solution=solution, kind=solution.kind)
 
     @made_once
     def trajectory(self) -> Polygon:
@@ -114,7 +119,7 @@ class SweepAnswer(Certified):
     @cached_property
     def area(self) -> Fraction:
         """The swept area: that of the outer loop minus those of the inner loop and `unswept`."""
-        return self.outer.area - add_up(loop.area for loop in (self.inner, *self.unswept))
+        return Area(self.outer.area - add_up(loop.area for loop in (self.inner, *self.unswept)))
 
     @cached_property
     def _boundaries(self) -> tuple[Outline, Outline]:
@@ -140,8 +145,9 @@ class SweepAnswer(Certified):
         """The contacts along each edge of the trajectory (Table 1).
 
         Item k has the EV, VE and EE contacts that last along a piece of positive length of edge k,
-        from vertex k of the trajectory to the next. Features are numbered as in the input: vertex
-        i, and edge i from vertex i to the next.
+        from vertex k of the trajectory to the next. It omits VV, contacts at single positions (see
+        `vertex_contacts`), and each EV and VE contact at an end of an edge of an EE contact.
+        Features are numbered as in the input: vertex i, and edge i from vertex i to the next.
 
         >>> from exactsweep import sweep
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -216,6 +222,11 @@ class SweepAnswer(Certified):
             extremes = chain[0], chain[-1]
             found.append(Undercut(Polygon(points), extremes, chain, intersection, placed))
         return tuple(found)
+
+    @property
+    def __geo_interface__(self) -> GeoJson:
+        """The swept area as a GeoJSON Polygon with holes."""
+        return make_polygon([loop.vertices for loop in (self.outer, self.inner, *self.unswept)])
 
     def _claim(self) -> dict[str, Any]:
         found = self.solution

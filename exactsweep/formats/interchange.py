@@ -1,10 +1,10 @@
-"""Conversion of polygons from and to shapely and numpy; `Polygon` itself converts sympy's."""
+"""Conversion from and to shapely and numpy; `Polygon` itself converts sympy's polygons."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from exactsweep.formats.candidate import NamedRegion, choose
 from exactsweep.formats.error import FormatError
@@ -19,6 +19,13 @@ from exactsweep.numbers.number import Point
 if TYPE_CHECKING:
     import numpy
     import shapely
+
+
+class HasGeoInterface(Protocol):
+    """A shape or an answer that describes itself as GeoJSON."""
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]: ...
 
 
 @tells_arguments
@@ -113,16 +120,18 @@ def from_wkt(text: str) -> AnyPolygon:
 
 
 @tells_arguments
-def to_shapely(polygon: AnyPolygon, *, nearest: bool = False) -> shapely.Polygon:
-    """Make a polygon of shapely, whose coordinates are floats.
+def to_shapely(shape: HasGeoInterface, *, nearest: bool = False) -> shapely.Geometry:
+    """Make a geometry of shapely, whose coordinates are floats.
 
     Args:
-        polygon: a Polygon, or a Region, whose holes become interiors.
+        shape: a Polygon, a Region, a Polyline, or an answer: a Sweep (its area), a NoFitPolygon, an
+            InnerFit, or a Layout (its placed parts).
         nearest: whether to round a coordinate that is not a float to the nearest float. This may
-            change the polygon, even to one that crosses itself.
+            change a polygon, even to one that crosses itself.
 
     Returns:
-        A shapely Polygon.
+        A shapely Polygon, its holes as interiors; for an InnerFit a MultiPolygon; for an answer
+        with exact fits and for a Layout a GeometryCollection; for a Polyline a LineString or Point.
 
     Raises:
         FormatError: a coordinate is not a float, unless `nearest`; or it is beyond all floats.
@@ -131,13 +140,30 @@ def to_shapely(polygon: AnyPolygon, *, nearest: bool = False) -> shapely.Polygon
         >>> print(to_shapely(Polygon([(0, 0), ("1/2", 0), (0, 1)])))
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
     """
-    shell, *holes = polygon.rings
+    with require_imports("shapely", "a geometry of shapely", FormatError):
+        import shapely.geometry
+
+    if not isinstance(shape, (Polygon, Region)):
+        told = getattr(shape, "__geo_interface__", None)
+        if told is None:
+            raise FormatError(f"{quote(shape)} is neither a shape nor an answer")
+        return shapely.geometry.shape(_to_floats(told, nearest))
+    shell, *holes = shape.rings
     rows = _floats(shell, nearest)
     inner = [_floats(hole, nearest, f"hole {k}, ") for k, hole in enumerate(holes)]
-    with require_imports("shapely", "a polygon of shapely", FormatError):
-        import shapely
-
     return shapely.Polygon(rows, inner)
+
+
+def _to_floats(node: Any, nearest: bool) -> Any:
+    """Convert all numbers of a GeoJSON object to floats."""
+    if isinstance(node, dict):
+        return {key: _to_floats(value, nearest) for key, value in node.items()}
+    if isinstance(node, tuple):
+        if len(node) == 2 and all(isinstance(c, int | float | Fraction) for c in node):
+            point = Point(*map(Fraction, node))
+            return tuple(_float(c, str(point), nearest) for c in point)
+        return [_to_floats(value, nearest) for value in node]
+    return node
 
 
 @tells_arguments

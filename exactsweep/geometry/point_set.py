@@ -14,6 +14,7 @@ from itertools import chain, pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, Self, overload
 
 from exactsweep.geometry.edges import is_inside
+from exactsweep.geometry.interface import GeoJson, make_polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.geometry.vectors import is_on_segment
@@ -300,20 +301,12 @@ class PointSet:
         return self.vertices[k]
 
     @property
-    def __geo_interface__(self) -> dict[str, Any]:
-        """The shape for other libraries, as in `shapely.geometry.shape(polygon)`.
+    def __geo_interface__(self) -> GeoJson:
+        """The shape as a GeoJSON Polygon, as in `shapely.geometry.shape(polygon)`.
 
-        Coordinates are ints or floats if these are the exact number, else Fractions. So nothing is
-        rounded here; a library of floats rounds by itself.
+        Coordinates are ints or floats if these are the exact number, else Fractions.
         """
-        exterior, *holes = self.rings
-        rings = [exterior, *((hole[0], *hole[:0:-1]) for hole in holes)]
-        return {
-            "type": "Polygon",
-            "coordinates": tuple(
-                tuple((_plain(x), _plain(y)) for x, y in (*ring, ring[0])) for ring in rings
-            ),
-        }
+        return make_polygon(self.rings)
 
 
 def is_on(point: Point, ring: tuple[Point, ...]) -> bool:
@@ -332,14 +325,3 @@ def _to_floats(point: Point) -> tuple[float, float]:
 
 def _is_pair(value: object) -> bool:
     return isinstance(value, Iterable) and not isinstance(value, str)
-
-
-def _plain(value: Fraction) -> int | float | Fraction:
-    """Convert a Fraction to the int or float of the same value, if there is one."""
-    if value.denominator == 1:
-        return value.numerator
-    try:
-        found = value.numerator / value.denominator
-    except OverflowError:
-        return value
-    return found if found == value else value

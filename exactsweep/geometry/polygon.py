@@ -20,7 +20,14 @@ from exactsweep.geometry.reading import (
     to_lattice,
 )
 from exactsweep.numbers.digits import abridge, write_literals
-from exactsweep.numbers.number import Point, Vertex, divide_all, divide_exactly, make_points
+from exactsweep.numbers.number import (
+    Area,
+    Point,
+    Vertex,
+    divide_all,
+    divide_exactly,
+    make_points,
+)
 
 if TYPE_CHECKING:
     import sympy
@@ -179,7 +186,7 @@ class Polygon(PointSet):
     def area(self) -> Fraction:
         """The area, a positive Fraction."""
         scale, points = self._scaled()
-        return divide_exactly(find_doubled_area(points), 2 * scale * scale)
+        return Area(divide_exactly(find_doubled_area(points), 2 * scale * scale))
 
     @property
     def is_convex(self) -> bool:

@@ -7,7 +7,8 @@ from fractions import Fraction
 from itertools import groupby
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.reading import read_vertices
+from exactsweep.geometry.interface import GeoJson, make_line
+from exactsweep.geometry.reading import drop_heights, has_heights, read_vertices
 from exactsweep.numbers.digits import format_fraction, write_int
 from exactsweep.numbers.number import Point, divide_exactly
 from exactsweep.words import write_pair
@@ -20,8 +21,8 @@ class Polyline:
 
     Args:
         points: one point or more, as `Polygon` takes them; a Polyline; or an object whose
-            `__geo_interface__` is a Point, a LineString or a LinearRing. Equal neighbours count
-            once. The path may cross itself.
+            `__geo_interface__` is a Point, a LineString or a LinearRing, without Z coordinates.
+            Equal neighbours count once. The path may cross itself.
         closed: whether a last segment leads back to the first point.
 
     Raises:
@@ -76,6 +77,11 @@ class Polyline:
     def __hash__(self) -> int:
         return hash((self.points, self.closed))
 
+    @property
+    def __geo_interface__(self) -> GeoJson:
+        """The path as a GeoJSON LineString, or a Point; a closed path ends where it begins."""
+        return make_line([*self.points, *self.points[:1]] if self.closed else self.points)
+
     def __repr__(self) -> str:
         points = ", ".join(f"({_quote(x)}, {_quote(y)})" for x, y in self.points)
         return f"Polyline([{points}]{', closed=True' if self.closed else ''})"
@@ -94,7 +100,8 @@ def _read_path(points: Iterable[Iterable[object]]) -> Iterable[Iterable[object]]
     if told.get("type") not in _KINDS:
         raise PolygonError(f"a {told.get('type')} is not a path")
     coordinates: Iterable[Iterable[object]] = told["coordinates"]
-    return [coordinates] if told["type"] == "Point" else [*coordinates]
+    found = [coordinates] if told["type"] == "Point" else [*coordinates]
+    return drop_heights(found) if has_heights(found) else found
 
 
 def _quote(value: Fraction) -> str:

@@ -6,6 +6,7 @@ hundred thousand vertices one by one would take longer than the sweep of the pol
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain
@@ -19,6 +20,7 @@ from exactsweep.numbers.error import NumberError, name_refusals, quote
 from exactsweep.numbers.number import Point, Vertex, split_ratios, to_fraction
 
 _LATTICE_BITS = 8192
+_PACKAGE = "exactsweep."
 
 Lattice = tuple[int, Sequence[Vertex]]
 """A scale and points; each point represents its coordinates divided by the scale."""
@@ -79,19 +81,35 @@ def read_interface(shape: object) -> list[Pairs] | None:
     rings = [[*ring] for ring in rings]
     if not any(rings):
         raise PolygonError("the polygon is empty")
-    return list(map(_drop_heights, rings)) if any(map(_has_heights, rings)) else [*rings]
+    return list(map(drop_heights, rings)) if any(map(has_heights, rings)) else [*rings]
 
 
 def _is_geojson(shape: object) -> bool:
     return isinstance(shape, Mapping) and not {"geometry", "coordinates"}.isdisjoint(shape)
 
 
-def _has_heights(ring: Sequence[object]) -> bool:
+def has_heights(ring: Sequence[object]) -> bool:
+    """Decide whether some point of a ring has a Z coordinate.
+
+    >>> has_heights([(0, 0), (1, 0, 5)])
+    True
+    """
     return any(isinstance(point, Sequence) and len(point) == 3 for point in ring)
 
 
-def _drop_heights(ring: list[Any]) -> list[Any]:
-    warn("Z coordinates are dropped: a sweep is planar", stacklevel=2)
+def drop_heights(ring: list[Any]) -> list[Any]:
+    """Drop the Z coordinates of a ring, with a warning that names the caller of the package.
+
+    >>> import warnings
+    >>> with warnings.catch_warnings():
+    ...     warnings.simplefilter("ignore")
+    ...     drop_heights([(0, 0), (1, 0, 5)])
+    [(0, 0), (1, 0)]
+    """
+    level, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__name__", "").startswith(_PACKAGE):
+        level, frame = level + 1, frame.f_back
+    warn("Z coordinates are dropped: a sweep is planar", stacklevel=level)
     return [point[:2] if len(point) == 3 else point for point in ring]
 
 

@@ -17,7 +17,7 @@ from exactsweep.geometry.reading import lcm_within, read_interface, refuse_numbe
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import Point, Vertex, ratio
+from exactsweep.numbers.number import Area, Point, Vertex, ratio
 from exactsweep.words import write_pair
 
 Vertices = Polygon | Iterable[Iterable[object]]
@@ -120,7 +120,7 @@ class Region(PointSet):
     @property
     def area(self) -> Fraction:
         """The area of the exterior minus the areas of the holes."""
-        return self.exterior.area - add_up(hole.area for hole in self.holes)
+        return Area(self.exterior.area - add_up(hole.area for hole in self.holes))
 
     @property
     def is_convex(self) -> bool:

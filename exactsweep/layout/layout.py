@@ -9,6 +9,8 @@ from functools import cached_property
 from typing import Any
 
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.interface import GeoJson, make_polygon
+from exactsweep.geometry.point_set import AffineMap
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS, Turn
 from exactsweep.layout.reading import (
@@ -267,6 +269,22 @@ class Layout:
             "margin": self.margin,
         }
         return to_plain(data)
+
+    @property
+    def __geo_interface__(self) -> GeoJson:
+        """The placed parts as a GeoJSON GeometryCollection; irrational turns are approximated.
+
+        Raises:
+            LayoutError: a placed part is not simple.
+        """
+        placed = []
+        for placement in self.placements:
+            part = self.part_by_id[placement.part]
+            if part.region is None:
+                raise LayoutError(f"part {quote(part.id)}: {part.refusal}")
+            at = part.region._image(AffineMap(*placement.rows(), *placement.move))
+            placed.append(make_polygon(at.rings))
+        return {"type": "GeometryCollection", "geometries": tuple(placed)}
 
     @property
     def greatest_error(self) -> Fraction:

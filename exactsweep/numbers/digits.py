@@ -265,7 +265,7 @@ def to_plain(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _write(value: Any) -> Any:
-    if type(value) is Fraction:
+    if isinstance(value, Fraction):
         return format_fraction(value)
     if isinstance(value, dict):
         return to_plain(value)

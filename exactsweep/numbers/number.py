@@ -53,6 +53,26 @@ class Point(NamedTuple):
         return f"({format_rounded(self.x, spec)}, {format_rounded(self.y, spec)})"
 
 
+class Area(Fraction):
+    """An area: a Fraction that formats like a float, as Fractions do from Python 3.12 on.
+
+    >>> area = Area(Fraction(2, 3))
+    >>> area, f"{area:.3f}", area * 2
+    (Fraction(2, 3), '0.667', Fraction(4, 3))
+    """
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return f"Fraction({write_int(self.numerator)}, {write_int(self.denominator)})"
+
+    def __format__(self, spec: str) -> str:
+        return format_rounded(self, spec) if spec else str(self)
+
+    def __reduce__(self) -> tuple[type, tuple[int, int]]:
+        return Fraction, (self.numerator, self.denominator)
+
+
 _make_point = partial(tuple.__new__, Point)
 """A faster `Point._make`, which is written in Python."""
 

@@ -193,7 +193,7 @@ def test_many_fits_cost_what_one_costs() -> None:
             calls.append(len(loops))
             return found(loops)
 
-        s.contacts_along = counted  # type: ignore[method-assign]
+        vars(s)["contacts_along"] = counted
         assert len(gather_page_data(s)["tracks"]) == 1 + count
         return len(calls), sum(calls)
 
