@@ -511,13 +511,27 @@ const rotation = (value) => { // {key, exact: [cosine, sine]} where rational, el
   }
   return { key: pointKey(exact), exact };
 };
-const solidKeys = { ...shapeKeys, error: optional(distance, ZERO) };
+const rounded = (value) => {
+  const { points, radius } = object({ points: listOf(vertex, 1), radius: optional(distance, ZERO) })(value);
+  if (points.length > 2) checkPiece(points);
+  return { rings: [points], radius };
+};
+const bodyKeys = {
+  exterior: optional(ring), holes: shapeKeys.holes, pieces: optional(listOf(rounded)), error: optional(distance, ZERO),
+};
+const body = (keys, fewest = 1, most = Infinity) => (value) => { // with `solids`: rings and a radius
+  const found = object({ ...keys, ...bodyKeys })(value), { exterior, holes, pieces } = found;
+  need(pieces ? !exterior && !holes.length : exterior, "not either an exterior or rounded pieces");
+  const solids = pieces ?? [{ rings: ringsOf(found), radius: ZERO }];
+  need(solids.length >= fewest && solids.length <= most, "another number of rounded pieces");
+  return { ...found, solids };
+};
 const demand = (value) => kind((n) => n <= 999999999, "a demand")(natural(value));
 const partKeys = { id: text, demand: optional(demand), turns: optional(listOf(rotation)), mirrored: optional(flag, true) };
 const placementKeys = { part: text, move: vertex, turn: optional(rotation, rotation("0")), mirrored: optional(flag, false) };
 const layoutReader = object({
-  container: object(solidKeys), parts: listOf(object({ ...partKeys, ...solidKeys })),
-  placements: listOf(object(placementKeys)), defects: optional(listOf(object(solidKeys)), []),
+  container: optional(body({}, 0, 1), { solids: [], pieces: [], error: ZERO }), parts: listOf(body(partKeys)),
+  placements: listOf(object(placementKeys)), defects: optional(listOf(body({})), []),
   spacing: optional(distance, ZERO), margin: optional(distance, ZERO),
 });
 const ofPart = { kind: text, part: text }, ofBodies = { kind: text, placements: listOf(index, 2, 2), point: vertex };
@@ -534,13 +548,16 @@ const apart = listOf((value) => {
   need(Array.isArray(value) && value.length === 6, "not an entry of `apart`");
   return { of: value.slice(0, 4).map(index), normal: vertex(value.slice(4)) };
 });
-const layoutProof = object({ frame, outside: listOf(outsidePieces), pieces: listOf(pieces), apart });
+const layoutProof = object({
+  frame: optional(frame), outside: listOf(optional(outsidePieces)), pieces: listOf(optional(pieces)), apart,
+});
+const pointsOf = (solids) => solids.flatMap(({ rings }) => rings.flat());
 
-function place(layout, turns) { // give parts their rings and counts, placements their part, error and map
+function place(layout, turns) { // give parts their counts, placements their part, error and map
   const byId = new Map(layout.parts.map((part) => [part.id, part]));
   need(byId.size === layout.parts.length, "two parts with one id");
   need(turns.length === layout.placements.length, "not a turn for each placement");
-  for (const part of layout.parts) Object.assign(part, { rings: ringsOf(part), count: 0 });
+  for (const part of layout.parts) part.count = 0;
   layout.placements.forEach((placement, i) => {
     const of = byId.get(placement.part) ?? refuse("a placement of an unknown part"), turn = turns[i];
     const { exact, degrees, key } = placement.turn, { move, mirrored } = placement;
@@ -549,14 +566,15 @@ function place(layout, turns) { // give parts their rings and counts, placements
     else {
       const [c, s] = cosineAndSine(degrees);
       const e = turn.x.minus(c).absolute().plus(turn.y.minus(s).absolute()).plus(SLACK);
-      const r = largest(of.rings.flat().map((p) => p.x.absolute().plus(p.y.absolute())));
+      const r = largest(pointsOf(of.solids).map((p) => p.x.absolute().plus(p.y.absolute())));
       error = error.plus(e.times(r)).reduced();
     }
     const map = ({ x, y }) => {
       const p = { x: mirrored ? x.negated() : x, y };
       return plus(point(p.x.times(turn.x).minus(y.times(turn.y)), p.x.times(turn.y).plus(y.times(turn.x))), move);
     };
-    const put = (r) => (mirrored ? reversed(r.map(map)) : r.map(map));
+    const putRing = (r) => (mirrored ? reversed(r.map(map)) : r.map(map));
+    const put = (solids) => solids.map(({ rings, radius }) => ({ rings: rings.map(putRing), radius }));
     const isTurned = !of.turns || of.turns.some((t) => t.key === key), isMirrored = of.mirrored || !mirrored;
     of.count += 1;
     Object.assign(placement, { of, error, put, isTurned, isMirrored });
@@ -564,19 +582,26 @@ function place(layout, turns) { // give parts their rings and counts, placements
   return byId;
 }
 
-function bodyOf(layout, n) { // {rings, error, inside}: the winding number within
+function bodyOf(layout, n) { // {solids, error, isOutside}: of a container, what is outside it
   const { placements, container, defects } = layout;
   need(n < placements.length && -n - 2 < defects.length, "there is no body of that number");
-  if (n >= 0) return { rings: placements[n].of.rings.map(placements[n].put), error: placements[n].error, inside: 1 };
-  const solid = n === -1 ? container : defects[-n - 2];
-  return { rings: ringsOf(solid), error: solid.error, inside: n === -1 ? 0 : 1 };
+  if (n >= 0) return { solids: placements[n].put(placements[n].of.solids), error: placements[n].error };
+  return { ...(n === -1 ? container : defects[-n - 2]), isOutside: n === -1 };
 }
 
 function squaredDistance(edge, p) {
   const u = vectorOf(edge), v = difference(p, edge[0]);
-  const t = smallest([ONE, largest([ZERO, dot(u, v).over(dot(u, u)).reduced()])]);
+  const way = dot(u, v), t = way.sign() > 0 ? smallest([ONE, way.over(dot(u, u)).reduced()]) : ZERO;
   const w = difference(p, along(edge, t));
   return dot(w, w);
+}
+
+function isDeep({ solids, isOutside }, z, depth) { // in a body, farther than `depth` from its boundary
+  return solids.some(({ rings, radius }) => {
+    const isIn = winding(rings, z) === (isOutside ? 0 : 1), d = isOutside ? depth.plus(radius) : depth.minus(radius);
+    const nearest = smallest(rings.flatMap(edgesOf).map((e) => squaredDistance(e, z))), square = d.times(d);
+    return isIn ? d.sign() < 0 || less(square, nearest) : d.sign() < 0 && less(nearest, square);
+  });
 }
 
 function isProved({ kind, part: id, placements, point: z }, layout, byId) {
@@ -587,17 +612,13 @@ function isProved({ kind, part: id, placements, point: z }, layout, byId) {
     if (kind === "surplus") return part.count > part.demand;
     if (kind === "turn") return placed.some((p) => !p.isTurned);
     if (kind === "mirror") return placed.some((p) => !p.isMirrored);
-    return ![0, 1].includes(winding(part.rings, z));
+    return part.solids.some(({ rings }) => ![0, 1].includes(winding(rings, z)));
   }
   const [a, b] = placements, both = placements.map((n) => bodyOf(layout, n));
   if (a < 0 || a === b || (kind !== "too close" && (kind === "outside") !== b < 0)) return false;
-  const isIn = (body) => winding(body.rings, z) === body.inside;
-  const distances = (body) => body.rings.flatMap(edgesOf).map((e) => squaredDistance(e, z));
-  if (kind !== "too close") {
-    return both.every((body) => isIn(body) && distances(body).every((d) => less(body.error.times(body.error), d)));
-  }
   const r = (b < 0 ? layout.margin : layout.spacing).minus(both[0].error).minus(both[1].error).over(TWO);
-  return r.sign() > 0 && both.every((body) => isIn(body) || distances(body).some((d) => less(d, r.times(r))));
+  if (kind !== "too close") return both.every((body) => isDeep(body, z, body.error));
+  return r.sign() > 0 && both.every((body) => isDeep(body, z, r.negated()));
 }
 
 function checkFaults(faults, layout, byId) {
@@ -609,40 +630,57 @@ function checkFaults(faults, layout, byId) {
 const isFar = (p, q, s) => // boxes, along an axis
   [[p[2], q[0]], [p[3], q[1]], [q[2], p[0]], [q[3], p[1]]].some(([a, b]) => !less(b, a.plus(s)));
 
-function checkApart(a, b, s, normals) {
-  for (const [i, p] of a.pieces.entries()) {
-    for (const [j, q] of b.pieces.entries()) {
+function checkApart(a, b, room, normals) {
+  for (const [i, p] of a.solids.entries()) {
+    for (const [j, q] of b.solids.entries()) {
       spend(0.1);
-      if (isFar(a.boxes[i], b.boxes[j], s)) continue;
+      if (isFar(a.boxes[i], b.boxes[j], room)) continue;
       const n = normals.get([a.n, i, b.n, j].join()) ?? normals.get([a.n, -1, b.n, -1].join());
       need(n && (n.x.sign() || n.y.sign()), "two pieces have no normal");
-      const gap = smallest(q.map((v) => dot(n, v))).minus(largest(p.map((v) => dot(n, v))));
-      const isEnough = gap.sign() >= 0 && !less(gap.times(gap), s.times(s).times(dot(n, n)));
-      need(isEnough, "two pieces are not apart");
+      const gap = smallest(q.rings[0].map((v) => dot(n, v))).minus(largest(p.rings[0].map((v) => dot(n, v))));
+      const s = room.plus(p.radius).plus(q.radius), isEnough = !less(gap.times(gap), s.times(s).times(dot(n, n)));
+      need(gap.sign() >= 0 && isEnough, "two pieces are not apart");
     }
   }
 }
+
+function cutTo(list, item, rings) { // the convex pieces of a part or an obstacle
+  need(item.pieces ? list === undefined : list, "not a list of pieces for each shape");
+  if (item.pieces) return item.solids;
+  checkMakesUp(list, rings ?? ringsOf(item));
+  return list.map((piece) => ({ rings: [piece], radius: ZERO }));
+}
+
+const widened = ({ rings, radius }) => extents(rings[0]).map((x, i) => (i < 2 ? x.minus(radius) : x.plus(radius)));
+const around = (boxes) => [0, 1, 2, 3].map((i) => (i < 2 ? smallest : largest)(boxes.map((box) => box[i])));
 
 function checkValid({ frame, outside, pieces, apart }, layout) {
   const { parts, placements, container, defects, margin, spacing } = layout;
   need(parts.every((p) => p.demand === undefined || p.count === p.demand), "a demand is not met");
   need(placements.every((p) => p.isTurned && p.isMirrored), "a rotation or a mirroring is not allowed");
   need(outside.length === defects.length + 1 && pieces.length === parts.length, "not a list of pieces for each shape");
-  need(outside.slice(1).every((list) => list.length), "a defect without pieces");
-  checkMakesUp(outside[0], [rectangle(frame), ...ringsOf(container).map(reversed)]);
-  defects.forEach((defect, i) => checkMakesUp(outside[i + 1], ringsOf(defect)));
-  parts.forEach((part, i) => { checkMakesUp(pieces[i], part.rings); part.pieces = pieces[i]; });
+  need(outside.slice(1).every((list) => !list || list.length), "a defect without pieces");
+  need(container.pieces ? !frame : frame, "a frame is for a container that is a shape");
+  const beyond = cutTo(outside[0], container, frame && [rectangle(frame), ...ringsOf(container).map(reversed)]);
+  const obstacles = defects.map((defect, i) => cutTo(outside[i + 1], defect));
+  parts.forEach((part, i) => { part.cut = cutTo(pieces[i], part); });
   const isIndex = (n) => n >= -outside.length && n <= 999999999;
   need(apart.every((e) => e.of.every(isIndex)), "an entry of `apart` for no body");
   const normals = new Map(apart.map(({ of, normal }) => [of.join(), normal]));
   need(normals.size === apart.length, "two entries of `apart` for the same pieces");
-  const body = (n, list, { error }) => (
-    { n, pieces: list, error, boxes: list.map(extents), box: list.length ? extents(list.flat()) : null });
-  const bodies = outside.map((list, i) => body(-1 - i, list, i ? defects[i - 1] : container));
+  const body = (n, solids, { error }) => {
+    const boxes = solids.map(widened);
+    return { n, solids, error, boxes, box: boxes.length ? around(boxes) : null };
+  };
+  const bodies = obstacles.map((list, i) => body(-2 - i, list, defects[i]));
+  if (frame) bodies.push(body(-1, beyond, container));
   placements.forEach((p, n) => {
-    const b = body(n, p.of.pieces.map(p.put), p), room = margin.plus(p.error).plus(container.error).reduced();
-    const isInside = frame.every((line, i) => !less(i < 2 ? b.box[i].minus(line) : line.minus(b.box[i]), room));
-    need(isInside, "a placement is not within the frame");
+    const b = body(n, p.put(p.of.cut), p), room = margin.plus(p.error).plus(container.error).reduced();
+    const isInside = frame
+      ? frame.every((line, i) => !less(i < 2 ? b.box[i].minus(line) : line.minus(b.box[i]), room))
+      : !b.solids.some(({ rings, radius }) => rings[0].some(
+        (q) => isDeep({ solids: beyond, isOutside: true }, q, room.plus(radius).negated())));
+    need(isInside, "a placement is not within the container");
     for (const a of bodies) {
       const s = (a.n < 0 ? margin : spacing).plus(a.error).plus(b.error).reduced();
       if (a.box && !isFar(a.box, b.box, s)) checkApart(a, b, s, normals);

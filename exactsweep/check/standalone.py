@@ -68,10 +68,11 @@ from typing import Any, NamedTuple
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
 MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 10**7, 100
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
-NULL: dict[str, Any] = dict.fromkeys(("turn", "error", "spacing", "margin"), "0") | {
+NULL: dict[str, Any] = dict.fromkeys(("turn", "radius", "error", "spacing", "margin"), "0") | {
     "holes": [],
     "defects": [],
 }
+FORM, NO_PIECES = "exterior holes pieces error", {"pieces": list[Any]()}
 AXES, NOWHERE = ((1, 0), (0, 1), (-1, 0), (0, -1)), ((0, 0, 0, 0), -1, 0)
 STILL = AXES[0], False, (0, 0, 1)
 PI = "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348"
@@ -603,14 +604,24 @@ def read_region(name: str, item: Any, work: Work) -> list[Known]:
 
 # --- Layouts --------------------------------------------------------------------------------------
 
+Solid = tuple[list[Ring], Rational]
+
 
 class Body(NamedTuple):
-    """A part or an obstacle: its pieces, or else its rings, and the winding number in them."""
+    """A part or an obstacle: rings with radii, and their winding number inside.
+
+    A convex piece is a ring with a radius; a shape that is not cut has all its rings together. The
+    outside of a rounded piece has a radius below 0.
+    """
 
     name: str
-    rings: list[Ring]
+    solids: list[Solid]
     error: Rational
     inside: int
+
+    def points(self) -> Ring:
+        """Return the points of all rings."""
+        return [*chain(*(chain(*rings) for rings, _ in self.solids))]
 
 
 def read_rotation(name: str, item: Any) -> Any:
@@ -652,13 +663,16 @@ def gap(one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bo
 
 def is_inside(body: Body, p: Point, depth: Rational) -> bool:
     """Return whether a point is in a body, deeper than a depth, or if that is below 0, near it."""
-    squared, around, (x, y) = list[Rational](), [*chain(*map(edges, body.rings))], place(p)
-    for (a, b), (c, d) in ((place(start), place(end)) for start, end, _ in around):
-        u, v, along = c - a, d - b, (c - a) * (x - a) + (d - b) * (y - b)
-        at = min(along / (u * u + v * v), Fraction(1)) if along > 0 else 0
-        squared.append((a + at * u - x) ** 2 + (b + at * v - y) ** 2)
-    sign = 1 if winding(around, p) == body.inside else -1
-    return sign * min(squared) > (depth**2 if depth > 0 else -(depth**2))
+    found, (x, y) = False, place(p)
+    for rings, radius in body.solids:
+        around, squared, more = [*chain(*map(edges, rings))], list[Rational](), depth - radius
+        for (a, b), (c, d) in ((place(start), place(end)) for start, end, _ in around):
+            u, v, along = c - a, d - b, (c - a) * (x - a) + (d - b) * (y - b)
+            at = min(along / (u * u + v * v), Fraction(1)) if along > 0 else 0
+            squared.append((a + at * u - x) ** 2 + (b + at * v - y) ** 2)
+        sign = 1 if winding(around, p) == body.inside else -1
+        found |= sign * min(squared) > (more**2 if more > 0 else -(more**2))
+    return found
 
 
 class Layout:
@@ -669,39 +683,57 @@ class Layout:
         need(type(self.valid) is bool, "valid: neither true nor false")
         names = f"layout turns valid {'proof' if self.valid else 'faults'} {HEAD}"
         given, turns, _, self.evidence = fields("certificate", c, names)[:4]
-        names, more = "parts placements container", "defects spacing margin"
-        parts, placed, container, defects, *gaps = fields("layout", given, names, more)
+        more = "container defects spacing margin"
+        parts, placed, container, defects, *gaps = fields("layout", given, "parts placements", more)
         self.spacing, self.margin = (number("spacing, margin", n, False) for n in gaps)
-        solids, self.frame = [container, *items("defects", defects)], list[Ring]()
-        cut, outside = [None] * len(items("parts", parts)), [None] * len(solids)
+        solids = [NO_PIECES if container is None else container, *items("defects", defects)]
+        cut: list[Any] = [None] * len(items("parts", parts))
+        outside, ends, self.frame = [None] * len(solids), None, list[Ring]()
         if self.valid:
-            names = "frame outside pieces apart"
-            ends, outside, cut, self.normals = fields("proof", self.evidence, names)
-            self.frame = [rectangle("frame", [number("frame", n) for n in items("frame", ends)])]
+            more = "outside pieces apart"
+            outside, cut, self.normals, ends = fields("proof", self.evidence, more, "frame")
+        if ends is not None:
+            ends = [number("frame", n) for n in items("frame", ends)]
+            self.frame.append(rectangle("frame", ends))
         self.parts, self.bodies = dict[str, tuple[Body, list[Any], list[Any]]](), list[Body]()
         for k, own in enumerate(items("pieces", cut, len(parts))):
-            names, more = "id exterior", "holes error demand turns mirrored"
-            key, *form = fields(name := f"parts[{k}]", parts[k], names, more)
+            name, more = f"parts[{k}]", f"demand turns mirrored {FORM}"
+            key, *rules = fields(name, parts[k], "id", more)
             is_new = type(key) is str and key not in self.parts
             need(is_new, f"{name}: its id is no string of its own")
-            self.parts[key] = self.read_body(name, form, own, None), form[3:], []
+            self.parts[key] = self.read_body(name, rules[3:], own), rules[:3], []
         self.count = len(items("placements", placed))
         for k, to in enumerate(items("turns", turns, self.count)):
             self.read_placement(f"placements[{k}]", placed[k], to)
         for k, own in reversed([*enumerate(items("outside", outside, len(solids)))]):
-            name, around = (f"defects[{k - 1}]", None) if k else ("container", self.frame)
-            found = fields(name, solids[k], "exterior", "holes error")
-            self.bodies.append(self.read_body(name, found, own, around))
+            name = f"defects[{k - 1}]" if k else "container"
+            self.bodies.append(self.read_body(name, fields(name, solids[k], "", FORM), own))
 
-    def read_body(self, name: str, found: list[Any], cut: Any, around: Any) -> Body:
-        """Read a shape with an error; of a container, what is outside it, in the frame if any."""
-        rings = shape(name, {"exterior": found[0], "holes": found[1]})
-        if around is not None:
-            rings = around + [points[::-1] for points in rings]
-        if self.valid:
-            rings = [move(e, *STILL) for e in solid(name, rings, cut, self.work)]
-        need(rings or around, f"{name}: no pieces")
-        return Body(name, rings, number(f"{name}, error", found[2], False), int(around is None))
+    def read_body(self, name: str, form: list[Any], cut: Any) -> Body:
+        """Read a body: a shape, or rounded pieces; of a container, what is outside it."""
+        exterior, holes, given, error = form
+        is_outside, found = name == "container", list[Solid]()
+        if given is None:
+            rings = shape(name, {"exterior": exterior, "holes": holes})
+            if is_outside:
+                need(self.frame or not self.valid, "frame: none")
+                rings = self.frame + [points[::-1] for points in rings]
+            found = [(rings, 0)]
+            if self.valid:
+                found = [([move(e, *STILL)], 0) for e in solid(name, rings, cut, self.work)]
+        else:
+            is_one = not is_outside or (len(items(name, given)) < 2 and not self.frame)
+            is_alone = is_one and cut is exterior is None and not holes
+            need(is_alone, f"{name}: not rounded pieces alone")
+            for k, item in enumerate(items(name, given)):
+                points, radius = fields(f"{name}, piece {k}", item, "points", "radius")
+                piece = move(read_points(f"{name}, piece {k}", points), *STILL)
+                is_piece = is_convex(piece) if len(piece) > 2 else piece
+                need(is_piece, f"{name}, piece {k}: not convex, counter-clockwise")
+                length = number(f"{name}, piece {k}, radius", radius, False)
+                found.append(([piece], -length if is_outside else length))
+        need(found or is_outside, f"{name}: no pieces")
+        return Body(name, found, number(f"{name}, error", error, False), int(not is_outside))
 
     def read_placement(self, name: str, item: Any, rational: Any) -> None:
         """Read a placement, and put its part there."""
@@ -709,15 +741,19 @@ class Layout:
         need(type(key) is str and key in self.parts, f"{name}: of no part")
         need(flag is None or type(flag) is bool, f"{name}, mirrored: neither true nor false")
         asked, to = read_rotation(name, turn), read_rotation(name, items(name, rational))
-        (_, rings, error, _), _, used = self.parts[key]
-        self.work.spend(20 + 10 * sum(map(len, rings)), *chain(*chain(*rings)))
+        (body, _, used), moved = self.parts[key], list[Solid]()
+        error, points, motion = (
+            body.error,
+            body.points(),
+            (to, flag is True, *read_points(name, [by])),
+        )
+        self.work.spend(20 + 10 * len(points), *chain(*points))
         if asked != to:
             need(type(asked) is not tuple, f"{name}: its entry of turns is another rotation")
-            far = max(sum(map(abs, place(p))) for p in chain(*rings))
-            error += far * rotation_error(to, asked)
+            error += max(sum(map(abs, place(p))) for p in points) * rotation_error(to, asked)
         used.append((asked, flag is True))
-        rings = [move(e, to, flag is True, *read_points(name, [by])) for e in rings]
-        self.bodies.append(Body(f"{name} of {key[:40]!a}", rings, error, 1))
+        moved = [([move(e, *motion) for e in rings], radius) for rings, radius in body.solids]
+        self.bodies.append(Body(f"{name} of {key[:40]!a}", moved, error, 1))
 
     def find_broken(self) -> Iterator[tuple[str, str]]:
         """List the rules that are broken, each with the id of a part."""
@@ -733,34 +769,38 @@ class Layout:
                 yield from [("turn", key)] * any(turn not in allowed for turn, _ in used)
 
     def prove_valid(self) -> None:
-        """Prove that parts are in the frame, and apart from each other and from obstacles."""
+        """Prove that parts are in the container, and apart from each other and from obstacles."""
         normals, boxes, reach = dict[Any, Any](), [], max(self.spacing, self.margin) / Fraction(2)
-        least = self.count - len(self.bodies)
+        least, beyond = self.count - len(self.bodies), self.bodies[-1]
         for n, entry in enumerate(items("apart", self.normals)):
             *key, x, y = items(f"apart[{n}]", entry, 6)
-            a, i, b, j = (integer(f"apart[{n}]", k, min(least, -1), 10**9) for k in key)
+            a, i, b, j = (integer(f"apart[{n}]", k, least, 10**9) for k in key)
             need((a, i, b, j) not in normals, f"apart[{n}]: another normal for the same pieces")
             normals[a, i, b, j] = read_points(f"apart[{n}]", [[x, y]])[0][:2]
         for one in self.bodies[: self.count]:
-            for (p, way), points in product(zip(*self.frame, AXES, strict=True), one.rings):
-                is_within = gap([p], points, way, self.margin + one.error + self.bodies[-1].error)
-                need(is_within, f"{one.name}: not in the frame", points[0])
-        scale = scale_of(p for one in self.bodies for points in one.rings for p in points)
+            for (points,), radius in one.solids:
+                room = self.margin + one.error + beyond.error + radius
+                for p, way in zip(*self.frame, AXES, strict=True) if self.frame else ():
+                    need(gap([p], points, way, room), f"{one.name}: not in the frame", points[0])
+                for p in () if self.frame else points:
+                    self.work.spend(60 * len(beyond.points()), *p, *chain(*beyond.points()))
+                    need(not is_inside(beyond, p, -room), f"{one.name}: not in the container", p)
+        scale = scale_of(p for one in self.bodies for p in one.points())
         for a in range(least, self.count):
-            for i, points in enumerate(self.bodies[a].rings):
-                boxes.append((box(points, scale, reach + self.bodies[a].error), (a, i)))
+            one = self.bodies[a]
+            for i, ((points,), radius) in enumerate(one.solids if a != -1 or self.frame else ()):
+                boxes.append((box(points, scale, reach + one.error + radius), (a, i)))
         at = tree(boxes)
         for (a, i), (b, j), _ in near(self.work, at, at, NOWHERE):
             if a < b and b >= 0:
                 one, other = self.bodies[a], self.bodies[b]
-                size = len(one.rings[i]) + len(other.rings[j])
-                self.work.spend(12 + size, *one.rings[i][0], *other.rings[j][0])
-                distance = (self.margin if a < 0 else self.spacing) + one.error + other.error
+                ((points,), r), ((others,), s) = one.solids[i], other.solids[j]
+                self.work.spend(12 + len(points) + len(others), *points[0], *others[0])
+                far = r + s + one.error + other.error + (self.margin if a < 0 else self.spacing)
                 known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1))
-                ways = [known] if known else AXES
-                is_apart = any(gap(one.rings[i], other.rings[j], n, distance) for n in ways)
+                is_apart = any(gap(points, others, n, far) for n in (known or AXES[0], *AXES))
                 reason = f"{one.name}, piece {i}: not apart from {other.name}, piece {j}"
-                need(is_apart, reason, other.rings[j][0])
+                need(is_apart, reason, others[0])
 
     def prove_fault(self, name: str, fault: Any, broken: set[tuple[str, str]]) -> Any:
         """Prove one fault; return what has it."""
@@ -769,10 +809,12 @@ class Layout:
         need(type(kind) is str and (on is None) != (key is None), f"{name}: of what")
         if on is None:
             need(type(key) is str and key in self.parts, f"{name}: of no part")
-            around = [*chain(*map(edges, self.parts[key][0].rings if points else []))]
-            self.work.spend(len(around))
-            is_wound = kind == "shape" and points and winding(around, points[0]) not in (0, 1)
-            need(is_wound or (kind, key) in broken, f"{name}: the part has no such fault", *points)
+            is_broken, body = (kind, key) in broken, self.parts[key][0]
+            if points:
+                self.work.spend(len(body.points()))
+                found = [winding(chain(*map(edges, e)), points[0]) for e, _ in body.solids]
+                is_broken = kind == "shape" and not {*found} <= {0, 1}
+            need(is_broken, f"{name}: the part has no such fault", *points)
             return kind, key
         a, b = (integer(name, k, least, self.count) for k in items(name, on, 2))
         is_close, one, other = kind == "too close", self.bodies[a], self.bodies[b]
@@ -780,7 +822,7 @@ class Layout:
         need(a >= 0 and a != b and points, f"{name}: not two bodies and a point")
         room = (self.margin if b < 0 else self.spacing) - one.error - other.error
         for body in (one, other):
-            self.work.spend(60 * sum(map(len, body.rings)), *points[0], *chain(*chain(*body.rings)))
+            self.work.spend(60 * len(body.points()), *points[0], *chain(*body.points()))
             is_there = is_inside(body, points[0], -room / Fraction(2) if is_close else body.error)
             need(is_there, f"{name}: not inside {body.name}, or not near enough", *points)
         need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)

@@ -2,7 +2,6 @@
 
 import json
 import re
-import shutil
 import subprocess
 from collections.abc import Iterator
 from fractions import Fraction
@@ -12,22 +11,21 @@ from random import Random
 from typing import Any
 
 import pytest
+from checkers import CHECKER, ask_node, check_agreement, needs_node
 from falsify import draw, list_places, mix
 from layout_adversary import draw_layouts
 from tampering import get, put
 
 from exactsweep import inner_fit_polygon, no_fit_polygon, sweep
-from exactsweep.check.standalone import Refused, load, prove
 from exactsweep.corpus import cases, layout_cases
 from exactsweep.layout import judge_layout
 from exactsweep.layout.reading import LayoutError
 
-CHECKER = Path(__file__).parents[2] / "exactsweep" / "check" / "standalone.js"
 HEAD = "format", "version", "claim"
 SQUARE = [["0", "0"], ["4", "0"], ["4", "4"], ["0", "4"]]
 BOW = [["0", "0"], ["2", "2"], ["2", "0"], ["0", "2"]]
 
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="no node")
+pytestmark = needs_node
 
 
 def corpus_certificates(size: int, step: int) -> Iterator[Any]:
@@ -66,38 +64,6 @@ def change(certificate: Any, rng: Random) -> Any:
 def changed(certificates: list[Any], count: int, seed: int) -> list[Any]:
     rng = Random(seed)
     return [change(c, rng) for c in certificates for _ in range(count)]
-
-
-def is_proved(text: str) -> bool:
-    try:
-        prove(load(text))
-    except (Refused, ValueError, RecursionError):  # the latter two: not JSON
-        return False
-    return True
-
-
-def ask_node(texts: list[str], folder: Path) -> list[str]:
-    """The lines that one process prints for all."""
-    files = [folder / f"{n}.json" for n in range(len(texts))]
-    for file, text in zip(files, texts, strict=True):
-        file.write_text(text, encoding="utf-8")
-    command = ["node", str(CHECKER), *(file.name for file in files)]
-    done = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=folder)
-    lines = done.stdout.splitlines()
-    assert not done.stderr
-    assert done.returncode == (0 if all(line.startswith("proved: ") for line in lines) else 1)
-    return lines
-
-
-def check_agreement(certificates: list[Any], folder: Path) -> int:
-    """Both checkers say the same of each; return how many they prove."""
-    texts = [c if type(c) is str else json.dumps(c) for c in certificates]
-    answers = ask_node(texts, folder)
-    assert len(answers) == len(texts)
-    verdicts = [is_proved(text) for text in texts]
-    for text, answer, verdict in zip(texts, answers, verdicts, strict=True):
-        assert answer.startswith("proved: " if verdict else "not proved: "), (answer, text)
-    return sum(verdicts)
 
 
 def test_both_agree_on_certificates_and_on_changed_ones(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from certified import Certificate, certificates, layout, rect, two_ls, with_faults
 from jsonschema import Draft202012Validator
+from rounded_pieces import rounded_layout
 
 from exactsweep.check import standalone
 
@@ -20,7 +21,10 @@ WRONG = with_faults(
     layout([{"id": "a", "exterior": rect(0, 0, 2, 2)}], [{"part": "a", "move": ["-1", "0"]}], []),
     FAULT,
 )
+DISC = {"points": [["0", "0"]], "radius": "5"}
+ROUND = rounded_layout([[{"points": [["1", "0"], ["3", "0"]], "radius": "2"}]], {"pieces": [DISC]})
 ALL: dict[str, Certificate] = {**certificates(), "layout": two_ls(), "faults": WRONG}
+ALL |= {"rounded": ROUND, "no container": rounded_layout([[DISC]])}
 
 
 def run(path: Path) -> tuple[int, str]:

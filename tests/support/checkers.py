@@ -1,0 +1,46 @@
+"""The checkers in Python and in JavaScript, asked about the same certificates."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from exactsweep.check.standalone import Refused, load, prove
+
+CHECKER = Path(__file__).parents[2] / "exactsweep" / "check" / "standalone.js"
+needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="no node")
+
+
+def is_proved(text: str) -> bool:
+    try:
+        prove(load(text))
+    except (Refused, ValueError, RecursionError):  # the latter two: not JSON
+        return False
+    return True
+
+
+def ask_node(texts: list[str], folder: Path) -> list[str]:
+    """The lines that one process prints for all."""
+    files = [folder / f"{n}.json" for n in range(len(texts))]
+    for file, text in zip(files, texts, strict=True):
+        file.write_text(text, encoding="utf-8")
+    command = ["node", str(CHECKER), *(file.name for file in files)]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=folder)
+    lines = done.stdout.splitlines()
+    assert not done.stderr
+    assert done.returncode == (0 if all(line.startswith("proved: ") for line in lines) else 1)
+    return lines
+
+
+def check_agreement(certificates: list[Any], folder: Path) -> int:
+    """Both checkers say the same of each; return how many they prove."""
+    texts = [c if type(c) is str else json.dumps(c) for c in certificates]
+    answers = ask_node(texts, folder)
+    assert len(answers) == len(texts)
+    verdicts = [is_proved(text) for text in texts]
+    for text, answer, verdict in zip(texts, answers, verdicts, strict=True):
+        assert answer.startswith("proved: " if verdict else "not proved: "), (answer, text)
+    return sum(verdicts)
