@@ -10,9 +10,9 @@ than r leaves a region closer than r: a point that changes sides is on the way o
 boundary, so that it is closer than r / 2 to one end of that way. Which rings touch, and how many
 there are, does not matter; but nothing that is as wide as r is lost or gained.
 
-(1): the places on an edge that are closer than r to another edge are an open interval, and edges
-are near if such intervals cover each of them. (2): the trapezoids of the difference are looked at,
-and cut in two until each is closer than r / 2 to one edge, or has a point that is not.
+(1): the parameters of the points on an edge that are closer than r to another edge form an open
+interval; such intervals must cover every edge. (2): the points closer than r / 2 to an edge form an
+open hexagon; such hexagons must cover every trapezoid of the difference. Both are decided exactly.
 """
 
 from __future__ import annotations
@@ -23,12 +23,9 @@ from itertools import chain
 from typing import NamedTuple
 
 from exactsweep.conform.judge.boundary import RingBoundary, find_boundary, trace_rings
-from exactsweep.conform.judge.region import RegionError, Trapezoid, find_differences
+from exactsweep.conform.judge.region import RegionError, find_differences
+from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import Fit, Point, PointRings
-
-_MOST_CUTS = 1000
-"""Cuts of a trapezoid; where more are needed, (2) is nearly a tie."""
-
 
 class _OpenInterval(NamedTuple):
     low: Fraction
@@ -73,6 +70,16 @@ class _NearEdge(NamedTuple):
         return (
             self.left < high.x and low.x < self.right and self.bottom < high.y and low.y < self.top
         )
+
+    def leave(self, corners: Sequence[Point]) -> Iterator[list[Point]]:
+        """Yield convex pieces that cover the points of a convex polygon outside the hexagon."""
+        inside = list(corners)
+        for u, v, middle, half in self.strips:
+            for sign in (1, -1):
+                above = [sign * (u * p.x + v * p.y - middle) - half for p in inside]
+                if outside := _clip(inside, above):
+                    yield outside
+                    inside = _clip(inside, [-height for height in above])
 
     def cut(self, a: Point, b: Point) -> _OpenInterval | None:
         """Find the places a + t (b - a) that are closer than the bound; None if there are none."""
@@ -196,7 +203,7 @@ def are_boundaries_close(
 ) -> bool:
     """Decide `are_close` of two boundaries and a positive bound."""
     return (
-        covers([*one.solid, *besides], other.solid, bound)
+        covers([*one.solid, *one.doubled, *besides], other.solid, bound)
         and covers([*other.solid, *other.doubled], one.solid, bound)
         and _is_difference_thin(trace_rings(one), trace_rings(other), bound)
     )
@@ -205,50 +212,49 @@ def are_boundaries_close(
 def _is_difference_thin(first: PointRings, second: PointRings, bound: Fraction) -> bool:
     """Decide (2), for rings without doubled lines."""
     edges: list[_NearEdge] = []
-
-    def list_edges() -> list[_NearEdge]:
-        if not edges:
-            for ring in (*first, *second):
-                for k, p in enumerate(ring):
-                    edges.append(_NearEdge.around((ring[k - 1], p), bound / 2))
-        return edges
-
     try:
         for cell in find_differences(first, second):
             own = [_NearEdge.around(edge, bound / 2) for edge in cell.edges]
-            if not (_is_held(cell, own) or _is_thin(cell, _select(cell, list_edges()))):
+            corners = cell.corners()
+            if _is_covered(corners, own):
+                continue
+            edges = edges or [
+                _NearEdge.around((ring[k - 1], p), bound / 2)
+                for ring in (*first, *second)
+                for k, p in enumerate(ring)
+            ]
+            low, high = find_box([corners])
+            if not _is_covered(corners, [edge for edge in edges if edge.meets(low, high)]):
                 return False
     except RegionError:
         return False
     return True
 
 
-def _select(cell: Trapezoid, edges: Sequence[_NearEdge]) -> list[_NearEdge]:
-    low = Point(cell.left, min(cell.low))
-    high = Point(cell.right, max(cell.high))
-    return [edge for edge in edges if edge.meets(low, high)]
+def _is_covered(corners: Sequence[Point], edges: Sequence[_NearEdge]) -> bool:
+    """Decide whether open hexagons cover a convex polygon.
 
-
-def _is_held(cell: Trapezoid, edges: Iterable[_NearEdge]) -> bool:
-    """Decide whether one edge is close to all corners, hence to all points."""
-    corners = cell.corners()
-    return any(all(map(edge.holds, corners)) for edge in edges)
-
-
-def _is_thin(whole: Trapezoid, edges: Sequence[_NearEdge]) -> bool:
-    """Decide (2) for a trapezoid; False, too, where a tie would take too many cuts."""
-    left = [(whole, edges)]
-    for _ in range(_MOST_CUTS):
-        if not left:
-            return True
-        cell, edges = left.pop()
-        # Between two edges less than the bound apart, each half is close to one of them.
-        if any(
-            all(_is_held(part, edges) for part in parts)
-            for parts in ((cell,), cell.split_by_height(), cell.split_by_width())
-        ):
-            continue
-        if not any(edge.holds(cell.middle()) for edge in edges):
+    A piece is outside of every hexagon that it was cut by, so that each cuts it only once.
+    """
+    left = [corners]
+    while left:
+        piece = left.pop()
+        middle = Point(*(add_up(values) / len(piece) for values in zip(*piece, strict=True)))
+        edge = next((edge for edge in edges if edge.holds(middle)), None)
+        if edge is None:
             return False
-        left += ((half, _select(half, edges)) for half in cell.halve())
-    return False
+        left += edge.leave(piece)
+    return True
+
+
+def _clip(corners: Sequence[Point], heights: Sequence[Fraction]) -> list[Point]:
+    """Return the part of a convex polygon whose height, linear in x and y, is not negative."""
+    part: list[Point] = []
+    for k, (q, after) in enumerate(zip(corners, heights, strict=True)):
+        p, before = corners[k - 1], heights[k - 1]
+        if before * after < 0:
+            share = before / (before - after)
+            part.append(Point(p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)))
+        if after >= 0:
+            part.append(q)
+    return list(dict.fromkeys(part))

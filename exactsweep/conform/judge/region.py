@@ -69,32 +69,6 @@ class Trapezoid(NamedTuple):
             Point(*p) for p in (*sides, (self.right, self.high[1]), (self.left, self.high[0]))
         )
 
-    def middle(self) -> Point:
-        """A point in the middle."""
-        (a, b), (c, d) = self.low, self.high
-        return Point((self.left + self.right) / 2, (a + b + c + d) / 4)
-
-    def halve(self) -> tuple[Trapezoid, Trapezoid]:
-        """Cut it in two across its longer side."""
-        heights = (high - low for low, high in zip(self.low, self.high, strict=True))
-        is_tall = self.right - self.left <= max(heights)
-        return self.split_by_height() if is_tall else self.split_by_width()
-
-    def split_by_width(self) -> tuple[Trapezoid, Trapezoid]:
-        """Cut it in two in the middle between its left and its right side."""
-        low, high, x = self.low, self.high, (self.left + self.right) / 2
-        bottom, top = (low[0] + low[1]) / 2, (high[0] + high[1]) / 2
-        return (
-            self._replace(right=x, low=(low[0], bottom), high=(high[0], top)),
-            self._replace(left=x, low=(bottom, low[1]), high=(top, high[1])),
-        )
-
-    def split_by_height(self) -> tuple[Trapezoid, Trapezoid]:
-        """Cut it in two in the middle between its lower and its upper edge."""
-        (a, b), (c, d) = self.low, self.high
-        y = (a + c) / 2, (b + d) / 2
-        return self._replace(high=y), self._replace(low=y)
-
     def points(self) -> Iterator[Point]:
         """Yield nine points inside with short coordinates."""
         width = self.right - self.left
