@@ -67,7 +67,7 @@ def square(p: Vertex, q: Vertex) -> Fraction:
 
 
 def are_disjoint(one: Rounded, other: Rounded) -> bool:
-    """Whether the hulls have no point in common, by the edges and joins as normals."""
+    """Return whether two hulls have no point in common; edges and joins give the normals."""
     normals = [(q[0] - p[0], q[1] - p[1]) for p, q in product(one.hull, other.hull)]
     for hull in (one.hull, other.hull):
         normals += [(b[1] - a[1], a[0] - b[0]) for a, b in pairwise([*hull, hull[0]])]
