@@ -132,6 +132,7 @@ def test_the_picture_of_a_layout_is_what_is_drawn(tmp_path: Path) -> None:
     assert re.sub("<title>.*?</title>", "", drawn) == re.sub("<title>.*?</title>", "", shown)
 
 
+@pytest.mark.long
 def test_the_counts_of_claims_and_cases_hold() -> None:
     words = " ".join(DOOR.split())
     statuses = re.findall(r": ([a-z ]+) \(.*\)$", run("reproduce", "--list").stdout, re.M)

@@ -5,8 +5,17 @@ from pathlib import Path
 import pytest
 from transcripts import list_transcripts, replay
 
+# Each takes seconds.
+LONG = {"conform", "compare", "draw", "layouts"}
 
-@pytest.mark.parametrize("path", list_transcripts(), ids=lambda path: path.stem)
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=[pytest.mark.long] * (path.stem in LONG), id=path.stem)
+        for path in list_transcripts()
+    ],
+)
 def test_commands_write_what_they_wrote(
     path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

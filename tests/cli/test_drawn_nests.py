@@ -87,6 +87,7 @@ def test_a_layer_alone_is_judged(form: str, tmp_path: Path) -> None:
     assert (code, found["valid"], found["unchecked"]) == (0, True, [])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("form", WRITERS)
 def test_flat_outlines_are_parts(form: str, tmp_path: Path) -> None:
     code, found = judge(tmp_path, form, draw_plates(), "--flat")

@@ -33,6 +33,7 @@ def test_pictures_are_written(
     assert path.read_bytes().startswith(start)
 
 
+@pytest.mark.long
 def test_two_processes_write_the_same_bytes(tmp_path: Path) -> None:
     run("draw", "-o", f"{tmp_path}/a.svg")
     assert shell(f"PYTHONHASHSEED=1 exactsweep draw -o {tmp_path}/b.svg").stderr == ""

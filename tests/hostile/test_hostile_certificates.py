@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from small_pairs import SmallPair, breed, draw, draw_shapeless
+from tiers import mostly_long
 
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import verify
@@ -89,7 +90,7 @@ def changed(certificate: Certificate, rng: Random) -> Iterator[tuple[object, Cer
                 yield (path, kind, "new proof"), add_proof(false)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", mostly_long(KINDS, ["inner_fit"]))
 def test_no_changed_certificate_is_proved(kind: str) -> None:
     tried = 0
     rng = Random(7)
@@ -107,7 +108,7 @@ def is_repeated(name: Any) -> bool:
     return name[1] == "repeat" and name[0][0] == "regions" and len(name[0]) > 3
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", mostly_long(KINDS, ["no_fit"]))
 def test_no_answer_to_another_question_is_proved(kind: str) -> None:
     """Pairs that differ in one vertex or two, and the answer of the one for the other."""
     rng = Random(11)

@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 import shapely
 from command import EXAMPLE
+from tiers import mostly_long
 
 import exactsweep
 from exactsweep import (
@@ -35,10 +36,9 @@ from exactsweep.canvas.style import Look
 from exactsweep.cli.pair import GENERATRIX
 from exactsweep.corpus import Case, case_to_json, find_case, layout_cases
 from exactsweep.draw import Picture, Scale, make_figure
-from exactsweep.formats import NamedPolygon, NamedRegion, format_polygons
+from exactsweep.formats import NamedPolygon, NamedRegion
 from exactsweep.geometry.region import Region
 from exactsweep.layout import Layout, LayoutPart, Placement
-from exactsweep.numbers.error import ArgumentError, tells_arguments
 from exactsweep.numbers.limits import list_limits
 
 ROOMS = ("batch", "check", "conform", "corpus", "draw", "formats", "layout", "lessons", "view")
@@ -255,7 +255,7 @@ def arguments_of(name: str) -> dict[str, Any]:
 
 
 @pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize("room", ["", *ROOMS])
+@pytest.mark.parametrize("room", mostly_long(["", *ROOMS], ["", "corpus", "formats", "layout"]))
 def test_what_is_no_argument_is_refused_in_a_sentence(
     room: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -315,6 +315,7 @@ def enter_limits(**values: Any) -> None:
         pass
 
 
+@pytest.mark.long
 @pytest.mark.filterwarnings("ignore")
 def test_what_is_no_argument_of_a_method_or_a_shape_is_refused_in_a_sentence() -> None:
     mpl.use("Agg")
@@ -359,43 +360,3 @@ def call(function: Callable[..., Any], arguments: dict[str, Any]) -> str | None:
     except ExactSweepError as error:
         return str(error)
     return None
-
-
-def test_an_argument_is_named_with_what_it_should_be() -> None:
-    with pytest.raises(ArgumentError, match=r"^polygons is None, not Iterable\[Polygon \| Region"):
-        format_polygons(None, "wkt")  # type: ignore[arg-type]
-    with pytest.raises(ArgumentError, match=r"^tries is 'a', not int$"):
-        PUBLIC["conform.shrink"](CASE, lambda case: "x", tries="a")
-
-
-def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
-    """Errors on arguments of the right type are unchanged."""
-
-    @tells_arguments
-    def fail(number: int, names: list[str], *, other: "Unspeakable | None" = None) -> None:
-        raise TypeError("a fault")
-
-    with pytest.raises(TypeError, match="a fault"):
-        fail(1, ["a"])
-    with pytest.raises(TypeError, match="missing 1 required"):
-        fail(1)  # type: ignore[call-arg]
-    with pytest.raises(ArgumentError, match=r"^names is \[1\], not list\[str\]$"):
-        fail(1, [1])  # type: ignore[list-item]
-    with pytest.raises(ArgumentError, match=r"^other is 5, not Unspeakable or None$"):
-        fail(1, [], other=5)  # type: ignore[arg-type]
-
-
-def test_a_path_may_be_an_object(tmp_path: Path) -> None:
-    """Once one that could not be read ended in Python's own words."""
-    path = tmp_path / "unit.json"
-    with pytest.raises(ExactSweepError, match=r"unit\.json: No such file"):
-        PUBLIC["formats.read_polygon"](path)
-    path.write_text(TEXT)
-    assert PUBLIC["formats.read_polygon"](path).area == Fraction(1, 2)
-
-
-def test_a_number_is_no_path_but_an_open_file() -> None:
-    """Once True was read as standard output, and closed it."""
-    for number in (0, 1, True):
-        with pytest.raises(ExactSweepError, match="is not a path"):
-            PUBLIC["formats.read_text"](number)

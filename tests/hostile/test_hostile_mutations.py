@@ -14,6 +14,7 @@ import click
 import pytest
 from command import EXAMPLE, HOUSE, NOTCH, list_commands, run
 from drawings import every_drawing
+from tiers import mostly_long
 
 from exactsweep import ExactSweepError, Region
 from exactsweep.batch.work import Work
@@ -51,7 +52,7 @@ def mutate(text: str, rng: Random) -> str:
     return text or "["
 
 
-@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("form", mostly_long(FORMATS, ["wkt", "geojson", "json"]))
 def test_files_with_something_wrong_are_read_or_refused(form: str) -> None:
     rng = Random(f"mutations {form}")
     texts = [format_polygons([part], form) for part in PARTS]

@@ -8,6 +8,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 import pytest
+from tiers import mostly_long
 
 from exactsweep.lessons import render_lesson
 from exactsweep.lessons.notebook import (
@@ -46,7 +47,7 @@ def code(notebook: dict[str, Any]) -> list[str]:
     return ["".join(c["source"]) for c in notebook["cells"] if c["cell_type"] == "code"]
 
 
-@pytest.mark.parametrize("name", list_titles())
+@pytest.mark.parametrize("name", mostly_long(list_titles(), ["gallery", "tour", "layouts"]))
 def test_a_lesson_runs_and_shows_what_is_stored(name: str) -> None:
     stored = read_notebook(name)
     made = run_notebook(copy.deepcopy(stored))

@@ -86,6 +86,7 @@ def test_keys_zoom_and_move_the_picture(show: Open) -> None:
     assert not shown.tab.is_visible("#incomplete")
 
 
+@pytest.mark.long
 def test_playing_moves_g_until_paused(show: Open) -> None:
     shown = show(EXAMPLE)
     start = shown.position
@@ -163,6 +164,7 @@ def test_vertices_of_g_tell_their_exact_place_between_stops(show: Open) -> None:
     assert tip.splitlines() == ["vertex 3 of G", f"({2 * 10**30}, 0)"]
 
 
+@pytest.mark.long
 def test_zooming_in_keeps_what_is_under_the_pointer(show: Open) -> None:
     shown = show(EXAMPLE)
     shown.slide(6 * PARTS)
@@ -182,9 +184,8 @@ def test_zooming_in_keeps_what_is_under_the_pointer(show: Open) -> None:
     assert shown.pixels[:2] == before
 
 
-@pytest.mark.parametrize(
-    "s", [EXAMPLE, pytest.param(SLOT, marks=pytest.mark.long)], ids=["undercut", "fit"]
-)
+@pytest.mark.long
+@pytest.mark.parametrize("s", [EXAMPLE, SLOT], ids=["undercut", "fit"])
 def test_light_and_dark_differ_and_follow_the_system(show: Open, s: Sweep) -> None:
     light, dark = (show(s, color_scheme=scheme) for scheme in ("light", "dark"))
     corner = (20, HEIGHT // 2)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from contacts import between, without_parts
 from hypothesis import given
 from shown import Open, Shown
@@ -60,6 +61,7 @@ def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) 
             assert without_parts(s, here) == set(stop.contacts)
 
 
+@pytest.mark.long
 def test_g_can_be_played_on_every_track(show: Open) -> None:
     shown = show(EXAMPLE)
     for name in NAMES:
