@@ -11,6 +11,7 @@ import json
 import sys
 from collections.abc import Iterable
 from fractions import Fraction
+from itertools import chain
 from math import ceil, lcm
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -100,10 +101,10 @@ def _rings(shape: Any) -> list[list[RationalPoint]]:
 
 
 def _sums(items: Any) -> list[Any]:
-    return [(Nat(k), [_chain(chain) for chain in chains]) for k, *chains in items]
+    return [(Nat(k), [_named(chain) for chain in chains]) for k, *chains in items]
 
 
-def _chain(item: Any) -> list[int]:
+def _named(item: Any) -> list[int]:
     return [item] if type(item) is int else item
 
 
@@ -188,7 +189,7 @@ def _inner_fit(c: Any) -> CoqClaim:
     found = {"InnerFit.unit": unit, "InnerFit.box": tuple(int(n * unit) for n in ends)}
     found |= {"InnerFit.outside": _scaled(outside, unit), "InnerFit.part": _scaled(moving, unit)}
     found |= {"InnerFit.listed_sums": _sums(proof["sums"])}
-    found |= {"InnerFit.around": [_chain(chain) for chain in proof["around"]]}
+    found |= {"InnerFit.around": [_named(chain) for chain in proof["around"]]}
     return CoqClaim("inner_fit", statement, {"evidence": ("inner_fit_certificate", Record(found))})
 
 
@@ -203,106 +204,115 @@ def _rotation(turn: Any) -> Any:
 def _layout(c: Any) -> CoqClaim:
     if c["valid"] is not True:
         raise TheoremError("a layout with faults has no theorem")
-    given, proof, zero = c["layout"], c["proof"], Fraction(0)
-    parts, placed = given["parts"], given["placements"]
+    given, proof = c["layout"], c["proof"]
+    parts, solids = given["parts"], [given.get("container"), *(given.get("defects") or [])]
     index = {part["id"]: k for k, part in enumerate(parts)}
     if len(index) != len(parts):
         raise TheoremError("two parts have one id")
-    solids = [given.get("container"), *(given.get("defects") or [])]
-    shapes = [(_rings(e), Fraction(e.get("error") or 0)) if e else ([], zero) for e in solids]
-    outside = [[_ring(e) for e in pieces] for pieces in proof["outside"]]
-    drawn, cut = [_rings(part) for part in parts], [[*map(_ring, e)] for e in proof["pieces"]]
-    spacing, margin = (Fraction(given.get(key) or 0) for key in ("spacing", "margin"))
-    frame = [Fraction(n) for n in proof["frame"]]
+    drawn, cut = [*map(_figure, parts)], [_pieces(e) for e in proof["pieces"]]
+    sheet, obstacles = solids[0] and _figure(solids[0]), [*map(_figure, solids[1:])]
+    outside, *cut_obstacles = map(_pieces, proof["outside"])
     allowed = [[*map(_rotation, part.get("turns") or [])] for part in parts]
-    pieces, moves = [], []
-    for item, turn in zip(placed, c["turns"], strict=True):
-        k, asked, to = index[item["part"]], _rotation(item.get("turn")), _rotation(turn)
-        slack = zero
-        if asked != to:  # irrational, or refused
-            far = max(abs(x) + abs(y) for ring in cut[k] for x, y in ring)
-            slack = far * rotation_error(to, asked) if type(asked) is Fraction else Fraction(-1)
-            allowed[k] += [to] * (asked in allowed[k])
-        motion = bool(item.get("mirrored")), *to, _points([item["move"]])[0]
-        moves.append((k, motion, slack))
-        pieces.append([_move(motion, ring) for ring in cut[k]])
-    rings = [_move(motion, ring) for k, motion, _ in moves for ring in drawn[k]]
-    numbers = [
-        spacing,
-        margin,
-        *frame,
-        *(e for _, e in shapes),
-        *(Fraction(p.get("error") or 0) for p in parts),
+    moves = [
+        _moved(*one, index, drawn, allowed)
+        for one in zip(given["placements"], c["turns"], strict=True)
     ]
-    every = [
-        *rings,
-        *(r for e in pieces for r in e),
-        *(r for e in outside for r in e),
-        *(r for e, _ in shapes for r in e),
-    ]
-    unit = _unit(*every, [(n, n) for n in numbers]) * (SLACK if any(s for *_, s in moves) else 1)
-    listed = [
-        Record(
-            {
-                "Statements.kind": Nat(k),
-                "Statements.by_motion": Record(
-                    {
-                        "Statements.mirrored": flag,
-                        "Statements.cosine": x,
-                        "Statements.sine": y,
-                        "Statements.shift": shift,
-                    }
-                ),
-                "Statements.slack": Fraction(ceil(slack * unit), unit),
-            }
-        )
-        for k, (flag, x, y, shift), slack in moves
-    ]
-    kinds = [
-        Record(
-            {
-                "Statements.outline": drawn[k],
-                "Statements.rounded": [],
-                "Statements.error": Fraction(part.get("error") or 0),
-                "Statements.demand": None
-                if part.get("demand") is None
-                else Some(Nat(part["demand"])),
-                "Statements.rotations": None
-                if part.get("turns") is None
-                else Some([e for e in allowed[k] if type(e) is tuple]),
-                "Statements.may_mirror": part.get("mirrored") is not False,
-            }
-        )
-        for k, part in enumerate(parts)
-    ]
-    sheet = Some(shapes[0]) if solids[0] else None
-    body = {
-        "Statements.sheet": sheet,
-        "Statements.obstacles": shapes[1:],
-        "Statements.kinds": kinds,
-        "Statements.placements": listed,
+    placed = [_placed(motion, drawn[k]) for k, motion, _ in moves]
+    pieces = [[_move(motion, ring) for ring in cut[k]] for k, motion, _ in moves]
+    frame = [Fraction(n) for n in proof.get("frame") or [0] * 4]
+    gaps = {key: Fraction(given.get(key) or 0) for key in ("spacing", "margin")}
+    every = [*placed, *drawn, *obstacles, *([sheet] if sheet else [])]
+    points = [ring for one in every for ring in one.rings()]
+    numbers = [*gaps.values(), *frame, *(n for one in every for n in one.numbers())]
+    rings = [*points, *chain(*pieces), *outside, *chain(*cut_obstacles)]
+    unit = _unit(*rings, [(n, n) for n in numbers]) * (SLACK if any(s for *_, s in moves) else 1)
+    layout = {
+        "sheet": Some(sheet.term()) if sheet else None,
+        "obstacles": [one.term() for one in obstacles],
+        "kinds": [_part(*one) for one in zip(parts, drawn, allowed, strict=True)],
+        "placements": [_placement(k, to, Fraction(ceil(e * unit), unit)) for k, to, e in moves],
+        **gaps,
     }
     found = {"Layout.denominator": unit, "Layout.part_pieces": [_scaled(e, unit) for e in pieces]}
-    found |= {"Layout.obstacle_pieces": [_scaled(e, unit) for e in outside[1:]]}
-    found |= {
-        "Layout.outside_pieces": _scaled(outside[0], unit),
-        "Layout.frame": tuple(int(n * unit) for n in frame),
-    }
+    found |= {"Layout.obstacle_pieces": [_scaled(e, unit) for e in cut_obstacles]}
+    found |= {"Layout.outside_pieces": _scaled(outside, unit)}
+    found |= {"Layout.frame": tuple(int(n * unit) for n in frame)}
     normals = [(*key, _whole(x, y)) for *key, x, y in proof["apart"]]
-    statement = {
-        "layout": (
-            "Statements.layout",
-            Record({**body, "Statements.spacing": spacing, "Statements.margin": margin}),
-        )
-    }
     evidence = {"evidence": ("certificate", Record(found)), "entries": ("list entry", normals)}
-    return CoqClaim("layout", statement, evidence)
+    return CoqClaim("layout", {"layout": ("Statements.layout", _record(layout))}, evidence)
+
+
+class _Figure(NamedTuple):
+    """A shape: its rings, or else its rounded pieces (points and radius), and its error."""
+
+    outline: list[list[RationalPoint]]
+    rounded: list[tuple[list[RationalPoint], Fraction]]
+    error: Fraction
+
+    def rings(self) -> list[list[RationalPoint]]:
+        return self.outline + [points for points, _ in self.rounded]
+
+    def numbers(self) -> list[Fraction]:
+        return [self.error, *(radius for _, radius in self.rounded)]
+
+    def term(self) -> Record:
+        return _record(self._asdict())
+
+
+def _record(fields: dict[str, Any]) -> Record:
+    return Record({f"Statements.{key}": value for key, value in fields.items()})
+
+
+def _figure(item: Any) -> _Figure:
+    error = Fraction(item.get("error") or 0)
+    if item.get("pieces") is None:
+        return _Figure(_rings(item), [], error)
+    if item.get("exterior") is not None or item.get("holes"):
+        raise TheoremError("a shape with rings and pieces")
+    rounded = [(_points(e["points"]), Fraction(e.get("radius") or 0)) for e in item["pieces"]]
+    return _Figure([], rounded, error)
+
+
+def _pieces(items: Any) -> list[list[RationalPoint]]:
+    return [_ring(e) for e in items or []]
+
+
+def _moved(item: Any, turn: Any, index: Any, drawn: Any, allowed: Any) -> tuple[int, Any, Fraction]:
+    """Return the part, the motion and the error of the rotation of a placement.
+
+    A rational rotation that stands for an irrational one that is allowed is allowed, too.
+    """
+    k, asked, to = index[item["part"]], _rotation(item.get("turn")), _rotation(turn)
+    slack = Fraction(0)
+    if asked != to:  # irrational, or refused
+        far = max(abs(x) + abs(y) for ring in drawn[k].rings() for x, y in ring)
+        slack = far * rotation_error(to, asked) if type(asked) is Fraction else Fraction(-1)
+        allowed[k] += [to] * (asked in allowed[k])
+    return k, (bool(item.get("mirrored")), *to, _points([item["move"]])[0]), slack
+
+
+def _placed(motion: Any, figure: _Figure) -> _Figure:
+    rounded = [(_move(motion, points), radius) for points, radius in figure.rounded]
+    return _Figure([_move(motion, ring) for ring in figure.outline], rounded, figure.error)
 
 
 def _move(motion: Any, ring: list[RationalPoint]) -> list[RationalPoint]:
     flag, c, s, (u, v) = motion
     points = [(-x if flag else x, y) for x, y in (ring[::-1] if flag else ring)]
     return [(c * x - s * y + u, s * x + c * y + v) for x, y in points]
+
+
+def _part(part: Any, drawn: _Figure, allowed: list[Any]) -> Record:
+    demand, turns = part.get("demand"), [e for e in allowed if type(e) is tuple]
+    rules = {"demand": None if demand is None else Some(Nat(demand))}
+    rules |= {"rotations": None if part.get("turns") is None else Some(turns)}
+    return _record({"form": drawn.term(), **rules, "may_mirror": part.get("mirrored") is not False})
+
+
+def _placement(kind: int, motion: Any, slack: Fraction) -> Record:
+    names = ("mirrored", "cosine", "sine", "shift")
+    by_motion = _record(dict(zip(names, motion, strict=True)))
+    return _record({"kind": Nat(kind), "by_motion": by_motion, "slack": slack})
 
 
 def _whole(x: str, y: str) -> tuple[int, int]:

@@ -14,9 +14,11 @@ Definition no_outside_normals (_ : Z) : nat -> nat -> nat -> pt := fun _ _ _ => 
    radius 1/2 in the middle of a sheet of 1 by 1, which touches its sides. *)
 Definition still (u v : Q) : Statements.motion :=
   {| Statements.mirrored := false; Statements.cosine := 1; Statements.sine := 0; Statements.shift := (u, v) |}.
+Definition rings_only (rs : list Statements.ring) : Statements.figure :=
+  {| Statements.outline := rs; Statements.rounded := []; Statements.error := 0 |}.
 Definition two_squares : Statements.layout :=
-  {| Statements.sheet := Some ([[(0, 0); (3, 0); (3, 1); (0, 1)]%Q], 0%Q); Statements.obstacles := [];
-     Statements.kinds := [{| Statements.outline := [square]; Statements.rounded := []; Statements.error := 0; Statements.demand := Some 2%nat;
+  {| Statements.sheet := Some (rings_only [[(0, 0); (3, 0); (3, 1); (0, 1)]%Q]); Statements.obstacles := [];
+     Statements.kinds := [{| Statements.form := rings_only [square]; Statements.demand := Some 2%nat;
        Statements.rotations := Some [(1, 0); (0, 1)]%Q; Statements.may_mirror := false |}];
      Statements.placements := [
        {| Statements.kind := 0; Statements.by_motion := still 0 0; Statements.slack := 0 |};
@@ -35,9 +37,9 @@ Proof. vm_compute. reflexivity. Qed.
 Example layout_valid : Statements.valid two_squares.
 Proof. exact (layout_sound _ _ _ _ layout_accepted). Qed.
 
-Definition disc_in_square (margin : Q) : Statements.layout :=
-  {| Statements.sheet := Some ([square], 0%Q); Statements.obstacles := [];
-     Statements.kinds := [{| Statements.outline := []; Statements.rounded := [([(0, 0)%Q], 1 # 2)]; Statements.error := 0;
+Definition disc_in (container : Statements.figure) (margin : Q) : Statements.layout :=
+  {| Statements.sheet := Some container; Statements.obstacles := [];
+     Statements.kinds := [{| Statements.form := {| Statements.outline := []; Statements.rounded := [([(0, 0)%Q], 1 # 2)]; Statements.error := 0 |};
        Statements.demand := None; Statements.rotations := None; Statements.may_mirror := true |}];
      Statements.placements := [{| Statements.kind := 0; Statements.by_motion := still (1 # 2) (1 # 2); Statements.slack := 0 |}];
      Statements.spacing := 0; Statements.margin := margin |}.
@@ -46,9 +48,18 @@ Definition disc_evidence : certificate :=
      outside_pieces := [[(-4, -4); (8, -4); (4, 0); (0, 0)]; [(8, -4); (8, 8); (4, 4); (4, 0)];
        [(8, 8); (-4, 8); (0, 4); (4, 4)]; [(-4, 8); (-4, -4); (0, 0); (0, 4)]];
      frame := (-4, -4, 8, 8) |}.
-Example disc_valid : Statements.valid (disc_in_square 0).
+Example disc_valid : Statements.valid (disc_in (rings_only [square]) 0).
 Proof. apply (layout_sound no_normals no_outside_normals _ disc_evidence). vm_compute. reflexivity. Qed.
-Example disc_too_close : check_layout no_normals no_outside_normals (disc_in_square (1 # 4)) disc_evidence = false.
+Example disc_too_close : check_layout no_normals no_outside_normals (disc_in (rings_only [square]) (1 # 4)) disc_evidence = false.
+Proof. vm_compute. reflexivity. Qed.
+
+(* A disc as the container: it holds a disc with room 1/4, not 1/3. *)
+Definition dish : Statements.figure :=
+  {| Statements.outline := []; Statements.rounded := [([(1 # 2, 1 # 2)], 3 # 4)]; Statements.error := 0 |}.
+Definition no_frame : certificate := {| denominator := 12; part_pieces := [[]]; obstacle_pieces := []; outside_pieces := []; frame := (0, 0, 0, 0) |}.
+Example disc_in_dish : Statements.valid (disc_in dish (1 # 4)).
+Proof. apply (layout_sound no_normals no_outside_normals _ no_frame). vm_compute. reflexivity. Qed.
+Example dish_too_small : check_layout no_normals no_outside_normals (disc_in dish (1 # 3)) no_frame = false.
 Proof. vm_compute. reflexivity. Qed.
 
 (* The no-fit polygon of two unit squares: one sum, each side of which runs along one edge of the loop *)

@@ -11,35 +11,37 @@ Lemma keeps_disjoint d A B : Statements.keeps d (Statements.inside A) (Statement
   Statements.disjoint (Statements.inside A) (Statements.inside B).
 Proof. intros (N & _). apply disjoint_iff, N. Qed.
 
-(* Parts that are drawn as rings and known exactly: no two have a point in common, each is in the sheet, off each obstacle. *)
-Lemma drawn_inside l x z : Statements.inside (Statements.placed l x) z -> Statements.drawn l x z.
-Proof. intro I. left. exact I. Qed.
-Lemma shape_inside l x : 0 <= Statements.error (Statements.kind_of l x) + Statements.slack x ->
-  Statements.shape_of l x (Statements.inside (Statements.placed l x)).
-Proof. intros E z I. apply within_self; [exact E|apply drawn_inside, I]. Qed.
+(* Figures that are drawn as rings and known exactly: no two have a point in common, each is in the sheet, off each obstacle. *)
+Lemma shape_drawn f : 0 <= Statements.error f -> Statements.shape_of f (Statements.drawn f).
+Proof. intros E z I. apply within_self; [exact E|exact I]. Qed.
+Lemma shape_inside f : 0 <= Statements.error f -> Statements.shape_of f (Statements.inside (Statements.outline f)).
+Proof. intros E z I. apply within_self; [exact E|left; exact I]. Qed.
 Theorem valid_exact l : Statements.valid l ->
-  (forall x, In x (Statements.placements l) -> 0 <= Statements.error (Statements.kind_of l x) + Statements.slack x) ->
+  (forall x, In x (Statements.placements l) -> 0 <= Statements.error (Statements.placed l x)) ->
   (forall i j x y, nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y -> i <> j ->
-    Statements.disjoint (Statements.inside (Statements.placed l x)) (Statements.inside (Statements.placed l y)) /\
-    Statements.at_least (Statements.spacing l) (Statements.inside (Statements.placed l x)) (Statements.inside (Statements.placed l y))) /\
-  (forall x C e, In x (Statements.placements l) -> Statements.sheet l = Some (C, e) -> 0 <= e ->
-    (forall z, Statements.inside (Statements.placed l x) z -> Statements.inside C z) /\
-    Statements.at_least (Statements.margin l) (Statements.inside (Statements.placed l x)) (fun z => ~ Statements.inside C z)) /\
-  (forall x o, In x (Statements.placements l) -> In o (Statements.obstacles l) -> 0 <= snd o ->
-    Statements.disjoint (Statements.inside (Statements.placed l x)) (Statements.inside (fst o)) /\
-    Statements.at_least (Statements.margin l) (Statements.inside (Statements.placed l x)) (Statements.inside (fst o))).
+    let S := Statements.inside (Statements.outline (Statements.placed l x)) in let T := Statements.inside (Statements.outline (Statements.placed l y)) in
+    Statements.disjoint S T /\ Statements.at_least (Statements.spacing l) S T) /\
+  (forall x C e, In x (Statements.placements l) -> Statements.sheet l = Some {| Statements.outline := C; Statements.rounded := []; Statements.error := e |} -> 0 <= e ->
+    let S := Statements.inside (Statements.outline (Statements.placed l x)) in
+    (forall z, S z -> Statements.inside C z) /\ Statements.at_least (Statements.margin l) S (fun z => ~ Statements.inside C z)) /\
+  (forall x o, In x (Statements.placements l) -> In o (Statements.obstacles l) -> 0 <= Statements.error o ->
+    let S := Statements.inside (Statements.outline (Statements.placed l x)) in let T := Statements.inside (Statements.outline o) in
+    Statements.disjoint S T /\ Statements.at_least (Statements.margin l) S T).
 Proof.
   intros V E. split; [|split].
-  - intros i j x y X Y Ne. pose proof (Statements.apart l V i j x y _ _ X Y Ne (shape_inside l x (E x (nth_error_In _ _ X)))
-      (shape_inside l y (E y (nth_error_In _ _ Y)))) as K. split; [apply (keeps_disjoint _ _ _ K)|apply K].
-  - intros x C e I Sh E0. pose proof (Statements.contained l V x C e _ _ I Sh (shape_inside l x (E x I)) (known_self e _ E0)) as (K1 & K2).
+  - intros i j x y X Y Ne. pose proof (Statements.apart l V i j x y _ _ X Y Ne (shape_inside _ (E x (nth_error_In _ _ X)))
+      (shape_inside _ (E y (nth_error_In _ _ Y)))) as K. split; [apply (keeps_disjoint _ _ _ K)|apply K].
+  - intros x C e I Sh E0.
+    assert (U : Statements.outside_of {| Statements.outline := C; Statements.rounded := []; Statements.error := e |} (fun z => ~ Statements.inside C z)).
+    { intros z N. apply within_self; [exact E0|]. intros [Y|(p & [] & _)]. exact (N Y). }
+    pose proof (Statements.contained l V x _ _ _ I Sh (shape_inside _ (E x I)) U) as (K1 & K2).
     split; [|exact K2]. intros z Z. destruct (Z.eq_dec (Statements.winding C z) 1) as [|N]; [assumption|exfalso]. apply K1.
-    destruct (half_open (Statements.placed l x) z) as (d & D & H). destruct (half_open C z) as (d' & D' & H').
+    destruct (half_open (Statements.outline (Statements.placed l x)) z) as (d & D & H). destruct (half_open C z) as (d' & D' & H').
     destruct (below d d' D D') as (r & R & L & L'). destruct (wedge_square r z R) as (c & q & Q0 & Sq).
     exists c. split; exists q; (split; [exact Q0|]); intros y Y; specialize (Sq y Y); unfold Statements.inside.
     + rewrite (H y); [exact Z|]. apply (wedge_less r d z y L Sq).
     + rewrite (H' y); [exact N|]. apply (wedge_less r d' z y L' Sq).
-  - intros x o I J E0. pose proof (Statements.no_defect l V x o _ _ I J (shape_inside l x (E x I)) (known_self (snd o) _ E0)) as K.
+  - intros x o I J E0. pose proof (Statements.no_defect l V x o _ _ I J (shape_inside _ (E x I)) (shape_inside o E0)) as K.
     split; [apply (keeps_disjoint _ _ _ K)|apply K].
 Qed.
 
@@ -78,9 +80,9 @@ Qed.
 
 (* So an overlap of drawn parts refutes a layout. *)
 Corollary overlap_refutes l i j x y z : nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y ->
-  i <> j -> 0 <= Statements.error (Statements.kind_of l x) + Statements.slack x -> 0 <= Statements.error (Statements.kind_of l y) + Statements.slack y ->
-  check_overlap (Statements.placed l x) (Statements.placed l y) z = true -> ~ Statements.valid l.
+  i <> j -> 0 <= Statements.error (Statements.placed l x) -> 0 <= Statements.error (Statements.placed l y) ->
+  check_overlap (Statements.outline (Statements.placed l x)) (Statements.outline (Statements.placed l y)) z = true -> ~ Statements.valid l.
 Proof.
-  intros X Y N E E' H V. destruct (Statements.apart l V i j x y _ _ X Y N (shape_inside l x E) (shape_inside l y E')) as (K & _).
+  intros X Y N E E' H V. destruct (Statements.apart l V i j x y _ _ X Y N (shape_inside _ E) (shape_inside _ E')) as (K & _).
   apply K. exact (overlap_sound _ _ z H).
 Qed.

@@ -2,7 +2,7 @@
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
-From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums Pairs Near.
+From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums Pairs Near Disc.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -70,44 +70,52 @@ Variables (normals : nat -> nat -> nat -> nat -> pt) (outside_normals : Z -> nat
 Variables (l : Statements.layout) (c : certificate).
 Let D := Zpos (denominator c).
 
-Definition error_of (x : Statements.placement) : Q := (Statements.error (Statements.kind_of l x) + Statements.slack x)%Q.
-Definition moved (x : Statements.placement) : list (list Statements.point * Q) :=
-  map (fun p => (map (Statements.move (Statements.by_motion x)) (fst p), snd p)) (Statements.rounded (Statements.kind_of l x)).
-Definition item_of (x : Statements.placement * list ring) : item :=
-  make_item (map (fun p => (p, 0)) (snd x) ++ map (fun p => (map (int_point D) (fst p), int D (snd p))) (moved (fst x))) (int D (error_of (fst x))).
-Definition is_solid_part (x : Statements.placement * list ring) : bool :=
-  let rs := Statements.placed l (fst x) in
-  is_amount D (error_of (fst x)) && all_integral D rs &&
-  forallb (fun p => all_integral D [fst p] && is_amount D (snd p) && negb (match fst p with [] => true | _ => false end)) (moved (fst x)) &&
-  match Statements.outline (Statements.kind_of l (fst x)) with
-  | [] => match snd x with [] => true | _ => false end
-  | _ => simple_solid {| rings := int_rings D rs; pieces := snd x |}
+(* A figure and the pieces of its rings *)
+Definition item_of (x : Statements.figure * list ring) : item :=
+  make_item (map (fun p => (p, 0)) (snd x) ++ map (fun p => (map (int_point D) (fst p), int D (snd p))) (Statements.rounded (fst x)))
+    (int D (Statements.error (fst x))).
+Definition is_solid_figure (x : Statements.figure * list ring) : bool :=
+  let rs := Statements.outline (fst x) in
+  is_amount D (Statements.error (fst x)) && all_integral D rs &&
+  forallb (fun p => all_integral D [fst p] && is_amount D (snd p) && negb (match fst p with [] => true | _ => false end)) (Statements.rounded (fst x)) &&
+  match rs, snd x, Statements.rounded (fst x) with
+  | [], [], _ :: _ => true
+  | [], _, _ => false
+  | _, ps, _ => simple_solid {| rings := int_rings D rs; pieces := ps |}
   end.
-Definition obstacle_item (o : list Statements.ring * Q * list ring) : item :=
-  make_item (map (fun p => (p, 0)) (snd o)) (int D (snd (fst o))).
-Definition is_solid_obstacle (o : list Statements.ring * Q * list ring) : bool :=
-  is_amount D (snd (fst o)) && all_integral D (fst (fst o)) && simple_solid {| rings := int_rings D (fst (fst o)); pieces := snd o |}.
 
-Definition items : list (nat * item) := numbered (map item_of (combine (Statements.placements l) (part_pieces c))).
+(* The sheet: d is the margin.  A disc contains a piece if all its vertices are near enough to the center. *)
+Definition in_disc (d : Z) (p : pt) (radius : Z) (x : item) : bool :=
+  forallb (fun q => let room := radius - snd q - reach x - d in
+    (0 <=? room) && forallb (fun v => (fst v - fst p) * (fst v - fst p) + (snd v - snd p) * (snd v - snd p) <=? room * room) (fst q)) (parts x).
+Definition check_sheet (f : Statements.figure) (d : Z) (l : list (nat * item)) : bool :=
+  let rs := Statements.outline f in let e := int D (Statements.error f) in
+  is_amount D (Statements.error f) &&
+  match rs, Statements.rounded f with
+  | [], [([p], r)] => all_integral D [[p]] && is_amount D r && forallb (fun x => in_disc (d + e) (int_point D p) (int D r) (snd x)) l
+  | _, [] =>
+      let '(x0, y0, x1, y1) := frame c in let out := make_item (map (fun p => (p, 0)) (outside_pieces c)) e in
+      (x0 <? x1) && (y0 <? y1) && all_integral D rs && forallb is_fan (outside_pieces c) &&
+      cancel (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings D rs)) (edges (box_ring x0 y0 x1 y1)) &&
+      forallb (fun x => within_frame (d + e) (frame c) (snd x) && is_apart d (fun i j => outside_normals (-1) i (fst x) j) out (snd x)) l
+  | _, _ => false
+  end.
+
+Definition solid_parts := combine (map (Statements.placed l) (Statements.placements l)) (part_pieces c).
+Definition solid_obstacles := combine (Statements.obstacles l) (obstacle_pieces c).
+Definition items : list (nat * item) := numbered (map item_of solid_parts).
 Definition check_layout : bool :=
   forallb (check_allowed l) (Statements.placements l) && check_supply l &&
   (length (Statements.placements l) =? length (part_pieces c))%nat &&
   (length (Statements.obstacles l) =? length (obstacle_pieces c))%nat &&
   is_amount D (Statements.spacing l) && is_amount D (Statements.margin l) &&
-  forallb is_solid_part (combine (Statements.placements l) (part_pieces c)) &&
-  forallb is_solid_obstacle (combine (Statements.obstacles l) (obstacle_pieces c)) &&
+  forallb is_solid_figure solid_parts && forallb is_solid_figure solid_obstacles &&
   all_apart (int D (Statements.spacing l)) normals items &&
   forallb (fun o => forallb (fun x => is_apart (int D (Statements.margin l)) (fun i j => outside_normals (-2 - Z.of_nat (fst o)) i (fst x) j) (snd o) (snd x)) items)
-    (numbered (map obstacle_item (combine (Statements.obstacles l) (obstacle_pieces c)))) &&
+    (numbered (map item_of solid_obstacles)) &&
   match Statements.sheet l with
   | None => true
-  | Some (rs, e) =>
-      let '(x0, y0, x1, y1) := frame c in
-      let out := make_item (map (fun p => (p, 0)) (outside_pieces c)) (int D e) in
-      (x0 <? x1) && (y0 <? y1) && is_amount D e && all_integral D rs && forallb is_fan (outside_pieces c) &&
-      cancel (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings D rs)) (edges (box_ring x0 y0 x1 y1)) &&
-      forallb (fun x => within_frame (int D (Statements.margin l) + int D e) (frame c) (snd x) &&
-        is_apart (int D (Statements.margin l)) (fun i j => outside_normals (-1) i (fst x) j) out (snd x)) items
+  | Some f => check_sheet f (int D (Statements.margin l)) items
   end.
 End Check.
 
@@ -348,6 +356,13 @@ Variables (normals : nat -> nat -> nat -> nat -> pt) (outside_normals : Z -> nat
 Variables (l : Statements.layout) (c : certificate).
 Let N := denominator c.
 
+Lemma greatest {A} (f : A -> Z) a l' : exists v, In v (a :: l') /\ forall w, In w (a :: l') -> (f w <= f v)%Z.
+Proof.
+  induction l' as [|b l' (v & V & M)]; [exists a; split; [left; reflexivity|intros w [<-|[]]; lia]|].
+  destruct (Z.le_ge_cases (f v) (f b)) as [L|L].
+  - exists b. split; [right; left; reflexivity|]. intros w [<-|[<-|I]]; [specialize (M a (or_introl eq_refl)); lia|lia|specialize (M w (or_intror I)); lia].
+  - exists v. split; [destruct V as [<-|V]; [left; reflexivity|right; right; exact V]|]. intros w [<-|[<-|I]]; [apply M; left; reflexivity|lia|apply M; right; exact I].
+Qed.
 Lemma hull_core ps z : all_integral (Zpos N) [ps] = true -> Statements.hull ps z -> core N (map (int_point (Zpos N)) ps) z.
 Proof.
   intros I H n a B. unfold along, qnormal. cbn [fst snd]. apply H. intros p P.
@@ -359,12 +374,19 @@ Proof.
   rewrite Zle_Qle, <- A, <- Q0 in L. apply Qmult_le_r in L; [exact L|exact Pn].
 Qed.
 
-Lemma part_spec x ps : is_solid_part l c (x, ps) = true -> sound (item_of l c (x, ps)) /\
-  error_of l x == reach (item_of l c (x, ps)) # N /\ covers_set N (item_of l c (x, ps)) (Statements.drawn l x) /\
-  (Statements.outline (Statements.kind_of l x) = [] \/ Statements.simple (Statements.placed l x)).
+Lemma figure_spec f ps : is_solid_figure c (f, ps) = true -> sound (item_of c (f, ps)) /\
+  Statements.error f == reach (item_of c (f, ps)) # N /\ covers_set N (item_of c (f, ps)) (Statements.drawn f) /\ Statements.is_shape f.
 Proof.
-  unfold is_solid_part. cbn [fst snd]. intro H. apply andb_prop in H as (H & S). apply andb_prop in H as (H & R). apply andb_prop in H as (E & I).
-  destruct (amount_spec N _ E) as (E1 & E2). rewrite forallb_forall in R. split; [|split; [|split]].
+  unfold is_solid_figure. cbn [fst snd]. intro H. apply andb_prop in H as (H & S). apply andb_prop in H as (H & R). apply andb_prop in H as (E & I).
+  destruct (amount_spec N _ E) as (E1 & E2). rewrite forallb_forall in R.
+  assert (R0 : forall p, In p (Statements.rounded f) -> 0 <= snd p).
+  { intros p Ip. specialize (R p Ip). apply andb_prop in R as (R & _). apply andb_prop in R as (_ & R). apply andb_prop in R as (R & _).
+    apply Qle_bool_iff, R. }
+  assert (S' : (Statements.outline f = [] /\ ps = [] /\ Statements.rounded f <> []) \/
+    (Statements.outline f <> [] /\ simple_solid {| rings := int_rings (Zpos N) (Statements.outline f); pieces := ps |} = true)).
+  { fold N in S. destruct (Statements.outline f) as [|r0 rest]; [left|right; split; [discriminate|exact S]].
+    destruct ps; [|discriminate]. destruct (Statements.rounded f); [discriminate|]. repeat split. discriminate. }
+  split; [|split; [|split]].
   - apply make_sound; [exact E1|]. intros p Ip. cbn [fst snd] in Ip. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd]; [lia|].
     specialize (R q Iq). apply andb_prop in R as (R & _). apply andb_prop in R as (_ & R). apply (amount_spec N _ R).
   - exact E2.
@@ -373,34 +395,33 @@ Proof.
     { intros p Ip Cp. apply (K (region_of N (p, 0%Z))); [apply in_map, in_or_app; left; exact (in_map (fun p => (p, 0%Z)) ps p Ip)|].
       apply within_self; [apply frac_nonneg; cbn; lia|exact Cp]. }
     destruct Y as [Y|(p & Ip & Y)].
-    + destruct (Statements.outline (Statements.kind_of l x)) as [|r0 rest] eqn:O.
-      * unfold Statements.inside, Statements.placed in Y. rewrite O in Y. discriminate.
-      * apply (count_pieces N {| rings := int_rings (Zpos N) (Statements.placed l x); pieces := ps |} _ y S I eq_refl) in Y as (P & IP & W).
-        apply (Kl P IP), piece_core; [exact (proj1 (proj2 (simple_spec _ S)) P IP)|exact W].
-    + assert (Im : In (map (Statements.move (Statements.by_motion x)) (fst p), snd p) (moved l x)) by (exact (in_map (fun p => (map (Statements.move (Statements.by_motion x)) (fst p), snd p)) _ p Ip)).
-      specialize (R _ Im). cbn [fst snd] in R. apply andb_prop in R as (R & _). apply andb_prop in R as (R1 & R2).
+    + destruct S' as [(O & _)|(_ & S')]; [unfold Statements.inside in Y; rewrite O in Y; discriminate|].
+      apply (count_pieces N {| rings := int_rings (Zpos N) (Statements.outline f); pieces := ps |} _ y S' I eq_refl) in Y as (P & IP & W).
+      apply (Kl P IP), piece_core; [exact (proj1 (proj2 (simple_spec _ S')) P IP)|exact W].
+    + specialize (R _ Ip). apply andb_prop in R as (R & _). apply andb_prop in R as (R1 & R2).
       destruct (amount_spec N _ R2) as (R3 & R4).
-      apply (K (region_of N (map (int_point (Zpos N)) (map (Statements.move (Statements.by_motion x)) (fst p)), int (Zpos N) (snd p)))).
-      * apply in_map, in_or_app. right. exact (in_map (fun p => (map (int_point (Zpos N)) (fst p), int (Zpos N) (snd p))) _ _ Im).
-      * cbn [region_of fst snd]. intros d D. assert (Dr : snd p < d) by (fold N in R4; lra).
+      apply (K (region_of N (map (int_point (Zpos N)) (fst p), int (Zpos N) (snd p)))).
+      * apply in_map, in_or_app. right. exact (in_map (fun p => (map (int_point (Zpos N)) (fst p), int (Zpos N) (snd p))) _ _ Ip).
+      * cbn [region_of fst snd]. intros d D. assert (Dr : snd p < d) by (apply (Qle_lt_trans _ (int (Zpos N) (snd p) # N)); [rewrite <- R4; apply Qle_refl|exact D]).
         apply (within_more _ _ _ y (fun z Hz => hull_core _ z R1 Hz) Y d Dr).
-  - destruct (Statements.outline (Statements.kind_of l x)) as [|r0 rest] eqn:O; [left; reflexivity|right].
-    pose proof (simple_shape _ S) as (W01 & z & Z1). cbn [rings] in *.
-    pose proof (int_rings_at (Zpos N) _ I) as Ra. split.
-    + intro q. destruct (pat_common q q) as (k & v & _ & K & V & _).
-      rewrite (winding_W (Zpos N) k _ _ q v eq_refl K Ra V). apply W01, K.
-    + apply (interior_of_point _ (third N z)). unfold Statements.inside. rewrite <- Z1, <- W_edges.
-      apply (winding_at (3 * Zpos N)); [lia|apply rings_grow, Ra|apply third_at].
+  - destruct S' as [(O & _ & Ne)|(_ & S')].
+    + split; [left; exact O|]. destruct (Statements.rounded f) as [|p0 rest] eqn:Ro; [congruence|]. specialize (R p0 (or_introl eq_refl)).
+      apply andb_prop in R as (_ & R). destruct p0 as [[|q0 qs] rd]; [discriminate R|].
+      exists q0. right. exists (q0 :: qs, rd). rewrite Ro. split; [left; reflexivity|]. apply within_self; [apply R0; left; reflexivity|].
+      intros a b d B. apply B. left. reflexivity.
+    + pose proof (simple_shape _ S') as (W01 & z & Z1). cbn [rings] in *.
+      pose proof (int_rings_at (Zpos N) _ I) as Ra.
+      assert (In1 : Statements.inside (Statements.outline f) (third N z)).
+      { unfold Statements.inside. rewrite <- Z1, <- W_edges. apply (winding_at (3 * Zpos N)); [lia|apply rings_grow, Ra|apply third_at]. }
+      split; [right; split|exists (third N z); left; exact In1].
+      * intro q. destruct (pat_common q q) as (k & v & _ & K & V & _).
+        rewrite (winding_W (Zpos N) k _ _ q v eq_refl K Ra V). apply W01, K.
+      * apply (interior_of_point _ _ In1).
 Qed.
-Lemma obstacle_spec o ps : is_solid_obstacle c (o, ps) = true -> sound (obstacle_item c (o, ps)) /\ snd o == reach (obstacle_item c (o, ps)) # N /\
-  covers_set N (obstacle_item c (o, ps)) (Statements.inside (fst o)) /\ Statements.simple (fst o).
+
+Lemma parts_some f ps : is_solid_figure c (f, ps) = true -> parts (item_of c (f, ps)) <> [].
 Proof.
-  unfold is_solid_obstacle. cbn [fst snd]. intro H. apply andb_prop in H as (H & S). apply andb_prop in H as (E & I).
-  destruct (amount_spec N _ E) as (E1 & E2). split; [apply flat_sound, E1|]. split; [exact E2|]. split; [exact (solid_covers N _ ps _ I S)|].
-  pose proof (simple_shape _ S) as (W01 & z & Z1). cbn [rings] in *. pose proof (int_rings_at (Zpos N) _ I) as Ra. split.
-  - intro q. destruct (pat_common q q) as (k & v & _ & K & V & _). rewrite (winding_W (Zpos N) k _ _ q v eq_refl K Ra V). apply W01, K.
-  - apply (interior_of_point _ (third N z)). unfold Statements.inside. rewrite <- Z1, <- W_edges.
-    apply (winding_at (3 * Zpos N)); [lia|apply rings_grow, Ra|apply third_at].
+  intro H. destruct (figure_spec f ps H) as (_ & _ & Cov & _ & z & Z). intro E. apply (Cov z Z). rewrite E. intros p [].
 Qed.
 
 Lemma nth_combine {A B} (a : list A) (b : list B) i x : length a = length b -> nth_error a i = Some x -> exists y, nth_error (combine a b) i = Some (x, y).
@@ -429,6 +450,134 @@ Proof.
   rewrite forallb_forall in H. rewrite Forall_forall. intros y I. eexists. exact (H y I).
 Qed.
 
+(* What is in the sheet: `in_regions`, the regions of a part. *)
+Definition is_kept (d : Z) (f : Statements.figure) (x : item) : Prop :=
+  forall s (S U : qpoint -> Prop), s == d # N -> (forall z, S z -> in_some (regions N x) z) -> Statements.outside_of f U -> Statements.keeps s S U.
+Lemma core_ball p q (r : Z) y : (forall v, In v p -> (fst v - fst q) * (fst v - fst q) + (snd v - snd q) * (snd v - snd q) <= r * r)%Z ->
+  core N p y -> Statements.dist2 y (qpt N q) <= (r # N) * (r # N).
+Proof.
+  intros B C. set (u := fst y - fst (qpt N q)). set (w := snd y - snd (qpt N q)).
+  destruct (at_common u w 0 0) as (k & a & b & _ & _ & K & A & A' & _). unfold at_ in A, A'.
+  assert (K0 : 0 < inject_Z k) by (apply inject_pos, K).
+  assert (G : exists v, In v p /\ forall v', In v' p -> (dot (a, b) v' <= dot (a, b) v)%Z).
+  { destruct p as [|v0 p]; [exfalso|exact (greatest (dot (a, b)) v0 p)]. pose proof (C (0, 0)%Z (-1)%Z (fun v H => match H with end)) as H.
+    unfold along, qnormal in H. cbn [fst snd] in H. assert (E : inject_Z 0 * fst y + inject_Z 0 * snd y == 0) by (change (inject_Z 0) with 0; ring).
+    rewrite E in H. unfold Qle in H. cbn in H. lia. }
+  destruct G as (v & V & M). pose proof (C (a, b) (dot (a, b) v) M) as H. specialize (B v V).
+  assert (F : (dot (a, b) v # N) == inject_Z a * (fst v # N) + inject_Z b * (snd v # N)).
+  { unfold dot. cbn [fst snd]. rewrite frac_plus. unfold Qeq, Qplus, Qmult, inject_Z. cbn [Qnum Qden]. rewrite ?Pos.mul_1_l, ?Pos2Z.inj_mul. ring. }
+  rewrite F in H. unfold along, qnormal in H. cbn [fst snd] in H. rewrite <- A, <- A' in H.
+  assert (H' : u * fst y + w * snd y <= u * (fst v # N) + w * (snd v # N)).
+  { apply (Qmult_le_r _ _ (inject_Z k)); [exact K0|]. lra. }
+  set (i := (fst v # N) - fst (qpt N q)). set (j := (snd v # N) - snd (qpt N q)).
+  assert (Bq : i * i + j * j <= (r # N) * (r # N)).
+  { assert (Ei : i == (fst v - fst q # N)) by (unfold i, qpt; cbn [fst snd]; unfold Z.sub; rewrite frac_plus; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; ring).
+    assert (Ej : j == (snd v - snd q # N)) by (unfold j, qpt; cbn [fst snd]; unfold Z.sub; rewrite frac_plus; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; ring).
+    rewrite Ei, Ej. unfold Qle, Qplus, Qmult. cbn [Qnum Qden]. rewrite !Pos2Z.inj_mul.
+    apply Z.mul_le_mono_nonneg_r with (p := (Zpos N * Zpos N * Zpos N * Zpos N)%Z) in B; nia. }
+  assert (E : Statements.dist2 y (qpt N q) == u * u + w * w) by (unfold Statements.dist2, u, w; ring). rewrite E.
+  assert (H2 : u * u + w * w <= u * i + w * j) by (unfold u, w, i, j in *; lra).
+  pose proof (sq_nonneg (u - i)). pose proof (sq_nonneg (w - j)).
+  assert (E1 : (u - i) * (u - i) == u * u + i * i - 2 * (u * i)) by ring. assert (E2 : (w - j) * (w - j) == w * w + j * j - 2 * (w * j)) by ring. lra.
+Qed.
+Lemma disc_keeps e (p : Statements.point) r x d : (0 <= d)%Z -> is_amount (Zpos N) e = true -> all_integral (Zpos N) [[p]] = true ->
+  is_amount (Zpos N) r = true -> sound x -> parts x <> [] ->
+  in_disc (d + int (Zpos N) e) (int_point (Zpos N) p) (int (Zpos N) r) x = true ->
+  is_kept d {| Statements.outline := []; Statements.rounded := [([p], r)]; Statements.error := e |} x.
+Proof.
+  intros D0 Ae Ip Ar Sx Ne H s S U Es Cov K. pose proof Sx as (R0 & _ & Rp). destruct (amount_spec N _ Ae) as (E0 & E1). destruct (amount_spec N _ Ar) as (Q0 & Q1).
+  unfold in_disc in H. rewrite forallb_forall in H. cbn [Statements.error] in *.
+  unfold all_integral in Ip. cbn [forallb] in Ip. rewrite !andb_true_r in Ip. apply andb_prop in Ip as (I1 & I2).
+  assert (Pe : fst (qpt N (int_point (Zpos N) p)) == fst p /\ snd (qpt N (int_point (Zpos N) p)) == snd p).
+  { apply int_at in I1, I2. unfold at_ in I1, I2. assert (P : 0 < inject_Z (Zpos N)) by (apply inject_pos; reflexivity).
+    unfold qpt, int_point. cbn [fst snd]. split; apply (Qmult_inj_r _ _ (inject_Z (Zpos N))); try lra; [rewrite I1|rewrite I2];
+      unfold Qeq, Qmult, inject_Z; cbn [Qnum Qden]; rewrite !Pos.mul_1_r; ring. }
+  assert (Dp : forall y, Statements.dist2 y (qpt N (int_point (Zpos N) p)) == Statements.dist2 y p).
+  { intro y. unfold Statements.dist2. rewrite (proj1 Pe), (proj2 Pe). reflexivity. }
+  assert (Room : forall q, In q (parts x) -> (0 <= int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e))%Z /\
+    forall v, In v (fst q) -> ((fst v - fst (int_point (Zpos N) p)) * (fst v - fst (int_point (Zpos N) p)) + (snd v - snd (int_point (Zpos N) p)) * (snd v - snd (int_point (Zpos N) p)) <=
+      (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e)) * (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e)))%Z).
+  { intros q Iq. specialize (H q Iq). cbv zeta in H. apply andb_prop in H as (H1 & H2). apply Z.leb_le in H1. split; [exact H1|].
+    rewrite forallb_forall in H2. intros v V. apply Z.leb_le, H2, V. }
+  apply (keeps_ball s r e p (regions N x) S (fun z => ~ Statements.drawn {| Statements.outline := []; Statements.rounded := [([p], r)]; Statements.error := e |} z) U).
+  - rewrite Es. apply frac_nonneg, D0.
+  - rewrite E1. apply frac_nonneg, E0.
+  - destruct (parts x) as [|q ps] eqn:Px; [congruence|]. destruct (Room q (or_introl eq_refl)) as (L & _).
+    specialize (Rp q (or_introl eq_refl)).
+    assert (X : (d # N) + (int (Zpos N) e # N) <= (int (Zpos N) r # N)) by (rewrite <- frac_plus; apply frac_le; lia). lra.
+  - exact Cov.
+  - intros q' Iq'. split; [apply (regions_nonneg N x Sx), Iq'|].
+    apply in_map_iff in Iq' as (q1 & <- & Iq'). apply in_map_iff in Iq' as (q & <- & Iq). cbn [fst snd region_of].
+    destruct (Room q Iq) as (L & B). exists (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e) # N). split; [apply frac_nonneg, L|]. split.
+    + assert (X : (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e) # N) + ((reach x # N) + (snd q # N)) + (d # N) + (int (Zpos N) e # N) <= (int (Zpos N) r # N))
+        by (rewrite <- !frac_plus; apply frac_le; lia). lra.
+    + intros y Y. rewrite <- Dp. exact (core_ball _ _ _ y B Y).
+  - intros y Ny. destruct (Qlt_le_dec (r * r) (Statements.dist2 y p)) as [|L]; [assumption|exfalso]. apply Ny. right. exists ([p], r).
+    split; [left; reflexivity|]. cbn [fst snd]. intros t T F. specialize (F p). 
+    assert (Hp : Statements.hull [p] p) by (intros a b k X; apply X; left; reflexivity). specialize (F Hp).
+    assert (R1 : 0 <= r) by (rewrite Q1; apply frac_nonneg, Q0). pose proof (sq_lt r t R1 T). rewrite dist2_sym in F. lra.
+  - exact K.
+Qed.
+Lemma rings_keep f x d : (0 <= d)%Z -> Statements.rounded f = [] -> sound x -> forall normals',
+  (let '(x0, y0, x1, y1) := frame c in let e := int (Zpos N) (Statements.error f) in let out := make_item (map (fun p => (p, 0%Z)) (outside_pieces c)) e in
+    is_amount (Zpos N) (Statements.error f) && ((x0 <? x1)%Z && (y0 <? y1)%Z && all_integral (Zpos N) (Statements.outline f) && forallb is_fan (outside_pieces c) &&
+    cancel (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings (Zpos N) (Statements.outline f))) (edges (box_ring x0 y0 x1 y1))) &&
+    (within_frame (d + e) (frame c) x && is_apart d normals' out x)) = true -> is_kept d f x.
+Proof.
+  intros D0 Ro P1 normals' H s S U Es Cov K. destruct (frame c) as [[[x0 y0] x1] y1] eqn:Fr. cbv zeta in H.
+  set (C := Statements.outline f) in *. set (e := Statements.error f) in *.
+  apply andb_prop in H as (H & W). apply andb_prop in W as (Wf & Ap). apply andb_prop in H as (Ae & H).
+  apply andb_prop in H as (H & X0). apply andb_prop in H as (H & X1). apply andb_prop in H as (H & X2). apply andb_prop in H as (Hs & X4).
+  rewrite forallb_forall in X1. apply Z.ltb_lt in Hs, X4.
+  destruct (amount_spec N _ Ae) as (E0 & E1). set (out := make_item _ _) in Ap.
+  assert (So' : sound out) by (apply flat_sound, E0). apply keeps_sym.
+  set (base := map (region_of N) (parts out) ++ map (fun h => (beyond_plane N h, 0)) (planes (x0, y0, x1, y1))).
+  apply (keeps_regions _ (map (fun p => (fst p, (reach out # N) + snd p)) base) (regions N x)).
+  - rewrite Es. apply frac_nonneg, D0.
+  - intros p' Ip. apply in_map_iff in Ip as (p & <- & Ip). cbn [snd]. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd region_of].
+    + destruct So' as (_ & _ & So'). pose proof (frac_nonneg N _ (So' q Iq)). pose proof (frac_nonneg N (reach out) E0). lra.
+    + pose proof (frac_nonneg N (reach out) E0). lra.
+  - apply regions_nonneg, P1.
+  - intros z Uz. apply (within_union (reach out # N) base (fun y => ~ Statements.drawn f y) z).
+    + apply frac_nonneg, E0.
+    + intros p Ip. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd region_of]; [|lra].
+      destruct So' as (_ & _ & So'). apply frac_nonneg, So', Iq.
+    + intros y Ny Ky. apply Ny. left. apply (frame_inside N x0 y0 x1 y1 C (outside_pieces c) X2 Hs X4 X1 X0).
+      * intros h Ih Bh. apply (Ky (beyond_plane N h, 0)); [apply in_or_app; right; exact (in_map (fun h => (beyond_plane N h, 0)) _ h Ih)|].
+        apply within_self; [cbn; lra|exact Bh].
+      * intros P IP Wp. apply (Ky (region_of N (P, 0%Z))).
+        -- apply in_or_app. left. apply in_map. unfold out, make_item. cbn [parts]. exact (in_map (fun p => (p, 0%Z)) _ P IP).
+        -- apply within_self; [apply frac_nonneg; cbn; lia|]. apply piece_core; [apply X1, IP|exact Wp].
+    + intros t Dd. apply (K z Uz). fold e. rewrite E1. exact Dd.
+  - exact Cov.
+  - intros p' q' Ip Iq. apply in_map_iff in Ip as (p & <- & Ip). apply in_app_or in Ip as [Ip|Ip].
+    + apply (is_apart_between N d _ out x _ So' P1 D0 Ap Es); [|exact Iq].
+      exact (in_map (fun p => (fst p, (reach out # N) + snd p)) _ p Ip).
+    + apply in_map_iff in Ip as (h & <- & Ih). cbn [fst snd].
+      apply in_map_iff in Iq as (q1 & <- & Iq). apply in_map_iff in Iq as (q & <- & Iq). cbn [fst snd region_of].
+      unfold within_frame in Wf. rewrite forallb_forall in Wf. specialize (Wf q Iq). rewrite forallb_forall in Wf. specialize (Wf h Ih). apply Z.leb_le in Wf.
+      destruct P1 as (R0 & _ & Pq). specialize (Pq q Iq).
+      apply (plane_between N _ h (fst q) (d + int (Zpos N) e + reach x + snd q) _ _ _ Ih).
+      * lia.
+      * lia.
+      * rewrite Es, !frac_plus. unfold out, make_item. cbn [reach]. fold e. lra.
+Qed.
+Lemma check_sheet_spec f d l' i x : check_sheet outside_normals c f d l' = true -> (0 <= d)%Z -> In (i, x) l' -> sound x -> parts x <> [] -> is_kept d f x.
+Proof.
+  unfold check_sheet. cbv zeta. intros H D0 I Sx Ne. apply andb_prop in H as (Ae & H). fold N in Ae, H.
+  assert (G : Statements.rounded f = [] -> (let '(x0, y0, x1, y1) := frame c in
+      let out := make_item (map (fun p : ring => (p, 0%Z)) (outside_pieces c)) (int (Zpos N) (Statements.error f)) in
+      (x0 <? x1)%Z && (y0 <? y1)%Z && all_integral (Zpos N) (Statements.outline f) && forallb is_fan (outside_pieces c) &&
+      cancel (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings (Zpos N) (Statements.outline f))) (edges (box_ring x0 y0 x1 y1)) &&
+      forallb (fun x => within_frame (d + int (Zpos N) (Statements.error f)) (frame c) (snd x) && is_apart d (fun i j => outside_normals (-1) i (fst x) j) out (snd x)) l') = true -> is_kept d f x).
+  { intros Ro H'. apply (rings_keep f x d D0 Ro Sx (fun a b => outside_normals (-1) a i b)). cbv zeta. destruct (frame c) as [[[x0 y0] x1] y1] eqn:Fr.
+    apply andb_prop in H' as (H' & W). rewrite forallb_forall in W. specialize (W _ I). cbn [fst snd] in W. rewrite Ae, H', W. reflexivity. }
+  destruct f as [rs ro e]. cbn [Statements.outline Statements.rounded Statements.error] in *.
+  destruct rs as [|r0 rs]; [destruct ro as [|[[|p [|]] r] [|]]|destruct ro]; try discriminate; try (apply G; [reflexivity|exact H]).
+  apply andb_prop in H as (H & F). apply andb_prop in H as (Ip & Ar). rewrite forallb_forall in F. specialize (F _ I). cbn [snd] in F.
+  exact (disc_keeps e p r x d D0 Ae Ip Ar Sx Ne F).
+Qed.
+
 Theorem layout_sound : check_layout normals outside_normals l c = true -> Statements.valid l.
 Proof.
   unfold check_layout. intro H.
@@ -437,72 +586,42 @@ Proof.
   apply andb_prop in H as (H & Lp). apply andb_prop in H as (Al & Su).
   rewrite forallb_forall in Al, So, Sp. apply Nat.eqb_eq in Lp, Lo.
   destruct (amount_spec N _ Hm) as (M0 & M1). destruct (amount_spec N _ Hd) as (D0 & D1).
-  assert (At : forall i x, nth_error (Statements.placements l) i = Some x -> exists ps k, In (x, ps) (combine (Statements.placements l) (part_pieces c)) /\
-    nth_error (items l c) i = Some (k, item_of l c (x, ps))).
-  { intros i x E. destruct (nth_combine _ _ i x Lp E) as (ps & F). exists ps.
-    destruct (nth_numbered (map (item_of l c) (combine (Statements.placements l) (part_pieces c))) i (item_of l c (x, ps))) as (k & G).
+  assert (At : forall i x, nth_error (Statements.placements l) i = Some x -> exists ps k, In (Statements.placed l x, ps) (solid_parts l c) /\
+    nth_error (items l c) i = Some (k, item_of c (Statements.placed l x, ps))).
+  { intros i x E. destruct (nth_combine (map (Statements.placed l) (Statements.placements l)) (part_pieces c) i (Statements.placed l x)) as (ps & F).
+    { rewrite map_length. exact Lp. }
+    { rewrite nth_error_map, E. reflexivity. }
+    exists ps. fold (solid_parts l c) in F.
+    destruct (nth_numbered (map (item_of c) (solid_parts l c)) i (item_of c (Statements.placed l x, ps))) as (k & G).
     { rewrite nth_error_map, F. reflexivity. }
     exists k. split; [eapply nth_error_In, F|exact G]. }
-  assert (In_ : forall x, In x (Statements.placements l) -> exists ps k, In (x, ps) (combine (Statements.placements l) (part_pieces c)) /\ In (k, item_of l c (x, ps)) (items l c)).
+  assert (In_ : forall x, In x (Statements.placements l) -> exists ps k, In (Statements.placed l x, ps) (solid_parts l c) /\
+    In (k, item_of c (Statements.placed l x, ps)) (items l c)).
   { intros x I. apply In_nth_error in I as (i & I). destruct (At i x I) as (ps & k & A & B). exists ps, k. split; [exact A|eapply nth_error_In, B]. }
-  assert (Obs : forall o, In o (Statements.obstacles l) -> exists ps, In (o, ps) (combine (Statements.obstacles l) (obstacle_pieces c))).
+  assert (Obs : forall o, In o (Statements.obstacles l) -> exists ps, In (o, ps) (solid_obstacles l c)).
   { intros o I. apply In_nth_error in I as (i & I). destruct (nth_combine _ _ i o Lo I) as (ps & F). exists ps. eapply nth_error_In, F. }
   constructor.
   - split; [rewrite Forall_forall; intros x I; apply check_allowed_spec, Al, I|apply check_supply_spec, Su].
-  - split.
-    + intros x I. destruct (In_ x I) as (ps & k & A & _). apply (part_spec x ps (Sp _ A)).
-    + intros o I. destruct (Obs o I) as (ps & A). apply (obstacle_spec o ps (So _ A)).
+  - split; rewrite Forall_forall.
+    + intros x I. destruct (In_ x I) as (ps & k & A & _). apply (figure_spec _ ps (Sp _ A)).
+    + intros o I. destruct (Obs o I) as (ps & A). apply (figure_spec o ps (So _ A)).
   - assert (G : forall i j x y S T, (i < j)%nat -> nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y ->
-      Statements.shape_of l x S -> Statements.shape_of l y T -> Statements.keeps (Statements.spacing l) S T).
+      Statements.shape_of (Statements.placed l x) S -> Statements.shape_of (Statements.placed l y) T -> Statements.keeps (Statements.spacing l) S T).
     { intros i j x y S T L X Y KS KT. destruct (At i x X) as (ps & k & A & B). destruct (At j y Y) as (qs & k' & A' & B').
       destruct (pairs_nth _ _ (all_apart_spec _ _ Ha) i j _ _ L B B') as (f & F). cbn [snd] in F.
-      destruct (part_spec x ps (Sp _ A)) as (X1 & X2 & X3 & _). destruct (part_spec y qs (Sp _ A')) as (Y1 & Y2 & Y3 & _).
+      destruct (figure_spec _ ps (Sp _ A)) as (X1 & X2 & X3 & _). destruct (figure_spec _ qs (Sp _ A')) as (Y1 & Y2 & Y3 & _).
       exact (apart_keeps N _ f _ _ _ _ _ _ _ S T X1 Y1 D0 D1 F X2 Y2 X3 Y3 KS KT). }
     intros i j x y S T X Y Ne KS KT. destruct (Nat.lt_gt_cases i j) as (Lt & _). destruct (Lt Ne) as [L|L].
     + exact (G i j x y S T L X Y KS KT).
     + apply keeps_sym. exact (G j i y x T S L Y X KT KS).
-  - intros x C e S U I E KS KU. rewrite E in Hs. destruct (frame c) as [[[x0 y0] x1] y1] eqn:Fr.
-    destruct (In_ x I) as (ps & k & A & B).
-    repeat match type of Hs with _ && _ = true => let X := fresh "X" in apply andb_prop in Hs as (Hs & X) end.
-    rewrite forallb_forall in X, X1. apply Z.ltb_lt in Hs, X4. specialize (X _ B). cbn [fst snd] in X. apply andb_prop in X as (Wf & Ap).
-    destruct (amount_spec N _ X3) as (E0 & E1). set (out := make_item _ _) in Ap.
-    assert (So' : sound out) by (apply flat_sound, E0).
-    destruct (part_spec x ps (Sp _ A)) as (P1 & P2 & P3 & _). set (it := item_of l c (x, ps)) in *.
-    apply keeps_sym.
-    set (base := map (region_of N) (parts out) ++ map (fun h => (beyond_plane N h, 0)) (planes (x0, y0, x1, y1))).
-    apply (keeps_regions _ (map (fun p => (fst p, (reach out # N) + snd p)) base) (regions N it)).
-    + rewrite M1. apply frac_nonneg, M0.
-    + intros p' Ip. apply in_map_iff in Ip as (p & <- & Ip). cbn [snd]. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd region_of].
-      * destruct So' as (_ & _ & So'). pose proof (frac_nonneg N _ (So' q Iq)). pose proof (frac_nonneg N (reach out) E0). lra.
-      * pose proof (frac_nonneg N (reach out) E0). lra.
-    + apply regions_nonneg, P1.
-    + intros z Uz. apply (within_union (reach out # N) base (fun y => ~ Statements.inside C y) z).
-      * apply frac_nonneg, E0.
-      * intros p Ip. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd region_of]; [|lra].
-        destruct So' as (_ & _ & So'). apply frac_nonneg, So', Iq.
-      * intros y Ny K. apply Ny. apply (frame_inside N x0 y0 x1 y1 C (outside_pieces c) X2 Hs X4 X1 X0).
-        -- intros h Ih Bh. apply (K (beyond_plane N h, 0)); [apply in_or_app; right; exact (in_map (fun h => (beyond_plane N h, 0)) _ h Ih)|].
-           apply within_self; [cbn; lra|exact Bh].
-        -- intros P IP Wp. apply (K (region_of N (P, 0%Z))).
-           ++ apply in_or_app. left. apply in_map. unfold out, make_item. cbn [parts]. exact (in_map (fun p => (p, 0%Z)) _ P IP).
-           ++ apply within_self; [apply frac_nonneg; cbn; lia|]. apply piece_core; [apply X1, IP|exact Wp].
-      * intros d Dd. apply (KU z Uz). rewrite E1. exact Dd.
-    + exact (cover_known N it (error_of l x) _ S P1 P2 P3 KS).
-    + intros p' q' Ip Iq. apply in_map_iff in Ip as (p & <- & Ip). apply in_app_or in Ip as [Ip|Ip].
-      * apply (is_apart_between N (int (Zpos N) (Statements.margin l)) _ out it _ So' P1 M0 Ap M1); [|exact Iq].
-        exact (in_map (fun p => (fst p, (reach out # N) + snd p)) _ p Ip).
-      * apply in_map_iff in Ip as (h & <- & Ih). cbn [fst snd].
-        apply in_map_iff in Iq as (q1 & <- & Iq). apply in_map_iff in Iq as (q & <- & Iq). cbn [fst snd region_of].
-        unfold within_frame in Wf. rewrite forallb_forall in Wf. specialize (Wf q Iq). rewrite forallb_forall in Wf. specialize (Wf h Ih). apply Z.leb_le in Wf.
-        destruct P1 as (R0 & _ & Pq). specialize (Pq q Iq).
-        apply (plane_between N _ h (fst q) (int (Zpos N) (Statements.margin l) + int (Zpos N) e + reach it + snd q) _ _ _ Ih).
-        -- lia.
-        -- fold N in Wf. lia.
-        -- rewrite !frac_plus. unfold out, make_item. cbn [reach]. fold N. lra.
+  - intros x f S U I E KS KU. rewrite E in Hs. destruct (In_ x I) as (ps & k & A & B).
+    destruct (figure_spec _ ps (Sp _ A)) as (P1 & P2 & P3 & P4).
+    apply (check_sheet_spec f _ _ k _ Hs M0 B P1 (parts_some _ ps (Sp _ A))); [exact M1| |exact KU].
+    exact (cover_known N _ _ _ S P1 P2 P3 KS).
   - intros x o S T I J KS KT. destruct (In_ x I) as (ps & k & A & B). destruct (Obs o J) as (qs & Q0).
-    destruct (numbered_in _ (obstacle_item c (o, qs)) (in_map (obstacle_item c) _ _ Q0)) as (i & Ji).
+    destruct (numbered_in _ (item_of c (o, qs)) (in_map (item_of c) _ _ Q0)) as (i & Ji).
     rewrite forallb_forall in Ho. specialize (Ho _ Ji). rewrite forallb_forall in Ho. specialize (Ho _ B). cbn [fst snd] in Ho.
-    destruct (part_spec x ps (Sp _ A)) as (X1 & X2 & X3 & _). destruct (obstacle_spec o qs (So _ Q0)) as (Y1 & Y2 & Y3 & _).
+    destruct (figure_spec _ ps (Sp _ A)) as (X1 & X2 & X3 & _). destruct (figure_spec o qs (So _ Q0)) as (Y1 & Y2 & Y3 & _).
     apply keeps_sym. exact (apart_keeps N _ _ _ _ _ _ _ _ _ T S Y1 X1 M0 M1 Ho Y2 X2 Y3 X3 KT KS).
 Qed.
 End Sound.

@@ -46,16 +46,23 @@ Definition at_least (d : Q) (S T : point -> Prop) : Prop :=     (* any two point
 Definition simple (rs : list ring) : Prop :=
   (forall z, winding rs z = 0%Z \/ winding rs z = 1%Z) /\ exists z, interior (inside rs) z.
 
-(* Layouts.  A part is drawn as rings, or as rounded pieces: all points at distance r or less from the
-   convex hull of points (a disc is one point, a slot two).  A shape is known up to an error e: the true
-   one is any set of points at distance e or less from the drawn one. *)
+(* Figures.  Drawn as rings, or as rounded pieces: all points at distance r or less from the convex hull of
+   points (a disc is one point, a slot two).  A figure is known up to an error e: the true one is any set of
+   points at distance e or less from the drawn one. *)
 Definition hull (ps : list point) (z : point) : Prop :=         (* in every half-plane that contains the points *)
   forall a b c, (forall p, In p ps -> a * fst p + b * snd p <= c) -> a * fst z + b * snd z <= c.
 Definition within (e : Q) (S : point -> Prop) (z : point) : Prop :=     (* at distance e or less from S and its limits *)
   forall d, e < d -> ~ forall y, S y -> d * d < dist2 y z.
 Definition known_to (e : Q) (drawn true : point -> Prop) : Prop := forall z, true z -> within e drawn z.
 
-(* A part is mirrored (x to -x) first, then rotated about its origin, then translated. *)
+Record figure := { outline : list ring; rounded : list (list point * Q); error : Q }.   (* rounded: points, radius *)
+Definition drawn (f : figure) (z : point) : Prop :=
+  inside (outline f) z \/ exists p, In p (rounded f) /\ within (snd p) (hull (fst p)) z.
+Definition shape_of (f : figure) : (point -> Prop) -> Prop := known_to (error f) (drawn f).
+Definition outside_of (f : figure) : (point -> Prop) -> Prop := known_to (error f) (fun z => ~ drawn f z).
+Definition is_shape (f : figure) : Prop := (outline f = [] \/ simple (outline f)) /\ exists z, drawn f z.
+
+(* Layouts.  A part is mirrored (x to -x) first, then rotated about its origin, then translated. *)
 Record motion := { mirrored : bool; cosine : Q; sine : Q; shift : point }.
 Definition move (m : motion) (p : point) : point :=
   let x := if mirrored m then - fst p else fst p in
@@ -64,30 +71,27 @@ Definition place (m : motion) (rs : list ring) : list ring :=
   map (fun r => map (move m) (if mirrored m then rev r else r)) rs.
 
 Record part := {
-  outline : list ring;
-  rounded : list (list point * Q);         (* points and radius *)
-  error : Q;
+  form : figure;
   demand : option nat;                     (* None: any number *)
   rotations : option (list (Q * Q));       (* allowed (cosine, sine); None: any *)
   may_mirror : bool }.
 (* `slack`: 0, or where a rational rotation stands for an irrational one, by how much points may be off. *)
 Record placement := { kind : nat; by_motion : motion; slack : Q }.
 Record layout := {
-  sheet : option (list ring * Q);          (* the container with its holes, and its error; None: no container *)
-  obstacles : list (list ring * Q);        (* further defects, which may cross the edge of the sheet *)
+  sheet : option figure;                   (* the container: rings with its holes, or a disc; None: no container *)
+  obstacles : list figure;                 (* further defects, which may cross the edge of the sheet *)
   kinds : list part;
   placements : list placement;
   spacing : Q; margin : Q }.
 
 Definition no_part : part :=
-  {| outline := []; rounded := []; error := 0; demand := None; rotations := None; may_mirror := true |}.
+  {| form := {| outline := []; rounded := []; error := 0 |}; demand := None; rotations := None; may_mirror := true |}.
 Definition kind_of (l : layout) (x : placement) : part := nth (kind x) (kinds l) no_part.
-Definition placed (l : layout) (x : placement) : list ring := place (by_motion x) (outline (kind_of l x)).
-Definition drawn (l : layout) (x : placement) (z : point) : Prop :=
-  inside (placed l x) z \/
-  exists p, In p (rounded (kind_of l x)) /\ within (snd p) (hull (map (move (by_motion x)) (fst p))) z.
-Definition shape_of (l : layout) (x : placement) : (point -> Prop) -> Prop :=
-  known_to (error (kind_of l x) + slack x) (drawn l x).
+Definition placed (l : layout) (x : placement) : figure :=
+  let f := form (kind_of l x) in
+  {| outline := place (by_motion x) (outline f);
+     rounded := map (fun p => (map (move (by_motion x)) (fst p), snd p)) (rounded f);
+     error := error f + slack x |}.
 
 Definition allowed (l : layout) (x : placement) : Prop :=
   let m := by_motion x in
@@ -107,15 +111,14 @@ Definition keeps (d : Q) (S T : point -> Prop) : Prop := ~ overlap S T /\ at_lea
 
 Record valid (l : layout) : Prop := {
   rules : Forall (allowed l) (placements l) /\ supplied l;
-  shapes : (forall x, In x (placements l) -> outline (kind_of l x) = [] \/ simple (placed l x)) /\
-    (forall o, In o (obstacles l) -> simple (fst o));
+  shapes : Forall (fun x => is_shape (placed l x)) (placements l) /\ Forall is_shape (obstacles l);
   apart : forall i j x y S T, nth_error (placements l) i = Some x -> nth_error (placements l) j = Some y -> i <> j ->
-    shape_of l x S -> shape_of l y T -> keeps (spacing l) S T;
+    shape_of (placed l x) S -> shape_of (placed l y) T -> keeps (spacing l) S T;
   (* U: all that is outside the true container *)
-  contained : forall x c e S U, In x (placements l) -> sheet l = Some (c, e) -> shape_of l x S ->
-    known_to e (fun z => ~ inside c z) U -> keeps (margin l) S U;
-  no_defect : forall x o S T, In x (placements l) -> In o (obstacles l) -> shape_of l x S ->
-    known_to (snd o) (inside (fst o)) T -> keeps (margin l) S T }.
+  contained : forall x f S U, In x (placements l) -> sheet l = Some f ->
+    shape_of (placed l x) S -> outside_of f U -> keeps (margin l) S U;
+  no_defect : forall x o S T, In x (placements l) -> In o (obstacles l) ->
+    shape_of (placed l x) S -> shape_of o T -> keeps (margin l) S T }.
 
 (* No-fit polygons.  O is the set of translations at which G + t overlaps D.  The claim on rings (loops)
    and segments (exact fits): together they are the boundary of O, the translations at which G + t touches

@@ -32,17 +32,18 @@ let inner_fit_certificate () =
   let listed_sums0 = sums () in let around = list (fun () -> list integer) in
   { unit1; box; outside; part0; listed_sums0; around }
 
-let part () =
+let figure () =
   let outline = list rational_ring in let rounded = list (fun () -> pair rational_ring rational) in
-  let error = rational () in let demand = option nat in let rotations = option (fun () -> list rational_point) in
-  let may_mirror = nat () = 1 in { outline; rounded; error; demand; rotations; may_mirror }
+  let error = rational () in { outline; rounded; error }
+let part () =
+  let form = figure () in let demand = option nat in let rotations = option (fun () -> list rational_point) in
+  let may_mirror = nat () = 1 in { form; demand; rotations; may_mirror }
 let placement () =
   let kind = nat () in let mirrored = nat () = 1 in let cosine = rational () in let sine = rational () in
   let shift = rational_point () in let slack = rational () in
   { kind; by_motion = { mirrored; cosine; sine; shift }; slack }
 let layout () =
-  let shape () = pair (fun () -> list rational_ring) rational in
-  let sheet = option shape in let obstacles = list shape in let kinds = list part in let placements = list placement in
+  let sheet = option figure in let obstacles = list figure in let kinds = list part in let placements = list placement in
   let spacing = rational () in let margin = rational () in { sheet; obstacles; kinds; placements; spacing; margin }
 let certificate () =
   let denominator = integer () in let part_pieces = list (fun () -> list ring) in let obstacle_pieces = list (fun () -> list ring) in
