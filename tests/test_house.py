@@ -200,22 +200,16 @@ def test_namesakes_are_found() -> None:
     assert found == {"Ring": ["a", "b"], "Loop": ["b", "c"]}
 
 
-CLAUSE = re.compile(
-    r"(What|Whatever|Who|Whose|Where|How|Which|That|If|When|Why|Whether|Those)\b", re.ASCII
-)
 TREE = PACKAGE.parent
 FOLDERS = ("exactsweep", "tests", "benchmarks")
 SOURCES = [path for name in FOLDERS for path in TREE.glob(f"{name}/**/*.py")]
-PAGES = [TREE / "README.md", *(page for name in FOLDERS for page in TREE.glob(f"{name}/**/*.md"))]
 ORDER = (("Args", "Attributes"), ("Returns", "Yields"), ("Raises",), ("Cost",), ("Source",))
 EXAMPLE = "Example"
 HEADING = re.compile(r"([A-Z]\w+):(\s|$)")
 
 
 def misplaced(docstring: str) -> str:
-    """The first line of a docstring that is out of order or unknown, or an opening clause."""
-    if CLAUSE.match(docstring):
-        return docstring.splitlines()[0]
+    """The first line of a docstring that is out of order or unknown."""
     ranks = {name: rank for rank, names in enumerate(ORDER) for name in names}
     ranks[EXAMPLE] = len(ORDER)
     reached = 0
@@ -237,7 +231,7 @@ def docstrings(source: str) -> Iterator[tuple[str, str]]:
             yield node.name, ast.get_docstring(node) or ""
 
 
-def test_docstrings_begin_with_a_verb_or_a_noun_and_keep_one_order() -> None:
+def test_docstrings_keep_one_order() -> None:
     # The order: summary, arguments, results, errors, cost, source, example.
     found = [
         f"{path.relative_to(TREE)}: {name}: {line}"
@@ -256,68 +250,7 @@ def test_docstrings_begin_with_a_verb_or_a_noun_and_keep_one_order() -> None:
         ("Loops.\n\nExample:\n    >>> f(1)\n    2\n\nCost: O(n).", "Cost: O(n)."),
         ("Loops.\n\n>>> f(1)\n2\n\nRaises:\n    Error: no.", "Raises:"),
         ("Loops.\n\nNote: beware.", "Note: beware."),
-        ("Whether so.\n\nReturns:\n    Two.", "Whether so."),
-        ("Whereabouts.", ""),
     ],
 )
 def test_a_docstring_out_of_order_is_found(docstring: str, line: str) -> None:
     assert misplaced(docstring) == line
-
-
-# A clause as the subject of a sentence, and verbs that hide who acts.
-SUBJECT = re.compile(r"(What|Whatever|Who|Whoever|Whose|Whether|How)\b(?!.*\?)", re.S)
-HIDDEN = re.compile(
-    r"\b((is|are|was|were|be) (told|said|had|taken)|comes? to (?!rest)|strangers?"
-    r"|(held|holds?|holding) (\w+ ){0,3}against|whoever|as somebody|lest|which see)\b",
-    re.I,
-)
-# A published release has the digest of this page.
-UNCHANGED = {"exactsweep/corpus/release/HOW-TO-READ.md"}
-
-
-def paragraphs(text: str, suffix: str) -> Iterator[str]:
-    """The paragraphs of a page of Markdown, or of the docstrings and comments of a source."""
-    if suffix == ".md":
-        prose = re.sub(r"^```.*?^```|^\|.*?$", "\n", text, flags=re.M | re.S)
-    else:
-        strings = (
-            node.value.value
-            for node in statements(text)
-            if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
-            if isinstance(node.value.value, str)
-        )
-        prose = re.sub(r"^ *(>>>|\.\.\.).*(\n.*\S.*)*", "", "\n\n".join(strings), flags=re.M)
-        comments = (re.match(r" *# (.*)", line) for line in text.splitlines())
-        prose += "\n\n" + "\n".join(comment[1] if comment else "" for comment in comments)
-    yield from re.split(r"\n\s*\n|\n\s*(?=- |\(?\d+[.)] |[\w, *]+: )", prose)
-
-
-def clumsy(text: str, suffix: str = ".py") -> Iterator[str]:
-    """The sentences with a clause as subject, or with a verb that hides who acts."""
-    for paragraph in paragraphs(text, suffix):
-        flat = " ".join(re.sub(r"`[^`]*`", "X", paragraph).split())
-        for sentence in re.split(r"(?<=[.:;!?]) +", flat):
-            words = sentence.lstrip("#->*()0123456789. ")
-            if SUBJECT.match(words) or HIDDEN.search(words):
-                yield words
-
-
-def test_sentences_say_who_acts() -> None:
-    names = {path: path.relative_to(TREE).as_posix() for path in [*SOURCES, *PAGES]}
-    found = [
-        f"{name}: {line}"
-        for path, name in names.items()
-        if name not in UNCHANGED
-        for line in clumsy(path.read_text(encoding="utf-8"), path.suffix)
-    ]
-    assert not found, "\n".join(found)
-
-
-def test_a_clumsy_sentence_is_found() -> None:
-    source = (
-        '"""Loops.\n\nWhat bounds it is told. Whether so?\n\n>>> "Who"\n"""\n'
-        "# Numbers of strangers\n# are read. What for? Nothing.\n"
-    )
-    assert [*clumsy(source)] == ["What bounds it is told.", "Numbers of strangers are read."]
-    page = "# What is refused\n\n```\nWhat is.\n```\n\n| Who |\n\n- Whoever reads: it is said.\n"
-    assert [*clumsy(page, ".md")] == ["What is refused", "Whoever reads:", "it is said."]

@@ -16,7 +16,7 @@ def test_an_argument_is_named_with_what_it_should_be() -> None:
     with pytest.raises(ArgumentError, match=r"^polygons is None, not Iterable\[Polygon \| Region"):
         format_polygons(None, "wkt")  # type: ignore[arg-type]
     with pytest.raises(ArgumentError, match=r"^tries is 'a', not int$"):
-        shrink(find_case("directions-y"), lambda case: "x", tries="a")
+        shrink(find_case("directions-y"), lambda case: "x", tries="a")  # type: ignore[arg-type]
 
 
 def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
@@ -49,4 +49,4 @@ def test_a_number_is_no_path_but_an_open_file() -> None:
     """Once True was read as standard output, and closed it."""
     for number in (0, 1, True):
         with pytest.raises(ExactSweepError, match="is not a path"):
-            read_text(number)
+            read_text(number)  # type: ignore[arg-type]
