@@ -27,6 +27,7 @@ from exactsweep.conform.judge.region import RegionError, find_differences
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import Fit, Point, PointRings
 
+
 class _OpenInterval(NamedTuple):
     low: Fraction
     high: Fraction
