@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from hypothesis import assume, given
+from hypothesis import given
 from hypothesis import strategies as st
 from strategies import points, simple_rings
 from tiers import examples
@@ -14,15 +14,8 @@ from tiers import examples
 from exactsweep import Point, Polygon
 from exactsweep.check.location import locate
 from exactsweep.conform.judge.closeness import are_close
-from exactsweep.conform.judge.distance import (
-    LoopEdge,
-    Place,
-    _find_cut,
-    _PieceEnd,
-    bound_distance,
-)
+from exactsweep.conform.judge.distance import LoopEdge, Place, bound_distance
 from exactsweep.conform.judge.region import RegionError, add_areas, find_differences, find_simplest
-from exactsweep.geometry.distance import measure_to_edge
 
 Ring = Sequence[Point]
 
@@ -180,15 +173,13 @@ def test_the_distance_is_symmetric_and_zero_for_one_loop(one: Ring, other: Ring)
         (points((1, 0), (5, 0), (5, 4), (1, 4)), "1"),
         # Half the diagonal of the corner that is missing.
         (points((2, 0), (4, 0), (4, 4), (0, 4), (0, 2)), "2"),
-        # A notch of depth 3: its tip is 1 from the bottom, the middle of the top 4 sqrt(4/13).
-        (points((0, 0), (4, 0), (4, 4), (2, 1), (0, 4)), "16/13"),
+        # A notch of depth 3: the middle of the top is at distance 6 / sqrt(13) from its sides.
+        (points((0, 0), (4, 0), (4, 4), (2, 1), (0, 4)), "36/13"),
     ],
 )
 def test_distances_by_hand(ring: Ring, squared: str) -> None:
     low, high = bound_distance([SQUARE], [ring])
-    assert low == high
-    if squared != "16/13":
-        assert low == Fraction(squared)
+    assert low <= Fraction(squared) <= high <= low * (1 + Fraction(1, 2**32))
 
 
 def test_vertices_along_edges_do_not_loosen_the_bounds() -> None:
@@ -198,51 +189,6 @@ def test_vertices_along_edges_do_not_loosen_the_bounds() -> None:
     many[50] = Point(many[50].x, tiny)
     low, high = bound_distance([SQUARE], [many])
     assert low <= tiny**2 <= high <= low * (1 + Fraction(1, 2**32))
-
-
-def test_an_edge_is_cut_where_two_others_are_equally_near() -> None:
-    # At (4, y) the distances from y = 0 and from 3 x = 4 y are y and (12 - 4 y) / 5.
-    floor, ramp = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 0), (8, 6))
-    ends = _PieceEnd(Fraction(0), floor), _PieceEnd(Fraction(1), ramp)
-    assert _find_cut(LoopEdge((4, 0), (4, 3)), *ends) == Fraction(4, 9)
-
-
-@pytest.mark.parametrize("sign", [-1, 1])
-def test_an_edge_is_cut_before_and_after_a_point_that_is_near(sign: int) -> None:
-    # At (x, 1) the squared distances from (0, 0) and from y = 5 are x^2 + 1 and 16.
-    point, ceiling = LoopEdge((0, 0), (0, -5)), LoopEdge((-9, 5), (9, 5))
-    middle, end = _PieceEnd(Fraction(1, 2), point), _PieceEnd(Fraction(int(sign > 0)), ceiling)
-    cut = _find_cut(LoopEdge((-8, 1), (8, 1)), *sorted((middle, end), key=lambda one: one.share))
-    x = 16 * cut - 8
-    assert x * sign > 0
-    assert abs(x * x - 15) < Fraction(1, 2**50)
-
-
-def test_a_cut_of_many_digits_is_rounded() -> None:
-    long = Fraction(10**4000 + 7, 3 * 10**4000)
-    half, height = long.as_integer_ratio()
-    low, high = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 2 * half), (9, 2 * half))
-    ends = _PieceEnd(Fraction(0), low), _PieceEnd(Fraction(1), high)
-    cut = _find_cut(LoopEdge((4, 0), (4, height)), *ends)
-    assert 0 < abs(cut - long) < Fraction(1, 2**120)
-    assert cut.denominator < 2**140
-
-
-@patient
-@given(
-    st.lists(st.integers(-6, 6), min_size=8, max_size=8),
-    st.fractions(-2, 2, max_denominator=4),
-)
-def test_the_squared_distance_along_a_line_is_that_to_the_edge(
-    numbers: list[int], t: Fraction
-) -> None:
-    (ax, ay, bx, by, x, y, u, v) = numbers
-    assume((ax, ay) != (bx, by))
-    edge = LoopEdge((ax, ay), (bx, by))
-    (square, mixed, constant), divisor = edge.along(Place(x, y), u, v, t)
-    at = Point(x + t * u, y + t * v)
-    nearest = measure_to_edge(at, ((ax, ay), (bx, by)))
-    assert (square * t + mixed) * t + constant == divisor * Fraction(*nearest)
 
 
 def test_an_irrational_distance_is_bounded() -> None:
