@@ -17,6 +17,7 @@ from exactsweep.sweep import (
     Sweep,
     free_positions,
     inner_fit_polygon,
+    minkowski_difference,
     no_fit_polygon,
     sweep,
 )
@@ -38,6 +39,7 @@ __all__ = [
     "free_positions",
     "inner_fit_polygon",
     "limits",
+    "minkowski_difference",
     "minkowski_sum",
     "no_fit_polygon",
     "overlap",

@@ -10,6 +10,7 @@ from exactsweep.geometry.frame import find_shared_direction, require_monotone
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_shape
 from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.number import ORIGIN
 
 __all__ = [
     "InnerFit",
@@ -17,6 +18,7 @@ __all__ = [
     "Sweep",
     "free_positions",
     "inner_fit_polygon",
+    "minkowski_difference",
     "no_fit_polygon",
     "sweep",
 ]
@@ -68,7 +70,9 @@ def sweep(
         chosen = read_direction(direction)
         for shape, name in ((g, "generatrix"), (d, "directrix")):
             if shape.holes:
-                raise DirectionError(f"the {name} has a hole: it is monotone to no direction")
+                raise DirectionError(
+                    f"the {name} has a hole, so it is not monotone in any direction"
+                )
             require_monotone(shape.exterior, chosen, name)
     if chosen is None:
         g, d = Region(g), Region(d)
@@ -160,6 +164,31 @@ def inner_fit_polygon(
     """
     shapes = to_region(container, "container"), to_region(part, "part")
     return InnerFit(*shapes, read_point(reference, "reference"))
+
+
+@tells_arguments
+def minkowski_difference(a: Region | Vertices, b: Region | Vertices) -> InnerFit:
+    """Find the Minkowski difference of two shapes, the erosion of a by b.
+
+    It consists of all translations that move b into a, so it is the inner fit of b in a.
+
+    Args:
+        a: a Polygon, a Region or the vertices of a polygon.
+        b: likewise.
+
+    Returns:
+        As `inner_fit_polygon`.
+
+    Raises:
+        PolygonError, NumberError: likewise; the message begins with "a" or "b".
+
+    Cost: likewise.
+
+    Example:
+        >>> print(minkowski_difference([(0, 0), (4, 0), (0, 4)], [(0, 0), (1, 0), (1, 1), (0, 1)]))
+        region, 3 vertices: (0, 0) (2, 0) (0, 2)
+    """
+    return InnerFit(to_region(a, "a"), to_region(b, "b"), ORIGIN)
 
 
 @tells_arguments

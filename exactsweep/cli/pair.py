@@ -18,7 +18,7 @@ from exactsweep import (
 )
 from exactsweep.cli.help import ReadingOption
 from exactsweep.cli.options import PATH, Decorator, checked, gather
-from exactsweep.cli.parts import find_parts, read_named, say_all, say_error, say_left_out
+from exactsweep.cli.parts import find_parts, read_named, say_all, say_error, say_skipped
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
@@ -328,7 +328,7 @@ def read_placed(
             shapes = part.candidate.named_regions(said)
         others += [one.region for one in shapes]
         errors += [one.error for one in shapes]
-    say_left_out(said.left_out)
+    say_skipped(said.left_out)
     say_all(said.notes)
     keep_errors(max(errors))
     if listing.coordinates.y_down != coordinates_of_files().y_down:
@@ -381,7 +381,7 @@ def _choose_two(stays: str, moves: str, reading: ReadingOptions) -> list[tuple[C
     chosen = []
     for path, found in files:
         name = split_choice(path)[0]
-        say_left_out([f"{show_path(name)}: {reason}" for reason in found.left_out])
+        say_skipped([f"{show_path(name)}: {reason}" for reason in found.left_out])
         say_all(f"{show_path(name)}: {note}" for note in found.notes)
         chosen.append((found[0], name))
     errors = [one.error for one, _ in chosen]

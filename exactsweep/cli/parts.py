@@ -30,7 +30,7 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
     if not listing.parts:
         reasons = listing.left_out or [f"{', '.join(map(show_path, paths))}: holds no polygon"]
         raise FormatError(summarize(reasons))
-    say_left_out(listing.left_out)
+    say_skipped(listing.left_out)
     say_all(listing.notes)
     say_error(max(part.candidate.error for part in listing.parts), reading)
     return listing
@@ -68,7 +68,7 @@ def read_named(
             reasons += [f"{part.file}: {reason}" for reason in said.left_out]
     if not found:
         raise FormatError(summarize(reasons))
-    say_left_out(reasons)
+    say_skipped(reasons)
     say_all(notes)
     if not keep or listing.files > 1:
         unique = make_unique(names)
@@ -85,7 +85,7 @@ def say_error(error: Fraction, reading: Mapping[str, Any]) -> None:
         )
 
 
-def say_left_out(reasons: Sequence[str]) -> None:
+def say_skipped(reasons: Sequence[str]) -> None:
     """Say on standard error what was not read, and why, a line each."""
     more = len(reasons) - _MOST_REASONS
     shown = [*reasons[:_MOST_REASONS], f"{more} more"] if more > 0 else reasons

@@ -6,11 +6,27 @@ from exactsweep import Polyline, Region, minkowski_sum
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import PATH, takes_output
 from exactsweep.cli.output import measure_columns, write, write_readable
-from exactsweep.cli.pair import ReadingOptions, read_two, takes_reading
+from exactsweep.cli.pair import (
+    ReadingOptions,
+    keep_coordinates,
+    keep_errors,
+    read_two,
+    takes_reading,
+)
+from exactsweep.cli.parts import say_error, say_skipped
 from exactsweep.cli.working import working
-from exactsweep.formats import FormatError, NamedRegion, read_text
+from exactsweep.formats import FormatError, NamedRegion, read_text, show_path
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.paths import parse_path
-from exactsweep.formats.polygons import name_file, parse_region, read_region, split_choice
+from exactsweep.formats.polygons import (
+    name_file,
+    parse_region,
+    read_choice,
+    read_region,
+    read_single,
+    split_choice,
+)
+from exactsweep.formats.reading import Reading
 from exactsweep.formats.rounding import Rounding
 
 
@@ -20,28 +36,44 @@ def _read(
     """Read two polygons, or a polygon and a path."""
     file, choice = split_choice(b)
     if choice is None:
-        text = read_named_text(file)
-        path = parse_named_path(file, text, as_path)
+        with name_file(file):
+            text = read_text(file)
+            path = parse_path(text, is_list=as_path, reading=Reading(**reading))
         if path is not None:
-            return read_region(a, **reading), path
+            return _read_with_path(a, file, path, text.lstrip().startswith("<"), reading)
         if as_path:
-            raise click.UsageError("--path is for lists of points, LINESTRING and LineString.")
+            raise click.UsageError(
+                f"{show_path(file)} is not a path; --path reads lists of points, LINESTRING, "
+                "LineString and SVG paths."
+            )
         if b == "-":
             with name_file(b):
                 return read_region(a, **reading), parse_region(text, **reading)
+    elif as_path:
+        raise click.UsageError("--path reads whole files; leave out the # and what follows.")
     return read_two(a, b, reading)
 
 
-def read_named_text(file: str) -> str:
-    """Read a file; a message names it."""
-    with name_file(file):
-        return read_text(file)
-
-
-def parse_named_path(file: str, text: str, as_path: bool) -> Polyline | None:
-    """Read a path, if a text is one; a message names the file."""
-    with name_file(file):
-        return parse_path(text, is_list=as_path)
+def _read_with_path(
+    a: str, file: str, path: Polyline, is_svg: bool, reading: ReadingOptions
+) -> tuple[Region, Polyline]:
+    """Read the polygon of a sum with a path; where the Y axes differ, flip the one that is down."""
+    name, found = show_path(split_choice(a)[0]), read_choice(a, **reading)
+    say_skipped([f"{name}: {reason}" for reason in found.left_out])
+    notes = [f"{name}: {note}" for note in found.notes]
+    y_down = is_svg if reading["y_down"] is None else reading["y_down"]
+    coordinates = found.coordinates
+    if coordinates.y_down and not y_down:
+        found[:] = [one.turned() for one in found]
+        notes.append(f"{name}: Y axis flipped, as {show_path(file)} has Y up")
+    elif y_down and not coordinates.y_down:
+        path = Polyline([(x, -y) for x, y in path.points], closed=path.closed)
+        notes.append(f"{show_path(file)}: Y axis flipped, as {name} has Y up")
+    keep_coordinates(coordinates._replace(y_down=coordinates.y_down and y_down), notes)
+    keep_errors(found[0].error)
+    say_error(found[0].error, reading)
+    with name_file(name):
+        return read_single(found[0], Candidate.named_region).region, path
 
 
 @click.command("sum")
@@ -70,12 +102,16 @@ def sum_command(
     reading: ReadingOptions,
     output: str,
 ) -> None:
-    """Find a Minkowski sum, also with a path.
+    """Compute a Minkowski sum, also with a path.
 
     The Minkowski sum consists of all sums of a point of A and a point of B. It may have holes. With
     a path as B it is the area that A covers when its origin follows the path. A path is a
-    LINESTRING or POINT of WKT, a LineString or Point of GeoJSON, or a JSON list of two points; with
-    --path a list of any number.
+    LINESTRING or POINT of WKT, a LineString or Point of GeoJSON, an SVG file of one open path of
+    straight segments without a fill, or a JSON list of two points; with --path also a longer list,
+    or a filled or closed path of SVG.
+
+    The Minkowski difference, or erosion, of A by B consists of all positions of B inside A:
+    'exactsweep ifp A B'.
 
     The command reads files as 'exactsweep sweep' does.
 

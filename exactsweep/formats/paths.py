@@ -1,23 +1,29 @@
-"""Readers of paths: WKT and GeoJSON lines and points, and lists of points in JSON."""
+"""Readers of paths: WKT and GeoJSON lines and points, SVG paths, and lists of points in JSON."""
 
 from __future__ import annotations
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json, read_vertices
 from exactsweep.formats.node import JsonNode
+from exactsweep.formats.reading import Reading
 from exactsweep.formats.wkt import parse_wkt_path
 from exactsweep.geometry.polyline import Polyline
 
 _LINES = ("LineString", "Point")
 
 
-def parse_path(text: str, *, is_list: bool = False) -> Polyline | None:
+def parse_path(
+    text: str, *, is_list: bool = False, reading: Reading | None = None
+) -> Polyline | None:
     """Read a path, if a text is one.
 
     Args:
-        text: a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature of one; or a
-            JSON list of one or two points. Numbers are exact, as for `parse_polygons`.
-        is_list: whether a JSON list of more points is a path, too, and not a polygon.
+        text: a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature of one; an SVG
+            document of one open path of straight segments without a fill; or a JSON list of one or
+            two points. Numbers are exact, as for `parse_polygons`.
+        is_list: whether a JSON list of more points, or a filled or closed path of SVG, is a path,
+            too, and not a polygon.
+        reading: the settings for SVG.
 
     Returns:
         A Polyline; None for any other text. A path that ends where it begins is closed.
@@ -32,6 +38,10 @@ def parse_path(text: str, *, is_list: bool = False) -> Polyline | None:
         (0,0) (1/2,0) and (0,0) (1/2,0)
     """
     start = text.lstrip()
+    if start[:1] == "<":
+        from exactsweep.formats.curved.svg import read_svg_path
+
+        return read_svg_path(text, reading or Reading(), filled=is_list)
     if start[:1] not in ("[", "{"):
         points = parse_wkt_path(text) if start[:1].isalpha() else None
         return None if points is None else Polyline(points)

@@ -48,7 +48,7 @@ def test_a_list_of_points_is_a_path_if_it_is_said_so(tmp_path: Path) -> None:
     around = Polyline([(0, 0), (9, 0), (9, 9), (0, 9)], closed=True)
     assert covered.region == minkowski_sum(SQUARE, around)
     assert len(covered.region.holes) == 1
-    assert "--path is for" in run("sum", square, square, "--path").stderr
+    assert "is not a path; --path reads" in run("sum", square, square, "--path").stderr
 
 
 def test_sums_are_rounded_outward(tmp_path: Path) -> None:

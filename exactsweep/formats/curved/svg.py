@@ -26,7 +26,8 @@ from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.error import quote
+from exactsweep.geometry.polyline import Polyline
+from exactsweep.numbers.error import name_refusals, quote
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
@@ -367,3 +368,38 @@ SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[Path]]] = 
     "use": _refuse_shape,
 }
 DRAWN = _GROUPS | SHAPES.keys() | {"switch"}
+
+
+def read_svg_path(text: str, reading: Reading, *, filled: bool = False) -> Polyline | None:
+    """Read an SVG document as a path, if all that it draws is one open path without a fill.
+
+    Args:
+        text: the document.
+        reading: as for `parse_svg`.
+        filled: whether a filled or closed path counts, too.
+
+    Returns:
+        A Polyline in the coordinates of `parse_svg`; None if the document draws anything else.
+
+    Raises:
+        FormatError: as by `parse_svg`; or the path has curves.
+
+    Example:
+        >>> text = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h2v1" fill="none"/></svg>'
+        >>> print(read_svg_path(text, Reading()))
+        (0,0) (2,0) (2,1)
+    """
+    root = parse_xml(text)
+    if name_kind(root) != "svg":
+        return None
+    placed = PlacedElement(root, None, reading, style=Style(root))
+    shapes = [*islice(_Document(root, reading).shapes(placed, 0), 2)]
+    if len(shapes) != 1 or (is_filled(shapes[0]) and not filled):
+        return None
+    with name_refusals(shapes[0].place, FormatError):
+        found = SHAPES[name_kind(shapes[0].element)](shapes[0], shapes[0].matrix, reading)
+        if len(found) != 1 or (found[0].is_closed and not filled):
+            return None
+        if not found[0].is_exact:
+            raise FormatError("a path with curves; draw it with straight segments")
+    return Polyline(found[0].points, closed=found[0].is_closed)
