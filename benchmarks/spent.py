@@ -6,6 +6,7 @@ add more to a call than most functions take. So the instructions are counted, by
 
 from __future__ import annotations
 
+import gc
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -19,7 +20,6 @@ from rich.table import Table
 from benchmarks.families import FAMILIES
 from exactsweep import Polygon, Sweep, sweep
 from exactsweep.procedures.monotone import LowerMM, MonotoneSolution
-from exactsweep.procedures.solution import pause_collector
 
 PAIRS = (("mm", 16), ("stair", 16), ("cm", 64))
 TOO_NEW = (3, 12)
@@ -79,14 +79,17 @@ def count(run: Callable[[], object]) -> Counter[str]:
 
     before = sys.gettrace(), sys.getprofile()
     # Others may have asked to be called by the collector, which runs when it likes.
-    with pause_collector():
-        sys.setprofile(profile)
-        sys.settrace(trace)
-        try:
-            run()
-        finally:
-            sys.settrace(before[0])
-            sys.setprofile(before[1])
+    collects = gc.isenabled()
+    gc.disable()
+    sys.setprofile(profile)
+    sys.settrace(trace)
+    try:
+        run()
+    finally:
+        sys.settrace(before[0])
+        sys.setprofile(before[1])
+        if collects:
+            gc.enable()
     return found
 
 

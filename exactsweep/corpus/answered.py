@@ -9,10 +9,10 @@ from math import lcm
 from typing import Literal, get_args
 
 from exactsweep.corpus.representable import find_types
+from exactsweep.geometry.frame import Kind
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.number import Fit, Loop, Point
-from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import Sweep, sweep
 
 Shapes = Literal["convex", "monotone", "simple", "any"]

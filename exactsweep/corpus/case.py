@@ -8,12 +8,12 @@ from typing import get_args
 
 from exactsweep.corpus.answered import AnsweredPair, make_shape
 from exactsweep.corpus.facts import find_facts
+from exactsweep.geometry.frame import Kind
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError, tells_arguments
 from exactsweep.numbers.number import Loop
-from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import inner_fit_polygon, sweep
 
 KINDS: tuple[Kind, ...] = get_args(Kind)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import chain
 
-from exactsweep.evidence.sweep import Solution, solve
+from exactsweep.evidence.sweep import Solution, place_loop, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.frame import find_shared_direction
@@ -20,7 +20,6 @@ from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, 
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import Vertex, ratio
 from exactsweep.procedures.positions import find_sum, path_rings
-from exactsweep.procedures.solution import place_loop
 
 
 @tells_arguments

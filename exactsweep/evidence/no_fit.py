@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Literal
 
 from exactsweep.evidence.certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.certified import Certified
-from exactsweep.evidence.sweep import Solution, solve
+from exactsweep.evidence.sweep import Solution, place_fits, place_loop, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.frame import Kind
 from exactsweep.geometry.interface import GeoJson, collect, make_polygon
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
@@ -19,7 +21,6 @@ from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import ORIGIN, Area, Fit, Point
 from exactsweep.procedures.positions import FreeRegions, find_inner_fit
-from exactsweep.procedures.solution import Kind, made_once, place_fits, place_loop
 from exactsweep.words import count, write_pair
 
 
@@ -41,17 +42,17 @@ class NoFitAnswer(Certified):
         self._set(stationary=stationary, orbiting=orbiting, reference=reference)
         self._set(solution=solution, kind=solution.kind)
 
-    @made_once
+    @cached_property
     def exterior(self) -> Polygon:
         """The loop around all positions of overlap: the trajectory."""
         return place_loop(self.solution.trajectory, self.reference)
 
-    @made_once
+    @cached_property
     def holes(self) -> tuple[Polygon, ...]:
         """The loops around free positions inside, in a cave or a hole, sorted."""
         return tuple(place_loop(hole, self.reference) for hole in self.solution.holes)
 
-    @made_once
+    @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
         """Free positions without room to either side: segments and points, sorted.
 
@@ -136,7 +137,7 @@ class InnerFitAnswer(Certified):
     ) -> None:
         self._set(container=container, part=part, reference=reference, placed=tuple(placed))
 
-    @made_once
+    @cached_property
     def solution(self) -> FreeRegions:
         """The positions of the part's origin."""
         scale, (container, part, *placed) = share_lattice([self.container, self.part, *self.placed])
@@ -172,7 +173,7 @@ class InnerFitAnswer(Certified):
             return "boundary"
         return "inside" if any(region.contains(t) for region in self.regions) else "outside"
 
-    @made_once
+    @cached_property
     def regions(self) -> tuple[Region, ...]:
         """The free regions, sorted; none if the part does not fit."""
         return self._regions(self.reference)
@@ -184,7 +185,7 @@ class InnerFitAnswer(Certified):
         )
         return tuple(sorted(found, key=lambda region: region.rings))
 
-    @made_once
+    @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
         """Positions without room in some direction, as for `NoFitPolygon`."""
         return place_fits(self.solution.fits, self.reference)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cached_property
 from typing import Literal
 
 from exactsweep.evidence.certified import refuse_to_set
@@ -23,7 +24,6 @@ from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import ORIGIN, Area, Edge, Point
-from exactsweep.procedures.solution import made_once
 
 _RelationName = Literal["OVERLAP", "CONTACT", "FREE"]
 
@@ -61,28 +61,28 @@ class Overlap:
     def __hash__(self) -> int:
         return hash((self.a, self.b))
 
-    @made_once
+    @cached_property
     def _lattice(self) -> tuple[int, list[Rings]]:
         scale, (first, second) = share_lattice([self.a, self.b])
         return scale, [first, second]
 
-    @made_once
+    @cached_property
     def verdict(self) -> _RelationName:
         """Decide: "OVERLAP" if the interiors meet, "CONTACT" if the boundaries do, or "FREE"."""
         first, second = self._lattice[1]
         return _VERDICTS[relate(EdgeIndex(first), EdgeIndex(second))]
 
-    @made_once
+    @cached_property
     def _boundary(self) -> list[Edge]:
         """The boundary of the common part, on the lattice."""
         return find_common_boundary(*self._lattice[1]) if self.verdict == "OVERLAP" else []
 
-    @made_once
+    @cached_property
     def area(self) -> Fraction:
         """The area of the common part."""
         return Area(measure_common_area(self._boundary) / self._lattice[0] ** 2)
 
-    @made_once
+    @cached_property
     def witness(self) -> Point | None:
         """A point inside both shapes; of shapes in contact, a common point; None if free."""
         if self.verdict == "FREE":
@@ -93,7 +93,7 @@ class Overlap:
         x, y = find_common_point(self._boundary, *rings)
         return Point(x / scale, y / scale)
 
-    @made_once
+    @cached_property
     def _distance(self) -> SquaredDistance:
         return distance_squared(self.a, self.b)
 
@@ -108,7 +108,7 @@ class Overlap:
         point = self.witness
         return self._distance.points if point is None else (point, point)
 
-    @made_once
+    @cached_property
     def move(self) -> Point:
         """The least translation of b after which the shapes do not overlap.
 

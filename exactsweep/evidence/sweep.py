@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
@@ -19,6 +19,7 @@ from exactsweep.evidence.contact import (
 )
 from exactsweep.evidence.undercut import Tracer, Undercut, find_closing_positions
 from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.frame import Kind
 from exactsweep.geometry.interface import GeoJson, make_polygon
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.polygon import Polygon
@@ -27,10 +28,9 @@ from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import tells_arguments
-from exactsweep.numbers.number import Area, Fit, Point, Vertex
+from exactsweep.numbers.number import ORIGIN, Area, Fit, Point, Vertex
 from exactsweep.procedures.any_shape import ShapeSolution
 from exactsweep.procedures.monotone import MonotoneSolution
-from exactsweep.procedures.solution import Kind, made_once, place_fits, place_loop
 from exactsweep.words import write_vector
 
 Solution = MonotoneSolution | ShapeSolution
@@ -51,6 +51,23 @@ def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | Non
     if direction is None:
         return ShapeSolution(Region(generatrix), Region(directrix))
     return MonotoneSolution(generatrix.exterior, directrix.exterior, direction)
+
+
+def place_loop(loop: Sequence[Point], reference: Point = ORIGIN) -> Polygon:
+    """Convert a canonical loop of positions of G's origin to a Polygon for a reference point."""
+    return Polygon._trust(_move(loop, reference))
+
+
+def place_fits(fits: Iterable[Fit], reference: Point) -> tuple[Fit, ...]:
+    """Convert exact fits from positions of G's origin to positions of a reference point."""
+    return tuple((p, q) for p, q in (_move(fit, reference) for fit in fits))
+
+
+def _move(points: Sequence[Point], by: Point) -> Sequence[Point]:
+    if by == ORIGIN:
+        return points
+    dx, dy = by
+    return [Point(x + dx, y + dy) for x, y in points]
 
 
 class SweepAnswer(Certified):
@@ -76,32 +93,32 @@ class SweepAnswer(Certified):
         self._set(generatrix=generatrix, directrix=directrix, direction=direction)
         self._set(reference=reference, solution=solution, kind=solution.kind)
 
-    @made_once
+    @cached_property
     def trajectory(self) -> Polygon:
         """The path of the reference point of G: the boundary of the no-fit polygon."""
         return place_loop(self.solution.trajectory, self.reference)
 
-    @made_once
+    @cached_property
     def inner(self) -> Polygon:
         """The inner loop of the swept area: D with its undercuts closed, and its holes."""
         return place_loop(self.solution.inner)
 
-    @made_once
+    @cached_property
     def outer(self) -> Polygon:
         """The outer loop of the swept area."""
         return place_loop(self.solution.outer)
 
-    @made_once
+    @cached_property
     def unswept(self) -> tuple[Polygon, ...]:
         """The holes of the swept area beside the inner loop, sorted; only of kind "SS"."""
         return tuple(map(place_loop, self.solution.unswept))
 
-    @made_once
+    @cached_property
     def no_fit_holes(self) -> tuple[Polygon, ...]:
         """The holes of the no-fit polygon, sorted: positions of G in a cave or a hole of D."""
         return tuple(place_loop(loop, self.reference) for loop in self.solution.holes)
 
-    @made_once
+    @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
         """The segments of positions in slots of D that are exactly as wide as G, sorted.
 

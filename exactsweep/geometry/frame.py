@@ -8,7 +8,7 @@ without square roots, and the loops do not depend on the choice of u.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from exactsweep.geometry.direction import (
     X_AXIS,
@@ -30,6 +30,9 @@ from exactsweep.numbers.number import (
     ratio,
 )
 from exactsweep.words import write_degrees, write_vector
+
+Kind = Literal["CC", "CM", "MM", "SS"]
+"""The classes of pairs in the paper, and "SS" for polygons of any shape."""
 
 # The smallest directions except the X axis, in the order of `Directions.simplest`. Most pairs with
 # a shared direction share one of these, and then no others need be found.

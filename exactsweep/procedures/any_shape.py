@@ -8,15 +8,16 @@ positions of I(G) around T. So `positions` solves one problem for each side of S
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from exactsweep.geometry.direction import X_AXIS
 from exactsweep.geometry.edges import EdgeIndex
-from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.frame import Frame, Kind
 from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.pockets import find_mouths
 from exactsweep.procedures.positions import find_inner_fit, find_no_fit, find_sum, reflect
-from exactsweep.procedures.solution import Kind, made_once
 from exactsweep.procedures.walk import Free
 
 
@@ -33,67 +34,67 @@ class ShapeSolution:
     def __init__(self, generatrix: Region, directrix: Region) -> None:
         self._pair = generatrix, directrix
 
-    @made_once
+    @cached_property
     def _lattice(self) -> tuple[int, list[list[list[Vertex]]]]:
         return share_lattice(self._pair)
 
-    @made_once
+    @cached_property
     def frame(self) -> Frame:
         """The lattice of the pair, not turned."""
         return Frame(X_AXIS, self._lattice[0])
 
-    @made_once
+    @cached_property
     def generatrix(self) -> list[list[Vertex]]:
         """The rings of G on the lattice."""
         return self._lattice[1][0]
 
-    @made_once
+    @cached_property
     def directrix(self) -> list[list[Vertex]]:
         """The rings of D on the lattice."""
         return self._lattice[1][1]
 
-    @made_once
+    @cached_property
     def _no_fit(self) -> Free:
         return find_no_fit(self.directrix, self.generatrix, self.frame.scale)
 
-    @made_once
+    @cached_property
     def trajectory(self) -> list[Point]:
         """The exterior of the no-fit polygon."""
         return self._no_fit.around[0]
 
-    @made_once
+    @cached_property
     def holes(self) -> list[list[Point]]:
         """The loops of positions at which G fits into a cave or a hole of D, sorted."""
         return self._no_fit.within
 
-    @made_once
+    @cached_property
     def fits(self) -> list[Fit]:
         """Exact fits anywhere, in caves and holes, too."""
         return self._no_fit.fits
 
-    @made_once
+    @cached_property
     def _path(self) -> list[list[Vertex]]:
         """T's inside. A lattice with its vertices, which are crossings, would be huge."""
         return [[self.frame.enter_point(vertex) for vertex in self.trajectory]]
 
-    @made_once
+    @cached_property
     def _outside(self) -> Free:
         """The positions p with I(G) + p outside T."""
         return find_sum(self._path, self.generatrix, self.frame.scale)
 
-    @made_once
+    @cached_property
     def _inside(self) -> list[list[Point]]:
         """The loops of positions p with I(G) + p inside T."""
         part = reflect(self.generatrix)
         regions = find_inner_fit(self._path, part, self.frame.scale).regions
         return [exterior for exterior, _ in regions]
 
-    @made_once
+    @cached_property
     def outer(self) -> list[Point]:
         """The outer loop of the swept area."""
         return self._outside.around[0]
 
-    @made_once
+    @cached_property
     def inner(self) -> list[Point]:
         """The inner loop around D: D with its undercuts and holes closed."""
         shape = EdgeIndex([self._pair[1].exterior.vertices])
@@ -102,12 +103,12 @@ class ShapeSolution:
             loop for loop in self._inside if relate(EdgeIndex([loop]), shape) is Relation.OVERLAP
         )
 
-    @made_once
+    @cached_property
     def unswept(self) -> list[list[Point]]:
         """The other holes of the swept area, sorted."""
         return sorted([loop for loop in self._inside if loop != self.inner] + self._outside.within)
 
-    @made_once
+    @cached_property
     def pockets(self) -> list[list[list[Vertex]]]:
         """The regions between D and the inner loop, along the inner loop; no holes of D."""
         inner = [self.frame.enter_point(vertex) for vertex in self.inner]

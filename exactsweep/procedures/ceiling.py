@@ -22,10 +22,9 @@ from math import inf
 from operator import itemgetter
 
 from exactsweep.numbers.number import Rational
-from exactsweep.procedures import sums
+from exactsweep.procedures import graph as plain
 from exactsweep.procedures.chain import ConvexPart
-from exactsweep.procedures.graph import Graph
-from exactsweep.procedures.sums import Ranges
+from exactsweep.procedures.graph import Graph, Ranges
 
 STRIPS = 8
 """Strips for each part of the shorter list, so that a sum crosses O(1) of them on average.
@@ -40,7 +39,7 @@ def subtrajectories(
     directrix_parts: Sequence[ConvexPart],
     ranges: Ranges | None = None,
 ) -> list[tuple[int, int, Graph]]:
-    """Return those of `sums.subtrajectories` that may be on the envelope.
+    """Return those of `plain.subtrajectories` that may be on the envelope.
 
     Args:
         generatrix_parts: the convex parts of reversed G_t.
@@ -52,7 +51,7 @@ def subtrajectories(
     count = STRIPS * min(len(generatrix_parts), len(directrix_parts))
     if ranges is None and count <= STRIPS**2:
         # So few sums cost less than their bounds.
-        return sums.subtrajectories(generatrix_parts, directrix_parts)
+        return plain.subtrajectories(generatrix_parts, directrix_parts)
     rows, columns = bound_all(generatrix_parts), bound_all(directrix_parts)
     left, right = (min(row[1] for row in rows), max(row[2] for row in rows))
     start, end = min(column[1] for column in columns), max(column[2] for column in columns)
@@ -68,7 +67,7 @@ def subtrajectories(
                 g.flattest < d.steepest
                 and d.flattest < g.steepest
                 and ceiling.is_above(low + least, left + start, right + end)  # (1)
-                and (graph := sums.subtrajectory(g, d))
+                and (graph := plain.subtrajectory(g, d))
                 and ceiling.lower(graph)  # (3)
             ):
                 found.append((i, j, graph))

@@ -28,8 +28,7 @@ from exactsweep.procedures.chain import (
     precedes,
     take_corners,
 )
-from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, subtract
-from exactsweep.procedures.sums import subtrajectory
+from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, subtract, subtrajectory
 
 
 def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:

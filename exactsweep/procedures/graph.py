@@ -1,4 +1,6 @@
-"""Piecewise linear functions of x as graphs, and their lower envelopes (Section 5.1, Appendix).
+"""Piecewise linear functions of x: sums of two convex parts (Lemma 3.1), and lower envelopes.
+
+Section 5.1 and the Appendix define the envelopes.
 
 Lemma A.3 lets the partial trajectory and the next subtrajectory meet in a point or in a segment.
 With vertical edges in D_b they may also pass each other without meeting, where one of them ends:
@@ -16,7 +18,15 @@ from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 
 from exactsweep.numbers.number import Rational, Vertex
-from exactsweep.procedures.chain import Break, Chain, Homogeneous, Line, find_point, precedes
+from exactsweep.procedures.chain import (
+    Break,
+    Chain,
+    ConvexPart,
+    Homogeneous,
+    Line,
+    find_point,
+    precedes,
+)
 
 VertexContact = tuple[Homogeneous, int, int]
 """(position, i, j): at this position of G vertex i of D_b meets vertex j of reversed G_t (VV)."""
@@ -35,6 +45,10 @@ _NOWHERE: VertexContact = (0, 0, 0), -1, -1
 
 GAP: Piece = (0, 0, 1, _NOWHERE, _NOWHERE)
 """The piece between graphs that do not overlap in x: the line at infinity, above all others."""
+
+
+Ranges = Sequence[tuple[Break, Break]]
+"""Disjoint x-ranges, from left to right."""
 
 
 class Graph:
@@ -102,6 +116,74 @@ def subtract(p: Piece, q: Piece) -> tuple[Rational, Rational]:
 def find_crossing(a: Rational, b: Rational) -> Break:
     """Return the break x/w with a x + b w = 0."""
     return (-b, a) if a > 0 else (b, -a)
+
+
+def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph | None:
+    """Merge the relevant edges of two convex parts by slope; None if there are none.
+
+    The edges lie end to end from the first contact on, as `merge_by_slope` lays those of convex
+    chains. Parallel edges become one edge (EE).
+
+    Args:
+        generatrix: a part of reversed G_t, its vertices with w = 1.
+        directrix: a part of D_b.
+
+    Cost: O(m + n).
+    """
+    gs, ds = generatrix.edges, directrix.edges
+    i, i_end = bisect_left(ds, generatrix.flattest), bisect_left(ds, generatrix.steepest)
+    j, j_end = bisect_left(gs, directrix.flattest), bisect_left(gs, directrix.steepest)
+    if i == i_end and j == j_end:
+        return None
+    edges = sorted(ds[i:i_end] + gs[j:j_end])
+    i, j = i + directrix.first, j + generatrix.first
+    (x, y, w), (gx, gy, _) = directrix.vertices[i], generatrix.vertices[j]
+    start: VertexContact = (x + gx * w, y + gy * w, w), i, j
+    breaks: list[Break] = [(x + gx * w, w)]
+    pieces: list[Piece] = []
+    last: Rational | None = None
+    for slope, of_generatrix, dx, dy, c in edges:
+        if of_generatrix:
+            # EV: the edge of G moves by vertex i of D_b, which may be a crossing, w > 1.
+            c = c * w + y * dx - x * dy
+            if w > 1:
+                dx, dy = dx * w, dy * w
+            j += 1
+            gx, gy, _ = generatrix.vertices[j]
+        else:
+            # VE: the edge of D_b moves by vertex j of G.
+            c += gy * dx - gx * dy
+            i += 1
+            x, y, w = directrix.vertices[i]
+        if slope == last:
+            _, _, _, start, _ = pieces.pop()
+            breaks.pop()
+        position: Homogeneous = x + gx * w, y + gy * w, w
+        end: VertexContact = position, i, j
+        pieces.append((dx, dy, c, start, end))
+        breaks.append((position[0], w))
+        start, last = end, slope
+    return Graph(breaks, pieces)
+
+
+def subtrajectories(
+    generatrix_parts: Sequence[ConvexPart],
+    directrix_parts: Sequence[ConvexPart],
+    ranges: Ranges | None = None,
+) -> list[tuple[int, int, Graph]]:
+    """Return (i, j, T(G_i, D_j)) for all pairs of parts with relevant edges, by i and j.
+
+    Args:
+        generatrix_parts: the convex parts of reversed G_t.
+        directrix_parts: those of D_b.
+        ranges: the x-ranges in which the envelope is needed; all are computed here.
+    """
+    return [
+        (i, j, graph)
+        for i, g in enumerate(generatrix_parts)
+        for j, d in enumerate(directrix_parts)
+        if g.flattest < d.steepest and d.flattest < g.steepest and (graph := subtrajectory(g, d))
+    ]
 
 
 # LowerEnvelope_CM. P is the partial trajectory with edges P_i, S the subtrajectory with edges S_j.

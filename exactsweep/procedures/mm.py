@@ -24,12 +24,11 @@ from itertools import pairwise
 
 from exactsweep.numbers.number import ratio
 
-# The pruning step. Without it: from exactsweep.procedures.sums import subtrajectories
+# The pruning step. Without it: from exactsweep.procedures.graph import subtrajectories
 from exactsweep.procedures.ceiling import subtrajectories
 from exactsweep.procedures.chain import Break, Chain, partition, precedes
 from exactsweep.procedures.cm import Closing, close, find_touched
-from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, lower_envelope_mm
-from exactsweep.procedures.sums import Ranges
+from exactsweep.procedures.graph import Graph, Piece, Ranges, lower_envelope_cm, lower_envelope_mm
 
 # A row, the subtrajectories of one part, has relevant edges only, and lacks what is pruned. Let E
 # be the envelope of all pairs, P the partial trajectory, s_k the whole sum of the part and D_k.

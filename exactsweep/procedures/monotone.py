@@ -12,13 +12,13 @@ own section.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import lcm
 from typing import ClassVar
 
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
-from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.frame import Frame, Kind
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import Lattice
 from exactsweep.numbers.number import Fit, Point, Vertex
@@ -29,7 +29,6 @@ from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.graph import Graph
 from exactsweep.procedures.mm import sweep_inner_mm, sweep_outer_mm, trajectory_mm
 from exactsweep.procedures.pockets import find_pockets
-from exactsweep.procedures.solution import Kind, made_once, pause_collector
 
 
 class LowerMM:
@@ -46,22 +45,22 @@ class LowerMM:
     def __init__(self, generatrix: Chain, bottom: Chain, directrix: Chain) -> None:
         self.generatrix, self.bottom, self.directrix = generatrix, bottom, directrix
 
-    @made_once
+    @cached_property
     def trajectory(self) -> Graph:
         """T(G_t, D_b) with its events."""
         return trajectory_mm(self.generatrix, self.directrix)
 
-    @made_once
+    @cached_property
     def path(self) -> Chain:
         """T(G_t, D_b)."""
         return self.trajectory.chain()
 
-    @made_once
+    @cached_property
     def inner(self) -> Chain:
         """The inner boundary (Definition 2.1)."""
         return sweep_inner_mm(self.generatrix, self.directrix, self.trajectory, self.path)
 
-    @made_once
+    @cached_property
     def outer(self) -> Chain:
         """The outer boundary (Definition 2.1)."""
         return sweep_outer_mm(self.bottom, self.path).chain()
@@ -72,17 +71,17 @@ class LowerCM(LowerMM):
 
     kind: ClassVar[Kind] = "CM"
 
-    @made_once
+    @cached_property
     def trajectory(self) -> Graph:
         """T(G_t, D_b) with its events."""
         return trajectory_cm(self.generatrix, self.directrix)
 
-    @made_once
+    @cached_property
     def inner(self) -> Chain:
         """The inner boundary (Definition 2.1)."""
         return sweep_inner_cm(self.generatrix, self.directrix, self.trajectory)
 
-    @made_once
+    @cached_property
     def outer(self) -> Chain:
         """The outer boundary (Definition 2.1)."""
         return sweep_outer_cm(self.generatrix, self.bottom, self.directrix).chain()
@@ -93,17 +92,17 @@ class LowerCC(LowerCM):
 
     kind = "CC"
 
-    @made_once
+    @cached_property
     def path(self) -> Chain:
         """T(G_t, D_b)."""
         return trajectory_cc(self.generatrix, self.directrix)
 
-    @made_once
+    @cached_property
     def inner(self) -> Chain:
         """The inner boundary (Definition 2.1)."""
         return sweep_inner_cc(self.generatrix, self.directrix)
 
-    @made_once
+    @cached_property
     def outer(self) -> Chain:
         """The outer boundary (Definition 2.1)."""
         return sweep_outer_cc(self.generatrix, self.bottom, self.directrix)
@@ -162,23 +161,23 @@ class MonotoneSolution:
             self._class = LowerCC if directrix.is_convex else LowerCM
         self.kind = self._class.kind
 
-    @made_once
+    @cached_property
     def frame(self) -> Frame:
         """The common lattice, rotated so that the direction is the X axis."""
         g, d = self._pair
         return Frame(self._direction, lcm(g.lattice()[0], d.lattice()[0]))
 
-    @made_once
+    @cached_property
     def generatrix(self) -> list[list[Vertex]]:
         """The ring of G in the frame."""
         return [self.frame.enter(*self._pair[0].lattice())]
 
-    @made_once
+    @cached_property
     def directrix(self) -> list[list[Vertex]]:
         """The ring of D in the frame."""
         return [self.frame.enter(*self._pair[1].lattice())]
 
-    @made_once
+    @cached_property
     def halves(self) -> tuple[LowerMM, LowerMM]:
         """The lower sweep, and the upper one after a half turn."""
         (g_bottom, g_top), (d_bottom, d_top) = (
@@ -187,31 +186,30 @@ class MonotoneSolution:
         return self._class(g_top, g_bottom, d_bottom), self._class(g_bottom, g_top, d_top)
 
     def _loop(self, boundary: Callable[[LowerMM], Chain]) -> list[Point]:
-        with pause_collector():
-            lower, upper = (boundary(half).points for half in self.halves)
-            upper = inverse(upper)
-            # At each end the two chains meet in a point, or a vertical edge joins them.
-            loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
-            points = self.frame.leave(loop)
-            first = 0 if self._direction == X_AXIS else find_least(points)
-            return points[first:] + points[:first]
+        lower, upper = (boundary(half).points for half in self.halves)
+        upper = inverse(upper)
+        # At each end the two chains meet in a point, or a vertical edge joins them.
+        loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
+        points = self.frame.leave(loop)
+        first = 0 if self._direction == X_AXIS else find_least(points)
+        return points[first:] + points[:first]
 
-    @made_once
+    @cached_property
     def trajectory(self) -> list[Point]:
         """The path of G's origin."""
         return self._loop(lambda half: half.path)
 
-    @made_once
+    @cached_property
     def inner(self) -> list[Point]:
         """The inner loop: D with its undercuts closed."""
         return self._loop(lambda half: half.inner)
 
-    @made_once
+    @cached_property
     def outer(self) -> list[Point]:
         """The outer loop."""
         return self._loop(lambda half: half.outer)
 
-    @made_once
+    @cached_property
     def fits(self) -> list[Fit]:
         """The exact fits, in slots of D that are exactly as wide as G."""
         found: list[Fit] = []
@@ -221,7 +219,7 @@ class MonotoneSolution:
                 found.append((hanging, inside))
         return sorted(found)
 
-    @made_once
+    @cached_property
     def pockets(self) -> list[list[list[Vertex]]]:
         """The regions between D and the inner loop, along the inner loop."""
         found: list[list[list[Vertex]]] = []

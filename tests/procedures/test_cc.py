@@ -20,7 +20,7 @@ from exactsweep.paper.kernel import (
 )
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import Chain, inverse, partition, split
-from exactsweep.procedures.sums import subtrajectory
+from exactsweep.procedures.graph import subtrajectory
 
 Pair = tuple[Polygon, Polygon]
 usually = examples(100)

@@ -14,7 +14,7 @@ from exactsweep.corpus import cases
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.kernel import list_sub_trajectories, sweep_mm, trajectory_mm
 from exactsweep.paper.pairs import Chains
-from exactsweep.procedures import ceiling, mm, sums
+from exactsweep.procedures import ceiling, graph, mm
 from exactsweep.procedures.ceiling import Ceiling
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.graph import Graph
@@ -33,7 +33,7 @@ def test_without_it_the_answers_of_the_corpus_are_the_same(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     pruned = [*answer_corpus()]
-    monkeypatch.setattr(mm, "subtrajectories", sums.subtrajectories)
+    monkeypatch.setattr(mm, "subtrajectories", graph.subtrajectories)
     assert [*answer_corpus()] == pruned
 
 
@@ -51,7 +51,7 @@ def test_it_changes_no_boundary(seed: int, strips: int, monkeypatch: pytest.Monk
     chains = draw(Random(seed))
     monkeypatch.setattr(ceiling, "STRIPS", strips)
     pruned = [*trajectory_mm(*chains[::2])], sweep_mm(*chains)
-    monkeypatch.setattr(mm, "subtrajectories", sums.subtrajectories)
+    monkeypatch.setattr(mm, "subtrajectories", graph.subtrajectories)
     assert ([*trajectory_mm(*chains[::2])], sweep_mm(*chains)) == pruned
 
 
@@ -98,13 +98,13 @@ def test_most_sums_are_never_computed(
 ) -> None:
     """Of 480 pairs, and of both loops' some thousands, no more than so many."""
     computed: list[Any] = []
-    right = sums.subtrajectory
+    right = graph.subtrajectory
 
     def count(*parts: Any) -> Any:
         computed.append(parts)
         return right(*parts)
 
-    monkeypatch.setattr(sums, "subtrajectory", count)
+    monkeypatch.setattr(graph, "subtrajectory", count)
     trajectory_mm(top[::-1], bottom)
     assert len(computed) <= most[0]
     computed.clear()
