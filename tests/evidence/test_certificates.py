@@ -5,6 +5,7 @@ from fractions import Fraction
 from random import Random
 
 import pytest
+from tiers import mostly_long
 
 from exactsweep import Polygon, inner_fit_polygon, sweep
 from exactsweep.check import verify
@@ -19,7 +20,7 @@ def zigzag(random: Random, n: int, size: int) -> list[tuple[int, int]]:
     return [(0, 0), *bottom, (size, 0), *reversed(top)]
 
 
-@pytest.mark.parametrize("size", [12, 60, 10**6])
+@pytest.mark.parametrize("size", mostly_long([12, 60, 10**6], [12]))
 @pytest.mark.parametrize(("n", "m"), [(8, 40), (24, 24), (40, 8)])
 def test_sweeps_of_many_parts_are_proved(n: int, m: int, size: int) -> None:
     random = Random(f"{n} {m} {size}")
@@ -34,7 +35,7 @@ def test_sweeps_of_many_parts_are_proved(n: int, m: int, size: int) -> None:
         proved += 1
 
 
-@pytest.mark.parametrize("is_convex", [True, pytest.param(False, marks=pytest.mark.long)])
+@pytest.mark.parametrize("is_convex", mostly_long([True, False], []))
 def test_polygons_without_a_common_lattice_have_certificates(is_convex: bool) -> None:
     """Once drawings were looked for on lines whole units apart, as if all were on a lattice."""
     rng = Random(1)

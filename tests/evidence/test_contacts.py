@@ -98,7 +98,7 @@ def lasting(generatrix: Polygon, directrix: Polygon, p: Point, q: Point) -> Foun
 
 
 @given(any_pair)
-@usually
+@examples(24)
 def test_contacts_of_each_edge_are_all_that_last(pair: Pair) -> None:
     generatrix, directrix = pair
     s = sweep(generatrix, directrix)

@@ -80,7 +80,7 @@ def test_two_paths_have_no_sum() -> None:
 
 
 @given(st.one_of(pairs("CC"), pairs("CM"), pairs("MM")))
-@examples(60)
+@examples(30)
 def test_sums_commute(pair: tuple[Polygon, Polygon]) -> None:
     a, b = pair
     assert minkowski_sum(a, b) == minkowski_sum(b, a)
@@ -88,7 +88,7 @@ def test_sums_commute(pair: tuple[Polygon, Polygon]) -> None:
 
 
 @given(polyominoes(9, 4), polyominoes(5, 3))
-@examples(40)
+@examples(20)
 def test_sums_of_cells_are_counted(a: Cells, b: Cells) -> None:
     matrix = (1, 0, 0, 1)
     cells = {
@@ -98,7 +98,7 @@ def test_sums_of_cells_are_counted(a: Cells, b: Cells) -> None:
 
 
 @given(simple_rings(), paths, st.booleans(), st.integers(-3, 3), st.integers(-3, 3))
-@examples(40)
+@examples(20)
 def test_sums_with_paths_move_with_both(d: Ring, path: Path, closed: bool, x: int, y: int) -> None:
     found = minkowski_sum(Polygon(d), Polyline(path, closed=closed))
     moved = Polyline([(u + x, v + y) for u, v in path], closed=closed)

@@ -119,7 +119,7 @@ def test_random_pairs() -> None:
 
 
 @given(polyominoes(12, 4), polyominoes(8, 3))
-@examples(40)
+@examples(20)
 def test_the_area_of_common_cells_is_their_number(a: Cells, b: Cells) -> None:
     matrix = (1, 0, 0, 1)
     o = overlap(region(a, matrix), region(b, matrix))
@@ -128,7 +128,7 @@ def test_the_area_of_common_cells_is_their_number(a: Cells, b: Cells) -> None:
 
 
 @given(polyominoes(12, 4), polyominoes(8, 3))
-@examples(40)
+@examples(20)
 def test_the_area_under_a_map_and_a_half_step(a: Cells, b: Cells) -> None:
     """Four quarters of each cell, one of them moved by half a cell."""
     matrix = (3, 1, -1, 2)

@@ -30,7 +30,7 @@ from exactsweep.evidence.proof import add_proof
 from exactsweep.evidence.slits import unite
 from exactsweep.numbers.number import to_fraction
 
-seldom = examples(25)
+seldom = examples(12)
 often = examples(100)
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -59,7 +59,7 @@ def test_answers_about_simple_polygons_are_proved(g: Polygon, d: Polygon) -> Non
 @pytest.mark.parametrize("draw_pair", [draw, draw_shapeless, draw_touching, draw_around])
 def test_answers_about_shapes_with_holes_that_fit_and_touch_are_proved(draw_pair: Any) -> None:
     rng = Random("proofs")
-    for _ in range(8):
+    for _ in range(5):
         pair: SmallPair = draw_pair(rng)
         prove_all(*(Region(shape[0], shape[1:]) for shape in pair))
 

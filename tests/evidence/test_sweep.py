@@ -62,7 +62,7 @@ def test_vertices_of_one_ring_are_read_once(monkeypatch: pytest.MonkeyPatch) -> 
 
 @each_kind
 @given(st.data())
-@often
+@examples(40)
 def test_sweep_is_what_the_definition_says(kind: own.Kind, data: st.DataObject) -> None:
     generatrix, directrix, direction = data.draw(own.turned_pairs(kind))
     pair = SmallPair([[*generatrix.vertices]], [[*directrix.vertices]])

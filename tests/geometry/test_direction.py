@@ -75,7 +75,7 @@ def trials(*polygons: Polygon) -> list[Vector]:
 
 
 @given(own.simple_polygons())
-@often
+@examples(50)
 def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
     found = find_monotone_directions(polygon)
     for u in trials(polygon):
@@ -133,7 +133,7 @@ def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
 
 
 @given(own.simple_polygons(), own.simple_polygons())
-@often
+@examples(40)
 def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
     """The x-axis, else strict, else any; then the least squared length."""
     tried = [reduce_direction(u) for u in trials(one, other)]

@@ -63,5 +63,6 @@ def test_a_plate_with_many_holes_is_cut_into_convex_pieces(holes: int, shear: in
     assert len(pieces) <= 1 + sum(map(len, rings[1:]))
 
 
+@pytest.mark.long
 def test_many_holes_take_linear_time() -> None:
     require_linear(lambda holes: cut_to_convex(make_plate(holes)), 36)

@@ -12,6 +12,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 from refusals import list_refusals, require_refused
+from tiers import examples
 
 from exactsweep import NumberError, Point, Polygon, PolygonError, Region, limits
 
@@ -111,6 +112,7 @@ def test_copies_are_equal(polygon: Polygon) -> None:
 
 
 @given(strategies.star_rings())
+@examples(20)
 def test_sympy_round_trip(ring: strategies.Ring) -> None:
     polygon = Polygon([(x, Fraction(y, 3)) for x, y in ring])
     assert Polygon.from_sympy(polygon.to_sympy()) == polygon

@@ -239,7 +239,7 @@ def test_trajectory_and_fits_divide_the_plane_as_classify_does(
             assert classify(d, g, beside).verdict == "OVERLAP"
 
 
-@patient
+@examples(24)
 @given(own.rectilinear_rings(), own.rectilinear_rings())
 def test_fits_of_rectilinear_pairs_are_all_the_contacts_inside_the_trajectory(
     g: own.Ring, d: own.Ring

@@ -88,6 +88,7 @@ def test_the_same_seed_gives_the_same_bytes_but_for_times(tmp_path: Path) -> Non
     assert [p.read_bytes() for p in pictures[0]] == [p.read_bytes() for p in pictures[1]]
 
 
+@pytest.mark.long
 def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None:
     html, markdown, _ = write(tmp_path, list(map(row, FEW)), EFFORT)
     checker = Checker()

@@ -140,7 +140,7 @@ def limits(chain: Chain, x: Fraction) -> list[Fraction]:
 
 
 @given(walled(), graphs_anywhere(), st.sampled_from([(1, 1), (1, 7), (Fraction(1, 1000), 1)]))
-@examples(400)
+@examples(200)
 def test_a_piece_takes_over_where_it_is_lower_for_good(
     partial: Chain, drawn: Chain, spelled: tuple[Rational, int]
 ) -> None:

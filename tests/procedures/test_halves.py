@@ -26,7 +26,7 @@ from exactsweep.procedures.chain import inverse, split
 Half = list[Vertex]
 Trajectory = Callable[[Half, Half], Half]
 Boundaries = Callable[[Half, Half, Half], tuple[Half, Half]]
-usually = examples(100)
+usually = examples(60)
 
 # Of G's top and D's bottom the trajectory; of G's top and bottom and D's bottom what is swept.
 TRAJECTORY: dict[str, Trajectory] = {

@@ -60,7 +60,7 @@ def test_no_pair_of_convex_parts_is_missed(
 
 
 @given(own.pairs("MM"))
-@usually
+@examples(40)
 def test_slopes_that_are_all_but_equal_are_told_apart(pair: Pair) -> None:
     """Squeezed in y, all slopes have the same bounds, and what they decided is decided exactly."""
     squeezed = [Polygon([(x, y / 2**99) for x, y in polygon.vertices]) for polygon in pair]

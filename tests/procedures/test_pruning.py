@@ -31,7 +31,7 @@ MATRICES = st.sampled_from([(1, 0, 0, 1), (7, 0, 0, 7), (5, 3, -2, 9), (6, -1, 6
 # The second edge crosses the line of the segment one unit ahead of the vertex.
 @example([(2, 1), (3, 0), (5, 4)], [(2, 4), (4, 3), (3, 5), (3, 4)], Fraction(1))
 @given(simple_rings(), simple_rings(), SCALES)
-@examples(60)
+@examples(32)
 def test_polygons_have_the_same_answer(d: Ring, g: Ring, scale: Fraction) -> None:
     stationary, orbiting = (
         [[(x * scale, y * scale) for x, y in Polygon(ring).vertices]] for ring in (d, g)

@@ -16,7 +16,7 @@ def examples(many: int) -> settings:
     return settings(max_examples=-(-many * settings().max_examples // 100))
 
 
-def mostly_long(names: Collection[str], plain: Collection[str]) -> list[object]:
+def mostly_long(names: Collection[object], plain: Collection[object]) -> list[object]:
     """Parameters of which all but some are for the long run."""
     assert {*plain} <= {*names}
     return [name if name in plain else pytest.param(name, marks=pytest.mark.long) for name in names]
