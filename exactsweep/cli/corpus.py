@@ -149,6 +149,26 @@ def layouts_command(name: str | None, as_json: bool) -> None:
     write(text, "-")
 
 
+@corpus_command.command("paths")
+@click.argument("name", required=False, metavar="[ID]")
+@click.option("--json", "as_json", is_flag=True, help="Write shapes, paths and sums as JSON.")
+def paths_command(name: str | None, as_json: bool) -> None:
+    """List Minkowski sums of a shape and a path, or write the one of this id as JSON.
+
+    Example:
+      exactsweep corpus paths
+      exactsweep corpus paths paths-slot
+      exactsweep corpus paths --json
+    """
+    from exactsweep.corpus.paths import find_path_case, path_cases
+
+    found = [*path_cases()] if name is None else [find_path_case(name)]
+    if as_json or name is not None:
+        write("".join(f"{json.dumps(one.data)}\n" for one in found), "-")
+    else:
+        write(_columns([(one.id, str(len(one.path)), one.title) for one in found]), "-")
+
+
 @corpus_command.command("export")
 @click.argument(
     "names", nargs=-1, metavar="[ID]...", shell_complete=offer(complete.THEMES, complete.CASES)

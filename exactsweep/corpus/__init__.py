@@ -5,6 +5,7 @@ from exactsweep.corpus.case_json import case_from_json, case_to_json
 from exactsweep.corpus.generator import FAMILIES, Family, generate
 from exactsweep.corpus.layouts import LayoutCase, find_layout_case, layout_cases
 from exactsweep.corpus.names import UnknownNameError
+from exactsweep.corpus.paths import PathCase, find_path_case, path_cases
 from exactsweep.corpus.shipped import Note, cases, find_case, notes, themes
 
 __all__ = [
@@ -14,14 +15,17 @@ __all__ = [
     "Family",
     "LayoutCase",
     "Note",
+    "PathCase",
     "UnknownNameError",
     "case_from_json",
     "case_to_json",
     "cases",
     "find_case",
     "find_layout_case",
+    "find_path_case",
     "generate",
     "layout_cases",
     "notes",
+    "path_cases",
     "themes",
 ]

@@ -157,6 +157,7 @@ VALID: dict[str, dict[str, Any]] = {
     "conform.shrink": {"judge": lambda case: "", "tries": 3, "seconds": 1.0},
     "corpus.cases": {"prefix": "directions"},
     "corpus.find_layout_case": {"id": next(iter(layout_cases())).id},
+    "corpus.find_path_case": {"id": "paths-slot"},
     "draw.draw_chains": {"chains": {"a": UNIT}},
     "draw.place_generatrix": {"position": ORIGIN},
     "draw.read_suffix": {"path": "a.svg"},

@@ -1,0 +1,76 @@
+"""Minkowski sums of a shape and a path, with exact answers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from functools import cache
+from importlib.resources import files
+from typing import Any, NamedTuple
+
+from exactsweep.corpus.names import require_known
+from exactsweep.geometry.polyline import Polyline
+from exactsweep.geometry.region import Region
+from exactsweep.numbers.error import tells_arguments
+
+
+class PathCase(NamedTuple):
+    """A shape, a path, and their exact Minkowski sum.
+
+    Attributes:
+        id: the name of the case; it never changes its meaning.
+        title: one line for people.
+        shape: a Region.
+        path: a Polyline.
+        sum: a Region.
+        data: the case as JSON data: "shape" and "expected" have "exterior" and "holes", "path" has
+            "points" and "closed"; numbers are strings.
+        note: why the case is there.
+    """
+
+    id: str
+    title: str
+    shape: Region
+    path: Polyline
+    sum: Region
+    data: dict[str, Any]
+    note: str = ""
+
+
+@tells_arguments
+def path_cases() -> Iterator[PathCase]:
+    """Yield the shipped sums with paths.
+
+    Example:
+        >>> next(path_cases()).sum.area
+        Fraction(9255, 1)
+    """
+    for data in _read()["cases"]:
+        path = Polyline(data["path"]["points"], closed=data["path"]["closed"])
+        shapes = [
+            Region(one["exterior"], one.get("holes", ()))
+            for one in (data["shape"], data["expected"])
+        ]
+        note = data.get("note", "")
+        yield PathCase(data["id"], data["title"], shapes[0], path, shapes[1], data, note)
+
+
+@tells_arguments
+def find_path_case(id: str) -> PathCase:
+    """Return the shipped sum of this id.
+
+    Raises:
+        UnknownNameError: no sum has this id.
+
+    Example:
+        >>> find_path_case("paths-loop").sum.holes
+        (Polygon([(2, 2), (9, 2), (9, 9), (2, 9)]),)
+    """
+    found = {case.id: case for case in path_cases()}
+    return found[require_known(id, found, "sum with a path")]
+
+
+@cache
+def _read() -> Any:
+    text = files("exactsweep.corpus").joinpath("paths.json").read_text(encoding="utf-8")
+    return json.loads(text)
