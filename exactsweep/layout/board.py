@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache, cached_property
 from math import ceil, floor, lcm
@@ -10,17 +10,23 @@ from typing import Any
 
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.point_set import AffineMap
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import lcm_within
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS, Turn
+from exactsweep.layout.clearance import is_rounded
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.outside import cut_outside
+from exactsweep.layout.rounded import RoundedPiece, to_region
 from exactsweep.layout.solid import (
     LatticeBox,
     LatticeForm,
     MatrixRows,
+    OutsideForm,
+    RoundedForm,
     Solid,
     make_form,
+    make_rounded_form,
     measure_slack,
     put_on_lattice,
 )
@@ -43,16 +49,24 @@ class Board:
 
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
-        self._regions = {part.id: part.region for part in layout.parts if part.region is not None}
-        self.placed = [k for k, one in enumerate(layout.placements) if one.part in self._regions]
-        self.base = cache(lambda part: make_form(self._regions[part]))
+        self._shapes = {part.id: part.shape for part in layout.parts if part.shape is not None}
+        self.placed = [k for k, one in enumerate(layout.placements) if one.part in self._shapes]
+        self.base = cache(lambda part: make_form(self._shapes[part]))
         self._placed = cache(self._place)
-        self._forms: dict[tuple[str, Turn, bool, int, int], LatticeForm] = {}
+        self._forms: dict[tuple[str, Turn, bool, int, int], LatticeForm | RoundedForm] = {}
 
     def turned(self, k: int, bits: int = TURN_BITS) -> Region:
-        """Return the part of a placement, mirrored and turned by a rational turn, not moved."""
+        """Return the part of a placement, mirrored and turned by a rational turn, not moved.
+
+        A rounded part is a polygon around it; see `surround`.
+        """
         placement = self.layout.placements[k]
-        return self._regions[placement.part]._image(AffineMap(*placement.rows(bits)))
+        return to_region(self._shapes[placement.part])._image(AffineMap(*placement.rows(bits)))
+
+    def is_rounded(self, placements: Sequence[int]) -> bool:
+        """Decide whether a placement is rounded, or a single one is to be clear of what is."""
+        solids = [*map(self.solid, placements), *(self.around if len(placements) < 2 else ())]
+        return is_rounded(*solids)
 
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
         """Return the linear map of a placement as ints with a common denominator."""
@@ -69,8 +83,12 @@ class Board:
         scales = {
             self.base(part)[0] * self._turn(k, TURN_BITS)[0] for (part, _), k in kinds.items()
         }
-        regions = [one.region for one in layout.defects]
-        scales.update(one.lattice()[0] for one in (layout.container, *regions) if one is not None)
+        walls = [make_form(one.shape) for one in layout.defects]
+        scales.update(scale for scale, _ in walls)
+        if isinstance(layout.container, Region):
+            scales.add(layout.container.lattice()[0])
+        elif layout.container is not None:
+            scales.add(layout.container.denominator)
         moves = [placements[k].move for k in self.placed]
         scales.update(x.denominator for x, _ in moves)
         scales.update(y.denominator for _, y in moves)
@@ -106,7 +124,7 @@ class Board:
             form, scale = form.scaled(finer // scale), finer
         slack = error = self.layout.part_by_id[part].error
         if turn.exact is None:
-            slack += measure_slack(self._regions[part], turn.near(bits).error)
+            slack += measure_slack(self._shapes[part], turn.near(bits).error)
         place = put_on_lattice(x, scale), put_on_lattice(y, scale)
         return Solid(form, *place, scale, slack, error)
 
@@ -114,8 +132,12 @@ class Board:
     def frame(self) -> tuple[int, int, int, int]:
         """A rectangle with room around everything: left, low, right, high."""
         xs, ys = [0], [0]
-        regions = [one.region for one in self.layout.defects]
-        boxes = [one.bounding_box for one in (self.layout.container, *regions) if one is not None]
+        shapes: list[Region | RoundedPiece] = []
+        for one in self.layout.defects:
+            shapes += (one.shape,) if isinstance(one.shape, Region) else one.shape
+        if self.layout.container is not None:
+            shapes.append(self.layout.container)
+        boxes = [one.bounding_box for one in shapes]
         if boxes:
             xs, ys = (
                 [value for low, high in boxes for value in (floor(low[axis]), ceil(high[axis]))]
@@ -140,9 +162,7 @@ class Board:
 
     def required(self, wall: int) -> Fraction:
         """Return the least allowed distance of parts from one of `around`."""
-        number = wall - self.first_defect
-        if self.layout.container is not None:
-            number -= len(self.layout.container.holes)
+        number = wall - self.first_defect - len(self.holes)
         own = self.layout.defects[number].spacing if number >= 0 else None
         return self.layout.margin if own is None else own
 
@@ -157,9 +177,23 @@ class Board:
         """The number of the first defect in `around`."""
         return 0 if self.layout.container is None else 1
 
+    @property
+    def holes(self) -> tuple[Polygon, ...]:
+        """The holes of the container."""
+        container = self.layout.container
+        return container.holes if isinstance(container, Region) else ()
+
+    @property
+    def is_open(self) -> bool:
+        """Whether no solid is the outside of a container, or it has no pieces."""
+        return not isinstance(self.layout.container, Region)
+
     def _find_outside(self) -> Iterator[Solid]:
         container = self.layout.container
         if container is None:
+            return
+        if isinstance(container, RoundedPiece):
+            yield self._fix(*make_rounded_form([container], OutsideForm), self.layout.error)
             return
         own, ring = container.exterior.lattice()
         west, south, east, north = (c * own for c in self.frame)
@@ -173,12 +207,12 @@ class Board:
     def _find_defects(self) -> Iterator[Solid]:
         """Yield the holes of the container, then the other defects."""
         layout = self.layout
-        for hole in () if layout.container is None else layout.container.holes:
+        for hole in self.holes:
             yield self._fix(*make_form(Region(hole)), layout.error)
         for defect in layout.defects:
-            yield self._fix(*make_form(defect.region), defect.error)
+            yield self._fix(*make_form(defect.shape), defect.error)
 
-    def _fix(self, scale: int, form: LatticeForm, error: Fraction) -> Solid:
+    def _fix(self, scale: int, form: LatticeForm | RoundedForm, error: Fraction) -> Solid:
         finer = self._scale or scale
         return Solid(form.scaled(finer // scale), 0, 0, finer, error, error)
 
@@ -186,7 +220,7 @@ class Board:
     def _room(self) -> LatticeBox | None:
         """The box of a rectangular container without the margin, in which parts are inside."""
         container = self.layout.container
-        if container is None or self._scale is None or len(container.exterior) > 4:
+        if not isinstance(container, Region) or self._scale is None or len(container.exterior) > 4:
             return None
         low, high = container.bounding_box
         if container.exterior.area != (high.x - low.x) * (high.y - low.y):

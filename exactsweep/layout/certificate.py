@@ -12,10 +12,11 @@ from itertools import accumulate, chain
 from typing import Any
 
 from exactsweep.evidence.certificate import HEADER
-from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.grid import IntVertex
+from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board
+from exactsweep.layout.clearance import find_clearance, is_rounded, measure_gap
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.misfit import drop_repeated, find_misfit
@@ -23,10 +24,12 @@ from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
 from exactsweep.layout.pieces import bound_piece
 from exactsweep.layout.reading import LayoutError
-from exactsweep.layout.solid import LatticeBox, Solid, share_scale
+from exactsweep.layout.solid import LatticeBox, LatticeForm, RoundedForm, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point
+
+_Pieces = list[list[Point]] | None
 
 _LEAST = 3
 """The number of vertices that a ring of a certificate has at least."""
@@ -45,13 +48,14 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
     Raises:
         LayoutError: no fault has a proof, because all are undecided, or rings that only touch
             themselves or each other; or a ring has fewer than three vertices; or the layout has
-            what certificates do not cover: no container, defects with a distance of their own,
-            turns of mirrored placements.
+            what certificates do not cover: defects with a distance of their own, turns of mirrored
+            placements.
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
     _require_covered(board.layout)
-    rings = (ring for part in board.layout.parts for ring in (part.exterior, *part.holes))
+    parts = (part for part in board.layout.parts if not part.pieces)
+    rings = (ring for part in parts for ring in (part.exterior, *part.holes))
     if any(len(drop_repeated(ring)) < _LEAST for ring in rings):
         raise LayoutError("a ring has fewer than three vertices: no certificate can list it")
     bits = TURN_BITS
@@ -76,8 +80,6 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
 def _require_covered(layout: Layout) -> None:
     """Refuse a layout with rules that certificates of this version do not cover."""
-    if layout.container is None:
-        raise LayoutError("certificates do not cover layouts without a container")
     if any(defect.spacing is not None for defect in layout.defects):
         raise LayoutError("certificates do not cover defects with a spacing of their own")
     if any(part.mirrored_turns is not None for part in layout.parts):
@@ -92,9 +94,10 @@ def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
             return None
         apart.append(entry)
     forms = [board.base(part.id) for part in board.layout.parts]
+    is_polygon = isinstance(board.layout.container, Region)
     return {
-        "frame": [*map(Fraction, board.frame)],
-        "pieces": [_leave(form.pieces, scale) for scale, form in forms],
+        "frame": [*map(Fraction, board.frame)] if is_polygon else None,
+        "pieces": [_leave(form, scale) for scale, form in forms],
         "outside": _list_outside(board),
         "apart": apart,
     }
@@ -108,11 +111,12 @@ def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
         distance = (spacing + a.slack + b.slack) * a.scale
         if _are_apart(a.box, b.box, distance):
             continue
-        ours, theirs = a.form.hull, b.form.hull
-        normal = find_normal(_shift(ours, a), _shift(theirs, b), distance)
-        if normal is not None:
-            yield [k, -1, j, -1, *map(str, normal)]
-            continue
+        if isinstance(a.form, LatticeForm) and isinstance(b.form, LatticeForm):
+            ours, theirs = a.form.hull, b.form.hull
+            normal = find_normal(_shift(ours, a), _shift(theirs, b), distance)
+            if normal is not None:
+                yield [k, -1, j, -1, *map(str, normal)]
+                continue
         for i, h, found in _part_pieces(a, b, distance):
             yield found and [k, i, j, h, *map(str, found)]
 
@@ -121,7 +125,8 @@ def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
     """Make an entry for each piece of an obstacle and each near piece of a placement."""
     margin, names = board.layout.margin, _name_obstacles(board)
     for k, defects in board.find_defects(margin).items():
-        for wall in (0, *defects):
+        outside = () if board.is_open else (0,)
+        for wall in (*outside, *defects):
             a, b = share_scale(board.around[wall], board.solid(k, bits))
             distance = (margin + a.slack + b.slack) * a.scale
             name, first = names[wall]
@@ -142,8 +147,7 @@ def _name_obstacles(board: Board) -> list[tuple[int, int]]:
 
 def _count_outside(board: Board) -> int:
     """Count the obstacles that are the outside of the container: without and in its holes."""
-    assert board.layout.container is not None
-    return board.first_defect + len(board.layout.container.holes)
+    return board.first_defect + len(board.holes)
 
 
 def _part_pieces(
@@ -151,16 +155,16 @@ def _part_pieces(
 ) -> Iterator[tuple[int, int, IntVertex | None]]:
     """Find the pairs of pieces that need a normal, with the normal, if there is one."""
     theirs = [
-        (h, piece, box)
-        for h, piece in enumerate(b.pieces)
-        if not _are_apart(a.box, box := bound_piece(piece), distance)
+        (h, piece, radius, box)
+        for h, (piece, radius) in enumerate(b.rounded)
+        if not _are_apart(a.box, box := bound_piece(piece, radius), distance)
     ]
-    for i, one in enumerate(a.pieces):
-        bounds = bound_piece(one)
+    for i, (one, own) in enumerate(a.rounded):
+        bounds = bound_piece(one, own)
         if not _are_apart(bounds, b.box, distance):
-            for h, other, box in theirs:
+            for h, other, radius, box in theirs:
                 if not _are_apart(bounds, box, distance):
-                    yield i, h, find_normal(one, other, distance)
+                    yield i, h, find_normal(one, other, distance + own + radius)
 
 
 def _shift(ring: Sequence[IntVertex], by: Solid) -> list[IntVertex]:
@@ -196,7 +200,8 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
             point = _find_point(board, fault, bits)
             if point is not None:
                 # The outside of the container, its holes included, is -1; defect k is -2 - k.
-                wall = min(-1, _count_outside(board) - fault.wall - 2)
+                first = _count_outside(board)
+                wall = -1 if fault.wall < first else first - fault.wall - 2
                 bodies = [*fault.placements, wall][:2]
                 proved.append({"kind": fault.kind, "placements": bodies, "point": point})
             elif bits < MOST_BITS:
@@ -211,7 +216,13 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
         alone = len(fault.placements) == 1
         gap = board.layout.margin if alone else board.layout.spacing
         room = gap - a.slack - b.slack
-        found = find_gap(a, b, room * room) if room > 0 else None
+        if room <= 0:
+            return None
+        if is_rounded(a, b):
+            near = find_clearance(a, b, room)
+            found = measure_gap(a, b, near) if near and near.is_below(room) else None
+        else:
+            found = find_gap(a, b, room * room)
         if found is None:
             return None
         p, q = found.points
@@ -220,12 +231,16 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
     return witness and witness.point
 
 
-def _list_outside(board: Board) -> list[list[list[Point]]]:
+def _list_outside(board: Board) -> list[_Pieces]:
     """List the pieces of what is outside the container, its holes included, and of each defect."""
     number = _count_outside(board)
-    pieces = [_leave(wall.form.pieces, wall.scale) for wall in board.around]
-    return [[*chain.from_iterable(pieces[:number])], *pieces[number:]]
+    pieces = [_leave(wall.form, wall.scale) for wall in board.around]
+    outside = [piece for wall in pieces[:number] for piece in wall or ()]
+    return [outside or None, *pieces[number:]]
 
 
-def _leave(pieces: Sequence[ConvexRing], scale: int) -> list[list[Point]]:
-    return [[Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in p] for p in pieces]
+def _leave(form: LatticeForm | RoundedForm, scale: int) -> _Pieces:
+    """Return the pieces of a polygon; the layout itself has those of a rounded form."""
+    if not isinstance(form, LatticeForm):
+        return None
+    return [[Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in p] for p in form.pieces]

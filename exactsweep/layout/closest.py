@@ -8,8 +8,9 @@ from math import ceil, isqrt
 from typing import NamedTuple
 
 from exactsweep.layout.board import Board
+from exactsweep.layout.clearance import Clearance, find_clearance, measure_gap
 from exactsweep.layout.nearest import find_gap
-from exactsweep.layout.solid import Solid, share_scale
+from exactsweep.layout.solid import LatticeForm, Solid, share_scale
 from exactsweep.numbers.number import Point
 
 
@@ -17,7 +18,8 @@ class NearestPair(NamedTuple):
     """Two placements whose parts are nearest.
 
     Attributes:
-        square: the squared distance, 0 for parts that touch or overlap.
+        square: the squared distance, 0 for parts that touch or overlap; of rounded parts rounded up
+            by a share of at most 2^-63, if their distance is irrational.
         placements: the numbers of the two placements.
         points: the nearest point of each part; for parts that overlap, a point inside both.
     """
@@ -42,6 +44,8 @@ def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> Nearest
 
     Cost: that of finding the pairs with near boxes, and of `find_gap` for each.
     """
+    if any(board.solid(k).form.is_rounded for k in board.placed):
+        return _find_rounded(board)
     if touching is not None:
         return _find_best(board, [touching], None)
     if len(board.placed) < 2:
@@ -72,8 +76,32 @@ def _find_best(
     return best
 
 
+def _find_rounded(board: Board) -> NearestPair | None:
+    """Find the two nearest placed parts of a board, of which some are rounded, without overlaps."""
+    if len(board.placed) < 2:
+        return None
+    reach, seen = Fraction(0), set[tuple[int, int]]()
+    best: tuple[Clearance, tuple[int, int]] | None = None
+    least: Fraction | None = None
+    while least is None or reach < least:
+        reach = least or 2 * reach or board.grain
+        for k, j in board.list_near(reach):
+            if (k, j) in seen:
+                continue
+            seen.add((k, j))
+            found = find_clearance(*share_scale(board.solid(k), board.solid(j)), least)
+            if found is not None and (best is None or found.is_less(best[0])):
+                best, least = (found, (k, j)), found.bound(up=True)
+    assert best is not None
+    found, (k, j) = best
+    gap = measure_gap(*share_scale(board.solid(k), board.solid(j)), found)
+    return NearestPair(gap.value, (k, j), gap.points)
+
+
 def _bound(a: Solid, b: Solid) -> Fraction:
     """Return an upper bound of the squared distance of two solids."""
+    assert isinstance(a.form, LatticeForm)
+    assert isinstance(b.form, LatticeForm)
     (ax, ay), (bx, by) = a.form.rings[0][0], b.form.rings[0][0]
     dx, dy = ax + a.x - bx - b.x, ay + a.y - by - b.y
     return Fraction(dx * dx + dy * dy + 1) / a.scale**2

@@ -8,8 +8,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from exactsweep.geometry.overlap import Relation
+from exactsweep.layout.clearance import Clearance, find_clearance, is_rounded, relate
 from exactsweep.layout.repair import find_depth_move, find_repair
-from exactsweep.layout.solid import Solid, meet, share_scale
+from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.layout.verdict import find_witness
 from exactsweep.numbers.digits import abridge, to_plain
 from exactsweep.numbers.number import Point
@@ -112,7 +113,8 @@ class Fault:
         """The squared length of the shortest move to contact, for "overlap" and "outside".
 
         It does not regard the spacing or the margin. It is None if the part fits nowhere. For turns
-        without a rational value and for flattened curves, the length may be off by the bound.
+        without a rational value and for flattened curves, the length may be off by the bound; for
+        rounded parts it is rounded up, and an upper bound if one of the parts is not convex.
 
         Cost: that of `find_depth_move`, on first access.
         """
@@ -120,6 +122,18 @@ class Fault:
             return None
         move = find_depth_move(self._board, self.placements, self._bits)
         return None if move is None else move.x**2 + move.y**2
+
+    @cached_property
+    def clearance(self) -> Clearance | None:
+        """The exact distance or depth of two rounded bodies; None for polygons.
+
+        It is a root less a radius. Of bodies of several pieces it is that of the two pieces that
+        overlap most, or are nearest.
+        """
+        if self._board is None or self.kind not in _REPAIRED:
+            return None
+        pair = self.find_pair(self._bits)
+        return find_clearance(*pair) if is_rounded(*pair) else None
 
     @property
     def required(self) -> Fraction | None:
@@ -149,10 +163,12 @@ class Fault:
             assert self.required is not None
             assert self.distance_squared is not None
             least = self.required - room
+            if self.clearance is not None:
+                return not self.clearance.is_below(least)
             return least <= 0 or self.distance_squared >= least * least
         if self.kind != "undecided":
             return False
-        if meet(*self.find_pair(self._bits)) is not Relation.OVERLAP:
+        if relate(*self.find_pair(self._bits)) is not Relation.OVERLAP:
             return 2 * self.bound <= depth
         move = find_depth_move(self._board, self.placements, self._bits)
         return move is not None and move.x**2 + move.y**2 <= room * room
@@ -170,6 +186,8 @@ class Fault:
             "points": self.points or None,
             "distance_squared": self.distance_squared,
             "required": self.required,
+            "hull_distance_squared": self.clearance and self.clearance.square,
+            "radii": self.clearance and self.clearance.radius,
             "depth_squared": self.depth_squared if measured else None,
             "move": self.move if measured else None,
             "bound": self.bound or None,

@@ -19,12 +19,14 @@ from functools import cached_property, partial
 from typing import Any, get_args
 
 from exactsweep.geometry.overlap import Relation
+from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board
 from exactsweep.layout.certificate import write_certificate
 from exactsweep.layout.closest import NearestPair, find_nearest_pair
 from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.layout import Layout
+from exactsweep.layout.rounded import bound_area
 from exactsweep.layout.verdict import PairVerdict, judge_pair
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
@@ -71,23 +73,37 @@ class Judgement:
         """Decide whether there is no fault and no undecided pair."""
         return not self.faults
 
-    @cached_property
+    @property
     def density(self) -> Fraction | None:
         """The area of the placed simple parts divided by that of the container.
 
-        Without a container, it is that of the `box`; None if nothing is placed.
+        Without a container, it is that of the `box`; None if nothing is placed, or rounded pieces
+        of one part overlap. With rounded parts it may be off by `density_error`.
         """
-        parts, placed = self.layout.part_by_id, self._board.placed
-        areas = Counter(self.layout.placements[k].part for k in placed)
-        total = add_up(
-            number * region.area for id, number in areas.items() if (region := parts[id].region)
-        )
-        if self.layout.container is not None:
-            return total / self.layout.container.area
-        if self.box is None:
+        return None if self._density is None else sum(self._density, Fraction(0)) / 2
+
+    @property
+    def density_error(self) -> Fraction:
+        """A bound on the error of `density`; 0 without rounded parts and containers."""
+        return Fraction(0) if self._density is None else (self._density[1] - self._density[0]) / 2
+
+    @cached_property
+    def _density(self) -> tuple[Fraction, Fraction] | None:
+        """The bounds of the density."""
+        parts, container, box = self.layout.part_by_id, self.layout.container, self.box
+        areas = Counter(self.layout.placements[k].part for k in self._board.placed)
+        found = [(number, bound_area(parts[id].shape)) for id, number in areas.items()]
+        if any(bounds is None for _, bounds in found):
             return None
-        low, high = self.box
-        return total / ((high.x - low.x) * (high.y - low.y))
+        least, most = (
+            add_up(number * bounds[end] for number, bounds in found if bounds) for end in (0, 1)
+        )
+        if container is not None:
+            shape = container if isinstance(container, Region) else (container,)
+            whole = bound_area(shape)
+        else:
+            whole = box and ((box[1].x - box[0].x) * (box[1].y - box[0].y),) * 2
+        return whole and (least / whole[1], most / whole[0])
 
     @cached_property
     def box(self) -> tuple[Point, Point] | None:
@@ -223,7 +239,7 @@ def _judge_rules(layout: Layout) -> Iterator[Fault]:
             yield Fault("mirror", (k,), part.id, f"part {part.id} may not be mirrored")
     for part in layout.parts:
         its = tuple(placements[part.id])
-        if part.region is None:
+        if part.shape is None:
             yield Fault("shape", its, part.id, part.refusal)
         if part.demand is not None and len(its) != part.demand:
             kind: FaultKind = "missing" if len(its) < part.demand else "surplus"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -24,6 +24,7 @@ from exactsweep.layout.reading import (
     read_turn,
     read_vertex,
 )
+from exactsweep.layout.rounded import RoundedPiece, Shape, read_pieces
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Loop, Point
@@ -43,6 +44,7 @@ class LayoutPart:
         error: a bound on the distance between the rings and the curves that they stand for, in both
             directions; 0 for a polygon.
         mirrored_turns: the allowed turns of mirrored placements; None for those of `turns`.
+        pieces: a tuple of RoundedPiece, whose union is the part; then `exterior` is empty.
     """
 
     id: str
@@ -53,13 +55,13 @@ class LayoutPart:
     mirrored: bool | None = None
     error: Fraction = Fraction(0)
     mirrored_turns: tuple[Turn, ...] | None = None
+    pieces: tuple[RoundedPiece, ...] = ()
 
     @classmethod
     def from_json(cls, data: object, path: str) -> LayoutPart:
         """Read a part; messages begin with the path."""
         rules = ("demand", "turns", "mirrored", "mirrored_turns")
-        found = read_object(data, path, ("id", "exterior"), ("holes", *rules, "error"))
-        exterior, holes = read_rings(found, path)
+        found, (exterior, holes), pieces, error = _read_shape(data, path, ("id",), rules)
         demand = found.get("demand")
         turns, mirrored = (
             None if found.get(name) is None else read_list(found[name], f"{path}.{name}", read_turn)
@@ -74,8 +76,9 @@ class LayoutPart:
             demand,
             turns,
             read_flag(found.get("mirrored"), f"{path}.mirrored"),
-            read_gap(found.get("error", 0), f"{path}.error"),
+            error,
             mirrored,
+            pieces,
         )
 
     def allows(self, placement: Placement) -> bool:
@@ -85,10 +88,15 @@ class LayoutPart:
             turns = self.mirrored_turns
         return turns is None or placement.turn in turns
 
+    @property
+    def shape(self) -> Shape | None:
+        """The rounded pieces or the `region`; None if rings do not bound one."""
+        return self.pieces or self.region
+
     @cached_property
     def region(self) -> Region | None:
         """The part as a Region; None if its rings do not bound one; see `refusal`."""
-        return self._read[0]
+        return None if self.pieces else self._read[0]
 
     @cached_property
     def refusal(self) -> str:
@@ -143,23 +151,22 @@ class Defect:
     """A shape that no part may overlap; it may touch or cross the container and other defects.
 
     Attributes:
-        region: a Region.
+        shape: a Region, or a tuple of RoundedPiece.
         error: as for `LayoutPart`.
         spacing: the least allowed distance of parts; None for the margin of the layout.
     """
 
-    region: Region
+    shape: Shape
     error: Fraction = Fraction(0)
     spacing: Fraction | None = None
 
     @classmethod
     def from_json(cls, data: object, path: str) -> Defect:
         """Read a defect; messages begin with the path."""
-        rings, error = _read_shape(data, path, "spacing")
-        assert isinstance(data, Mapping)
-        given = data.get("spacing")
+        found, rings, pieces, error = _read_shape(data, path, (), ("spacing",))
+        given = found.get("spacing")
         spacing = None if given is None else read_gap(given, f"{path}.spacing")
-        return cls(_make_region(rings, path), error, spacing)
+        return cls(pieces or _make_region(rings, path), error, spacing)
 
 
 @dataclass(frozen=True)
@@ -167,7 +174,8 @@ class Layout:
     """Placements of parts in a container; `from_json` reads one.
 
     Attributes:
-        container: a Region, whose holes are defects; None if only the distances of parts count.
+        container: a Region, whose holes are defects; or a RoundedPiece, such as a disc; None if
+            only the distances of parts count.
         parts: a tuple of LayoutPart with different ids.
         placements: a tuple of Placement.
         spacing: the least allowed distance of two placed parts, at least 0.
@@ -178,7 +186,7 @@ class Layout:
         defects: a tuple of Defect, besides the holes of the container.
     """
 
-    container: Region | None
+    container: Region | RoundedPiece | None
     parts: tuple[LayoutPart, ...]
     placements: tuple[Placement, ...]
     spacing: Fraction = Fraction(0)
@@ -248,12 +256,14 @@ class Layout:
         Cost: linear.
         """
         defects = [
-            _list_shape(one.region, one.error)
+            _list_shape(one.shape, one.error)
             | ({} if one.spacing is None else {"spacing": one.spacing})
             for one in self.defects
         ]
+        container = self.container
+        shape = (container,) if isinstance(container, RoundedPiece) else container
         data = {
-            **({"container": _list_shape(self.container, self.error)} if self.container else {}),
+            **({} if shape is None else {"container": _list_shape(shape, self.error)}),
             **({"defects": defects} if defects else {}),
             "parts": [_list_fields(part) for part in self.parts],
             "placements": [
@@ -299,9 +309,15 @@ class Layout:
         return {part.id: part for part in self.parts}
 
 
-def _read_container(data: object) -> tuple[Region, Fraction, tuple[Defect, ...]]:
+def _read_container(
+    data: object,
+) -> tuple[Region | RoundedPiece, Fraction, tuple[Defect, ...]]:
     """Read the container; holes that are not apart from each other and its boundary are defects."""
-    (exterior, holes), error = _read_shape(data, "container")
+    _, (exterior, holes), pieces, error = _read_shape(data, "container")
+    if len(pieces) > 1:
+        raise LayoutError(f"container.pieces has {len(pieces)} pieces; a container has one")
+    if pieces:
+        return pieces[0], error, ()
     alone = _make_region((exterior, ()), "container")
     try:
         return Region(exterior, holes), error, ()
@@ -313,23 +329,33 @@ def _read_container(data: object) -> tuple[Region, Fraction, tuple[Defect, ...]]
         return alone, error, tuple(defects)
 
 
+_Rings = tuple[Loop, tuple[Loop, ...]]
+
+
 def _read_shape(
-    data: object, path: str, *others: str
-) -> tuple[tuple[Loop, tuple[Loop, ...]], Fraction]:
-    found = read_object(data, path, ("exterior",), ("holes", "error", *others))
-    return read_rings(found, path), read_gap(found.get("error", 0), f"{path}.error")
+    data: object, path: str, needed: Sequence[str] = (), others: Sequence[str] = ()
+) -> tuple[Mapping[str, object], _Rings, tuple[RoundedPiece, ...], Fraction]:
+    """Read the fields of a shape, of rings or of rounded pieces, and its error."""
+    is_rounded = isinstance(data, Mapping) and "pieces" in data
+    form, more = ("pieces", ()) if is_rounded else ("exterior", ("holes",))
+    found = read_object(data, path, (*needed, form), (*more, *others, "error"))
+    rings: _Rings = ((), ()) if is_rounded else read_rings(found, path)
+    pieces = read_pieces(found["pieces"], f"{path}.pieces") if is_rounded else ()
+    return found, rings, pieces, read_gap(found.get("error", 0), f"{path}.error")
 
 
-def _make_region(rings: tuple[Loop, tuple[Loop, ...]], path: str) -> Region:
+def _make_region(rings: _Rings, path: str) -> Region:
     try:
         return Region(*rings)
     except PolygonError as error:
         raise LayoutError(f"{path}: {error}") from None
 
 
-def _list_shape(region: Region, error: Fraction) -> dict[str, Any]:
-    holes = [hole.vertices for hole in region.holes]
-    return {"exterior": region.exterior.vertices, "holes": holes, **_list_error(error)}
+def _list_shape(shape: Shape, error: Fraction) -> dict[str, Any]:
+    if not isinstance(shape, Region):
+        return {"pieces": [piece.to_json() for piece in shape], **_list_error(error)}
+    holes = [hole.vertices for hole in shape.holes]
+    return {"exterior": shape.exterior.vertices, "holes": holes, **_list_error(error)}
 
 
 def _list_fields(part: LayoutPart) -> dict[str, Any]:
@@ -343,10 +369,10 @@ def _list_fields(part: LayoutPart) -> dict[str, Any]:
         "mirrored": part.mirrored,
         "mirrored_turns": mirrored,
     }
+    rings = {"exterior": part.exterior, "holes": part.holes}
     return {
         "id": part.id,
-        "exterior": part.exterior,
-        "holes": part.holes,
+        **({"pieces": [piece.to_json() for piece in part.pieces]} if part.pieces else rings),
         **{name: value for name, value in allowed.items() if value is not None},
         **_list_error(part.error),
     }

@@ -12,7 +12,7 @@ from math import isqrt
 from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, measure_ends
 from exactsweep.geometry.edges import BoxedEdge, touch
 from exactsweep.geometry.vectors import minus, turn
-from exactsweep.layout.solid import Solid
+from exactsweep.layout.solid import LatticeForm, Solid
 from exactsweep.numbers.number import Edge, Point, Rational
 
 
@@ -30,6 +30,8 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
     Cost: O(k h) for k edges of one and h edges of the other that are within the bound of the box of
     the other solid.
     """
+    assert isinstance(a.form, LatticeForm)
+    assert isinstance(b.form, LatticeForm)
     scale = a.scale
     bound = below * scale * scale
     n: Rational = bound.numerator

@@ -22,7 +22,7 @@ def find_normal(
     """Find a normal that proves that two convex pieces are at least a distance apart.
 
     Args:
-        one: the vertices of a convex ring, counter-clockwise.
+        one: the vertices of a convex ring, counter-clockwise, or a point or a segment.
         other: likewise, on the same lattice.
         distance: the required distance, in units of the lattice.
 
@@ -37,6 +37,9 @@ def find_normal(
     """
     square = distance * distance
     for x, y in _list_normals(one, other, distance):
+        if not (x or y):
+            # The side of a point.
+            continue
         gap = min(x * px + y * py for px, py in other) - max(x * px + y * py for px, py in one)
         if gap >= 0 and gap * gap >= square * (x * x + y * y):
             common = gcd(x, y)

@@ -12,10 +12,10 @@ from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.number import Point, Rational, Vertex
 
 
-def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:
-    """Return the left, right, low and high ends of a piece."""
+def bound_piece(piece: IntRing, radius: int = 0) -> tuple[int, int, int, int]:
+    """Return the left, right, low and high ends of a piece, which may be rounded."""
     xs, ys = zip(*piece, strict=True)
-    return min(xs), max(xs), min(ys), max(ys)
+    return min(xs) - radius, max(xs) + radius, min(ys) - radius, max(ys) + radius
 
 
 def find_common_point(one: Sequence[Vertex], other: Sequence[Vertex]) -> Point | None:

@@ -11,9 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from functools import cache, partial
+from functools import partial
 from itertools import pairwise
-from math import pi, tan
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.distance import find_foot
@@ -21,13 +20,15 @@ from exactsweep.geometry.overlap import Relation
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.layout.board import Board
-from exactsweep.layout.solid import Solid
+from exactsweep.layout.clearance import find_clearance, is_rounded, relate
+from exactsweep.layout.rounded import RoundedPiece, bound_root, inscribe, list_disc, to_region
+from exactsweep.layout.solid import OutsideForm, Solid, share_scale
 from exactsweep.layout.verdict import judge_pair
 from exactsweep.numbers.digits import find_magnitude
 from exactsweep.numbers.number import ORIGIN, Edge, Point
 from exactsweep.sweep import free_positions, inner_fit_polygon, no_fit_polygon
 
-_SIDES, _STEPS, _DIGITS = 32, 30, (6, 9, 12)
+_SIDES, _STEPS, _DIGITS, _BITS = 32, 30, (6, 9, 12), 64
 # For radii below this share of the part a square is precise enough.
 _TINY = Fraction(1, 10**6)
 
@@ -46,7 +47,10 @@ def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point
 
     Cost: that of `no_fit_polygon` or of `free_positions`.
     """
-    return _find_move(board, placements, bits, Fraction(0))
+    move = _find_move(board, placements, bits, Fraction(0))
+    if move is None or not board.is_rounded(placements):
+        return move
+    return _shorten(move, _make_overlap_judge(board, placements, bits), digits=())
 
 
 def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | None:
@@ -75,7 +79,7 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
     if move is None:
         return None
     is_free = make_judge(board, placements, bits)
-    if room and move != ORIGIN:
+    if (room or board.is_rounded(placements)) and move != ORIGIN:
         move = _shorten(move, is_free)
     return move if is_free(move) else None
 
@@ -94,17 +98,19 @@ def find_free_move(board: Board, k: int) -> Point | None:
     Cost: that of `free_positions` with the placed parts that are near.
     """
     layout = board.layout
+    if board.is_rounded([k]):
+        return None
     left, right, low, high = (Fraction(side) / board.solid(k).scale for side in board.solid(k).box)
     reach = max(right - left, high - low) / 2
     placed = board.list_beside(k, 2 * reach)
     room = max(layout.spacing, board.greatest_margin) + board.solid(k).slack
     room += max((board.solid(j).slack for j in placed), default=Fraction(0)) + layout.error
-    obstacles = [defect.region for defect in layout.defects]
+    obstacles = [to_region(defect.shape) for defect in layout.defects]
     obstacles += [board.turned(j).translated(layout.placements[j].move) for j in placed]
     moved = board.turned(k)
     if room:
         moved = enlarge(moved, room)
-    inner = free_positions(layout.container or make_box(board.frame), obstacles, moved)
+    inner = free_positions(_make_room(board), obstacles, moved)
     loops = [ring for one in inner.regions for ring in (one.exterior, *one.holes)]
     move = _find_nearest(layout.placements[k].move, loops, inner.exact_fits)
     return None if move is None or max(abs(move.x), abs(move.y)) > reach else move
@@ -143,6 +149,9 @@ def _give(solid: Solid, bits: int) -> Solid:
 
 def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fraction) -> Point | None:
     """Find the shortest move to where the last placement, enlarged by the room, is free."""
+    closed = _find_convex_move(board, placements, bits, room)
+    if closed is not None:
+        return closed
     k = placements[-1]
     at, moved = board.layout.placements[k].move, board.turned(k, bits)
     if room:
@@ -155,9 +164,8 @@ def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fractio
         no_fit = no_fit_polygon(stationary=board.turned(j, bits), orbiting=moved)
         loops, fits = [no_fit.exterior, *no_fit.holes], no_fit.exact_fits
     else:
-        layout = board.layout
-        defects = [defect.region for defect in layout.defects]
-        container = layout.container or make_box(board.frame)
+        defects = [to_region(defect.shape) for defect in board.layout.defects]
+        container = _make_room(board)
         if defects:
             inner = free_positions(container, defects, moved)
         else:
@@ -167,6 +175,56 @@ def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fractio
     return _find_nearest(at, loops, fits)
 
 
+def _find_convex_move(
+    board: Board, placements: Sequence[int], bits: int, room: Fraction
+) -> Point | None:
+    """Find the shortest move of a convex part from another one, or of a disc into a container.
+
+    One of the two is rounded, and so is the container. The move has the direction of the nearest
+    points, or of the shortest move that parts the hulls; it is longer than the shortest one by a
+    share of at most 2^-60, and exact if its length is rational. None for all other shapes.
+    """
+    part = board.solid(placements[-1], bits)
+    if len(placements) > 1:
+        part, other = board.solid(placements[0], bits), part
+    elif len(board.around) == 1:
+        other = board.around[0]
+    else:
+        return None
+    pieces = [*part.form.pieces, *other.form.pieces]
+    is_outside = isinstance(other.form, OutsideForm)
+    if not is_rounded(part, other) or len(pieces) > 2 or (is_outside and len(pieces[0]) > 1):
+        return None
+    found = find_clearance(*share_scale(part, other))
+    assert found is not None
+    missing, (x, y) = room - found.bound(up=False), found.hulls.normal
+    if missing <= 0:
+        return ORIGIN
+    if len(placements) < 2 and not (is_outside and found.radius + room <= 0):
+        # The hull of the container does not hold a smaller container.
+        return None
+    share = missing / bound_root(Fraction(x * x + y * y), _BITS)[0]
+    return Point(share * x, share * y)
+
+
+def _make_overlap_judge(
+    board: Board, placements: Sequence[int], bits: int
+) -> Callable[[Point], bool]:
+    """Return a function that decides whether the last placement, moved, overlaps nothing.
+
+    Errors of turns and curves do not count.
+    """
+    k = placements[-1]
+    at = board.layout.placements[k].move
+    fixed = [board.solid(placements[0], bits)] if len(placements) > 1 else board.around
+
+    def is_free(move: Point) -> bool:
+        moved = board.solid_at(k, Point(at.x + move.x, at.y + move.y), bits)
+        return all(relate(*share_scale(moved, one)) is not Relation.OVERLAP for one in fixed)
+
+    return is_free
+
+
 def _find_nearest(at: Point, loops: Iterable[Polygon], fits: Iterable[Edge]) -> Point | None:
     edges = [(a, b) for loop in loops for a, b in pairwise((*loop.vertices, loop.vertices[0]))]
     moves = [
@@ -174,6 +232,14 @@ def _find_nearest(at: Point, loops: Iterable[Polygon], fits: Iterable[Edge]) -> 
         for foot in (find_foot(at, edge) for edge in (*edges, *fits))
     ]
     return min(moves, key=lambda by: (by.x * by.x + by.y * by.y, by), default=None)
+
+
+def _make_room(board: Board) -> Region:
+    """Return the container, or a polygon in a rounded one, or a box around everything."""
+    container = board.layout.container
+    if isinstance(container, RoundedPiece):
+        return inscribe(container)
+    return container or make_box(board.frame)
 
 
 def make_box(frame: tuple[int, int, int, int]) -> Region:
@@ -192,7 +258,7 @@ def enlarge(region: Region, radius: Fraction) -> Region:
     """
     low, high = region.bounding_box
     sides = 4 if radius < _TINY * min(high.x - low.x, high.y - low.y) else _SIDES
-    disc = Region([(x * radius, y * radius) for x, y in _make_disc(sides)])
+    disc = Region([(x * radius, y * radius) for x, y in list_disc(sides)])
     grown = no_fit_polygon(stationary=region, orbiting=disc)
     try:
         return Region(grown.exterior, [hole.vertices for hole in grown.holes])
@@ -201,30 +267,9 @@ def enlarge(region: Region, radius: Fraction) -> Region:
         return Region(grown.exterior)
 
 
-@cache
-def _make_disc(sides: int) -> tuple[Point, ...]:
-    """Make a polygon around the unit disc, symmetric, of rational tangents.
-
-    >>> _make_disc(4)[0]
-    Point(x=Fraction(1, 1), y=Fraction(1, 1))
-    """
-    normals = []
-    for quarter in range(4):
-        for k in range(sides // 4):
-            half = Fraction(tan(pi * k / sides)).limit_denominator(50)
-            square = half * half
-            x, y = (1 - square) / (1 + square), 2 * half / (1 + square)
-            for _ in range(quarter):
-                x, y = -y, x
-            normals.append((x, y))
-    corners = []
-    for (a, b), (c, d) in pairwise((*normals, normals[0])):
-        share = 1 + a * c + b * d
-        corners.append(Point((a + c) / share, (b + d) / share))
-    return tuple(corners)
-
-
-def _shorten(move: Point, is_free: Callable[[Point], bool]) -> Point:
+def _shorten(
+    move: Point, is_free: Callable[[Point], bool], digits: Sequence[int] = _DIGITS
+) -> Point:
     """Shorten a move in its direction as far as it frees, and round it to few digits."""
     if not is_free(move):
         return move
@@ -236,8 +281,8 @@ def _shorten(move: Point, is_free: Callable[[Point], bool]) -> Point:
         else:
             low = middle
     shorter = Point(move.x * high, move.y * high)
-    for digits in _DIGITS:
-        rounded = Point(_round(shorter.x, digits), _round(shorter.y, digits))
+    for number in digits:
+        rounded = Point(_round(shorter.x, number), _round(shorter.y, number))
         if is_free(rounded):
             return rounded
     return shorter

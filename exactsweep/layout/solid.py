@@ -16,10 +16,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
+from itertools import chain
+from math import isqrt, lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
@@ -28,6 +29,7 @@ from exactsweep.geometry.grid import IntVertex
 from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
+from exactsweep.layout.rounded import RoundedPiece, Shape
 from exactsweep.numbers.number import Point
 
 LatticeBox = tuple[int, int, int, int]
@@ -35,6 +37,9 @@ LatticeBox = tuple[int, int, int, int]
 
 MatrixRows = tuple[int, int, int, int]
 """A linear map by its rows."""
+
+LatticePiece = tuple[ConvexRing, int]
+"""A convex hull, of one or two points if it is degenerate, and the radius around it."""
 
 
 class LatticeForm(EdgeIndex):
@@ -46,6 +51,7 @@ class LatticeForm(EdgeIndex):
     """
 
     rings: Sequence[IntRing]
+    is_rounded = False
 
     def __init__(
         self, rings: Sequence[IntRing], cut: Callable[[], list[ConvexRing]] | None = None
@@ -78,6 +84,58 @@ class LatticeForm(EdgeIndex):
         """The convex pieces of the form."""
         return self._cut()
 
+    @property
+    def rounded(self) -> list[LatticePiece]:
+        """The convex pieces, with radius 0."""
+        return [(piece, 0) for piece in self.pieces]
+
+
+class RoundedForm:
+    """Rounded pieces on a lattice; many solids share them.
+
+    Args:
+        rounded: the hulls, counter-clockwise, and their radii.
+    """
+
+    is_rounded = True
+
+    def __init__(self, rounded: Sequence[LatticePiece]) -> None:
+        self.rounded = [*rounded]
+        self._scaled: dict[int, RoundedForm] = {1: self}
+
+    def mapped(self, matrix: MatrixRows) -> RoundedForm:
+        """Return the image under a similarity of rational factor. Cost: O(n)."""
+        a, b, c, d = matrix
+        by = isqrt(abs(a * d - b * c))
+        return type(self)([(_map(hull, matrix), by * radius) for hull, radius in self.rounded])
+
+    def scaled(self, factor: int) -> RoundedForm:
+        """Return the form on a lattice that is finer by a factor. Cost: O(n), once."""
+        found = self._scaled.get(factor)
+        if found is None:
+            found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
+        return found
+
+    @cached_property
+    def box(self) -> LatticeBox:
+        """The box of all pieces."""
+        boxes = [
+            (min(xs) - radius, max(xs) + radius, min(ys) - radius, max(ys) + radius)
+            for hull, radius in self.rounded
+            for xs, ys in [[*zip(*hull, strict=True)]]
+        ]
+        lefts, rights, lows, highs = zip(*boxes, strict=True)
+        return min(lefts), max(rights), min(lows), max(highs)
+
+    @property
+    def pieces(self) -> list[ConvexRing]:
+        """The hulls, without their radii."""
+        return [hull for hull, _ in self.rounded]
+
+
+class OutsideForm(RoundedForm):
+    """The outside of a rounded container, which is one rounded piece."""
+
 
 class Solid(NamedTuple):
     """A form at a place of a lattice.
@@ -91,7 +149,7 @@ class Solid(NamedTuple):
         error: the share of the slack that is due to flattened curves.
     """
 
-    form: LatticeForm
+    form: LatticeForm | RoundedForm
     x: int
     y: int
     scale: int
@@ -119,6 +177,12 @@ class Solid(NamedTuple):
         x, y = self.x, self.y
         return [[(px + x, py + y) for px, py in piece] for piece in self.form.pieces]
 
+    @property
+    def rounded(self) -> list[LatticePiece]:
+        """Return the convex pieces at their place, with their radii."""
+        x, y = self.x, self.y
+        return [([(px + x, py + y) for px, py in hull], r) for hull, r in self.form.rounded]
+
     def leave(self, x: int | Fraction, y: int | Fraction) -> Point:
         """Convert a point of the lattice, or between, to the plane."""
         return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
@@ -131,10 +195,27 @@ def _map(ring: IntRing, matrix: MatrixRows) -> list[IntVertex]:
     return image if a * d > b * c else image[::-1]
 
 
-def make_form(region: Region) -> tuple[int, LatticeForm]:
-    """Return the scale of a region's lattice and its form there. Cost: O(n)."""
-    scale, rings = region.lattice()
-    return scale, LatticeForm(rings)  # type: ignore[arg-type]
+def make_form(shape: Shape) -> tuple[int, LatticeForm | RoundedForm]:
+    """Return the scale of a shape's lattice and its form there. Cost: O(n)."""
+    if isinstance(shape, Region):
+        scale, rings = shape.lattice()
+        return scale, LatticeForm(rings)  # type: ignore[arg-type]
+    return make_rounded_form(shape, RoundedForm)
+
+
+def make_rounded_form(
+    pieces: Sequence[RoundedPiece], kind: type[RoundedForm]
+) -> tuple[int, RoundedForm]:
+    """Return the scale of the lattice of rounded pieces and their form there. Cost: O(n)."""
+    scale = lcm(*(piece.denominator for piece in pieces))
+    rounded = [
+        (
+            [(int(p.x * scale), int(p.y * scale)) for p in piece.points],
+            int(piece.radius * scale),
+        )
+        for piece in pieces
+    ]
+    return scale, kind(rounded)
 
 
 def put_on_lattice(value: Fraction, scale: int) -> int:
@@ -149,13 +230,18 @@ def put_on_lattice(value: Fraction, scale: int) -> int:
     return n * whole if rest == 0 else value * scale  # type: ignore[return-value]
 
 
-def measure_slack(region: Region, error: Fraction) -> Fraction:
-    """Return the slack of a region for an error of its turn, by (3). Cost: O(n).
+def measure_slack(shape: Shape, error: Fraction) -> Fraction:
+    """Return the slack of a shape for an error of its turn, by (3). Cost: O(n).
 
     >>> measure_slack(Region([(0, 0), (3, 0), (3, -4)]), Fraction(1, 100))
     Fraction(21, 200)
     """
-    return max(abs(x) + abs(y) for x, y in region.exterior.vertices) * error * 3 / 2
+    points: Iterable[Point] = (
+        shape.exterior.vertices
+        if isinstance(shape, Region)
+        else chain.from_iterable(piece.points for piece in shape)
+    )
+    return max(abs(x) + abs(y) for x, y in points) * error * 3 / 2
 
 
 def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
@@ -167,8 +253,10 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
 
 
 def meet(a: Solid, b: Solid) -> Relation:
-    """Decide whether two solids of one lattice overlap, touch or are apart.
+    """Decide whether two polygonal solids of one lattice overlap, touch or are apart.
 
     Cost: that of `MovedPair.relate`.
     """
+    assert isinstance(a.form, LatticeForm)
+    assert isinstance(b.form, LatticeForm)
     return MovedPair(a.form, b.form).relate(b.x - a.x, b.y - a.y)

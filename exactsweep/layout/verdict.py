@@ -20,6 +20,12 @@ from typing import NamedTuple
 from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.distance import SquaredDistance, measure_to_edge
 from exactsweep.geometry.overlap import Relation
+from exactsweep.layout.clearance import (
+    find_clearance,
+    find_rounded_witness,
+    is_rounded,
+    measure_gap,
+)
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.pieces import bound_piece, clip, find_common_point
 from exactsweep.layout.solid import LatticeBox, Solid, meet, share_scale
@@ -38,7 +44,8 @@ class PairVerdict(NamedTuple):
 
     Attributes:
         meeting: a Relation, None if it is undecided.
-        gap: the SquaredDistance, if their distance is less than required.
+        gap: the SquaredDistance, if their distance is less than required; rounded up for rounded
+            solids, within 2^-64 of it.
         too_close: whether the distance is less than required; None if it is undecided.
         bits: the precision of the turns that decided.
         slack: the sum of both slacks, 0 for exact turns of polygons.
@@ -84,6 +91,8 @@ def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
 
 
 def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
+    if is_rounded(a, b):
+        return _decide_rounded(a, b, bits, spacing)
     slack, gap = a.slack + b.slack, None
     meeting: Relation | None = meet(a, b)
     too_close: bool | None = False
@@ -103,6 +112,28 @@ def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
     return PairVerdict(meeting, gap, too_close, bits, slack, a.error + b.error)
 
 
+def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
+    slack = a.slack + b.slack
+    found = find_clearance(a, b, spacing + slack)
+    meeting: Relation | None = Relation.APART
+    gap: SquaredDistance | None = None
+    too_close: bool | None = False
+    if found is not None and found.is_below(-slack):
+        meeting = Relation.OVERLAP
+        if slack and find_rounded_witness(a, b) is None:
+            meeting = too_close = None
+    elif found is not None and slack and found.is_at_most(slack):
+        meeting = too_close = None
+    elif found is not None:
+        if found.is_at_most(Fraction(0)):
+            meeting = Relation.CONTACT
+        if spacing > slack and found.is_below(spacing - slack):
+            too_close, gap = True, measure_gap(a, b, found)
+        elif found.is_below(spacing + slack):
+            too_close = None if slack else spacing > 0
+    return PairVerdict(meeting, gap, too_close, bits, slack, a.error + b.error)
+
+
 def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
     """Find a point that is inside both true solids by (2); None if no point proves it.
 
@@ -112,6 +143,9 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
 
     Cost: O(p q) for the pieces of both.
     """
+    if is_rounded(a, b):
+        found = find_rounded_witness(a, b)
+        return found and CommonPoint(*found)
     ours, theirs = ([(bound_piece(piece), piece) for piece in solid.pieces] for solid in (a, b))
     for i, ((left, right, low, high), one) in enumerate(ours):
         for j, ((west, east, south, north), other) in enumerate(theirs):

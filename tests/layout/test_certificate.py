@@ -266,8 +266,8 @@ def test_defects_that_cross_are_obstacles_of_their_own(
 @pytest.mark.parametrize(
     "change",
     [
-        {"container": None},
         {"defects": [{"exterior": square(0, 0, 1), "spacing": "1"}]},
+        {"parts": [{"id": "a", "exterior": square(0, 0, 2), "mirrored_turns": ["0"]}]},
     ],
 )
 def test_rules_that_certificates_do_not_cover_are_refused(change: dict[str, Any]) -> None:

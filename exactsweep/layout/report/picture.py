@@ -17,11 +17,19 @@ from exactsweep.canvas import style
 from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.region import Region
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.pieces import clip
+from exactsweep.layout.report.outline import (
+    list_corners,
+    list_vertices,
+    place_pieces,
+    write_arcs,
+)
 from exactsweep.layout.report.worst import NO_CONTEXT, ReportContext, WorstFirst, rank_faults
-from exactsweep.numbers.number import Loop, Point, Vertex
+from exactsweep.layout.rounded import RoundedPiece
+from exactsweep.numbers.number import Point, Vertex
 from exactsweep.text.report import approximate, take_root
 from exactsweep.words import count, spell_out
 
@@ -140,9 +148,9 @@ def draw_parts(
         The width and the height, in pixels, and elements of SVG.
     """
     layout = judgement.layout
-    placed = [place_part(layout, k) for k in range(len(layout.placements))]
+    placed = [place_shape(layout, k) for k in range(len(layout.placements))]
     around, defects = list_walls(layout)
-    points: list[Point] = [point for ring in chain(around, *defects, *placed) for point in ring]
+    points = [point for shape in (around, *defects, *placed) for point in shape.list_corners()]
     if not points:
         return _WIDTH, _LEAST, ""
     (xs, ys) = zip(*points, strict=True)
@@ -155,23 +163,22 @@ def draw_parts(
         window = window.turned()
     # That there are too few, or too many, is no fault of one of them.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
-    drawn = [_path("defect", rings, window) for rings in defects]
+    drawn = [_draw("defect", shape, window) for shape in defects]
     for is_bad in (False, True):
         name = "bad" if is_bad else "part"
         drawn += [
-            _path(name, one, window, named=(k, layout.placements[k].part))
+            _draw(name, one, window, named=(k, layout.placements[k].part))
             for k, one in enumerate(placed)
             if (k in bad) == is_bad
         ]
-    if around:
-        drawn.append(_path("container", around, window))
+    drawn.append(_draw("container", around, window))
     for one in [one for one in ranked if one.fault.points][:_MOST_ENLARGED]:
         x, y = window.place(one.fault.points[0])
         drawn.append(f'<circle class="mark" cx="{x:.1f}" cy="{y:.1f}" r="10"/>')
     labelled = range(len(placed)) if len(placed) <= _MOST_LABELLED else sorted(bad)
     for k in labelled[:_MOST_LABELLED]:
-        if placed[k][0]:
-            x, y = window.place(find_inner_point(judgement, k) or placed[k][0][0])
+        if inner := find_inner_point(judgement, k) or next(iter(placed[k].list_corners()), None):
+            x, y = window.place(inner)
             drawn.append(f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{k}</text>')
     return width, height, "".join(drawn)
 
@@ -192,8 +199,8 @@ def enlarge_faults(
         points = fault.points
         move = fault.move
         sizes = [square for square in (one.square, fault.distance_squared) if square]
-        placed = {k: place_part(layout, k) for k in fault.placements}
-        near = _measure(placed[fault.placements[-1]])
+        placed = {k: place_shape(layout, k) for k in fault.placements}
+        near = _measure(placed[fault.placements[-1]].list_corners())
         near = min([near, *(_ROUND * take_root(square) for square in sizes)])
         center = points[0] if len(points) == 1 else _middle(points)
         low, high = (Point(center.x + by, center.y + by) for by in (-near, near))
@@ -201,13 +208,12 @@ def enlarge_faults(
         if y_down:
             window = window.turned()
         around, defects = list_walls(layout)
+        shapes = [("defect", one) for one in defects]
+        shapes += [("bad", one) for one in placed.values()]
         drawn = [
-            _path("defect", [_clip(ring, window) for ring in rings], window) for rings in defects
+            _path(name, [_clip(ring, window) for ring in one.list_rings(center, near)], window)
+            for name, one in (*shapes, ("container", around))
         ]
-        drawn += [
-            _path("bad", [_clip(ring, window) for ring in one], window) for one in placed.values()
-        ]
-        drawn.append(_path("container", [_clip(ring, window) for ring in around], window))
         if move is not None:
             end = Point(center.x + move.x, center.y + move.y)
             drawn.append(_path("way", [[center, end]], window, closed=False))
@@ -221,13 +227,34 @@ def enlarge_faults(
     return found
 
 
-def list_walls(layout: Layout) -> tuple[list[Loop], list[list[Loop]]]:
-    """Return the exterior of the container, if there is one, and the rings of each defect."""
-    defects = [[*one.region.rings] for one in layout.defects]
-    if layout.container is None:
-        return [], defects
-    exterior, *holes = layout.container.rings
-    return [exterior], [[hole] for hole in holes] + defects
+class DrawnShape(NamedTuple):
+    """A shape to be drawn: rings or rounded pieces, or none."""
+
+    rings: Sequence[Sequence[Point]] = ()
+    pieces: Sequence[RoundedPiece] = ()
+
+    def list_corners(self) -> list[Point]:
+        """List the vertices, or the corners of the boxes of the pieces."""
+        return [*chain.from_iterable(self.rings), *list_corners(self.pieces)]
+
+    def list_rings(self, center: Point, near: Fraction) -> list[Sequence[Vertex]]:
+        """List the rings, or polygons in the pieces that are fine at a place."""
+        return [*self.rings, *(list_vertices(piece, center, near) for piece in self.pieces)]
+
+
+def list_walls(layout: Layout) -> tuple[DrawnShape, list[DrawnShape]]:
+    """Return the exterior of the container, if there is one, and each defect."""
+    container = layout.container
+    defects = [
+        DrawnShape(one.shape.rings) if isinstance(one.shape, Region) else DrawnShape((), one.shape)
+        for one in layout.defects
+    ]
+    if container is None:
+        return DrawnShape(), defects
+    if isinstance(container, RoundedPiece):
+        return DrawnShape((), (container,)), defects
+    exterior, *holes = container.rings
+    return DrawnShape([exterior]), [DrawnShape([hole]) for hole in holes] + defects
 
 
 def find_inner_point(judgement: Judgement, k: int) -> Point | None:
@@ -235,9 +262,17 @@ def find_inner_point(judgement: Judgement, k: int) -> Point | None:
     if k not in judgement._board.placed:
         return None
     solid = judgement._board.solid(k)
-    piece = max(solid.pieces, key=find_doubled_area)
+    pieces = solid.pieces
+    piece = pieces[0] if len(pieces) == 1 else max(pieces, key=find_doubled_area)
     xs, ys = zip(*piece, strict=True)
     return solid.leave(Fraction(sum(xs), len(xs)), Fraction(sum(ys), len(ys)))
+
+
+def place_shape(layout: Layout, k: int) -> DrawnShape:
+    """Return a placement as it is drawn."""
+    if layout.part_by_id[layout.placements[k].part].pieces:
+        return DrawnShape((), place_pieces(layout, k))
+    return DrawnShape(place_part(layout, k))
 
 
 def place_part(layout: Layout, k: int) -> list[list[Point]]:
@@ -259,20 +294,25 @@ def _middle(points: Sequence[Point]) -> Point:
     return Point((a + c) / 2, (b + d) / 2)
 
 
-def _measure(rings: Sequence[Sequence[Point]]) -> Fraction:
-    xs, ys = zip(*rings[0], strict=True)
+def _measure(points: Sequence[Point]) -> Fraction:
+    xs, ys = zip(*points, strict=True)
     return max(max(xs) - min(xs), max(ys) - min(ys)) or Fraction(1)
 
 
 def _path(
-    name: str,
-    rings: Iterable[Sequence[Vertex]],
-    window: Window,
-    *,
-    closed: bool = True,
-    named: tuple[int, str] | None = None,
+    name: str, rings: Iterable[Sequence[Vertex]], window: Window, *, closed: bool = True
 ) -> str:
-    data = write_path((map(window.place, ring) for ring in rings), closed=closed)
+    return _write(name, write_path((map(window.place, ring) for ring in rings), closed=closed))
+
+
+def _draw(
+    name: str, shape: DrawnShape, window: Window, named: tuple[int, str] | None = None
+) -> str:
+    data = write_path((map(window.place, ring) for ring in shape.rings), closed=True)
+    return _write(name, data + write_arcs(shape.pieces, window), named)
+
+
+def _write(name: str, data: str, named: tuple[int, str] | None = None) -> str:
     if not data:
         return ""
     if named is None:

@@ -102,7 +102,9 @@ def list_measures(
         facts["container"] = "none: only the parts among themselves are judged"
         facts["box"] = f"{sides}, in a square of {approximate(max(width, height))}"
     if judgement.density is not None:
-        facts["density"] = _about(approximate(judgement.density), abridge(judgement.density))
+        rounded = approximate(judgement.density)
+        exact = rounded if judgement.density_error else abridge(judgement.density)
+        facts["density"] = _about(rounded, exact)
     facts["contacts"] = str(len(judgement.contacts))
     if layout.greatest_error:
         facts["curves"] = tell_error(layout.greatest_error)
@@ -271,6 +273,7 @@ def write_layout_json(
         ],
         "contacts": [list(pair) for pair in judgement.contacts],
         "density": judgement.density,
+        **({"density_error": judgement.density_error} if judgement.density_error else {}),
         "box": None if box is None else [list(map(format_fraction, corner)) for corner in box],
         "unit": context.unit or None,
         "distance_squared": None if nearest is None else format_fraction(nearest.square),

@@ -1,0 +1,306 @@
+"""Rounded pieces: all points within a radius of a convex hull.
+
+A disc is a point with a radius, a slot a segment with one, a rounded rectangle a rectangle with
+one. Let A and B be hulls with radii r and s, r + s > 0, and d the distance of the hulls.
+
+(1) The interiors of the pieces are disjoint if and only if d >= r + s, and their distance is then
+    d - r - s. The square of d is rational, so every comparison with a rational is exact.
+(2) If hulls overlap, let d be less than 0: minus the length of the shortest move that parts them.
+    That is the distance of the origin from the boundary of the convex set A - B, inside it. Then
+    the shortest move that frees the pieces has the length r + s - d in all cases.
+(3) A piece is inside a container of hull C and radius R if and only if the signed distance of each
+    of its vertices from C, negative inside, is at most R - r.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cache
+from itertools import pairwise
+from math import isqrt, lcm, pi, tan
+from typing import Any, NamedTuple
+
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.distance import find_foot, measure_to_edge
+from exactsweep.geometry.region import Region
+from exactsweep.geometry.vectors import find_hull
+from exactsweep.layout.reading import LayoutError, read_gap, read_list, read_object, read_ring
+from exactsweep.numbers.number import ORIGIN, Edge, Loop, Point, Rational, Vertex
+
+_LEAST = 3
+_SIDES, _AREA_BITS = 32, 64
+
+
+class RoundedPiece(NamedTuple):
+    """All points at distance at most `radius` from the convex hull of some points.
+
+    Attributes:
+        points: the corners of the hull, counter-clockwise; one or two of a degenerate hull.
+        radius: at least 0; more than 0 for a degenerate hull.
+    """
+
+    points: Loop
+    radius: Fraction
+
+    @classmethod
+    def from_json(cls, data: object, path: str) -> RoundedPiece:
+        """Read a piece; messages begin with the path."""
+        found = read_object(data, path, ("points",), ("radius",))
+        points = read_ring(found["points"], f"{path}.points")
+        radius = read_gap(found.get("radius", 0), f"{path}.radius")
+        hull = tuple(find_hull(points)) or points[:1]
+        if not hull:
+            raise LayoutError(f"{path}.points has no point")
+        if not radius and len(hull) < _LEAST:
+            raise LayoutError(f"{path} has no interior: radius 0, and points on one line")
+        return cls(hull, radius)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the fields, with numbers as they are."""
+        return {"points": self.points, "radius": self.radius}
+
+    @property
+    def bounding_box(self) -> tuple[Point, Point]:
+        """The lower left and the upper right corner of the box."""
+        xs, ys = zip(*self.points, strict=True)
+        r = self.radius
+        return Point(min(xs) - r, min(ys) - r), Point(max(xs) + r, max(ys) + r)
+
+    @property
+    def denominator(self) -> int:
+        """The common denominator of all coordinates and the radius."""
+        return lcm(self.radius.denominator, *(c.denominator for p in self.points for c in p))
+
+    def bound_area(self, bits: int) -> tuple[Fraction, Fraction]:
+        """Bound the area from below and above, with a relative error of about 2**-bits."""
+        r = self.radius
+        area = abs(Fraction(find_doubled_area(self.points))) / 2 if len(self.points) > 2 else 0
+        if not r:
+            return Fraction(area), Fraction(area)
+        sides = [bound_root(square, bits) for square in _list_squared_sides(self.points)]
+        least, most = (
+            area + r * sum(side[end] for side in sides) + r * r * bound
+            for end, bound in enumerate(bound_pi(bits))
+        )
+        return least, most
+
+
+Shape = Region | tuple[RoundedPiece, ...]
+"""The shape of a part or a defect: a polygon with holes, or the union of rounded pieces."""
+
+
+def read_pieces(data: object, path: str) -> tuple[RoundedPiece, ...]:
+    """Read a list of at least one piece."""
+    pieces = read_list(data, path, RoundedPiece.from_json)
+    if not pieces:
+        raise LayoutError(f"{path} has no piece")
+    return pieces
+
+
+def _list_squared_sides(points: Sequence[Point]) -> list[Fraction]:
+    """List the squared lengths of the sides; a segment has two."""
+    ends = pairwise((*points, points[0])) if len(points) > 1 else ()
+    return [(q.x - p.x) ** 2 + (q.y - p.y) ** 2 for p, q in ends]
+
+
+@cache
+def bound_pi(bits: int) -> tuple[Fraction, Fraction]:
+    """Bound pi by Machin's formula, 4 arctan(1/5) - arctan(1/239), a fourth of pi.
+
+    >>> low, high = bound_pi(20)
+    >>> float(low) < 3.14159266 and float(high) > 3.14159265, high - low < Fraction(1, 2**20)
+    (True, True)
+    """
+    unit = 1 << (bits + 16)
+
+    def arctan(n: int) -> int:
+        total, power, k = 0, unit // n, 0
+        while power:
+            total += (-1) ** k * (power // (2 * k + 1))
+            power //= n * n
+            k += 1
+        return total
+
+    near = 4 * (4 * arctan(5) - arctan(239))
+    # Each of fewer than `bits` terms of either series is off by less than two units.
+    room = 64 * (bits + 16)
+    assert room < 1 << 15
+    return Fraction(near - room, unit), Fraction(near + room, unit)
+
+
+def bound_root(square: Fraction, bits: int) -> tuple[Fraction, Fraction]:
+    """Bound a square root from below and above within a share of 2**-bits; exact roots are equal.
+
+    >>> bound_root(Fraction(9, 4), 8), bound_root(Fraction(2), 2)
+    ((Fraction(3, 2), Fraction(3, 2)), (Fraction(11, 8), Fraction(3, 2)))
+    """
+    n, d = square.as_integer_ratio()
+    root, below = isqrt(n), isqrt(d)
+    if root * root == n and below * below == d:
+        return Fraction(root, below), Fraction(root, below)
+    shift = max(0, bits + 1 + (d.bit_length() - n.bit_length()) // 2 + 1)
+    low = isqrt((n << (2 * shift)) // d)
+    return Fraction(low, 1 << shift), Fraction(low + 1, 1 << shift)
+
+
+def sign_square(length: Rational) -> Rational:
+    """Return the square of a number with its sign, which is monotone.
+
+    >>> sign_square(-3), sign_square(2)
+    (-9, 4)
+    """
+    return length * length if length >= 0 else -length * length
+
+
+def surround(pieces: Sequence[RoundedPiece]) -> Region:
+    """Return a polygon around rounded pieces, convex, with at most 32 sides around each corner.
+
+    >>> float(surround((RoundedPiece((ORIGIN,), Fraction(1)),)).area) < 3.16
+    True
+    """
+    corners = [
+        Point(x + u * radius, y + v * radius)
+        for points, radius in pieces
+        for x, y in points
+        for u, v in (list_disc(_SIDES) if radius else [ORIGIN])
+    ]
+    return Region(find_hull(corners))
+
+
+def to_region(shape: Shape) -> Region:
+    """Return a Region as it is, and a polygon around rounded pieces."""
+    return shape if isinstance(shape, Region) else surround(shape)
+
+
+def inscribe(piece: RoundedPiece) -> Region:
+    """Return a polygon inside a rounded piece, with at most 32 vertices around each corner."""
+    around = _list_normals(_SIDES) if piece.radius else [ORIGIN]
+    r = piece.radius
+    corners = (Point(x + u * r, y + v * r) for x, y in piece.points for u, v in around)
+    return Region(find_hull(corners))
+
+
+@cache
+def list_disc(sides: int) -> tuple[Point, ...]:
+    """List the corners of a polygon around the unit disc, symmetric, of rational tangents.
+
+    >>> list_disc(4)[0]
+    Point(x=Fraction(1, 1), y=Fraction(1, 1))
+    """
+    normals = _list_normals(sides)
+    corners = []
+    for (a, b), (c, d) in pairwise((*normals, normals[0])):
+        share = 1 + a * c + b * d
+        corners.append(Point((a + c) / share, (b + d) / share))
+    return tuple(corners)
+
+
+@cache
+def _list_normals(sides: int) -> list[Point]:
+    """List rational points of the unit circle at nearly equal angles."""
+    normals = []
+    for quarter in range(4):
+        for k in range(sides // 4):
+            half = Fraction(tan(pi * k / sides)).limit_denominator(50)
+            square = half * half
+            x, y = (1 - square) / (1 + square), 2 * half / (1 + square)
+            for _ in range(quarter):
+                x, y = -y, x
+            normals.append(Point(x, y))
+    return normals
+
+
+def bound_area(shape: Shape | None) -> tuple[Fraction, Fraction] | None:
+    """Bound the area of a shape; None if pieces of it overlap, or there is none.
+
+    Cost: O(n^2) for n rounded pieces.
+    """
+    if shape is None:
+        return None
+    if isinstance(shape, Region):
+        return shape.area, shape.area
+    for k, one in enumerate(shape):
+        for other in shape[:k]:
+            found = measure_hulls(one.points, other.points)
+            if found.n < sign_square(one.radius + other.radius) * found.d:
+                return None
+    least, most = zip(*(piece.bound_area(_AREA_BITS) for piece in shape), strict=True)
+    return sum(least, Fraction(0)), sum(most, Fraction(0))
+
+
+class HullDistance(NamedTuple):
+    """The signed squared distance of two hulls; see (2).
+
+    Attributes:
+        n, d: the squared distance as n / d; n is below 0 if the hulls overlap.
+        points: the nearest point of each hull; if they meet, one of their points twice or none.
+        normal: the direction in which the shortest move parts the second hull from the first one.
+    """
+
+    n: Rational
+    d: Rational
+    points: tuple[Vertex, Vertex] | None
+    normal: Vertex
+
+
+def measure_hulls(one: Sequence[Vertex], other: Sequence[Vertex]) -> HullDistance:
+    """Measure the distance of two convex hulls.
+
+    Args:
+        one: the corners of a hull, counter-clockwise; one or two if it is degenerate.
+        other: likewise.
+
+    Returns:
+        A HullDistance.
+
+    Cost: O(m n).
+
+    Source: the edges of A - B are those of A and of -B (Minkowski sums of convex polygons).
+
+    >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    >>> measure_hulls(square, [(4, 1)])[:2], measure_hulls(square, [(1, 1), (9, 1)])[0]
+    ((4, 1), -4)
+    """
+    if len(one) == len(other) == 1:
+        (ax, ay), (bx, by) = one[0], other[0]
+        x, y = bx - ax, by - ay
+        return HullDistance(x * x + y * y, 1, (one[0], other[0]), (x, y) if x or y else (1, 0))
+    edges, others = _list_edges(one), _list_edges(other)
+    exit_n: Rational | None = None
+    exit_d: Rational = 1
+    exit_normal: Vertex = (1, 0)
+    for ours, theirs, sign in ((edges, other, 1), (others, one, -1)):
+        for (px, py), (qx, qy) in ours:
+            x, y = qy - py, px - qx
+            if not (x or y):
+                continue
+            depth = x * px + y * py - min(x * a + y * b for a, b in theirs)
+            if exit_n is None or depth < 0 or depth * depth * exit_d < exit_n * (x * x + y * y):
+                exit_n, exit_d = sign_square(depth), x * x + y * y
+                exit_normal = (sign * x, sign * y)
+            if depth < 0:
+                break
+        else:
+            continue
+        break
+    assert exit_n is not None
+    if exit_n > 0:
+        return HullDistance(-exit_n, exit_d, None, exit_normal)
+    best: tuple[Rational, Rational, Vertex, Edge, bool] | None = None
+    for points, sides, is_first in ((one, others, True), (other, edges, False)):
+        for point in points:
+            for edge in sides:
+                n, d = measure_to_edge(point, edge)
+                if best is None or n * best[1] < best[0] * d:
+                    best = n, d, point, edge, is_first
+    assert best is not None
+    n, d, point, edge, is_first = best
+    foot: Vertex = find_foot(point, edge)
+    p, q = (point, foot) if is_first else (foot, point)
+    return HullDistance(n, d, (p, q), (q[0] - p[0], q[1] - p[1]) if n else exit_normal)
+
+
+def _list_edges(hull: Sequence[Vertex]) -> list[Edge]:
+    """List the edges of a hull; a segment has two, a point one of length 0."""
+    return [*pairwise((*hull, hull[0]))]
