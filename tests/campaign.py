@@ -2,12 +2,12 @@
 
 NAME says what is drawn. Pairs: `monotone` (every degeneracy on purpose, placed anywhere), `small`
 (small ints, of all classes, most of them bred from another), `shapes` (any shapes with holes),
-`touching` (Regions whose rings touch), `around` (containers with defects, and parts whose holes
-may go around these). `layouts` are whole layouts with their judgements, `scenes` containers with
-placed shapes and the free positions of a part, `rounded` discs, slots and rounded rectangles near
-contact. A `random.Random` of its own, seeded with
-"SEED:NUMBER", draws input NUMBER: a failing one comes again with
-`--seed SEED --first NUMBER --count 1`.
+`touching` (Regions whose rings touch), `around` (containers with defects, and parts whose holes may
+go around these). `layouts` are whole layouts with their judgements, `scenes` containers with placed
+shapes and the free positions of a part, `rounded` drawn discs, slots and rounded rectangles near
+contact, `packings` layouts of these with their certificates. A `random.Random` of its own, seeded
+with "SEED:NUMBER", draws input NUMBER: a failing one comes again with `--seed SEED --first NUMBER
+--count 1`.
 """
 
 import os
@@ -34,6 +34,7 @@ import layout_reference
 import placed
 import small_pairs
 from definition import find_failure
+from packings import compare_packing, draw_packing
 from random_layouts import draw_layout
 from rounded import compare_rounded, draw_rounded
 from shape_families import SHAPES, random_shapes
@@ -105,6 +106,7 @@ STRATEGIES = {
     "shapes": Strategy(draw_shapes),
     "touching": Strategy(small_pairs.draw_touching, 1),
     "around": Strategy(small_pairs.draw_around, 1),
+    "packings": Strategy(draw_packing, 1, compare_packing, lambda packing: packing.verdict),
     "layouts": Strategy(draw_layout, 1, layout_reference.compare, lambda drawn: drawn.family),
     "rounded": Strategy(draw_rounded, 1, compare_rounded, lambda pair: pair.verdict),
     "scenes": Strategy(placed.draw_scene, 1, placed.compare, lambda scene: scene.family),

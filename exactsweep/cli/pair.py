@@ -347,6 +347,7 @@ def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
     from exactsweep.formats.layouts import read_layouts
     from exactsweep.layout import Layout
     from exactsweep.layout.board import Board
+    from exactsweep.layout.rounded import to_region
 
     with name_file(file):
         data = parse_json(read_text(file))
@@ -358,7 +359,9 @@ def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
             layout = Layout.from_json(one.data)
         board = Board(layout)
         found += [board.turned(k).translated(layout.placements[k].move) for k in board.placed]
-        found += [defect.region for defect in layout.defects]
+        found += [to_region(defect.shape) for defect in layout.defects]
+        if any(part.pieces for part in layout.parts):
+            say_all([f"{show_path(path)}: rounded parts are polygons around them"])
         say_all([f"{show_path(path)}: {count(len(board.placed), 'placed part')}"])
     return found
 

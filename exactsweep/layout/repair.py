@@ -20,7 +20,7 @@ from exactsweep.geometry.overlap import Relation
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.layout.board import Board
-from exactsweep.layout.clearance import find_clearance, is_rounded, relate
+from exactsweep.layout.clearance import find_clearance, relate
 from exactsweep.layout.rounded import RoundedPiece, bound_root, inscribe, list_disc, to_region
 from exactsweep.layout.solid import OutsideForm, Solid, share_scale
 from exactsweep.layout.verdict import judge_pair
@@ -47,10 +47,14 @@ def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point
 
     Cost: that of `no_fit_polygon` or of `free_positions`.
     """
-    move = _find_move(board, placements, bits, Fraction(0))
-    if move is None or not board.is_rounded(placements):
+    if not board.is_rounded(placements):
+        return _find_move(board, placements, bits, Fraction(0))
+    is_free = _make_overlap_judge(board, placements, bits)
+    move = _find_rounded_move(board, placements, bits, Fraction(0))
+    if move is not None and is_free(move):
         return move
-    return _shorten(move, _make_overlap_judge(board, placements, bits), digits=())
+    move = _find_move(board, placements, bits, Fraction(0))
+    return move and _shorten(move, is_free, digits=())
 
 
 def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | None:
@@ -75,11 +79,14 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
         required = board.greatest_margin
         slack = solid.slack + max((wall.slack for wall in board.around), default=Fraction(0))
     room = required + slack
-    move = _find_move(board, placements, bits, room)
+    is_rounded_pair = board.is_rounded(placements)
+    is_free = make_judge(board, placements, bits)
+    move = _find_rounded_move(board, placements, bits, room) if is_rounded_pair else None
+    if move is None or not is_free(move):
+        move = _find_move(board, placements, bits, room)
     if move is None:
         return None
-    is_free = make_judge(board, placements, bits)
-    if (room or board.is_rounded(placements)) and move != ORIGIN:
+    if (room or is_rounded_pair) and move != ORIGIN:
         move = _shorten(move, is_free)
     return move if is_free(move) else None
 
@@ -149,9 +156,6 @@ def _give(solid: Solid, bits: int) -> Solid:
 
 def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fraction) -> Point | None:
     """Find the shortest move to where the last placement, enlarged by the room, is free."""
-    closed = _find_convex_move(board, placements, bits, room)
-    if closed is not None:
-        return closed
     k = placements[-1]
     at, moved = board.layout.placements[k].move, board.turned(k, bits)
     if room:
@@ -175,14 +179,13 @@ def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fractio
     return _find_nearest(at, loops, fits)
 
 
-def _find_convex_move(
+def _find_rounded_move(
     board: Board, placements: Sequence[int], bits: int, room: Fraction
 ) -> Point | None:
-    """Find the shortest move of a convex part from another one, or of a disc into a container.
+    """Find the shortest move of the two pieces of rounded solids that overlap most.
 
-    One of the two is rounded, and so is the container. The move has the direction of the nearest
-    points, or of the shortest move that parts the hulls; it is longer than the shortest one by a
-    share of at most 2^-60, and exact if its length is rational. None for all other shapes.
+    If it frees the solids it is their shortest one, longer by a share of at most 2^-60 if its
+    length is irrational. None for a container, unless it is a rounded one of a disc.
     """
     part = board.solid(placements[-1], bits)
     if len(placements) > 1:
@@ -191,16 +194,15 @@ def _find_convex_move(
         other = board.around[0]
     else:
         return None
-    pieces = [*part.form.pieces, *other.form.pieces]
     is_outside = isinstance(other.form, OutsideForm)
-    if not is_rounded(part, other) or len(pieces) > 2 or (is_outside and len(pieces[0]) > 1):
+    if len(placements) < 2 and not is_outside:
         return None
     found = find_clearance(*share_scale(part, other))
     assert found is not None
     missing, (x, y) = room - found.bound(up=False), found.hulls.normal
     if missing <= 0:
         return ORIGIN
-    if len(placements) < 2 and not (is_outside and found.radius + room <= 0):
+    if is_outside and found.radius + room > 0:
         # The hull of the container does not hold a smaller container.
         return None
     share = missing / bound_root(Fraction(x * x + y * y), _BITS)[0]

@@ -10,6 +10,7 @@ import jsonschema
 import pytest
 from refusals import list_refusals, require_refused
 
+from exactsweep import Region
 from exactsweep.geometry.turn import read_turn
 from exactsweep.layout import Layout
 
@@ -57,7 +58,7 @@ def test_what_is_written_is_read_again() -> None:
 def test_every_field_arrives() -> None:
     layout = Layout.from_json(example())
     tile, bow = layout.parts
-    assert layout.container is not None
+    assert isinstance(layout.container, Region)
     assert layout.container.area == 20
     assert tile.demand == 1
     assert tile.mirrored is False

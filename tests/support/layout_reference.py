@@ -149,14 +149,14 @@ def judge_by_definition(layout: Layout) -> Truth:
                 faults["turn", (k,)] += 1
             if part.mirrored is False and layout.placements[k].mirrored:
                 faults["mirror", (k,)] += 1
-    assert layout.container is not None
+    assert isinstance(layout.container, Region)
     density = sum((shape.area for shape in shapes), Fraction(0)) / layout.container.area
     return Truth(faults, contacts, least, density, shapes)
 
 
 def list_walls(layout: Layout, shapes: Sequence[Region]) -> list[Region]:
     """The outside of the container in a large frame, and the defects."""
-    assert layout.container is not None
+    assert isinstance(layout.container, Region)
     corners = [*layout.container.vertices, *(p for shape in shapes for p in shape.vertices)]
     left, right = min(p.x for p in corners), max(p.x for p in corners)
     low, high = min(p.y for p in corners), max(p.y for p in corners)
@@ -164,7 +164,9 @@ def list_walls(layout: Layout, shapes: Sequence[Region]) -> list[Region]:
     room = 2 * (right - left + high - low + layout.margin)
     left, right, low, high = left - room, right + room, low - room, high + room
     frame = [(left, low), (right, low), (right, high), (left, high)]
-    defects = [*map(Region, layout.container.holes), *(one.region for one in layout.defects)]
+    assert isinstance(layout.container, Region)
+    defects = [*map(Region, layout.container.holes)]
+    defects += [one.shape for one in layout.defects if isinstance(one.shape, Region)]
     return [Region(frame, [layout.container.exterior]), *defects]
 
 

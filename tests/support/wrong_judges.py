@@ -182,13 +182,13 @@ def mirrors_up_and_down(layout: Layout) -> Answer:
 
 @wrong
 def ignores_defects(layout: Layout) -> Answer:
-    assert layout.container is not None
+    assert isinstance(layout.container, Region)
     return right(replace(layout, container=Region(layout.container.exterior)))
 
 
 @wrong
 def ignores_the_margin_to_defects(layout: Layout) -> Answer:
-    assert layout.container is not None
+    assert isinstance(layout.container, Region)
     without_defects = replace(layout, container=Region(layout.container.exterior))
     answer = right(without_defects)
     return answer + [one for one in right(replace(layout, margin=Fraction(0))) if one not in answer]
