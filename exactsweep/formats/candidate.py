@@ -14,6 +14,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.part_list import Said
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.filling import Filled, Rule, fill
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import NumberError, quote
@@ -76,7 +77,7 @@ class Candidate(NamedTuple):
         ornament: whether it cannot be part of any outline, so that nothing is lost without it.
         error: a bound on the distance between its rings and the drawn curves, in both directions; 0
             if no curve is flattened.
-        even_odd: the fill rule of a ring that touches or crosses itself; None to refuse it.
+        rule: the fill rule of a ring that touches or crosses itself; None to refuse it.
         clean: the least area of regions that are read.
         finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
         words: its classes, in SVG.
@@ -90,7 +91,7 @@ class Candidate(NamedTuple):
     fault: str = ""
     ornament: bool = False
     error: Fraction = Fraction(0)
-    even_odd: bool | None = None
+    rule: Rule | None = None
     clean: Fraction = Fraction(0)
     finer: Callable[[Fraction], Candidate | None] | None = None
     words: tuple[str, ...] = ()
@@ -178,7 +179,7 @@ class Candidate(NamedTuple):
             try:
                 return [read(self)]
             except PolygonError:
-                if self.even_odd is None:
+                if self.rule is None:
                     raise
         return [*map(read, self.split(said))]
 
@@ -188,14 +189,14 @@ class Candidate(NamedTuple):
         try:
             self.region()
         except PolygonError as refusal:
-            if self.even_odd is not None:
+            if self.rule is not None:
                 rings = [self.vertices(), *(hole.vertices() for hole in self.holes())]
-                pieces = [*self.fill(rings, even_odd=self.even_odd)]
-            if self.even_odd is None or not pieces:
+                filled = fill(rings, self.rule, measured=bool(self.error))
+                pieces = [*self.take_filled(filled)]
+            if self.rule is None or not pieces:
                 raise
-            rule = "evenodd" if self.even_odd else "nonzero"
             regions = count(len(pieces), "polygon")
-            said.notes.append(f"{refusal}: {regions} by the fill rule {rule}")
+            said.notes.append(f"{refusal}: {regions} by the fill rule {self.rule}")
         found = []
         for piece in pieces:
             area = piece.region().area if self.clean else self.clean
@@ -207,12 +208,9 @@ class Candidate(NamedTuple):
                 found.append(piece)
         return found
 
-    def fill(self, rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[Self]:
-        """Return the regions that rings fill."""
-        from exactsweep.geometry.filling import fill
-
-        filled = fill(rings, "evenodd" if even_odd else "nonzero", measured=bool(self.error))
-        error = self.error + (bound_root(filled.hidden) if self.error else 0)
+    def take_filled(self, filled: Filled) -> list[Self]:
+        """Return a candidate for each region that its rings fill."""
+        error = self.error + bound_root(filled.hidden)
         found: list[Self] = []
         for region in filled.regions:
             readers = [(f"{self.place}: ring {k}", ring.copy) for k, ring in enumerate(region)]

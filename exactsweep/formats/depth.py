@@ -128,7 +128,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
                 vertices=partial(list, ring.vertices()),
                 holes=tuple,
                 error=outline.error,
-                even_odd=outline.even_odd,
+                rule=outline.rule,
             )
             rings.append(
                 _OwnedRing(k, plain, _find_polygon(plain), None if ring is outline else own)
@@ -189,7 +189,7 @@ def _join(rings: Sequence[_OwnedRing], exterior: int, holes: Sequence[int]) -> C
         holes=partial(tuple, inner),
         error=max(one.error for one in (outline, *inner)),
         finer=partial(_find_finer, outline, inner),
-        even_odd=True if outline.even_odd is not None and inner else outline.even_odd,
+        rule="evenodd" if outline.rule and inner else outline.rule,
     )
 
 

@@ -150,7 +150,7 @@ def parse_regions(
         FormatError, PolygonError: as by `parse_polygons`, holes excepted.
 
     Cost: linear in the length of the text, and that of `Region`; for paths with several subpaths
-        and with `nested` that of `exactsweep.formats.nesting.nest`.
+        and with `nested` that of `exactsweep.formats.depth.nest_outlines`.
 
     Example:
         >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'

@@ -46,7 +46,7 @@ class Options(TypedDict, total=False):
 
     Attributes:
         nested: whether closed outlines inside others are holes, outlines inside a hole polygons
-            again, and so on; see `exactsweep.formats.nesting`. By default only in layouts.
+            again, and so on; see `exactsweep.formats.depth`. By default only in layouts.
         layers: the names of the layers to read, in any case; by default all. DXF and Inkscape's SVG
             have layers.
         ignored_layers: the names of layers to leave out.

@@ -11,18 +11,21 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.reading import to_lattice
 from exactsweep.geometry.vectors import compare_angles, minus, turn, way_key
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
+
+MAX_PAIRS = 1_000_000
+"""The greatest number of pairs of edges that are looked at."""
 
 Rule = Literal["nonzero", "evenodd", "positive"]
 """A rule that says by its winding number whether a point is filled."""
@@ -33,20 +36,19 @@ _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
     "positive": lambda number: number > 0,
 }
 
-_WindingNumbers = tuple[int, int]
-"""The winding numbers below and above an edge that runs from left to right."""
-
 
 class Filled(NamedTuple):
     """The regions that rings fill.
 
     Attributes:
         regions: of each, the exterior, counter-clockwise, and the holes.
+        touching: whether edges meet anywhere but at ends, or coincide.
         hidden: a bound on the squared distance of edges inside from the boundary, if it is
             measured.
     """
 
     regions: list[list[list[Point]]]
+    touching: bool
     hidden: Fraction
 
 
@@ -57,10 +59,13 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
         rings: the vertices of each ring, the first one perhaps again at the end.
         rule: the points that are filled: those with a winding number that is not 0, odd or
             positive.
-        measured: whether to measure `hidden`.
+        measured: whether to measure `hidden` where rings touch.
 
     Returns:
-        The Filled; regions in the order of their least vertices.
+        The Filled; regions in the order in which their exteriors are drawn.
+
+    Raises:
+        PolygonError: more than MAX_PAIRS pairs of edges meet.
 
     Cost: O((n + k) log n) for n edges and k points where they meet, if the sweep line meets few.
 
@@ -70,43 +75,44 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
         [[Fraction(2, 1)], [Fraction(2, 1)]]
     """
     scale, points = to_lattice(*zip(*(p for ring in rings for p in ring), strict=True))
-    edges: list[Edge] = []
-    first = 0
+    edges: defaultdict[Edge, int] = defaultdict(int)
+    first = drawn = 0
     for ring in rings:
         own = points[first : first + len(ring)]
         first += len(ring)
-        edges += [(a, b) for a, b in pairwise((*own, own[0])) if a != b]
-    sides = _wind(_cut(edges))
-    is_filled = _IS_FILLED[rule]
-    boundary: list[Edge] = []
-    inside: list[Edge] = []
-    for (a, b), (below, above) in sides.items():
-        is_below, is_above = is_filled(below), is_filled(above)
-        if is_below != is_above:
-            boundary.append((a, b) if is_above else (b, a))
-        elif below or above:
-            inside.append((a, b))
+        for a, b in pairwise((*own, own[0])):
+            if a != b:
+                drawn += 1
+                edges[min(a, b), max(a, b)] += 1 if a < b else -1
+    pieces = _cut(edges)
+    order = {piece: k for k, piece in enumerate(pieces)}
+    wound = _wind(pieces, _IS_FILLED[rule])
     found = [
         [[Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in ring] for ring in one]
-        for one in _gather(_walk(boundary))
+        for one in _gather([*_walk(wound.boundary)], wound.below, order)
     ]
-    hidden = _measure(inside, boundary) if measured and boundary else Fraction(0)
-    return Filled(found, hidden / scale**2)
+    touching = pieces.keys() != edges.keys() or len(edges) < drawn
+    is_measured = measured and touching and wound.boundary
+    hidden = _measure(wound.inside, wound.boundary) if is_measured else Fraction(0)
+    return Filled(found, touching, hidden / scale**2)
 
 
-def _cut(edges: Sequence[Edge]) -> list[Edge]:
-    """Cut edges where they meet."""
-    boxes = [(min(a[0], b[0]), max(a[0], b[0]), min(a[1], b[1]), max(a[1], b[1])) for a, b in edges]
+def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
+    """Cut edges where they meet; return how often each piece is drawn to the right."""
+    edges = [*numbers]
+    boxes = [(a[0], b[0], min(a[1], b[1]), max(a[1], b[1])) for a, b in edges]
     cuts: defaultdict[int, set[Vertex]] = defaultdict(set)
-    for i, k in find_near(boxes):
+    for count, (i, k) in enumerate(find_near(boxes)):
+        if count == MAX_PAIRS:
+            raise PolygonError(f"more than {MAX_PAIRS:,} pairs of edges meet")
         for point in _meet(edges[i], edges[k]):
             for number in (i, k):
                 if point not in edges[number]:
                     cuts[number].add(point)
-    found: list[Edge] = []
+    found: defaultdict[Edge, int] = defaultdict(int)
     for k, (a, b) in enumerate(edges):
-        inner = sorted(cuts[k], reverse=a > b) if k in cuts else []
-        found += pairwise((a, *inner, b))
+        for piece in pairwise((a, *sorted(cuts.get(k, ())), b)):
+            found[piece] += numbers[a, b]
     return found
 
 
@@ -118,6 +124,10 @@ def _meet(one: Edge, other: Edge) -> Iterator[Vertex]:
         for low, high, ends in ((a, b, other), (p, q, one)):
             yield from (end for end in ends if min(low, high) <= end <= max(low, high))
     elif of_p * of_q <= 0 >= of_a * of_b:
+        for side, end in zip((of_p, of_q, of_a, of_b), (p, q, a, b), strict=True):
+            if not side:
+                yield end
+                return
         share = Fraction(of_p) / (of_p - of_q)
         x, y = p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])
         yield (_simplify(x), _simplify(y))
@@ -127,29 +137,52 @@ def _simplify(value: Rational) -> Rational:
     return value.numerator if value.denominator == 1 else value
 
 
-def _wind(pieces: Sequence[Edge]) -> dict[Edge, _WindingNumbers]:
+class _Wound(NamedTuple):
+    """Pieces by the winding numbers on both of their sides.
+
+    Attributes:
+        boundary: those with the filled area on one side, which is their left.
+        inside: other ones with a winding number.
+        below: for each of the boundary, from left to right, the next one of it below its start.
+    """
+
+    boundary: list[Edge]
+    inside: list[Edge]
+    below: dict[Edge, Edge | None]
+
+
+def _wind(numbers: Mapping[Edge, int], is_filled: Callable[[int], bool]) -> _Wound:
     """Find the winding numbers on both sides of each piece."""
-    numbers: defaultdict[Edge, int] = defaultdict(int)
-    for a, b in pieces:
-        numbers[min(a, b), max(a, b)] += 1 if a < b else -1
     starting: defaultdict[Vertex, list[Edge]] = defaultdict(list)
     vertices = set()
     for a, b in numbers:
         starting[a].append((a, b))
         vertices |= {a, b}
-    found: dict[Edge, _WindingNumbers] = {}
+    found = _Wound([], [], {})
     line: list[Edge] = []
+    above: dict[Edge, int] = {}
     for vertex in sorted(vertices):
         low = bisect_left(line, True, key=lambda e: turn(e[0], e[1], vertex) <= 0)
         high = low
         while high < len(line) and line[high][1] == vertex:
             high += 1
-        new = sorted(starting[vertex], key=cmp_to_key(_compare_slopes))
+        new = starting[vertex]
+        if len(new) > 1:
+            new = sorted(new, key=cmp_to_key(_compare_slopes))
         line[low:high] = new
-        winding = found[line[low - 1]][1] if low else 0
+        winding = above[line[low - 1]] if low else 0
+        down = (line[k] for k in range(low - 1, -1, -1))
+        under = next((e for e in down if e in found.below), None) if new else None
         for edge in new:
-            found[edge] = winding, winding + numbers[edge]
-            winding += numbers[edge]
+            a, b = edge
+            above[edge] = winding + numbers[edge]
+            is_below, is_above = is_filled(winding), is_filled(above[edge])
+            if is_below != is_above:
+                found.boundary.append((a, b) if is_above else (b, a))
+                found.below[edge], under = under, edge
+            elif winding or above[edge]:
+                found.inside.append(edge)
+            winding = above[edge]
     return found
 
 
@@ -194,34 +227,27 @@ def _find_next(a: Vertex, b: Vertex, ends: Sequence[Vertex]) -> Vertex:
     return before[-1] if before else ordered[-1][1]
 
 
-def _gather(rings: Iterator[list[Vertex]]) -> list[list[list[Vertex]]]:
+def _gather(
+    rings: Sequence[list[Vertex]], below: Mapping[Edge, Edge | None], order: Mapping[Edge, int]
+) -> list[list[list[Vertex]]]:
     """Put each hole to the exterior around it."""
-    exteriors: list[tuple[Rational, list[list[Vertex]]]] = []
-    holes = []
-    for ring in rings:
-        area = find_doubled_area(ring)
-        if area > 0:
-            exteriors.append((area, [ring]))
-        else:
-            holes.append(ring)
-    for hole in holes:
-        around = min(
-            (one for one in exteriors if _is_around(one[1][0], hole)), key=lambda one: one[0]
-        )
-        around[1].append(hole)
-    return [one for _, one in sorted(exteriors, key=lambda one: min(one[1][0]))]
-
-
-def _is_around(ring: Sequence[Vertex], hole: Sequence[Vertex]) -> bool:
-    """Decide whether a hole, which may touch a ring in vertices, is inside it."""
-    # The middle of an edge is on no other ring.
-    (x, y), (u, v) = hole[:2]
-    x, y = Fraction(x + u) / 2, Fraction(y + v) / 2
-    number = 0
-    for a, b in pairwise((*ring, ring[0])):
-        if (a[1] <= y) != (b[1] <= y) and (turn(a, b, (x, y)) > 0) == (b[1] > a[1]):
-            number += 1
-    return number % 2 == 1
+    edges = [[(min(a, b), max(a, b)) for a, b in pairwise((*ring, ring[0]))] for ring in rings]
+    owner = {edge: k for k, row in enumerate(edges) for edge in row}
+    found = {k: [ring] for k, ring in enumerate(rings) if find_doubled_area(ring) > 0}
+    exteriors = {k: k for k in found}
+    for k in sorted(set(range(len(rings))) - found.keys(), key=lambda k: min(rings[k])):
+        chain = [k]
+        while chain[-1] not in exteriors:
+            # Below the lower edge at the least vertex of a hole is its exterior or another hole.
+            ring = rings[chain[-1]]
+            i = ring.index(min(ring))
+            under = below[ring[i], ring[i - 1]]
+            assert under is not None
+            chain.append(owner[under])
+        exteriors |= dict.fromkeys(chain, exteriors[chain[-1]])
+        found[exteriors[k]].append(rings[k])
+    first = {k: min(order[edge] for edge in edges[k]) for k in found}
+    return [found[k] for k in sorted(found, key=first.__getitem__)]
 
 
 def _measure(inside: Sequence[Edge], boundary: Sequence[Edge]) -> Fraction:

@@ -1,30 +1,21 @@
 """Closed outlines inside others become holes when that is asked for, and only then."""
 
 from fractions import Fraction
-from functools import partial
 from pathlib import Path
 
 from cells import shape_of
 from command import refusal, run
 from hypothesis import given
 from hypothesis import strategies as st
-from linear import count_calls
 from tiers import examples
 
-from exactsweep import Polygon, Region
+from exactsweep import Region
 from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
     NamedPolygon,
     format_polygons,
     parse_regions,
 )
-from exactsweep.formats.nesting import nest
-
-
-def test_rings_in_a_row_are_looked_at_once() -> None:
-    row = [Polygon([(x, 0), (x + 1, 0), (x, 1)]) for x in range(0, 800, 2)]
-    few, many = (count_calls(partial(nest, row[:n], [""] * n)) for n in (100, 400))
-    assert few < many < 6 * few
 
 
 @examples(100)

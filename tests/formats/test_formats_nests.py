@@ -119,7 +119,7 @@ def test_parts_inherit_the_fill_rule() -> None:
     sparrow = read_sparrow(f'<defs><g id="item_1">{holed}</g></defs>{use}')
     for found in (nest, sparrow):
         (part,) = found.data["parts"]
-        assert part["holes"] == [[["1/2", "1/2"], ["1", "1/2"], ["1", "1"], ["1/2", "1"]]]
+        assert part["holes"] == [[["1/2", "1/2"], ["1/2", "1"], ["1", "1"], ["1", "1/2"]]]
 
 
 def test_of_two_items_with_one_id_the_first_counts_as_in_viewers() -> None:

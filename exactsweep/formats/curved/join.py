@@ -21,6 +21,7 @@ from exactsweep.formats.curved.path import (
 from exactsweep.formats.decimals import show_point
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
+from exactsweep.geometry.filling import Rule
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
@@ -42,7 +43,7 @@ class OpenLine(NamedTuple):
         name: its id, or None.
         layer: its layer, or None.
         split: makes an OpenLine of each line of a chain; else None.
-        filled: whether its fill rule is evenodd, if it is filled, which closes it; else None.
+        rule: its fill rule, if it is filled, which closes it; else None.
     """
 
     place: str
@@ -52,7 +53,7 @@ class OpenLine(NamedTuple):
     name: str | None = None
     layer: str | None = None
     split: Callable[[], Sequence[OpenLine]] | None = None
-    filled: bool | None = None
+    rule: Rule | None = None
 
     @property
     def key(self) -> Hashable:
@@ -132,7 +133,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
             single.append((order, line, ends))
         elif ends[0] == ends[-1] and all(meeting[joint] == 2 for joint in ends):
             outline = [joints.points[joint] for joint in ends[:-1]]
-            yield order, Candidate(line.place, outline.copy, None, layer, even_odd=False)
+            yield order, Candidate(line.place, outline.copy, None, layer, rule="nonzero")
         else:
             single += zip(count_from(order), line.split(), pairwise(ends), strict=False)
     found: dict[tuple[int, int, Hashable], _Joined] = {}
@@ -280,7 +281,7 @@ def _outlines(
         joined = [lines[k].line for k in sorted(together)]
         order, start, joints = lines[first]
         name = next((line.name for line in joined if line.name is not None), None)
-        if fault and len(joined) == 1 and start.filled is not None and start.path:
+        if fault and len(joined) == 1 and start.rule and start.path:
             path = start.path.closed()
             reading.notes[f"{start.place}: an open path, which its filling closes"] = None
             yield order, draw_outline(path, start, reading)
@@ -330,7 +331,7 @@ def draw_outline(path: Path, line: OpenLine, reading: Reading) -> Candidate:
     vertices = partial(flatten_named, line.place, path, reading)
     found = Candidate(line.place, vertices, line.name, line.layer, error=path.find_error(reading))
     finer = partial(_draw_finer, path, line, reading) if found.error else None
-    return found._replace(even_odd=bool(line.filled), finer=finer)
+    return found._replace(rule=line.rule or "nonzero", finer=finer)
 
 
 def _draw_finer(path: Path, line: OpenLine, reading: Reading, tolerance: Fraction) -> Candidate:

@@ -24,8 +24,9 @@ from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.error import FormatError, OrnamentError
-from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.filling import Filled, fill
 from exactsweep.geometry.polyline import Polyline
 from exactsweep.numbers.error import name_refusals, quote
 from exactsweep.numbers.number import Point
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 _GROUPS = {"svg", "g", "a"}
 _CONDITIONS = {"requiredExtensions", "requiredFeatures", "systemLanguage"}
 _INVISIBLE = ("hidden", "collapse")
+_TOO_FEW = "fewer than three vertices"
 _UNPAINTED = ("none", "transparent")
 
 MAX_DEPTH = 32
@@ -60,7 +62,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
             more vertices than are read; uses that draw too much.
 
     Cost: linear in the length of the text, and in what uses draw; that of
-        `exactsweep.formats.nesting.nest` for paths with several subpaths.
+        `exactsweep.geometry.filling.fill` for paths with several subpaths.
 
     Example:
         >>> text = '<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0h2v.5z"/></svg>'
@@ -196,7 +198,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         regions = _draw_regions(closed, shape, reading)
         drawn: list[Candidate | OpenLine] = [one._replace(words=words) for one in regions]
         if not drawn and not opened:
-            raise OrnamentError("fewer than three vertices")
+            raise OrnamentError("its fill rule fills nothing" if closed else _TOO_FEW)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return [Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)]
@@ -204,7 +206,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         straight = len(path.points) == 2 and path.is_exact
         ends = path.points[0], path.points[-1]
         line = OpenLine(shape.place, ends, None if straight else path, not matrix.off, name, layer)
-        drawn.append(line._replace(filled=find_rule(shape) if is_filled(shape) else None))
+        drawn.append(line._replace(rule=shape.rule if is_filled(shape) else None))
     return drawn
 
 
@@ -213,43 +215,39 @@ def is_filled(shape: PlacedElement) -> bool:
     return shape.inherited("fill", "black") not in _UNPAINTED
 
 
-def find_rule(shape: PlacedElement) -> bool | None:
-    """Return whether the fill rule of a shape is evenodd; None for one that SVG does not have."""
-    try:
-        return shape.is_even_odd
-    except FormatError:
-        return None
-
-
 def _draw_regions(
     closed: Sequence[Path], shape: PlacedElement, reading: Reading
 ) -> Sequence[Candidate]:
     """Read the regions that closed paths draw together, by the fill rule."""
     if not closed:
         return ()
-    place = shape.place
-    whole = Candidate(place, list, _name(shape), shape.layer)
+    place, rule = shape.place, shape.rule
+    whole = Candidate(place, list, _name(shape), shape.layer, rule=rule)
     whole = whole._replace(error=max(path.find_error(reading) for path in closed))
     if len(closed) == 1:
         vertices = partial(flatten_named, place, closed[0], reading)
-        whole = whole._replace(vertices=vertices, even_odd=find_rule(shape))
-        return [whole._replace(finer=partial(_draw_finer, closed, shape, reading, 0))]
-    even_odd = shape.is_even_odd
-    rings, regions = flatten_together(closed, reading, partial(find_regions, even_odd=even_odd))
-    if regions is None:
-        found = whole.fill(rings, even_odd=even_odd)
+        finer = partial(_draw_finer, closed, shape, reading, 0)
+        return [whole._replace(vertices=vertices, finer=finer)]
+    if rule is None:
+        found = shape.inherited("fill-rule", "nonzero")
+        raise FormatError(f"the fill rule {quote(found)} is neither nonzero nor evenodd")
+
+    def fill_simply(rings: Sequence[Sequence[Point]]) -> Filled:
+        filled = fill(rings, rule, measured=bool(whole.error))
+        if filled.touching:
+            raise PolygonError("subpaths cross or touch themselves or each other")
+        return filled
+
+    rings, filled = flatten_together(closed, reading, fill_simply)
+    pieces = whole.take_filled(filled or fill(rings, rule, measured=bool(whole.error)))
+    if filled is None:
+        number = count(len(pieces), "polygon")
         crossing = "its subpaths cross or touch themselves or each other"
-        reading.notes[f"{place}: {crossing}: {count(len(found), 'polygon')} by its fill rule"] = (
-            None
-        )
-        return found
-    drawn: list[Candidate] = []
-    for region in regions:
-        readers = [(f"{place}: subpath {k}", rings[k].copy) for k in region]
-        one = Candidate.of_rings(readers, place, whole.name, whole.layer, whole.error)
-        finer = partial(_draw_finer, closed, shape, reading, len(drawn))
-        drawn.append(one._replace(finer=finer))
-    return drawn
+        reading.notes[f"{place}: {crossing}: {number} by its fill rule"] = None
+    return [
+        piece._replace(finer=partial(_draw_finer, closed, shape, reading, k))
+        for k, piece in enumerate(pieces)
+    ]
 
 
 def _draw_finer(

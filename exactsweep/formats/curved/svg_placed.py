@@ -14,6 +14,7 @@ from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import UNITS, Reading
+from exactsweep.geometry.filling import Rule
 from exactsweep.numbers.error import name_refusals, quote
 
 if TYPE_CHECKING:
@@ -113,12 +114,10 @@ class PlacedElement:
         return None if self.parent is None else self.parent.layer
 
     @property
-    def is_even_odd(self) -> bool:
-        """Read whether the inherited fill rule of a path is evenodd, not nonzero."""
+    def rule(self) -> Rule | None:
+        """The inherited fill rule; None for one that SVG does not have."""
         rule = self.inherited("fill-rule", "nonzero")
-        if rule not in ("evenodd", "nonzero"):
-            raise FormatError(f"the fill rule {quote(rule)} is neither nonzero nor evenodd")
-        return rule == "evenodd"
+        return "evenodd" if rule == "evenodd" else "nonzero" if rule == "nonzero" else None
 
     def length(self, name: str, default: str | None = "0") -> Fraction:
         """Return an attribute in user units; one with another unit at 96 px to the inch."""
