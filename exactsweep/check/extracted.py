@@ -44,30 +44,41 @@ def build_checker(proof: Path = PROOF) -> Path:
     return found
 
 
-def accept(certificates: Iterable[Any], checker: Path | None = None) -> list[bool]:
-    """Return whether the extracted checker accepts each of some certificates.
+def ask(certificate: Any, checker: Path | None = None, seconds: float = 600) -> str:
+    """Return the answer of the extracted checker to a certificate.
 
     Args:
-        certificates: certificates of version 3. Malformed ones and layouts with faults are not
-            accepted.
+        certificate: of version 3.
         checker: the program; by default it is built if necessary.
+        seconds: the time limit.
+
+    Returns:
+        "accepted", "rejected", "out of time", or "malformed" (layouts with faults, too).
+
+    Raises:
+        RuntimeError: the checker cannot be built, or fails.
     """
-    lines = [_line(certificate) for certificate in certificates]
-    done = subprocess.run(
-        [checker or build_checker()],
-        input="".join(f"{line}\n" for line in lines),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    answers = done.stdout.split()
-    if len(answers) != len(lines):
-        raise RuntimeError(f"{len(lines)} certificates, {len(answers)} answers")
-    return [answer == "accepted" for answer in answers]
-
-
-def _line(certificate: Any) -> str:
     try:
-        return write_numbers(to_claim(certificate))
+        line = write_numbers(to_claim(certificate))
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
         return "malformed"
+    try:
+        done = subprocess.run(
+            [checker or build_checker()],
+            input=f"{line}\n",
+            capture_output=True,
+            text=True,
+            timeout=seconds,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return "out of time"
+    answer = done.stdout.strip()
+    if done.returncode or answer not in ("accepted", "rejected", "unreadable"):
+        raise RuntimeError(f"the extracted checker failed: {done.stderr.strip()[-500:]}")
+    return "malformed" if answer == "unreadable" else answer
+
+
+def accept(certificates: Iterable[Any], checker: Path | None = None) -> list[bool]:
+    """Return whether the extracted checker accepts each of some certificates (see `ask`)."""
+    return [ask(certificate, checker) == "accepted" for certificate in certificates]

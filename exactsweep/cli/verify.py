@@ -92,18 +92,16 @@ def verify_command(
 
 def _ask_extracted(certificate: Any, verdict: Any) -> Any:
     """Return the verdict, not proved if the extracted checker does not accept the certificate."""
-    from exactsweep.check.extracted import accept
+    from exactsweep.check.extracted import ask
 
     try:
         with working("asking the extracted checker"):
-            (is_accepted,) = accept([certificate])
+            answer = ask(certificate)
     except RuntimeError as error:
         raise click.ClickException(f"no extracted checker: {error}") from error
-    return (
-        verdict
-        if is_accepted
-        else verdict._replace(proved=False, reason="the extracted checker does not accept it")
-    )
+    if answer == "accepted":
+        return verdict
+    return verdict._replace(proved=False, reason=f"the extracted checker answers: {answer}")
 
 
 def _describe(certificate: dict[str, Any]) -> str:

@@ -13,12 +13,12 @@ import pytest
 from command import run
 
 from exactsweep import inner_fit_polygon, no_fit_polygon, sweep
-from exactsweep.check.extracted import PROOF, accept, build_checker, missing_tools
+from exactsweep.check.extracted import PROOF, accept, ask, build_checker, missing_tools
 from exactsweep.check.standalone import Refused, prove
 from exactsweep.check.terms import Nat, Some, to_claim, write_numbers
 from exactsweep.check.theorem import write_theorem
 from exactsweep.corpus import cases, layout_cases
-from exactsweep.layout import judge_layout
+from exactsweep.layout import Layout, judge_layout
 
 CAVE = [
     (0, 0),
@@ -36,6 +36,24 @@ CAVE = [
 ]
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 TRAY = [(0, 0), (5, 0), (5, "7/2"), (0, 4)]
+
+CLOSED = "Closed under the global context\n"
+
+STRAIGHT = [
+    "3.3770839959 3.3770839959",
+    "3.3770839959 0.5000000041",
+    "0.5000000041 1.5000001437",
+    "1.5000001437 0.5000000041",
+    "0.5000000041 2.5325586023",
+    "0.5000000041 0.5000000041",
+]
+TILTED = [
+    "1.6885588704 1.9596130358",
+    "3.1724757975 1.9364750985",
+    "2.4365089790 2.6238341263",
+    "2.4245256889 1.2722540080",
+    "1.5362873291 3.1724757975",
+]
 
 needs_tools = pytest.mark.skipif(bool(missing_tools()), reason=f"no {', '.join(missing_tools())}")
 
@@ -193,6 +211,26 @@ def test_malformed_lines_are_not_accepted() -> None:
 
 @needs_tools
 @pytest.mark.long
+def test_a_slow_check_ends_at_the_time_limit(tmp_path: Path) -> None:
+    slow = tmp_path / "slow"
+    slow.write_text("#!/bin/sh\nexec sleep 60\n")
+    slow.chmod(0o700)
+    certificate = small_certificates()["no_fit"]
+    assert ask(certificate, slow, seconds=0.1) == "out of time"
+    assert ask(certificate) == "accepted"
+    assert ask({**certificate, "holes": []}) == "rejected"
+    with pytest.raises(RuntimeError, match="failed"):
+        ask(certificate, Path("/bin/false"))
+
+
+def compile_theorem(folder: Path, name: str, certificate: Any) -> subprocess.CompletedProcess[str]:
+    (folder / f"{name}.v").write_text(write_theorem(certificate, name))
+    command = ["coqc", "-R", str(PROOF), "Exactsweep", f"{name}.v"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+@needs_tools
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["no_fit", "inner_fit", "sweep", "layout"])
 def test_coq_proves_a_certificate_and_not_a_changed_one(tmp_path: Path, kind: str) -> None:
     build_checker()
@@ -204,14 +242,43 @@ def test_coq_proves_a_certificate_and_not_a_changed_one(tmp_path: Path, kind: st
         wrong["regions"][0]["exterior"][0][0] = "1/3"
     else:
         wrong["exact_fits"] = []
-    for name, given in (("right", certificate), ("wrong", wrong)):
-        (tmp_path / f"{name}.v").write_text(write_theorem(given, name))
-        done = subprocess.run(
-            ["coqc", "-R", str(PROOF), "Exactsweep", f"{name}.v"],
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.stdout == "Closed under the global context\n" * (name == "right")
-        assert (done.returncode == 0) == (name == "right")
+    done = compile_theorem(tmp_path, "right", certificate)
+    assert (done.stdout, done.returncode) == (CLOSED, 0)
+    done = compile_theorem(tmp_path, "wrong", wrong)
+    assert (done.stdout, done.returncode != 0) == ("", True)
+    failure = '"accepted = accepted"\nwhile it is expected to have type "accepted = true"'
+    assert failure in done.stderr
+
+
+def eleven_squares() -> Layout:
+    """The best known packing of 11 unit squares in a square, its side rounded up to 3.877084.
+
+    Five squares are rotated by 40.1819373 degrees, as a rational rotation.
+    """
+    tangent = Fraction("0.3657693076")
+    cosine, sine = (1 - tangent**2) / (1 + tangent**2), 2 * tangent / (1 + tangent**2)
+    square = [["-1/2", "-1/2"], ["1/2", "-1/2"], ["1/2", "1/2"], ["-1/2", "1/2"]]
+    corners = [["0", "0"], ["3.877084", "0"], ["3.877084", "3.877084"], ["0", "3.877084"]]
+    return Layout.from_json(
+        {
+            "container": {"exterior": corners},
+            "parts": [{"id": "square", "exterior": square, "demand": 11}],
+            "placements": [
+                *({"part": "square", "move": place.split()} for place in STRAIGHT),
+                *(
+                    {"part": "square", "move": place.split(), "turn": [str(cosine), str(sine)]}
+                    for place in TILTED
+                ),
+            ],
+        }
+    )
+
+
+@needs_tools
+@pytest.mark.long
+def test_eleven_squares_in_a_square_are_a_theorem(tmp_path: Path) -> None:
+    build_checker()
+    judged = judge_layout(eleven_squares())
+    assert judged.valid
+    done = compile_theorem(tmp_path, "squares", judged.certificate())
+    assert (done.stdout, done.returncode) == (CLOSED, 0)
