@@ -1,5 +1,8 @@
 """Exact planar sweeps: no-fit polygons of polygons of any shape."""
 
+from importlib import import_module
+from typing import TYPE_CHECKING
+
 from exactsweep.evidence.minkowski import minkowski_sum
 from exactsweep.evidence.overlap import Overlap, overlap
 from exactsweep.geometry.canonical import PolygonError
@@ -46,3 +49,12 @@ __all__ = [
     "sweep",
 ]
 __version__ = "0.1.0"
+_PACKAGES = {"batch", "check", "conform", "corpus", "draw", "formats", "layout", "lessons", "view"}
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        """Import a public package on first use, as `exactsweep.formats`."""
+        if name in _PACKAGES:
+            return import_module(f"exactsweep.{name}")
+        raise AttributeError(f"module 'exactsweep' has no attribute {name!r}")

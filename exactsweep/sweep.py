@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from exactsweep.answers import InnerFit, NoFitPolygon, Sweep
+from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.frame import find_shared_direction, require_monotone
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_shape
 from exactsweep.numbers.error import tells_arguments
@@ -229,5 +231,7 @@ def free_positions(
         False
     """
     fixed, moved = to_region(container, "container"), to_region(part, "part")
+    if isinstance(placed, (Polygon, Region)):
+        raise PolygonError("placed is a single shape; give a list of shapes")
     others = [to_region(shape, f"placed shape {k}") for k, shape in enumerate(placed)]
     return InnerFit(fixed, moved, read_point(reference, "reference"), others)

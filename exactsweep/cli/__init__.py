@@ -69,6 +69,14 @@ class _Commands(click.Group):
         with _refuse_in_one_line():
             return super().invoke(ctx)
 
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name = args[0]
+        if name not in _NAMES and ("." in name or "/" in name):
+            ctx.fail(f"{name!r} is a file; a command goes before it, as in 'exactsweep sweep A B'.")
+        return super().resolve_command(ctx, args)
+
 
 @contextmanager
 def _refuse_in_one_line() -> Iterator[None]:

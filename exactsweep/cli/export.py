@@ -109,9 +109,10 @@ def export(
     write_readable(text, output)
     if coordinates.y_down != (target == "svg"):
         ways = ("down", "up") if coordinates.y_down else ("up", "down")
-        said = [f"Y points {ways[0]} in the input, {ways[1]} in {target.upper()}: turned", *said]
+        flipped = f"Y axis flipped: {ways[0]} in the input, {ways[1]} in {target.upper()}"
+        said = [flipped, *said]
     if target == "dxf" and coordinates.unit not in (None, *INSUNITS.values()):
-        said.append("DXF cannot say the unit of the numbers (--unit mm scales them)")
+        said.append("DXF has no code for this unit (--unit mm scales the numbers)")
     say_all(said)
 
 

@@ -4,6 +4,9 @@ from inspect import cleandoc
 
 import click
 
+from exactsweep.numbers.error import quote
+from exactsweep.words import suggest
+
 
 class ReadingOption(click.Option):
     """An option for reading files; `exactsweep help reading` describes it."""
@@ -69,7 +72,8 @@ def help_command(ctx: click.Context, topic: str | None) -> None:
         return
     command = whole.command.get_command(whole, topic)
     if command is None:
-        raise click.UsageError(f"No such command or topic {topic!r}; try 'exactsweep help'.")
+        near = suggest(topic, [*whole.command.commands, "reading"])
+        raise click.UsageError(f"No such command or topic {quote(topic)}{near}.")
     click.echo(command.get_help(click.Context(command, info_name=topic, parent=whole)))
 
 

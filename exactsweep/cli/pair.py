@@ -172,7 +172,7 @@ def _answer(
     elif generatrix is None:
         g, d = map(Region, (DIRECTRIX, GENERATRIX) if answer else (GENERATRIX, DIRECTRIX))
     else:
-        raise click.UsageError("Give both GENERATRIX and DIRECTRIX, or neither.")
+        raise click.UsageError("One file is missing: give both files, or none for the example.")
     if answer:
         if direction is not None:
             raise click.UsageError("--direction is for sweeps.")

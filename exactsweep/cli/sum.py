@@ -1,5 +1,7 @@
 """`exactsweep sum`."""
 
+from contextlib import suppress
+
 import click
 
 from exactsweep import Polyline, Region, minkowski_sum
@@ -52,6 +54,12 @@ def _read(
     elif as_path:
         raise click.UsageError("--path reads whole files; leave out the # and what follows.")
     return read_two(a, b, reading)
+
+
+def _is_path(file: str) -> bool:
+    with suppress(FormatError):
+        return file != "-" and parse_path(read_text(file)) is not None
+    return False
 
 
 def _read_with_path(
@@ -124,7 +132,12 @@ def sum_command(
         raise click.UsageError("--json, --wkt and --to exclude each other.")
     from exactsweep.text import pairs
 
-    first, second = _read(a, b, as_path, reading)
+    try:
+        first, second = _read(a, b, as_path, reading)
+    except FormatError:
+        if _is_path(a):
+            raise click.UsageError(f"{show_path(a)} is a path; give it second, as B.") from None
+        raise
     with working("computing"):
         found = minkowski_sum(first, second)
     if rounding is not None or target is not None:

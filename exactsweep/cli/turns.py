@@ -64,7 +64,7 @@ def _list_poses(turns: list[Turn], *, mirrored: bool) -> Iterator[Pose]:
     for turn in turns:
         if turn.exact is None:
             degrees = abridge(turn.degrees or Fraction(0))
-            say_all([f"the turn {degrees} is irrational: read within {TURN_BITS} bits"])
+            say_all([f"{degrees} degrees: rotated by a rational angle within 2^-{TURN_BITS}"])
         yield Pose(turn)
     if mirrored:
         yield from (Pose(turn, mirrored=True) for turn in turns)
@@ -77,11 +77,13 @@ def takes_turns(part: str) -> Decorator:
         _make_poses,
         click.option(
             "--turns",
+            "--rotations",
+            "turns",
             callback=checked(_read_turns),
             metavar="DEGREES,...",
-            help=f"Turn {part} about its origin by each of these angles, counter-clockwise.",
+            help=f"Rotate {part} counter-clockwise about its origin by each of these angles.",
         ),
         click.option(
-            "--mirrored", is_flag=True, help=f"Try {part} mirrored (x to -x) before turns, too."
+            "--mirrored", is_flag=True, help=f"Also mirror {part} (x to -x) before it is rotated."
         ),
     )

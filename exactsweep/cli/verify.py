@@ -10,7 +10,7 @@ import click
 from exactsweep.cli.options import PATH
 from exactsweep.cli.output import write
 from exactsweep.cli.working import working
-from exactsweep.formats import read_certificate, read_region
+from exactsweep.formats import read_certificate, read_region, show_path
 from exactsweep.text.results import verification_to_json
 from exactsweep.words import count, write_pair
 
@@ -62,8 +62,12 @@ def verify_command(
     from exactsweep.check import verify
 
     if len(shapes) not in (0, 2):
-        raise click.UsageError("Give both polygons, G and D, or none.")
+        raise click.UsageError("One polygon is missing: give both, G and D, or neither.")
     certificate: Any = read_certificate(file)
+    if not isinstance(certificate, dict) or not certificate.keys() & {"format", "claim"}:
+        raise click.ClickException(
+            f"{show_path(file)}: not a certificate; commands write one with --certificate"
+        )
     is_inner = type(certificate) is dict and "part" in certificate
     names = ("part", "container") if is_inner else ("generatrix", "directrix")
     asked: dict[str, Any] = dict(zip(names, map(read_region, shapes), strict=False))

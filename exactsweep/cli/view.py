@@ -32,6 +32,8 @@ def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
     """
     from exactsweep.view import make_page
 
+    if output.lower().endswith((".svg", ".pdf", ".png")):
+        raise click.UsageError("The page is HTML; 'exactsweep draw' draws pictures.")
     files = name_files_of_pair()
     names = None if files is None else (show_path(files[0]), show_path(files[1]))
     if names and not isinstance(result, Sweep):

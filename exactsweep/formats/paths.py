@@ -39,7 +39,7 @@ def parse_path(
     """
     start = text.lstrip()
     if start[:1] == "<":
-        from exactsweep.formats.curved.svg import read_svg_path
+        from exactsweep.formats.curved.svg_summand import read_svg_path
 
         return read_svg_path(text, reading or Reading(), filled=is_list)
     if start[:1] not in ("[", "{"):

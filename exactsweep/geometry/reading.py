@@ -21,6 +21,13 @@ from exactsweep.numbers.number import Point, Vertex, split_ratios, to_fraction
 
 _LATTICE_BITS = 8192
 _PACKAGE = "exactsweep."
+_HINTS = {
+    **dict.fromkeys(("LineString", "Point"), "; Polyline reads it"),
+    **dict.fromkeys(
+        ("MultiPolygon", "GeometryCollection"),
+        "; parts_from_shapely of exactsweep.formats reads its polygons",
+    ),
+}
 
 Lattice = tuple[int, Sequence[Vertex]]
 """A scale and points; each point represents its coordinates divided by the scale."""
@@ -36,7 +43,7 @@ def read_point(pair: Iterable[object], name: str) -> Point:
     try:
         x, y = pair
     except (TypeError, ValueError):
-        raise PolygonError(f"{name} is not a pair of numbers") from None
+        raise PolygonError(f"{name} is {quote(pair)}, not a pair of numbers") from None
     with name_refusals(name):
         return Point(to_fraction(x), to_fraction(y))
 
@@ -72,7 +79,7 @@ def read_interface(shape: object) -> list[Pairs] | None:
         return None
     kind = told.get("type") if isinstance(told, Mapping) else type(told).__name__
     if kind not in ("Polygon", "LinearRing"):
-        raise PolygonError(f"a {kind} is not a polygon")
+        raise PolygonError(f"a {kind} is not a polygon{_HINTS.get(str(kind), '')}")
     coordinates = told.get("coordinates")
     rings = coordinates if kind == "Polygon" else [coordinates]
     if not isinstance(rings, Sequence) or not all(isinstance(ring, Iterable) for ring in rings):

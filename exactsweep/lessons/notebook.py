@@ -12,6 +12,7 @@ from typing import Any
 
 from exactsweep.draw import save_svg
 from exactsweep.numbers.error import ExactSweepError, quote, tells_arguments
+from exactsweep.words import suggest
 
 Notebook = dict[str, Any]
 
@@ -50,7 +51,8 @@ def read_notebook(name: str) -> Notebook:
         'markdown'
     """
     if name not in _NAMES:
-        raise ExactSweepError(f"{quote(name)} is no lesson")
+        near = suggest(str(name), _NAMES) or f"; there are {', '.join(_NAMES)}"
+        raise ExactSweepError(f"no lesson {quote(name)}{near}")
     found: Notebook = json.loads((FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))
     return found
 

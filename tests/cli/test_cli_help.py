@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 import pytest
-from command import HOUSE, NOTCH, list_commands, run, shell
+from command import HOUSE, NOTCH, list_commands, refusal, run, shell
 from partlist import part_list
 
 from exactsweep.cli import output
@@ -93,3 +93,34 @@ def test_there_is_no_bar_where_there_is_no_terminal(tmp_path: Path) -> None:
         "batch", "--all", str(parts), str(parts), "--workers", "1", "-o", str(tmp_path / "o")
     )
     assert (done.stdout[:8], done.stderr) == ("16 pairs", "")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("house.json", "block.wkt"), "'house.json' is a file; a command goes before it"),
+        (("swep",), "Did you mean 'sweep'?"),
+        (("help", "swep"), "No such command or topic 'swep'; did you mean 'sweep'?"),
+        (("lesson", "galery"), "no lesson 'galery'; did you mean 'gallery'?"),
+        (("sweep", "house.json"), "One file is missing: give both files"),
+        (("view", "-o", "sweep.pdf"), "'exactsweep draw' draws pictures"),
+        (("verify", __file__.replace("test_cli_help.py", "options.txt")), "not JSON"),
+    ],
+)
+def test_mistakes_of_usage_say_what_to_do(arguments: tuple[str, ...], words: str) -> None:
+    done = run(*arguments)
+    assert done.exit_code in (1, 2)
+    assert words in done.stderr
+
+
+def test_a_file_without_a_claim_is_not_a_certificate(tmp_path: Path) -> None:
+    path = tmp_path / "house.json"
+    path.write_text("[[0, 0], [1, 0], [0, 1]]")
+    said = "not a certificate; commands write one with --certificate"
+    assert refusal(run("verify", str(path))) == f"{path}: {said}"
+
+
+def test_a_path_is_the_second_summand(tmp_path: Path) -> None:
+    path = tmp_path / "line.wkt"
+    path.write_text("LINESTRING (0 0, 1 0)")
+    assert "is a path; give it second, as B." in run("sum", str(path), str(path)).stderr

@@ -65,7 +65,7 @@ def test_a_turn_that_does_not_fit_says_no(tmp_path: Path) -> None:
 def test_an_irrational_turn_is_noted(tmp_path: Path) -> None:
     files = write(tmp_path, "c.json", SHEET), write(tmp_path, "p.json", PART)
     done = run("ifp", *files, "--turns", "45")
-    assert "the turn 45 is irrational: read within 64 bits" in done.stderr
+    assert "45 degrees: rotated by a rational angle within 2^-64" in done.stderr
 
 
 def test_no_fit_polygons_of_turns(tmp_path: Path) -> None:

@@ -1,6 +1,8 @@
 """Answers in shapely and numpy, as formatted numbers, and as read-only values."""
 
 import pickle
+import subprocess
+import sys
 import warnings
 from fractions import Fraction
 from typing import Any
@@ -12,8 +14,10 @@ from hypothesis import given
 from polyominoes import polyominoes, region
 from shapely.geometry import shape
 
+import exactsweep
 from exactsweep import (
     Polygon,
+    PolygonError,
     Polyline,
     Region,
     free_positions,
@@ -133,3 +137,16 @@ def test_answers_are_read_only(answer: Any, name: str) -> None:
 def test_counts_in_the_repr_are_singular_for_one() -> None:
     assert repr(no_fit_polygon(CAVE, UNIT)).endswith("1 hole, 1 exact fit>")
     assert repr(inner_fit_polygon(UNIT, UNIT)).endswith("no regions, 1 exact fit>")
+
+
+def test_a_single_placed_shape_is_no_list() -> None:
+    with pytest.raises(PolygonError, match="placed is a single shape; give a list of shapes"):
+        free_positions(UNIT, UNIT, UNIT)  # type: ignore[arg-type]
+
+
+def test_public_packages_are_attributes() -> None:
+    code = "import exactsweep as e; print(e.formats.__name__, e.check.verify.__name__)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "exactsweep.formats verify\n"
+    with pytest.raises(AttributeError, match="module 'exactsweep' has no attribute 'cli_'"):
+        exactsweep.cli_  # type: ignore[attr-defined]  # noqa: B018

@@ -207,7 +207,7 @@ def test_files_are_converted(tmp_path: Path) -> None:
     done = run("convert", str(source), "--round", "3", "-o", str(output))
     assert (done.exit_code, done.stdout) == (0, "")
     assert done.stderr.splitlines() == [
-        "Y points up in the input, down in SVG: turned",
+        "Y axis flipped: up in the input, down in SVG",
         "rounded: 1 polygon, moved by at most 0.000333334",
     ]
     assert [part.name for part in read_polygons(str(output))] == ["a", "b"]

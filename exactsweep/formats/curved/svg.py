@@ -27,8 +27,7 @@ from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.filling import Filled, fill
-from exactsweep.geometry.polyline import Polyline
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
@@ -82,7 +81,7 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
     """
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
-    document = _Document(root, reading)
+    document = Document(root, reading)
     style = style or Style(root)
     if style.ignored:
         number, first = count(len(style.ignored), "selector"), quote(style.ignored[0])
@@ -105,7 +104,7 @@ def _draw(shapes: Iterator[PlacedElement], reading: Reading) -> Iterator[Candida
         yield from parts
 
 
-class _Document:
+class Document:
     """The elements of a document, being drawn."""
 
     def __init__(self, root: Element, reading: Reading) -> None:
@@ -366,38 +365,3 @@ SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[Path]]] = 
     "use": _refuse_shape,
 }
 DRAWN = _GROUPS | SHAPES.keys() | {"switch"}
-
-
-def read_svg_path(text: str, reading: Reading, *, filled: bool = False) -> Polyline | None:
-    """Read an SVG document as a path, if all that it draws is one open path without a fill.
-
-    Args:
-        text: the document.
-        reading: as for `parse_svg`.
-        filled: whether a filled or closed path counts, too.
-
-    Returns:
-        A Polyline in the coordinates of `parse_svg`; None if the document draws anything else.
-
-    Raises:
-        FormatError: as by `parse_svg`; or the path has curves.
-
-    Example:
-        >>> text = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h2v1" fill="none"/></svg>'
-        >>> print(read_svg_path(text, Reading()))
-        (0,0) (2,0) (2,1)
-    """
-    root = parse_xml(text)
-    if name_kind(root) != "svg":
-        return None
-    placed = PlacedElement(root, None, reading, style=Style(root))
-    shapes = [*islice(_Document(root, reading).shapes(placed, 0), 2)]
-    if len(shapes) != 1 or (is_filled(shapes[0]) and not filled):
-        return None
-    with name_refusals(shapes[0].place, FormatError):
-        found = SHAPES[name_kind(shapes[0].element)](shapes[0], shapes[0].matrix, reading)
-        if len(found) != 1 or (found[0].is_closed and not filled):
-            return None
-        if not found[0].is_exact:
-            raise FormatError("a path with curves; draw it with straight segments")
-    return Polyline(found[0].points, closed=found[0].is_closed)
