@@ -14,7 +14,8 @@ from exactsweep.corpus.case_json import case_from_json
 from exactsweep.corpus.selection import read_lines
 from exactsweep.corpus.shipped import find_case
 from exactsweep.formats import FormatError, read_text, show_path
-from exactsweep.formats.candidate import Candidate, choose
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.choice import choose
 from exactsweep.formats.exact_json import (
     describe_kind,
     parse_certificate,

@@ -17,12 +17,11 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.filling import Filled, Rule, fill
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.error import NumberError, quote
+from exactsweep.numbers.error import NumberError
 from exactsweep.numbers.limits import answer_digits
 from exactsweep.numbers.number import Point, split_ratios
-from exactsweep.words import count, suggest
+from exactsweep.words import count
 
-_SHOWN = 4
 _Any = TypeVar("_Any")
 _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
 
@@ -81,6 +80,7 @@ class Candidate(NamedTuple):
         clean: the least area of regions that are read.
         finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
         words: its classes, in SVG.
+        groups: the ids of the groups that it is in, in SVG.
     """
 
     place: str
@@ -95,6 +95,7 @@ class Candidate(NamedTuple):
     clean: Fraction = Fraction(0)
     finer: Callable[[Fraction], Candidate | None] | None = None
     words: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
 
     @classmethod
     def refused(
@@ -286,93 +287,3 @@ def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
             except FormatError as error:
                 raise FormatError(f"{error}, first {first}") from None
         yield one
-
-
-def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
-    """Find the candidate that a choice names.
-
-    Args:
-        candidates: the candidates of a file, in order.
-        choice: a name, an index from 0 or a layer, tried in this order; None for the only one.
-
-    Returns:
-        The candidate.
-
-    Raises:
-        FormatError: no candidate, or several, have this name.
-    """
-    if choice is not None:
-        found = select(candidates, choice)
-        if len(found) == 1:
-            return found[0]
-        kind = "name" if found[0].name == choice else "layer"
-        indices = [i for i, one in enumerate(candidates) if one in found]
-        raise FormatError(
-            f"{len(found)} polygons have the {kind} {quote(choice)}; choose one by index: "
-            f"{', '.join(f'#{i}' for i in indices[:_SHOWN])}{' ...' * (len(indices) > _SHOWN)}"
-        )
-    if not candidates:
-        raise FormatError("holds no polygon")
-    plain = [candidate for candidate in candidates if not candidate.ornament]
-    if len(plain) == 1 or len(candidates) == 1:
-        return (plain or candidates)[0]
-    sound = [i for i, candidate in enumerate(candidates) if not candidate.fault]
-    faults = [candidate.fault for candidate in candidates if candidate.fault]
-    if not sound:
-        raise FormatError(
-            f"holds no polygon: {len(faults)} things are none, first "
-            f"{faults[0]}{' ...' * (len(faults) > 1)}"
-        )
-    listed = ", ".join(f"#{i}" + _called(candidates[i]) for i in sound[:_SHOWN])
-    others = f"; and {count(len(faults), 'other thing')}, {faults[0]}" if faults else ""
-    raise FormatError(
-        f"holds {count(len(sound), 'polygon')}; choose one by name, index or layer, as in "
-        f"FILE#{_shortest(candidates, sound[0])}: {listed}{' ...' * (len(sound) > _SHOWN)}{others}"
-    )
-
-
-def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
-    """Find all candidates that a choice names.
-
-    Args:
-        candidates: the candidates of a file, in order.
-        choice: a name, an index from 0 or a layer, tried in this order; or "layer:" and a layer.
-
-    Returns:
-        list of Candidate, at least one; of a layer only those without a fault, if there are any.
-
-    Raises:
-        FormatError: none.
-    """
-    named = [candidate for candidate in candidates if candidate.name == choice]
-    prefix, _, layer = choice.partition("layer:")
-    if not (named or prefix):
-        choice = layer
-    # A name may look like an index, and so may a layer: DXF's first one is "0".
-    is_index = not layer and choice.isascii() and choice.isdigit() and len(choice) < 10
-    index = int(choice) if is_index else -1
-    if len(named) != 1 and 0 <= index < len(candidates):
-        return [candidates[index]]
-    layered = [candidate for candidate in candidates if candidate.layer == choice]
-    found = named or [one for one in layered if not one.fault] or layered
-    if found:
-        return found
-    near = suggest(choice, [n for o in candidates for n in (o.name, o.layer) if n])
-    raise FormatError(
-        f"no polygon has the name, index or layer {quote(choice)}"
-        f"{near or f'; there are {len(candidates)}'}"
-    )
-
-
-def _shortest(candidates: Sequence[Candidate], index: int) -> str:
-    """Return the name, the layer or else the index that distinguishes a candidate."""
-    one = candidates[index]
-    for word in (one.name, one.layer):
-        if word and [c for c in candidates if word in (c.name, c.layer) and not c.fault] == [one]:
-            return word
-    return str(index)
-
-
-def _called(candidate: Candidate) -> str:
-    name = candidate.name or candidate.layer
-    return f" {quote(name)}" if name else ""

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Protocol
 
-from exactsweep.formats.candidate import NamedRegion, choose
+from exactsweep.formats.candidate import NamedRegion
+from exactsweep.formats.choice import choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.part_list import PartList, Said
 from exactsweep.formats.wkt import parse_wkt

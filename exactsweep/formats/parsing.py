@@ -43,8 +43,7 @@ def parse_by(text: str, reading: Reading) -> PartList[Candidate]:
         candidates = nest_candidates(candidates)
     if reading.clean:
         candidates = [one._replace(clean=reading.clean) for one in candidates]
-    is_svg = text.lstrip().startswith("<")
-    y_down = is_svg if reading.y_down is None else reading.y_down
+    y_down = reading.is_svg if reading.y_down is None else reading.y_down
     coordinates = Coordinates(y_down, reading.found_unit)
     return PartList(candidates, coordinates, reading.list_hidden(), reading.notes)
 
@@ -62,6 +61,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         if is_esicup(root):
             reading.scale(None)
             return read_esicup(root)
+        reading.is_svg = True
         return read_svg(root, reading)
     if DXF_SIGN.match(text):
         from exactsweep.formats.curved.dxf import parse_dxf

@@ -4,13 +4,8 @@ import os
 from collections.abc import Callable
 from typing import TypeVar, Unpack
 
-from exactsweep.formats.candidate import (
-    Candidate,
-    NamedPolygon,
-    NamedRegion,
-    choose,
-    select,
-)
+from exactsweep.formats.candidate import Candidate, NamedPolygon, NamedRegion
+from exactsweep.formats.choice import choose, select
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.parsing import parse_candidates

@@ -86,6 +86,7 @@ class Reading:
         joining: the tolerance by whose fourth ends of curves are joined; None to choose one by the
             size of the drawing.
         nested, layers, ignored_layers, unit, hidden, y_down: as given.
+        is_svg: whether the text is SVG, where Y points down.
         found_unit: the millimetres of the file's unit; None if the file does not state it.
         passed: the number of omitted elements for each reason.
         notes: further remarks.
@@ -119,6 +120,7 @@ class Reading:
         self.nested, self.unit, self.hidden, self.y_down = nested, unit, hidden, y_down
         self.layers = read_names(layers, "layers")
         self.ignored_layers = read_names(ignored_layers, "ignored_layers")
+        self.is_svg = False
         self.found_unit: Fraction | None = None
         self.passed: Counter[str] = Counter()
         self.notes: dict[str, None] = {}

@@ -3,6 +3,7 @@
 from fractions import Fraction
 from pathlib import Path
 
+import pytest
 from cells import shape_of
 from command import refusal, run
 from hypothesis import given
@@ -12,9 +13,12 @@ from tiers import examples
 from exactsweep import Region
 from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
+    FormatError,
     NamedPolygon,
     format_polygons,
+    parse_region,
     parse_regions,
+    read_regions,
 )
 
 
@@ -59,3 +63,28 @@ def test_nested_outlines_are_read_by_commands(tmp_path: Path) -> None:
     for command, pair in (("nfp", (drawing, unit)), ("sweep", (unit, drawing))):
         told = run(command, *pair, "--nested").output.replace(drawing, source)
         assert told == run(command, *(source if p == drawing else p for p in pair)).output
+
+
+GROUP = (
+    '<svg><rect id="sheet" width="9" height="9"/><g id="part" transform="translate(1 1)">'
+    '<rect width="4" height="4"/><g id="inner"><rect x="1" y="1" width="1" height="1"/></g></g>'
+    "</svg>"
+)
+
+
+def test_outlines_of_a_group_are_one_region() -> None:
+    plate = parse_region(GROUP, "part")
+    assert plate.area == 15
+    assert parse_region(GROUP, "inner").area == 1
+    assert [part.name for part in parse_regions(GROUP)] == ["sheet", None, None]
+
+
+def test_a_group_of_separate_outlines_is_no_single_region(tmp_path: Path) -> None:
+    text = GROUP.replace("</g></g>", '</g><rect x="6" width="1" height="1"/></g>')
+    with pytest.raises(FormatError, match=r"^the group 'part' has 2 outlines, not one$"):
+        parse_region(text, "part")
+    drawing = tmp_path / "drawing.svg"
+    drawing.write_text(text)
+    assert [part.region.area for part in read_regions(f"{drawing}#part")] == [15, 1]
+    with pytest.raises(FormatError, match="nested outlines are read together: line 1: path: the"):
+        parse_region(GROUP.replace("</g></g>", '</g><path fill="none" d="M0 0h1v1"/></g>'), "part")

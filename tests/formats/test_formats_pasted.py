@@ -93,6 +93,7 @@ def test_pieces_of_esicup_are_read() -> None:
     )
     found = parse_polygons(text)
     assert [(part.name, int(part.polygon.area)) for part in found] == [("a", 6)]
+    assert not found.coordinates.y_down
     assert found.left_out == ["piece 'b': 2 components, which are not one outline"]
 
 

@@ -44,6 +44,7 @@ class OpenLine(NamedTuple):
         layer: its layer, or None.
         split: makes an OpenLine of each line of a chain; else None.
         rule: its fill rule, if it is filled, which closes it; else None.
+        groups: as for `Candidate`.
     """
 
     place: str
@@ -54,6 +55,7 @@ class OpenLine(NamedTuple):
     layer: str | None = None
     split: Callable[[], Sequence[OpenLine]] | None = None
     rule: Rule | None = None
+    groups: tuple[str, ...] = ()
 
     @property
     def key(self) -> Hashable:
@@ -331,7 +333,7 @@ def draw_outline(path: Path, line: OpenLine, reading: Reading) -> Candidate:
     vertices = partial(flatten_named, line.place, path, reading)
     found = Candidate(line.place, vertices, line.name, line.layer, error=path.find_error(reading))
     finer = partial(_draw_finer, path, line, reading) if found.error else None
-    return found._replace(rule=line.rule or "nonzero", finer=finer)
+    return found._replace(rule=line.rule or "nonzero", finer=finer, groups=line.groups)
 
 
 def _draw_finer(path: Path, line: OpenLine, reading: Reading, tolerance: Fraction) -> Candidate:

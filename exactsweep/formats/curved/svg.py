@@ -180,11 +180,11 @@ def find_reason_hidden(placed: PlacedElement) -> str:
 
 def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     """Read what a shape draws: regions, and open lines."""
-    name, layer = _name(shape), shape.layer
+    name, layer, groups = _name(shape), shape.layer, shape.groups
     try:
         matrix = shape.matrix
     except FormatError as error:
-        return [Candidate.refused(str(error), name, layer)]
+        return [Candidate.refused(str(error), name, layer)._replace(groups=groups)]
     try:
         found = SHAPES[name_kind(shape.element)](shape, matrix, reading)
         closed = [path for path in found if len(path.points) > 1 and path.is_closed]
@@ -195,17 +195,21 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
             opened = [path for path in opened if len(path.points) == 2 and not path.curves]
         words = tuple(shape.element.get("class", "").split())
         regions = _draw_regions(closed, shape, reading)
-        drawn: list[Candidate | OpenLine] = [one._replace(words=words) for one in regions]
+        drawn: list[Candidate | OpenLine] = [
+            one._replace(words=words, groups=groups) for one in regions
+        ]
         if not drawn and not opened:
             raise OrnamentError("its fill rule fills nothing" if closed else _TOO_FEW)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
-        return [Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)]
+        refused = Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)
+        return [refused._replace(groups=groups)]
     for path in opened:
         straight = len(path.points) == 2 and path.is_exact
         ends = path.points[0], path.points[-1]
         line = OpenLine(shape.place, ends, None if straight else path, not matrix.off, name, layer)
-        drawn.append(line._replace(rule=shape.rule if is_filled(shape) else None))
+        rule = shape.rule if is_filled(shape) else None
+        drawn.append(line._replace(rule=rule, groups=groups))
     return drawn
 
 

@@ -113,6 +113,13 @@ class PlacedElement:
             return attributes.get(f"{_INKSCAPE}label", attributes.get("id"))
         return None if self.parent is None else self.parent.layer
 
+    @cached_property
+    def groups(self) -> tuple[str, ...]:
+        """The ids of the groups around it, the outermost first, and its own if it is one."""
+        around = self.parent.groups if self.parent else ()
+        own = self.element.get("id") if name_kind(self.element) == "g" else None
+        return (*around, own) if own else around
+
     @property
     def rule(self) -> Rule | None:
         """The inherited fill rule; None for one that SVG does not have."""

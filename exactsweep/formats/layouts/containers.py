@@ -7,7 +7,8 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from exactsweep.formats.candidate import Candidate, select
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.choice import select
 from exactsweep.formats.depth import tell_place
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.digits import abridge
