@@ -125,7 +125,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
         try:
             placed.append((order, line, ends or [*map(joints.find, line.ends)]))
         except FormatError as error:
-            yield order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
+            yield order, _refuse(line, f"{line.place}: {error}")
     if not all(exact):
         _note_gaps(placed, joints, reading)
     meeting = Counter(chain.from_iterable(ends[1:] + ends[:-1] for _, _, ends in placed))
@@ -153,7 +153,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
             elif line.ends[0] != line.ends[1]:
                 lost[i].append(joined)
         except FormatError as error:
-            yield order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
+            yield order, _refuse(line, f"{line.place}: {error}")
     passed = {joint for line in found.values() for joint in line.joints}
     for joint, short in lost.items():
         order, start, _ = short[0]
@@ -162,10 +162,15 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
         ends_of = Counter(end for one in short for end in one.line.ends)
         if joint not in passed or not any(number % 2 for number in ends_of.values()):
             alone = len(short) == 1 and not start.path
-            yield order, Candidate.refused(reason, start.name, layer, ornament=alone)
+            yield order, _refuse(start, reason, ornament=alone)
         elif len(short) > 1:
             reading.notes[reason] = None
     yield from _outlines(list(found.values()), joints.points, lost, reading)
+
+
+def _refuse(line: OpenLine, reason: str, *, ornament: bool = False) -> Candidate:
+    found = Candidate.refused(reason, line.name, line.layer, ornament=ornament)
+    return found._replace(groups=line.groups)
 
 
 def _is_long(line: OpenLine, reach: Fraction) -> bool:
@@ -290,7 +295,7 @@ def _outlines(
         elif fault:
             alone = len(joined) == 1 and not start.path
             alone = alone and not any(joint in lost for joint in joints)
-            yield order, Candidate.refused(fault, name, start.layer, ornament=alone)
+            yield order, _refuse(start._replace(name=name), fault, ornament=alone)
         else:
             yield (
                 order,
