@@ -9,7 +9,7 @@ from typing import Any
 
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import Quantities, write_error_line, write_result_line
-from exactsweep.formats.candidate import choose
+from exactsweep.formats.choice import choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate, parse_json
 from exactsweep.formats.files import decode_text

@@ -80,9 +80,7 @@ def say_error(error: Fraction, reading: Mapping[str, Any]) -> None:
     """Say on standard error how near lines are to the curves that were read, if any were."""
     if error:
         how = "" if reading.get("tolerance") else " (--flatten TOLERANCE sets it)"
-        click.echo(
-            f"curves drawn as lines, within {approximate(error, up=True)} of them{how}", err=True
-        )
+        say_all([f"curves drawn as lines, within {approximate(error, up=True)} of them{how}"])
 
 
 def say_skipped(reasons: Sequence[str]) -> None:
@@ -93,6 +91,9 @@ def say_skipped(reasons: Sequence[str]) -> None:
 
 
 def say_all(lines: Iterable[str]) -> None:
-    """Say something on standard error, a line each."""
+    """Write lines on standard error, each only once in a command."""
+    said = click.get_current_context().meta.setdefault("exactsweep.said", set())
     for line in lines:
-        click.echo(line, err=True)
+        if line not in said:
+            said.add(line)
+            click.echo(line, err=True)
