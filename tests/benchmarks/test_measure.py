@@ -66,7 +66,9 @@ def test_a_program_that_is_not_there_is_told(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "shapely", None)
-    shown = CliRunner().invoke(measure, [str(tmp_path), "--only", "shapely", "--each", "0"])
+    shown = CliRunner().invoke(
+        measure, [str(tmp_path), "--only", "shapely", "--most", "6", "--each", "0"]
+    )
     assert shown.stderr.startswith("shapely: shapely is not installed")
 
 
@@ -87,7 +89,9 @@ def test_a_run_that_fails_is_told(
         run.complaints, run.interrupted = complaints, interrupted
 
     monkeypatch.setattr(measure_module, "judge_cases", fail)
-    shown = CliRunner().invoke(measure, [str(tmp_path), "--only", "shapely", "--each", "0"])
+    shown = CliRunner().invoke(
+        measure, [str(tmp_path), "--only", "shapely", "--most", "6", "--each", "0"]
+    )
     assert (shown.exit_code, shown.stderr) == (1, f"Error: shapely: {said}\n")
 
 
@@ -97,9 +101,9 @@ def test_a_program_is_judged_once(tmp_path: Path) -> None:
     asked = [str(tmp_path), "--only", "shapely", "--most", "6", "--each", "0"]
     done = CliRunner().invoke(measure, asked)
     assert done.exit_code == 0, done.output
-    questions = ("no_fit", "inner_fit")
+    questions = ("minkowski_sum", "inner_fit")
     assert done.stderr.splitlines() == [f"shapely, {question}: done" for question in questions]
-    assert re.search(r"\| no-fit polygon \| (\d\d) \| \1 \|  \|  \|", done.stdout)
+    assert re.search(r"\| Minkowski sum \| (\d\d) \| \1 \|  \|  \|", done.stdout)
     journals = [tmp_path / f"shapely.{question}" for question in questions]
     judged = [journal.read_bytes() for journal in journals]
     assert CliRunner().invoke(measure, asked).stdout == done.stdout

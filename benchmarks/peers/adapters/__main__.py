@@ -11,7 +11,7 @@ import click
 
 from benchmarks.peers.adapters.adapter import Adapter, MissingError
 from benchmarks.peers.adapters.names import NAMES, load
-from exactsweep.conform.run.protocol import QUESTIONS, read_object
+from exactsweep.conform.run.protocol import QUESTIONS, SUM, read_object
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import to_fraction
@@ -57,13 +57,13 @@ def _state(name: str) -> str:
 
 def _answer(adapter: Adapter, case: dict[str, Any]) -> dict[str, Any]:
     try:
-        numbers = adapter.hello.numbers
+        numbers, questions = adapter.hello.numbers, adapter.hello.questions
         d, g = (
             [
                 [(_number(x, numbers), _number(y, numbers)) for x, y in ring]
                 for ring in (case[name], *case.get(f"{name}_holes", ()))
             ]
-            for name in ("directrix", "generatrix")
+            for name in (("a", "b") if questions == (SUM,) else ("directrix", "generatrix"))
         )
         shapes: tuple[list[Any], list[Any]] = (d, g)
         if adapter.hello.shapes != "any":

@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple, cast
 
-from exactsweep.conform.run.protocol import Hello, Numbers, Question
+from exactsweep.conform.run.protocol import SUM, Hello, Numbers, Question
 from exactsweep.corpus.answered import Shapes
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.error import ExactSweepError
@@ -54,7 +54,7 @@ class Adapter(NamedTuple):
 
         Args:
             directrix: D, a list of pairs, or of rings where the hello takes any shapes.
-            generatrix: G, likewise.
+            generatrix: G, likewise; or -G if the only question is a Minkowski sum.
             reference: not looked at: the hello says which it is.
             parts: what to answer; if left out, all that the hello promises.
 
@@ -67,6 +67,8 @@ class Adapter(NamedTuple):
         if self.hello.shapes != "any":
             directrix, generatrix = [directrix], [generatrix]
         d, g = prepare_shape(directrix), prepare_shape(generatrix)
+        if self.hello.questions == (SUM,):
+            g = reflect(g)
         fits = [question for question in self.hello.questions if question != "sweep"]
         found: dict[str, Any] = {}
         for part in parts or (*self.hello.loops, *fits):
@@ -97,28 +99,32 @@ def sum_adapter(
 ) -> Adapter:
     """Return the adapter of a program that computes Minkowski sums.
 
-    The no-fit polygon of D and G is the sum of D and of G turned by half a turn. One that takes
-    holes is asked for inner fits, too, as its users do: the holes of the no-fit polygon of a frame
-    around the container.
+    A program that accepts holes is asked for inner fits, too, as its users do: the holes of the sum
+    of a frame around the container and -G.
 
     Args:
         name: of the program, with its version.
         numbers: the numbers that it reads.
-        add: of D and of G turned, each a list of rings: the rings of their sum.
+        add: of D and of -G, each a list of rings: the rings of their sum.
         shapes: the shapes that it accepts.
         close: ends what runs for it.
     """
 
     def ask(part: str, directrix: AskedShape, generatrix: AskedShape) -> dict[str, Any]:
-        inverse = [[(-x, -y) for x, y in ring] for ring in generatrix]
+        inverse = reflect(generatrix)
         if part != "inner_fit":
             return {part: add(directrix, inverse)}
         if len(directrix) > 1:
             raise NotImplementedError("a container with holes")
         return {part: drop_outermost(add(build_frame(directrix[0], inverse[0]), inverse))}
 
-    questions: tuple[Question, ...] = ("no_fit", "inner_fit") if shapes == "any" else ("no_fit",)
+    questions: tuple[Question, ...] = (SUM, "inner_fit") if shapes == "any" else (SUM,)
     return Adapter(Hello(name, (), numbers, "origin", questions, shapes), ask, close)
+
+
+def reflect(shape: AskedShape) -> AskedShape:
+    """Return a shape reflected in the origin."""
+    return [[(-x, -y) for x, y in ring] for ring in shape]
 
 
 def build_frame(container: AskedRing, inverse: AskedRing) -> AskedShape:

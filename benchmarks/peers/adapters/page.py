@@ -16,8 +16,12 @@ from exactsweep.conform.run.tally import ALL, Tally
 _RIGHT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS)
 _OTHERS = tuple(v for v in Verdict if v not in (*_RIGHT, Verdict.UNSUPPORTED))
 _SHOWN = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG, Verdict.MALFORMED)
-_ASKED = {"sweep": "outer path", "no_fit": "no-fit polygon", "inner_fit": "inside a container"}
-
+_ASKED = {
+    "sweep": "outer path",
+    "no_fit": "no-fit polygon",
+    "minkowski_sum": "Minkowski sum",
+    "inner_fit": "inside a container",
+}
 
 COLUMNS = {
     "convex": ("CC",),

@@ -6,6 +6,7 @@
 // g++ -std=c++17 -O2 -I. -o doubles doubles.cpp
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -196,7 +197,9 @@ Shape minkowski_sum(Shape a, Shape b) {
 // The protocol: a hello, then a line for each case.
 
 Point read_point(const json& pair) {
-  return {stod(pair[0].get<string>()), stod(pair[1].get<string>())};
+  // stod would throw at the least doubles.
+  const auto read = [](const json& number) { return strtod(number.get<string>().c_str(), nullptr); };
+  return {read(pair[0]), read(pair[1])};
 }
 
 Shape read_shape(const json& given, const string& name) {
