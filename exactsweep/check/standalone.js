@@ -379,8 +379,6 @@ const ring = (value) => {
 const loop = (value) => {
   const points = listOf(vertex, 3)(value);
   need(new Set(points.map(pointKey)).size === points.length, "a loop repeats a point");
-  need(points.every((p) => lexicographic(points[0], p) <= 0), "a loop does not start at its least point");
-  need(edgesOf(points).every((e, i) => side(e, points.at(i - 1)) !== 0), "a loop has a straight angle");
   need(doubleArea(points).sign() > 0, "a loop is not counter-clockwise");
   return points;
 };
@@ -690,12 +688,13 @@ function checkValid({ frame, outside, pieces, apart }, layout) {
 }
 
 function proveLayout(value) {
-  const isValid = value.get("valid") === true, keys = { layout: layoutReader, turns: listOf(unit), valid: flag };
-  const c = object({ ...header, ...keys, ...(isValid ? { proof: layoutProof } : { faults: listOf(fault, 1) }) })(value);
+  const evidence = { proof: optional(layoutProof), faults: optional(listOf(fault, 1)) };
+  const c = object({ ...header, layout: layoutReader, turns: listOf(unit), valid: flag, ...evidence })(value);
+  need(c.valid ? c.proof && !c.faults : c.faults && !c.proof, "not a proof if valid, and faults if not");
   const byId = place(c.layout, c.turns), of = c.layout.placements.length + " placements";
-  if (isValid) checkValid(c.proof, c.layout);
+  if (c.valid) checkValid(c.proof, c.layout);
   else checkFaults(c.faults, c.layout, byId);
-  return isValid ? "valid layout of " + of : c.faults.length + " faults of a layout of " + of;
+  return c.valid ? "valid layout of " + of : c.faults.length + " faults of a layout of " + of;
 }
 
 // ---- Main

@@ -66,15 +66,12 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
-MAX_DIGITS, MAX_SIZE, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**8, 10**7, 100
+MAX_DIGITS, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**7, 100
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
-NULL: dict[str, Any] = dict.fromkeys(("turn", "radius", "error", "spacing", "margin"), "0") | {
-    "holes": [],
-    "defects": [],
-}
+NULL: Any = dict.fromkeys(("turn", "radius", "error", "spacing", "margin"), "0")
+NULL |= {"holes": [], "defects": []}
 FORM, NO_PIECES = "exterior holes pieces error", {"pieces": list[Any]()}
 AXES, NOWHERE = ((1, 0), (0, 1), (-1, 0), (0, -1)), ((0, 0, 0, 0), -1, 0)
-STILL = AXES[0], False, (0, 0, 1)
 PI = "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348"
 
 Rational = int | Fraction
@@ -105,50 +102,48 @@ def need(condition: Any, reason: str, *points: Point) -> None:
 
 
 class Work:
-    """The steps that are left, of at most a microsecond with short numbers, more with long ones."""
+    """The steps that are left: a microsecond each, more if the certificate has long numbers."""
 
     def __init__(self, certificate: Any, max_steps: float | None) -> None:
-        stack, size = [certificate], 0
-        while stack:
-            item = stack.pop()
-            stack += item.values() if type(item) is dict else item if type(item) is list else ()
-            size += 4 + (len(item) if type(item) is str else 0)
-            need(size + 4 * len(stack) < MAX_SIZE, "too large to be read")
-        self.left = max_steps or max(MAX_STEPS, STEPS_PER_BYTE * size)
+        try:
+            text = json.dumps(certificate)
+        except (TypeError, ValueError, RecursionError) as error:
+            raise Refused(f"not JSON: {error}") from None
+        bits = 5 * max(map(len, re.findall("[0-9/]+", text)), default=0) - 60
+        self.left = max_steps or max(MAX_STEPS, STEPS_PER_BYTE * len(text))
+        self.weight = 1 + bits / 35 + bits**2 / 65000 if bits > 0 else 1
 
-    def spend(self, steps: float, *numbers: int) -> None:
-        """Take steps from those that are left: more than these, as measured, for long numbers."""
-        bits = max(map(int.bit_length, numbers)) - 60 if numbers else 0
-        self.left -= steps * (1 + bits / 35 + bits**2 / 65000) if bits > 0 else steps
-        if self.left < 0:
-            raise Refused("too large: to check it takes more steps than a file of its size may")
+    def spend(self, steps: float) -> None:
+        """Take steps from those that are left."""
+        self.left -= steps * self.weight
+        need(self.left >= 0, "too large: exceeds the step limit for its size")
 
 
 def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
     """Take an object apart by its keys; what is null or left out has its default, or is None."""
     known, required = f"{names} {optional}".split(), {*names.split()}
     right = type(item) is dict and required <= item.keys() <= {*known}
-    need(right, f"{name}: no object of {names}{', perhaps ' * bool(optional)}{optional}")
+    need(right, f"{name}: not an object with keys {names}{optional and '; optional '}{optional}")
     return [NULL.get(key) if item.get(key) is None else item[key] for key in known]
 
 
 def items(name: str, item: Any, size: int | None = None) -> list[Any]:
     """Require a list, of a size if one is given."""
     right = type(item) is list and size in (None, len(item))
-    need(right, f"{name}: no list{'' if size is None else f' of {size} entries'}")
+    need(right, f"{name}: not a list{'' if size is None else f' of {size} entries'}")
     return list(item)
 
 
 def integer(name: str, item: Any, low: int, end: int) -> int:
     """Require an integer in a range."""
-    need(type(item) is int and low <= item < end, f"{name}: no integer from {low} to {end - 1}")
+    need(type(item) is int and low <= item < end, f"{name}: not an integer from {low} to {end - 1}")
     return int(item)
 
 
 def number(name: str, item: Any, is_signed: bool = True) -> Rational:
     """Read a rational in lowest terms."""
     right = type(item) is str and len(item) <= MAX_DIGITS and NUMBER.fullmatch(item)
-    need(right and item != "-0", f"{name}: no number in a string, such as -3 or 5/7")
+    need(right and item != "-0", f"{name}: not a number in a string, such as -3 or 5/7")
     n, m = (int(Decimal(part)) for part in f"{item}/1".split("/")[:2])  # int takes 4,300 digits
     need("/" not in item or gcd(n, m) == 1 < m, f"{name}: not in lowest terms")
     need(is_signed or n >= 0, f"{name}: below 0")
@@ -182,9 +177,9 @@ def shape(name: str, item: Any) -> list[Ring]:
     return [e[::-1] if (area(edges(e)) > 0) == bool(k) else e for k, e in enumerate(rings)]
 
 
-def rectangle(name: str, ends: Sequence[Rational]) -> Ring:
-    """Return a rectangle by its ends, counter-clockwise from its lower left corner on."""
-    left, low, right, high = items(name, [*ends], 4)
+def rectangle(name: str, item: Any) -> Ring:
+    """Read a rectangle by its ends, counter-clockwise from its lower left corner on."""
+    left, low, right, high = (number(name, n) for n in items(name, item, 4))
     need(left < right and low < high, f"{name}: not left, bottom, right, top of a rectangle")
     return [node(left, low), node(right, low), node(right, high), node(left, high)]
 
@@ -239,10 +234,9 @@ def winding(around: Iterable[Edge], z: Point) -> int:
     """Return the winding number: upward less downward edges, strictly right of a point."""
     found = 0
     for p, q, line in around:
-        is_up, is_down = p[1] * z[2] <= z[1] * p[2], q[1] * z[2] <= z[1] * q[2]
-        if is_up != is_down:
-            at = side(line, z)
-            found += (is_up and at > 0) - (is_down and at < 0)
+        up = (p[1] * z[2] <= z[1] * p[2]) - (q[1] * z[2] <= z[1] * q[2])
+        if up and up * side(line, z) > 0:
+            found += up
     return found
 
 
@@ -271,14 +265,14 @@ def tree(boxes: list[tuple[Any, Any]]) -> Any:
     return around, wide + high, (tree(boxes[:half]), tree(boxes[half:]))
 
 
-def near(work: Work, *trees: Any, touch: int = 0) -> Iterator[tuple[Any, Any, Any]]:
+def near(work: Work, a: Any, b: Any, c: Any = NOWHERE, touch: int = 0) -> Iterator[Any]:
     """List items of three trees: the first box overlaps the sum of the others, or touches it."""
-    stack = [trees] if all(trees) else []
+    stack = [(a, b, c)] if a and b and c else []
     while stack:
         found = stack.pop()
-        ((a, b, c, d), m, _), ((e, f, g, h), n, _), ((i, j, k, l), o, _) = found  # noqa: E741
+        ((a, b, c, d), m, _), ((e, f, g, h), n, _), ((p, q, r, s), o, _) = found
         work.spend(1)
-        if e + i < b + touch and a < f + j + touch and g + k < d + touch and c < h + l + touch:
+        if e + p < b + touch and a < f + q + touch and g + r < d + touch and c < h + s + touch:
             at = 0 if m >= n and m >= o else 1 if n >= o else 2
             if found[at][1] < 0:
                 yield found[0][2], found[1][2], found[2][2]
@@ -300,13 +294,11 @@ def is_convex(points: Ring) -> bool:
 def cancel(name: str, pieces: list[Ring], rings: list[Ring]) -> None:
     """Require that edges of pieces and rings have the same starts less ends on every line."""
     left = Counter[tuple[Line, Point]]()
-    for sign, points in (*((1, e) for e in pieces), *((-1, e) for e in rings)):
-        for p, q, (a, b, c) in edges(points):
-            line = max((a, b, c), (-a, -b, -c))
-            left[line, p] += sign
-            left[line, q] -= sign
+    for p, q, (a, b, c) in chain(*map(edges, pieces + [points[::-1] for points in rings])):
+        line = max((a, b, c), (-a, -b, -c))
+        left.update({(line, p): 1, (line, q): -1})
     wrong = [p for (_, p), times in left.items() if times][:1]
-    need(not wrong, f"{name}: edges of pieces do not cancel to those of its rings", *wrong)
+    need(not wrong, f"{name}: edges of the pieces do not cancel to its rings", *wrong)
 
 
 def apart(one: list[Edge], other: list[Edge]) -> bool:
@@ -322,10 +314,9 @@ def solid(name: str, rings: list[Ring], item: Any, work: Work) -> list[Ring]:
         need(is_convex(points), f"{name}, piece {k}: not convex, counter-clockwise", points[0])
     cancel(name, pieces, rings)
     around, scale = [*map(edges, pieces)], scale_of(chain(*rings))
-    longest = [max(map(abs, chain(*chain(*e)))) for e in around]
     boxes = tree([(box(points, scale), k) for k, points in enumerate(pieces)])
-    for k, j, _ in near(work, boxes, boxes, NOWHERE):
-        work.spend(len(pieces[k]) * len(pieces[j]), longest[k], longest[j])
+    for k, j, _ in near(work, boxes, boxes):
+        work.spend(len(pieces[k]) * len(pieces[j]))
         is_apart = k >= j or apart(around[k], around[j])
         need(is_apart, f"{name}: pieces {k} and {j} are not apart", pieces[k][0])
     return pieces
@@ -337,19 +328,14 @@ def inner_point(piece: Ring) -> Point:
     return reduce(x, y, 3 * w)
 
 
-def groups(pieces: list[Ring]) -> list[Point]:
+def groups(pieces: list[Ring], work: Work) -> list[Point]:
     """Return a point inside one piece of each group that is connected by common vertices."""
-    leader = {p: p for piece in pieces for p in piece}
-
-    def find(p: Point) -> Point:
-        while leader[p] != p:
-            leader[p] = p = leader[leader[p]]
-        return p
-
+    found = list[set[Point]]()
     for piece in pieces:
-        for p in piece:
-            leader[find(p)] = find(piece[0])
-    return [*{find(piece[0]): inner_point(piece) for piece in pieces}.values()]
+        met = [group for group in found if not group.isdisjoint(piece)]
+        work.spend(len(found) / 2 + sum(map(len, met)) / 10)
+        found = [group for group in found if group not in met] + [{*piece}.union(*met)]
+    return [next(inner_point(e) for e in pieces if e[0] in group) for group in found]
 
 
 # --- Sums and the lemma ---------------------------------------------------------------------------
@@ -366,14 +352,11 @@ class Known(NamedTuple):
 
 
 def loop(name: str, item: Any, step: int = 1) -> list[Known]:
-    """Read a loop: counter-clockwise, no straight angle, least point first; walk it, -1 back."""
+    """Read a loop, counter-clockwise, and walk it as listed, or back if the step is -1."""
     points = read_points(name, item)
     need(len({*points}) == len(points) > 2, f"{name}: a repeated point, or too few", *points[:1])
     around = edges(points[::step])
-    bends = zip(around, [around[-1], *around[:-1]], strict=True)
-    bent = all(e[2][0] * f[2][1] != e[2][1] * f[2][0] for e, f in bends)
-    need(bent and area(around) * step > 0, f"{name}: clockwise, or a straight angle", points[0])
-    need(points[0] == min(points, key=place), f"{name}: its least point is not first", points[0])
+    need(area(around) * step > 0, f"{name}: clockwise", points[0])
     return [Known(*e, name, f"{name}, edge {k}") for k, e in enumerate(around)]
 
 
@@ -384,31 +367,35 @@ def loops(name: str, item: Any) -> list[Known]:
 
 def fits(name: str, item: Any) -> list[Known]:
     """Read a list of fits."""
-    ends = [edges(read_points(name, fit, 2))[0] for fit in items(name, item)]
-    need(len({*ends}) == len(ends), f"{name}: one is there twice")
+    ends = (edges(read_points(name, fit, 2))[0] for fit in items(name, item))
     return [Known(*e, "", f"{name}[{k}]") for k, e in enumerate(ends)]
 
 
 class Sums:
     """The interiors of D_i + H_j, of number i n + j for n pieces H_j, and then half-planes."""
 
-    def __init__(self, d: Sequence[Ring], h: list[Ring], work: Work, beyond: list[Edge]) -> None:
+    def __init__(self, name: str, d: list[Ring], h: list[Ring], work: Work, beyond: Any = ()):
         self.work, self.count, self.columns, self.beyond = work, len(d) * len(h), len(h), beyond
-        self.scale = scale_of(chain(*d, *h))
+        self.name, self.scale = name, scale_of(chain(*d, *h))
         self.trees = [tree([(box(e, self.scale), k) for k, e in enumerate(of)]) for of in (d, h)]
         lowest = [[e.index(min(e, key=lambda p: place(p)[::-1])) for e in of] for of in (d, h)]
         pairs = [zip(*of, strict=True) for of in zip((d, h), lowest, strict=True)]
         self.d, self.h = ([edges(e[k:] + e[:k]) for e, k in of] for of in pairs)
         self.get = lru_cache(10**5 // max(map(len, chain(d, h, [()]))) + 1)(self.find)
 
-    def find(self, k: int) -> tuple[list[Line], list[Edge], int]:
-        """Return the lines and the sides of a sum or a half-plane, and a number as long as any."""
-        sides = self.beyond[k - self.count : k - self.count + 1]
-        if k < self.count:
-            one, other = self.d[k // self.columns], self.h[k % self.columns]
-            self.work.spend(3 * (len(one) + len(other)), *one[0][2], *other[0][2])
-            sides = edges(add_pieces(one, other))
-        return [line for *_, line in sides], sides, max(map(abs, chain(*chain(*sides))))
+    def find(self, k: int) -> list[Edge]:
+        """Return the sides of a sum or a half-plane."""
+        if k >= self.count:
+            return [self.beyond[k - self.count]]
+        one, other = self.d[k // self.columns], self.h[k % self.columns]
+        self.work.spend(3 * (len(one) + len(other)))
+        return edges(add_pieces(one, other))
+
+    def clip(self, k: int, a: Point, b: Point) -> Span | None:
+        """Return the interval of a segment that is in a sum or a half-plane."""
+        sides = self.get(k)
+        self.work.spend(4 + len(sides))
+        return clip((line for *_, line in sides), a, b)
 
 
 def add_pieces(one: list[Edge], other: list[Edge]) -> Ring:
@@ -422,39 +409,35 @@ def add_pieces(one: list[Edge], other: list[Edge]) -> Ring:
     return found
 
 
-def clip(lines: list[Line], a: Point, b: Point) -> Span | None:
-    """Return the interval of a segment, 0 at a and 1 at b, that is left of lines, or None.
+def clip(lines: Iterable[Line], a: Point, b: Point, closed: bool = False) -> Span | None:
+    """Return the interval of a segment that is left of lines, 0 at a and 1 at b, or None.
 
-    It is open; if an end is left of all lines, it extends beyond that end, to -1 or 2.
+    A closed one has its ends, and they are from 0 to 1; an open one that contains a or b extends
+    beyond it, to -1 or 2.
     """
-    (x, y, w), (u, v, z), low, high = a, b, (-1, 1), (2, 1)
+    (x, y, w), (u, v, z), least = a, b, 1 - closed
+    low, high = ((0, 1), (1, 1)) if closed else ((-1, 1), (2, 1))
     for k, m, n in lines:
         at_a, at_b = (k * x + m * y + n * w) * z, (k * u + m * v + n * z) * w
-        if at_a <= 0:
-            if at_b <= 0:
+        if at_a < least:
+            if at_b < least:
                 return None
             if -at_a * low[1] > low[0] * (at_b - at_a):
                 low = -at_a, at_b - at_a
-        elif at_b <= 0 and at_a * high[1] < high[0] * (at_a - at_b):
+        elif at_b < least and at_a * high[1] < high[0] * (at_a - at_b):
             high = at_a, at_a - at_b
     start, end = (n if m == 1 else Fraction(n, m) for n, m in (low, high))
-    return (start, end, False) if start < end else None
+    return (start, end, closed) if start < end + closed and start <= end else None
 
 
-def share(one: Sequence[Any], other: Sequence[Any]) -> Span | None:
-    """Return the interval of a segment, 0 at its start and 1 at its end, on another, or None."""
-    (a, b, on), (p, q, of) = one[:3], other[:3]
-    at_p, at_q = side(on, p), side(on, q)
-    if at_p == at_q == 0:
-        k = int(a[0] * b[2] == b[0] * a[2])
-        x, y, u, v = (Fraction(e[k], e[2]) for e in (a, b, p, q))
-        low, high = sorted(((u - x) / (y - x), (v - x) / (y - x)))
-        return (low, high, True) if low <= 1 and high >= 0 else None
-    at_a, at_b = side(of, a) * b[2], side(of, b) * a[2]
-    if at_p * at_q > 0 or at_a * at_b > 0 or at_a == at_b:
-        return None
-    at = Fraction(at_a, at_a - at_b)
-    return at, at, True
+def clip_on(edge: Sequence[Any], a: Point, b: Point) -> Span | None:
+    """Return the interval of a segment that is on a closed one, which may be a point, or None."""
+    p, q, (k, m, n) = edge[:3]
+    left, right = (p, q) if m > 0 else (q, p)
+    low, high = (p, q) if k < 0 else (q, p)
+    beside = (left[2], 0, -left[0]), (-right[2], 0, right[0])
+    lines = (k, m, n), (-k, -m, -n), *beside, (0, low[2], -low[1]), (0, -high[2], high[1])
+    return clip(lines, a, b, closed=True)
 
 
 def covers(spans: Iterable[Span | None]) -> bool:
@@ -467,69 +450,58 @@ def covers(spans: Iterable[Span | None]) -> bool:
     return reach > 1 or (reach == 1 and is_closed)
 
 
-def distinct(one: Known, other: Known) -> bool:
-    """Return whether an edge has at most a point on another: in a loop an end, of a fit none."""
-    span = share(one, other) if one.start != one.end else None
-    may_meet = other.start != other.end
-    if one.loop == other.loop != "":
-        may_meet = one.end == other.start or one.start == other.end
-    return span is None or (may_meet and min(span[1], 1) <= max(span[0], 0))
-
-
-def boundary(name: str, sums: Sums, known: list[Known], listed: Any, around: list[Any]) -> None:
-    """Prove (a), (b), (c) and (e) of the lemma."""
+def boundary(sums: Sums, known: list[Known], entries: list[Any], inner: Any, wanted: int) -> None:
+    """Prove what the lemma needs; W is wanted at the sums of inner points of both lists."""
     work, at = sums.work, tree([(box(e[:2], sums.scale), e) for e in known])
-    for edge, other, _ in near(work, at, at, NOWHERE, touch=1):
-        work.spend(12, *edge.line, *other.line)
-        need(edge is other or distinct(edge, other), f"{edge.name}: meets {other.name}", edge.start)
+    for one, other, _ in near(work, at, at, touch=1):
+        work.spend(12)
+        span = one is not other and clip_on(other, one.start, one.end)
+        is_end = one.loop != other.loop or one.end == other.start or one.start == other.end
+        is_distinct = not span or (span[0] == span[1] and (is_end or not one.loop))
+        need(is_distinct, f"{one.name}: meets {other.name}", one.start)
     for edge, i, j in near(work, at, *sums.trees):
-        lines, _, longest = sums.get(i * sums.columns + j)
-        work.spend(3 + len(lines), longest, *edge.line)
-        is_clear = clip(lines, edge.start, edge.end) is None
+        is_clear = sums.clip(i * sums.columns + j, edge.start, edge.end) is None
         need(is_clear, f"{edge.name}: inside the sum of pieces {i} and {j}", edge.start)
-    beside = cover_sides(name, sums, known, listed, around)
+    cover_sides(sums, known, entries)
+    wind(sums.name, known, (add(p, q) for p, q in product(*inner)), wanted, work)
+
+
+def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
+    """Prove (b), and (c) by intervals of known edges with sums on their left or right."""
+    name, beside = sums.name, defaultdict[Any, list[Span | None]](list)
+    for n, entry in enumerate(entries):
+        first = [*items(f"{name}[{n}]", entry), None][0]
+        integer(f"{name}[{n}]", first, 0, sums.count + len(sums.beyond))
+    for n, (k, *chains) in enumerate(entries):
+        at, sides = f"{name}[{n}]", sums.get(k)
+        for one, found in zip(sides, items(at, chains, len(sides)), strict=True):
+            spans = list[Span | None]()
+            for m in [found] if type(found) is int else items(at, found):
+                if integer(at, m, -len(known), len(entries)) >= 0:
+                    spans.append(sums.clip(entries[m][0], *one[:2]))
+                    continue
+                sums.work.spend(45)
+                edge, (x, y, _) = known[-1 - m], one[2]
+                spans.append(clip_on(edge, *one[:2]))
+                back = spans[-1] and clip_on(one, edge.start, edge.end)
+                if back and back[0] < back[1]:  # a fit of one point is on both sides of itself
+                    way = x * edge.line[0] + y * edge.line[1]
+                    for left in {way > 0, way >= 0}:
+                        beside[-1 - m, left].append(back)
+            need(covers(spans), f"{at}: a side of it is not covered", one[0])
     for n, edge in enumerate(known):
         for left in (True,) if edge.loop else (True, False):
             reason = f"{edge.name}: {name} are not along all of its {'left' if left else 'right'}"
             need(covers(beside[n, left]), reason, edge.start)
 
 
-def cover_sides(name: str, sums: Sums, known: list[Known], listed: Any, around: list[Any]) -> Any:
-    """Prove (b); return intervals of each known edge, by number, with sums on its left or right."""
-    entries = [*items(name, listed), *([sums.count + k, e] for k, e in enumerate(around))]
-    beside, count = defaultdict[Any, list[Span | None]](list), sums.count + len(around)
-    for n, entry in enumerate(entries):
-        integer(f"{name}[{n}]", [*items(f"{name}[{n}]", entry), None][0], 0, count)
-    for at, (k, *chains) in ((f"{name}[{n}]", entry) for n, entry in enumerate(entries)):
-        sides = sums.get(k)[1]
-        for one, found in zip(sides, items(at, chains, len(sides)), strict=True):
-            spans = list[Span | None]()
-            for n in [found] if type(found) is int else items(at, found):
-                if integer(at, n, -len(known), len(entries)) >= 0:
-                    lines, _, longest = sums.get(entries[n][0])
-                    sums.work.spend(4 + len(lines), longest, *one[2])
-                    spans.append(clip(lines, one[0], one[1]))
-                    continue
-                edge, span = known[-1 - n], share(one, known[-1 - n])
-                sums.work.spend(45, *edge.line, *one[2])
-                spans.append(span)
-                if span and edge.start == edge.end:
-                    beside[-1 - n, True] = beside[-1 - n, False] = [(0, 1, True)]
-                elif span and span[0] < span[1]:
-                    left = one[2][0] * edge.line[0] + one[2][1] * edge.line[1] > 0
-                    beside[-1 - n, left].append(share(edge, one))
-            need(covers(spans), f"{at}: a side of it is not covered", one[0])
-    return beside
-
-
 def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, work: Work) -> None:
     """Prove (d) of the lemma: require a winding number of all loops at points."""
     around = [edge[:3] for edge in known if edge.loop]
-    longest = max(map(abs, chain((0,), *chain(*around))))
     for z in points:
-        work.spend(len(around) / 2, longest, *z)
+        work.spend(len(around) / 2)
         times = winding(around, z)
-        need(times == wanted, f"{name}: there loops wind {times} times, not {wanted}", z)
+        need(times == wanted, f"{name}: winding number {times}, expected {wanted}", z)
 
 
 # --- Positions ------------------------------------------------------------------------------------
@@ -547,20 +519,19 @@ def no_fit(c: Any, work: Work) -> str:
     need(d and g, "proof: no pieces")
     t, h = loop("exterior", exterior), reflect(g)
     known = [*t, *loops("holes", holes), *fits("exact_fits", exact)]
-    boundary("sums", Sums(d, h, work, []), known, listed, [])
-    wind("sums", known, (add(p, q) for p, q in product(groups(d), groups(h))), 1, work)
+    inner = groups(d, work), groups(h, work)
+    boundary(Sums("sums", d, h, work), known, items("sums", listed), inner, 1)
     found = f"no-fit polygon of {len(known)} edges and exact fits"
     if more:
-        inner, outer, unswept, told = answer[:4]
-        walked, slits = loop("inner", inner, -1), fits("slits", swept[1])
-        known = [*loop("outer", outer), *walked, *loops("unswept", unswept)]
-        path = [[edge.start, edge.end] for edge in t]
-        boundary("swept", Sums(path, g, work, []), known + slits, swept[0], [])
-        wind("swept", known, (add(t[0].start, inner_point(piece)) for piece in g), 1, work)
+        walked, slits = loop("inner", answer[0], -1), fits("slits", swept[1])
+        known = [*loop("outer", answer[1]), *walked, *loops("unswept", answer[2])]
+        sums = Sums("swept", [[e.start, e.end] for e in t], g, work)
+        inner = [t[0].start], [*map(inner_point, g)]
+        boundary(sums, known + slits, items("swept", swept[0]), inner, 1)
         wind("inner, at the directrix", walked, [inner_point(d[0])], -1, work)
         total = area(edge[:3] for edge in known)
-        need(number("area", told) == total, "area: not that between the loops")
-        return f"sweep of {len(known)} edges; {found}"
+        need(number("area", answer[3]) == total, "area: differs from the area between the loops")
+        found = f"sweep of {len(known)} edges; {found}"
     return found
 
 
@@ -569,8 +540,7 @@ def inner_fit(c: Any, work: Work) -> str:
     names = f"container part regions exact_fits proof {HEAD}"
     first, second, regions, exact, proof = fields("certificate", c, names)[:5]
     ends, cut, others, listed, around = fields("proof", proof, "frame outside part sums around")
-    sides, known = [number("frame", n) for n in items("frame", ends)], list[Known]()
-    frame = rectangle("frame", sides)
+    frame, known = rectangle("frame", ends), list[Known]()
     rings = [frame, *(points[::-1] for points in shape("container", first))]
     d = solid("outside", rings, cut, work)
     h = reflect(solid("part", shape("part", second), others, work))
@@ -580,14 +550,15 @@ def inner_fit(c: Any, work: Work) -> str:
     known += fits("exact_fits", exact)
     xs, ys = zip(*map(place, chain(*h)), strict=True)
     less = max(xs), max(ys), min(xs), min(ys)
-    inner = [end + by for end, by in zip(sides, less, strict=True)]
-    within = edges(rectangle("frame, for the part", inner))
+    ends = zip([*place(frame[0]), *place(frame[2])], less, strict=True)
+    within = edges(rectangle("frame, for the part", [str(n + by) for n, by in ends]))
     beyond = [(q, p, (-a, -b, -c)) for p, q, (a, b, c) in within]
     for edge, (*_, line) in product(known, within):
         is_within = side(line, edge.start) >= 0 <= side(line, edge.end)
-        need(is_within, f"{edge.name}: there the part is not in the frame", edge.start)
-    boundary("sums", Sums(d, h, work, beyond), known, listed, items("around", around, 4))
-    wind("sums", known, (add(p, q) for p, q in product(groups(d), groups(h))), 0, work)
+        need(is_within, f"{edge.name}: the part leaves the frame", edge.start)
+    more = [[len(d) * len(h) + n, e] for n, e in enumerate(items("around", around, 4))]
+    inner = groups(d, work), groups(h, work)
+    boundary(Sums("sums", d, h, work, beyond), known, items("sums", listed) + more, inner, 0)
     return f"inner fit of {len(known)} edges and exact fits in {len(regions)} regions"
 
 
@@ -628,7 +599,7 @@ def read_rotation(name: str, item: Any) -> Any:
     """Read a rotation: cosine and sine, or degrees if these are irrational."""
     if type(item) is list:
         found = place(read_points(name, [item])[0])
-        need(sum(n * n for n in found) == 1, f"{name}: cosine and sine of another length than 1")
+        need(sum(n * n for n in found) == 1, f"{name}: cosine and sine not on the unit circle")
         return found
     degrees = number(name, item) % 360
     return degrees if degrees % 90 else AXES[int(degrees) // 90]
@@ -644,7 +615,7 @@ def rotation_error(to: Any, degrees: Rational) -> Rational:
     return abs(Fraction(to[0]) - cosine) + abs(Fraction(to[1]) - sine) + Fraction(1, 10**88)
 
 
-def move(points: Ring, to: Any, mirrored: bool, by: Point) -> Ring:
+def move(points: Ring, to: Any = AXES[0], mirrored: bool = False, by: Point = (0, 0, 1)) -> Ring:
     """Mirror, rotate and move a ring; all its points get one denominator."""
     unit, r, (u, v, z) = lcm(*(w for *_, w in points)), to[0].as_integer_ratio()[1], by
     c, s, w, found = int(to[0] * r), int(to[1] * r), unit * r, list[Point]()  # r is of both
@@ -675,36 +646,36 @@ def is_inside(body: Body, p: Point, depth: Rational) -> bool:
     return found
 
 
+Part = tuple[Body, list[Any], list[Any]]
+
+
 class Layout:
     """A layout and its evidence: parts by id, and bodies: placements, and obstacles last."""
 
     def __init__(self, c: Any, work: Work) -> None:
-        self.work, self.valid = work, c.get("valid")
-        need(type(self.valid) is bool, "valid: neither true nor false")
-        names = f"layout turns valid {'proof' if self.valid else 'faults'} {HEAD}"
-        given, turns, _, self.evidence = fields("certificate", c, names)[:4]
+        names = f"layout turns valid {HEAD}"
+        given, turns, valid, *_, proof, faults = fields("certificate", c, names, "proof faults")
+        is_known = [valid is True, valid is False] == [proof is not None, faults is not None]
+        need(is_known, "valid: neither true with a proof nor false with faults")
         more = "container defects spacing margin"
         parts, placed, container, defects, *gaps = fields("layout", given, "parts placements", more)
+        self.work, self.valid, self.faults = work, valid, faults
         self.spacing, self.margin = (number("spacing, margin", n, False) for n in gaps)
         solids = [NO_PIECES if container is None else container, *items("defects", defects)]
         cut: list[Any] = [None] * len(items("parts", parts))
-        outside, ends, self.frame = [None] * len(solids), None, list[Ring]()
-        if self.valid:
-            more = "outside pieces apart"
-            outside, cut, self.normals, ends = fields("proof", self.evidence, more, "frame")
-        if ends is not None:
-            ends = [number("frame", n) for n in items("frame", ends)]
-            self.frame.append(rectangle("frame", ends))
-        self.parts, self.bodies = dict[str, tuple[Body, list[Any], list[Any]]](), list[Body]()
+        outside, ends, self.parts = [None] * len(solids), None, dict[str, Part]()
+        if valid:
+            names = "outside pieces apart"
+            outside, cut, self.normals, ends = fields("proof", proof, names, "frame")
+        self.frame = [] if ends is None else [rectangle("frame", ends)]
         for k, own in enumerate(items("pieces", cut, len(parts))):
-            name, more = f"parts[{k}]", f"demand turns mirrored {FORM}"
-            key, *rules = fields(name, parts[k], "id", more)
-            is_new = type(key) is str and key not in self.parts
-            need(is_new, f"{name}: its id is no string of its own")
+            name = f"parts[{k}]"
+            key, *rules = fields(name, parts[k], "id", f"demand turns mirrored {FORM}")
+            need(type(key) is str and key not in self.parts, f"{name}: id missing or not unique")
             self.parts[key] = self.read_body(name, rules[3:], own), rules[:3], []
-        self.count = len(items("placements", placed))
+        self.bodies, self.count = list[Body](), len(items("placements", placed))
         for k, to in enumerate(items("turns", turns, self.count)):
-            self.read_placement(f"placements[{k}]", placed[k], to)
+            self.bodies.append(self.read_placement(f"placements[{k}]", placed[k], to))
         for k, own in reversed([*enumerate(items("outside", outside, len(solids)))]):
             name = f"defects[{k - 1}]" if k else "container"
             self.bodies.append(self.read_body(name, fields(name, solids[k], "", FORM), own))
@@ -720,14 +691,14 @@ class Layout:
                 rings = self.frame + [points[::-1] for points in rings]
             found = [(rings, 0)]
             if self.valid:
-                found = [([move(e, *STILL)], 0) for e in solid(name, rings, cut, self.work)]
+                found = [([move(e)], 0) for e in solid(name, rings, cut, self.work)]
         else:
             is_one = not is_outside or (len(items(name, given)) < 2 and not self.frame)
             is_alone = is_one and cut is exterior is None and not holes
             need(is_alone, f"{name}: not rounded pieces alone")
             for k, item in enumerate(items(name, given)):
                 points, radius = fields(f"{name}, piece {k}", item, "points", "radius")
-                piece = move(read_points(f"{name}, piece {k}", points), *STILL)
+                piece = move(read_points(f"{name}, piece {k}", points))
                 is_piece = is_convex(piece) if len(piece) > 2 else piece
                 need(is_piece, f"{name}, piece {k}: not convex, counter-clockwise")
                 length = number(f"{name}, piece {k}, radius", radius, False)
@@ -735,25 +706,21 @@ class Layout:
         need(found or is_outside, f"{name}: no pieces")
         return Body(name, found, number(f"{name}, error", error, False), int(not is_outside))
 
-    def read_placement(self, name: str, item: Any, rational: Any) -> None:
+    def read_placement(self, name: str, item: Any, rational: Any) -> Body:
         """Read a placement, and put its part there."""
         key, by, turn, flag = fields(name, item, "part move", "turn mirrored")
-        need(type(key) is str and key in self.parts, f"{name}: of no part")
+        need(type(key) is str and key in self.parts, f"{name}: unknown part")
         need(flag is None or type(flag) is bool, f"{name}, mirrored: neither true nor false")
         asked, to = read_rotation(name, turn), read_rotation(name, items(name, rational))
-        (body, _, used), moved = self.parts[key], list[Solid]()
-        error, points, motion = (
-            body.error,
-            body.points(),
-            (to, flag is True, *read_points(name, [by])),
-        )
-        self.work.spend(20 + 10 * len(points), *chain(*points))
+        body, _, used = self.parts[key]
+        error, points, by = body.error, body.points(), read_points(name, [by])[0]
+        self.work.spend(20 + 10 * len(points))
         if asked != to:
-            need(type(asked) is not tuple, f"{name}: its entry of turns is another rotation")
+            need(type(asked) is not tuple, f"{name}: its entry in turns is a different rotation")
             error += max(sum(map(abs, place(p))) for p in points) * rotation_error(to, asked)
         used.append((asked, flag is True))
-        moved = [([move(e, *motion) for e in rings], radius) for rings, radius in body.solids]
-        self.bodies.append(Body(f"{name} of {key[:40]!a}", moved, error, 1))
+        moved = [([move(e, to, flag is True, by) for e in rings], r) for rings, r in body.solids]
+        return Body(f"{name} of {key[:40]!a}", moved, error, 1)
 
     def find_broken(self) -> Iterator[tuple[str, str]]:
         """List the rules that are broken, each with the id of a part."""
@@ -775,7 +742,7 @@ class Layout:
         for n, entry in enumerate(items("apart", self.normals)):
             *key, x, y = items(f"apart[{n}]", entry, 6)
             a, i, b, j = (integer(f"apart[{n}]", k, least, 10**9) for k in key)
-            need((a, i, b, j) not in normals, f"apart[{n}]: another normal for the same pieces")
+            need((a, i, b, j) not in normals, f"apart[{n}]: duplicate normal for these pieces")
             normals[a, i, b, j] = read_points(f"apart[{n}]", [[x, y]])[0][:2]
         for one in self.bodies[: self.count]:
             for (points,), radius in one.solids:
@@ -783,7 +750,7 @@ class Layout:
                 for p, way in zip(*self.frame, AXES, strict=True) if self.frame else ():
                     need(gap([p], points, way, room), f"{one.name}: not in the frame", points[0])
                 for p in () if self.frame else points:
-                    self.work.spend(60 * len(beyond.points()), *p, *chain(*beyond.points()))
+                    self.work.spend(60 * len(beyond.points()))
                     need(not is_inside(beyond, p, -room), f"{one.name}: not in the container", p)
         scale = scale_of(p for one in self.bodies for p in one.points())
         for a in range(least, self.count):
@@ -791,11 +758,11 @@ class Layout:
             for i, ((points,), radius) in enumerate(one.solids if a != -1 or self.frame else ()):
                 boxes.append((box(points, scale, reach + one.error + radius), (a, i)))
         at = tree(boxes)
-        for (a, i), (b, j), _ in near(self.work, at, at, NOWHERE):
+        for (a, i), (b, j), _ in near(self.work, at, at):
             if a < b and b >= 0:
                 one, other = self.bodies[a], self.bodies[b]
                 ((points,), r), ((others,), s) = one.solids[i], other.solids[j]
-                self.work.spend(12 + len(points) + len(others), *points[0], *others[0])
+                self.work.spend(12 + len(points) + len(others))
                 far = r + s + one.error + other.error + (self.margin if a < 0 else self.spacing)
                 known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1))
                 is_apart = any(gap(points, others, n, far) for n in (known or AXES[0], *AXES))
@@ -806,9 +773,10 @@ class Layout:
         """Prove one fault; return what has it."""
         kind, key, on, at = fields(name, fault, "kind", "part placements point")
         points, least = read_points(name, [] if at is None else [at]), self.count - len(self.bodies)
-        need(type(kind) is str and (on is None) != (key is None), f"{name}: of what")
+        is_one = type(kind) is str and (on is None) != (key is None)
+        need(is_one, f"{name}: needs either part or placements")
         if on is None:
-            need(type(key) is str and key in self.parts, f"{name}: of no part")
+            need(type(key) is str and key in self.parts, f"{name}: unknown part")
             is_broken, body = (kind, key) in broken, self.parts[key][0]
             if points:
                 self.work.spend(len(body.points()))
@@ -818,14 +786,16 @@ class Layout:
             return kind, key
         a, b = (integer(name, k, least, self.count) for k in items(name, on, 2))
         is_close, one, other = kind == "too close", self.bodies[a], self.bodies[b]
-        need(is_close or kind == ("outside" if b < 0 else "overlap"), f"{name}: no such fault")
-        need(a >= 0 and a != b and points, f"{name}: not two bodies and a point")
+        is_kind = is_close or kind == ("outside" if b < 0 else "overlap")
+        need(
+            is_kind and a >= 0 and a != b and points, f"{name}: not {kind} of two bodies at a point"
+        )
         room = (self.margin if b < 0 else self.spacing) - one.error - other.error
+        need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)
         for body in (one, other):
-            self.work.spend(60 * len(body.points()), *points[0], *chain(*body.points()))
+            self.work.spend(60 * len(body.points()))
             is_there = is_inside(body, points[0], -room / Fraction(2) if is_close else body.error)
             need(is_there, f"{name}: not inside {body.name}, or not near enough", *points)
-        need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)
         return frozenset((a, b))
 
 
@@ -834,12 +804,12 @@ def layout(c: Any, work: Work) -> str:
     found = Layout(c, work)
     broken, name = {*found.find_broken()}, f"layout of {found.count} placements"
     if found.valid:
-        need(not broken, f"valid: but rules are broken, {sorted(broken)[:3]!a}")
+        need(not broken, f"valid, but rules are violated: {sorted(broken)[:3]!a}")
         found.prove_valid()
         return f"{name}, valid"
-    faults = items("faults", found.evidence)
+    faults = items("faults", found.faults)
     proved = {found.prove_fault(f"faults[{k}]", fault, broken) for k, fault in enumerate(faults)}
-    need(len(proved) == len(faults) > 0, "faults: none, or one is there twice")
+    need(len(proved) == len(faults) > 0, "faults: empty or duplicate")
     return f"{name}, not valid: {len(faults)} faults"
 
 
@@ -863,7 +833,7 @@ def load(text: str) -> Any:
     """Read JSON in which no object has one key twice."""
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        need(len(dict(pairs)) == len(pairs), "a key is there twice")
+        need(len(dict(pairs)) == len(pairs), "duplicate key")
         return dict(pairs)
 
     return json.loads(text, object_pairs_hook=once)

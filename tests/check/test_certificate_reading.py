@@ -66,7 +66,7 @@ def test_lists_that_hold_themselves_are_refused() -> None:
     ring: list[Any] = []
     ring += [ring] * 3
     certificate: Certificate = {**two_ls(), "turns": ring}
-    with pytest.raises(Refused, match="too large"):
+    with pytest.raises(Refused, match="not JSON"):
         prove(certificate)
 
 
@@ -101,7 +101,7 @@ def test_numbers_have_one_form(text: str) -> None:
 def test_long_numbers_are_read(digits: int) -> None:
     assert number("x", "1" + "0" * digits) == 10**digits
     assert number("x", "-1/1" + "0" * digits) * 10**digits == -1
-    with pytest.raises(Refused, match="no number in a string"):
+    with pytest.raises(Refused, match="not a number in a string"):
         number("x", "1" * 100_001)
 
 

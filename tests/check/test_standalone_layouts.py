@@ -60,27 +60,27 @@ def test_layouts_are_proved() -> None:
 PLACED = ("layout", "placements")
 PART = ("layout", "parts", 0)
 VALID = {
-    "neither true nor false": (having("valid", to=1), "valid: neither true nor false"),
-    "another id": (having(*PLACED, 0, "part", to="x"), "placements[0]: of no part"),
+    "neither true nor false": (having("valid", to=1), "valid: neither true with"),
+    "another id": (having(*PLACED, 0, "part", to="x"), "placements[0]: unknown part"),
     "an id of two parts": (
         lambda c: put(
             put(c, ("layout", "parts"), c["layout"]["parts"] * 2),
             ("proof", "pieces"),
             c["proof"]["pieces"] * 2,
         ),
-        "parts[1]: its id is no string of its own",
+        "parts[1]: id missing or not unique",
     ),
     "mirrored is none": (having(*PLACED, 0, "mirrored", to=0), "mirrored: neither true nor false"),
     "a part's is none": (having(*PART, "mirrored", to=0), "mirrored: neither true nor false"),
-    "a demand that is none": (having(*PART, "demand", to=10**9), "demand: no integer from 0"),
-    "another demand": (having(*PART, "demand", to=3), "rules are broken, [('missing', 'L')]"),
-    "a smaller demand": (having(*PART, "demand", to=1), "rules are broken, [('surplus', 'L')]"),
+    "a demand that is none": (having(*PART, "demand", to=10**9), "demand: not an integer from 0"),
+    "another demand": (having(*PART, "demand", to=3), "rules are violated: [('missing', 'L')]"),
+    "a smaller demand": (having(*PART, "demand", to=1), "rules are violated: [('surplus', 'L')]"),
     "a rotation that is not allowed": (having(*PART, "turns", to=["0"]), "[('turn', 'L')]"),
     "a rotation that is none": (
         having(*PART, "turns", to=[["1", "1"]]),
-        "cosine and sine of another length",
+        "cosine and sine not on the unit",
     ),
-    "another rotation": (having("turns", 0, to=["0", "1"]), "its entry of turns is another"),
+    "another rotation": (having("turns", 0, to=["0", "1"]), "its entry in turns is a different"),
     "mirroring that is not allowed": (
         lambda c: put(put(c, (*PLACED, 0, "mirrored"), True), (*PART, "mirrored"), False),
         "[('mirror', 'L')]",
@@ -108,13 +108,13 @@ VALID = {
     ),
     "a normal that is there twice": (
         having("proof", "apart", to=[[0, 0, 1, 0, "1", "0"]] * 2),
-        "another normal for the same pieces",
+        "duplicate normal for these pieces",
     ),
     "a normal for no piece": (
         having("proof", "apart", to=[[-2, 0, 1, 0, "1", "0"]]),
-        "apart[0]: no integer from -1",
+        "apart[0]: not an integer from -1",
     ),
-    "faults beside a proof": (having("faults", to=[]), "certificate: no object of"),
+    "faults beside a proof": (having("faults", to=[]), "valid: neither true with a proof"),
 }
 
 
@@ -126,11 +126,11 @@ def test_each_condition_of_a_valid_layout_is_needed(name: str) -> None:
 
 FAULT = ("faults", 0)
 FAULTS = {
-    "of what": (without((*FAULT, "placements")), "faults[0]: of what"),
-    "a kind that is none": (having(*FAULT, "kind", to=["overlap"]), "faults[0]: of what"),
+    "of what": (without((*FAULT, "placements")), "faults[0]: needs either"),
+    "a kind that is none": (having(*FAULT, "kind", to=["overlap"]), "faults[0]: needs either"),
     "of a part that is none": (
         having(*FAULT, to={"kind": "missing", "part": "x"}),
-        "faults[0]: of no part",
+        "faults[0]: unknown part",
     ),
     "a rule that is kept": (
         having(*FAULT, to={"kind": "missing", "part": "a"}),
@@ -140,16 +140,19 @@ FAULTS = {
         having(*FAULT, to={"kind": "shape", "part": "a", "point": ["1", "1"]}),
         "the part has no such fault",
     ),
-    "too many bodies": (having(*FAULT, "placements", to=[0, 1, 2]), "no list of 2 entries"),
-    "a body that is none": (having(*FAULT, "placements", to=[0, 3]), "no integer from -2 to 2"),
-    "outside of a placement": (having(*FAULT, "kind", to="outside"), "faults[0]: no such fault"),
-    "overlap with the outside": (having(*FAULT, "placements", 1, to=-1), "no such fault"),
-    "one body": (having(*FAULT, "placements", to=[0, 0]), "not two bodies and a point"),
+    "too many bodies": (having(*FAULT, "placements", to=[0, 1, 2]), "not a list of 2 entries"),
+    "a body that is none": (having(*FAULT, "placements", to=[0, 3]), "not an integer from -2 to 2"),
+    "outside of a placement": (having(*FAULT, "kind", to="outside"), "of two bodies at a point"),
+    "overlap with the outside": (
+        having(*FAULT, "placements", 1, to=-1),
+        "of two bodies at a point",
+    ),
+    "one body": (having(*FAULT, "placements", to=[0, 0]), "of two bodies at a point"),
     "obstacles alone": (
         having(*FAULT, to={"kind": "outside", "placements": [-1, -2], "point": ["1", "1"]}),
-        "not two bodies and a point",
+        "of two bodies at a point",
     ),
-    "no point": (without((*FAULT, "point")), "not two bodies and a point"),
+    "no point": (without((*FAULT, "point")), "of two bodies at a point"),
     "a point in one": (having(*FAULT, "point", to=["3/2", "3/2"]), "not inside placements[1]"),
     "a point in the other": (having(*FAULT, "point", to=["7/2", "7/2"]), "inside placements[0]"),
     "a point on an edge": (having(*FAULT, "point", to=["2", "5/2"]), "not inside placements[1]"),
@@ -158,8 +161,8 @@ FAULTS = {
         having(*FAULT, "kind", to="too close"),
         "the errors leave no room",
     ),
-    "there twice": (having("faults", to=[OVERLAP, {**OVERLAP, "placements": [1, 0]}]), "twice"),
-    "none": (having("faults", to=[]), "faults: none, or one is there twice"),
+    "there twice": (having("faults", to=[OVERLAP, {**OVERLAP, "placements": [1, 0]}]), "duplicate"),
+    "none": (having("faults", to=[]), "faults: empty or duplicate"),
 }
 
 
