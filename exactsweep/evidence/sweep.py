@@ -231,9 +231,9 @@ class SweepAnswer(Certified):
         if not pockets:
             return ()
         tracer, found = Tracer(self._route, self._boundaries[0]), []
-        for bottom, back in pockets:
+        for bottom, top in pockets:
             intersection, positions = find_closing_positions(bottom, tracer)
-            points = frame.leave(bottom + back)
+            points = frame.leave(bottom + top[-2:0:-1])
             chain = tuple(points[: len(bottom)])
             placed = tuple(frame.leave(positions, self.reference))
             extremes = chain[0], chain[-1]

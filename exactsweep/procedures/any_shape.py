@@ -16,7 +16,7 @@ from exactsweep.geometry.frame import Frame, Kind
 from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.number import Fit, Point, Vertex
-from exactsweep.procedures.pockets import find_mouths
+from exactsweep.procedures.pockets import Pocket, find_pockets
 from exactsweep.procedures.positions import find_inner_fit, find_no_fit, find_sum, reflect
 from exactsweep.procedures.walk import Free
 
@@ -109,7 +109,7 @@ class ShapeSolution:
         return sorted([loop for loop in self._inside if loop != self.inner] + self._outside.within)
 
     @cached_property
-    def pockets(self) -> list[list[list[Vertex]]]:
-        """The regions between D and the inner loop, along the inner loop; no holes of D."""
+    def pockets(self) -> list[Pocket]:
+        """The regions between D and the inner loop, as of `MonotoneSolution`; no holes of D."""
         inner = [self.frame.enter_point(vertex) for vertex in self.inner]
-        return [[bottom, top[-2:0:-1]] for bottom, top in find_mouths(inner, self.directrix[0])]
+        return find_pockets(inner, self.directrix[0])

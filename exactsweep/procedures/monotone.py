@@ -28,7 +28,7 @@ from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.graph import Graph
 from exactsweep.procedures.mm import sweep_inner_mm, sweep_outer_mm, trajectory_mm
-from exactsweep.procedures.pockets import find_pockets
+from exactsweep.procedures.pockets import Pocket, find_pockets
 
 
 class LowerMM:
@@ -185,12 +185,15 @@ class MonotoneSolution:
         )
         return self._class(g_top, g_bottom, d_bottom), self._class(g_bottom, g_top, d_top)
 
-    def _loop(self, boundary: Callable[[LowerMM], Chain]) -> list[Point]:
+    def _join(self, boundary: Callable[[LowerMM], Chain]) -> list[Vertex]:
+        """Join the lower and the upper half of a loop, in the frame."""
         lower, upper = (boundary(half).points for half in self.halves)
         upper = inverse(upper)
         # At each end the two chains meet in a point, or a vertical edge joins them.
-        loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
-        points = self.frame.leave(loop)
+        return lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
+
+    def _loop(self, boundary: Callable[[LowerMM], Chain]) -> list[Point]:
+        points = self.frame.leave(self._join(boundary))
         first = 0 if self._direction == X_AXIS else find_least(points)
         return points[first:] + points[:first]
 
@@ -220,11 +223,6 @@ class MonotoneSolution:
         return sorted(found)
 
     @cached_property
-    def pockets(self) -> list[list[list[Vertex]]]:
-        """The regions between D and the inner loop, along the inner loop."""
-        found: list[list[list[Vertex]]] = []
-        for half, turn_back in zip(self.halves, _TURN_BACK, strict=True):
-            for pocket in find_pockets(half.inner.points, half.directrix.points):
-                bottom, top = map(turn_back, pocket)
-                found.append([bottom, top[-2:0:-1]])
-        return found
+    def pockets(self) -> list[Pocket]:
+        """The regions between D and the inner loop, along the inner loop, in the frame."""
+        return find_pockets(self._join(lambda half: half.inner), self.directrix[0])

@@ -11,7 +11,7 @@ from exactsweep.procedures import exact_fit, pockets
 
 
 @sabotage(
-    "undercuts: all forgotten but the first of each half",
+    "undercuts: all forgotten but the first",
     pockets.find_pockets,
     "Number of undercuts, MM",
     "Undercuts under ceilings",

@@ -87,8 +87,11 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
 
 
 def pockets(pair: SweepPair) -> int:
-    """Count the undercuts of the lower sweep."""
-    return len(find_pockets(sweep_mm(*pair.chains)[0], pair.chains.directrix))
+    """Count the undercuts of the lower sweep, under a lid above both chains."""
+    inner, directrix = sweep_mm(*pair.chains)[0], pair.chains.directrix
+    above = 1 + max(y for _, y in directrix)
+    lid = [(directrix[-1][0] + 1, above), (directrix[0][0] - 1, above)]
+    return len(find_pockets([*inner, *lid], [*directrix, *lid]))
 
 
 def count_undercuts(effort: Effort) -> Iterator[Observation]:
