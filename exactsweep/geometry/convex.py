@@ -12,17 +12,80 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
+from math import isqrt
 
-from exactsweep.geometry.grid import IntVertex, Wall, WallGrid, box_wall
-from exactsweep.geometry.vectors import cross, minus, turn, way_key
+from exactsweep.geometry.near import BoxRows
+from exactsweep.geometry.vectors import cross, is_between, minus, turn, way_key
 
+IntVertex = tuple[int, int]
 IntRing = Sequence[IntVertex]
 ConvexRing = list[IntVertex]
 """A convex ring, counter-clockwise, without straight angles."""
 
 _Corner = tuple[IntVertex, IntVertex]
+_IntEdge = tuple[IntVertex, IntVertex]
+
+
+class _Plan:
+    """The vertices and the edges of a shape, with the diagonals so far, for searches.
+
+    Attributes:
+        columns: the number of squares in a row or a column, each with 16 vertices on average.
+    """
+
+    def __init__(self, rings: Sequence[IntRing]) -> None:
+        count = sum(map(len, rings))
+        self._vertices = [*dict.fromkeys(chain.from_iterable(rings))]
+        self._places = BoxRows([(x, x, y, y) for x, y in self._vertices])
+        xs, ys = zip(*self._vertices, strict=True)
+        self._left, self._low = min(xs), min(ys)
+        self.columns = isqrt(count) // 4 + 1
+        self._side = max(max(xs) - self._left, max(ys) - self._low) // self.columns + 1
+        edges = [edge for ring in rings for edge in pairwise((*ring, ring[0]))]
+        if len(rings) > 1:
+            split = (sorted({a, b, *self._find_on(a, b)}, reverse=a > b) for a, b in edges)
+            edges = list(chain.from_iterable(map(pairwise, split)))
+        self.edges: list[_IntEdge] = edges
+        self._rows = BoxRows([_find_box(*edge) for edge in edges])
+
+    def _find_on(self, a: IntVertex, b: IntVertex) -> Iterator[IntVertex]:
+        near = (self._vertices[k] for k in self._places.find(_find_box(a, b)))
+        return (v for v in near if is_between(v, a, b))
+
+    def find_around(self, p: IntVertex, reach: int) -> Iterator[IntVertex]:
+        """Find the vertices in squares at most `reach` rows and columns away."""
+        side = self._side
+        left, low = (
+            least + ((c - least) // side - reach) * side
+            for c, least in zip(p, (self._left, self._low), strict=True)
+        )
+        size = (2 * reach + 1) * side - 1
+        return (self._vertices[k] for k in self._places.find((left, left + size, low, low + size)))
+
+    def is_blocked(self, p: IntVertex, q: IntVertex) -> bool:
+        """Decide whether an edge that does not end in p or q meets the segment between them."""
+        for k in self._rows.find(_find_box(p, q)):
+            a, b = self.edges[k]
+            if a in (p, q) or b in (p, q):
+                continue
+            from_a, from_b = turn(p, q, a), turn(p, q, b)
+            if (from_a > 0 < from_b) or (from_a < 0 > from_b):
+                continue
+            if turn(a, b, p) * turn(a, b, q) <= 0:
+                return True
+        return False
+
+    def add(self, p: IntVertex, q: IntVertex) -> None:
+        """Add a diagonal."""
+        self._rows.add(_find_box(p, q), len(self.edges))
+        self.edges.append((p, q))
+
+
+def _find_box(a: IntVertex, b: IntVertex) -> tuple[int, int, int, int]:
+    (ax, ay), (bx, by) = a, b
+    return min(ax, bx), max(ax, bx), min(ay, by), max(ay, by)
 
 
 def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
@@ -40,18 +103,12 @@ def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
     >>> len(cut_to_convex([[(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]]))
     2
     """
-    grid = WallGrid(list(chain.from_iterable(rings)))
-    edges = [edge for ring in rings for edge in pairwise((*ring, ring[0]))]
-    if len(rings) > 1:
-        split = (sorted({a, b, *grid.find_on(a, b)}, reverse=a > b) for a, b in edges)
-        edges = list(chain.from_iterable(map(pairwise, split)))
-    for wall in edges:
-        grid.build(*wall)
-    cones = _find_cones(edges)
+    plan = _Plan(rings)
+    cones = _find_cones(plan.edges)
     for p in list(cones):
         while (wide := next((cone for cone in cones[p] if _is_wide(cone)), None)) is not None:
-            q = _find_diagonal(p, wide, cones, grid)
-            grid.build(p, q)
+            q = _find_diagonal(p, wide, cones, plan)
+            plan.add(p, q)
             _halve(cones[p], minus(q, p))
             _halve(cones[q], minus(p, q))
     return _walk_faces(cones)
@@ -74,16 +131,16 @@ def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex,
 
 
 def _find_diagonal(
-    p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], grid: WallGrid
+    p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], plan: _Plan
 ) -> IntVertex:
     """Find a diagonal into a wide cone, not far off, that leaves few wide cones; return its end."""
     reach = 1
     while True:
-        for q in _list_ends(p, wide, cones, grid.find_around(p, reach)):
-            if not _is_blocked(p, q, grid.find_walls(p, q)):
+        for q in _list_ends(p, wide, cones, plan.find_around(p, reach)):
+            if not plan.is_blocked(p, q):
                 return q
         # By (2) there is one.
-        assert reach < grid.columns
+        assert reach < plan.columns
         reach *= 2
 
 
@@ -106,22 +163,6 @@ def _list_ends(
             saved = _is_wide(opposite)
             ranked.append((remaining - saved, way[0] * way[0] + way[1] * way[1], q))
     return [q for _, _, q in sorted(ranked)]
-
-
-def _is_blocked(p: IntVertex, q: IntVertex, walls: Iterable[Wall]) -> bool:
-    """Decide whether a wall that does not end in p or q meets the segment between them."""
-    first, last, bottom, top, _, _ = box_wall(p, q)
-    for left, right, low, high, a, b in walls:
-        if left > last or right < first or low > top or high < bottom:
-            continue
-        if a in (p, q) or b in (p, q):
-            continue
-        from_a, from_b = turn(p, q, a), turn(p, q, b)
-        if (from_a > 0 < from_b) or (from_a < 0 > from_b):
-            continue
-        if turn(a, b, p) * turn(a, b, q) <= 0:
-            return True
-    return False
 
 
 def _walk_faces(cones: dict[IntVertex, list[_Corner]]) -> list[ConvexRing]:

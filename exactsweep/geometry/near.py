@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+from bisect import insort
 from collections.abc import Iterator, Sequence
 
 from exactsweep.numbers.number import Rational
@@ -48,6 +49,12 @@ class BoxRows:
         for row in rows:
             row.sort()
         self._rows = rows
+
+    def add(self, box: Bounds, number: int) -> None:
+        """Add a box inside the bounds of the others. Cost: O(boxes in its rows)."""
+        first, last = ((y - self._south) // self._height for y in box[2:])
+        for row in self._rows[first : last + 1]:
+            insort(row, (*box, number))
 
     def find(self, box: Bounds) -> Iterator[int]:
         """Yield the numbers of the boxes that meet a box, each once.

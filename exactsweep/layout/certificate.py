@@ -12,7 +12,7 @@ from itertools import accumulate, chain
 from typing import Any
 
 from exactsweep.evidence.certificate import HEADER
-from exactsweep.geometry.grid import IntVertex
+from exactsweep.geometry.convex import IntVertex
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board

@@ -12,7 +12,7 @@ from fractions import Fraction
 from itertools import pairwise, product
 from math import gcd
 
-from exactsweep.geometry.grid import IntVertex
+from exactsweep.geometry.convex import IntVertex
 from exactsweep.geometry.vectors import minus
 
 

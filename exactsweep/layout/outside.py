@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
-from exactsweep.geometry.grid import IntVertex
+from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.layout.pieces import bound_piece
 
 

@@ -23,9 +23,8 @@ from itertools import chain
 from math import isqrt, lcm
 from typing import NamedTuple
 
-from exactsweep.geometry.convex import ConvexRing, IntRing, cut_to_convex
+from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.geometry.edges import EdgeIndex
-from exactsweep.geometry.grid import IntVertex
 from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull

@@ -59,3 +59,18 @@ def test_a_search_examines_few_of_many_boxes() -> None:
     rows = BoxRows(grid)
     assert max(map(len, rows._rows)) <= 3 * side
     assert len(list(find_near(grid, 1))) == 2 * side * (side - 1) + 2 * (side - 1) ** 2
+
+
+@examples(200)
+@given(boxes, boxes, box, st.integers(1, 4))
+def test_boxes_added_later_are_found(
+    given_boxes: list[Bounds], later: list[Bounds], other: Bounds, few: int
+) -> None:
+    whole = (-9, 20, -9, 20)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(near, "_PER_ROW", few)
+        rows = BoxRows([whole, *given_boxes])
+    for number, one in enumerate(later, len(given_boxes) + 1):
+        rows.add(one, number)
+    everything = [whole, *given_boxes, *later]
+    assert sorted(rows.find(other)) == [k for k, one in enumerate(everything) if meet(one, other)]
