@@ -12,6 +12,7 @@ from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.curved.path import SimpleLines
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.part_list import Said
+from exactsweep.formats.rounded import RoundedOutline
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.filling import Filled, Rule, fill
@@ -81,6 +82,8 @@ class Candidate(NamedTuple):
         finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
         words: its classes, in SVG.
         groups: the ids of the groups that it is in, in SVG.
+        rounded: the hull and the radius that its exterior is the boundary of, exactly; None for
+            other curves, and for polygons.
     """
 
     place: str
@@ -96,6 +99,7 @@ class Candidate(NamedTuple):
     finer: Callable[[Fraction], Candidate | None] | None = None
     words: tuple[str, ...] = ()
     groups: tuple[str, ...] = ()
+    rounded: RoundedOutline | None = None
 
     @classmethod
     def refused(
@@ -146,6 +150,7 @@ class Candidate(NamedTuple):
         return self._replace(
             vertices=lambda: [Point(p.x, -p.y) for p in self.vertices()],
             holes=lambda: [hole.turned() for hole in self.holes()],
+            rounded=self.rounded and self.rounded.turned(),
         )
 
     def polygon(self) -> Polygon:

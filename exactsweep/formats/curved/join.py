@@ -21,6 +21,7 @@ from exactsweep.formats.curved.path import (
 from exactsweep.formats.decimals import show_point
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
+from exactsweep.formats.rounded import find_rounded
 from exactsweep.geometry.filling import Rule
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import Point
@@ -338,7 +339,8 @@ def draw_outline(path: Path, line: OpenLine, reading: Reading) -> Candidate:
     vertices = partial(flatten_named, line.place, path, reading)
     found = Candidate(line.place, vertices, line.name, line.layer, error=path.find_error(reading))
     finer = partial(_draw_finer, path, line, reading) if found.error else None
-    return found._replace(rule=line.rule or "nonzero", finer=finer, groups=line.groups)
+    found = found._replace(rule=line.rule or "nonzero", finer=finer, groups=line.groups)
+    return found._replace(rounded=find_rounded(path))
 
 
 def _draw_finer(path: Path, line: OpenLine, reading: Reading, tolerance: Fraction) -> Candidate:

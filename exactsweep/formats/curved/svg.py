@@ -25,6 +25,7 @@ from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
+from exactsweep.formats.rounded import find_rounded
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.filling import Filled, fill
 from exactsweep.numbers.error import quote
@@ -230,7 +231,8 @@ def _draw_regions(
     if len(closed) == 1:
         vertices = partial(flatten_named, place, closed[0], reading)
         finer = partial(_draw_finer, closed, shape, reading, 0)
-        return [whole._replace(vertices=vertices, finer=finer)]
+        whole = whole._replace(vertices=vertices, finer=finer)
+        return [whole._replace(rounded=find_rounded(closed[0]))]
     if rule is None:
         found = shape.inherited("fill-rule", "nonzero")
         raise FormatError(f"the fill rule {quote(found)} is neither nonzero nor evenodd")

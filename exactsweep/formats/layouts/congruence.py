@@ -6,8 +6,10 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from exactsweep.formats.rounded import RoundedOutline
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import Loop, Point
 
 _SHARE = 1e-6
@@ -54,6 +56,30 @@ def find_congruence(part: Region, drawn: Region) -> Congruence | None:
                 return found
             nearly = nearly or found
     return nearly
+
+
+def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Congruence | None:
+    """Find a map that takes a rounded outline to another one, exactly.
+
+    >>> discs = [RoundedOutline((Point(Fraction(k), Fraction(0)),), Fraction(1)) for k in (0, 2)]
+    >>> find_rounded_congruence(*discs).move
+    Point(x=Fraction(2, 1), y=Fraction(0, 1))
+    """
+    if part.radius != drawn.radius or len(part.points) != len(drawn.points):
+        return None
+    if len(part.points) > 2:
+        found = find_congruence(Region(part.points), Region(drawn.points))
+        return found if found is not None and found.exact else None
+    (a, *others), (p, *rest) = part.points, drawn.points
+    c, s = Fraction(1), Fraction(0)
+    if others:
+        (x, y), (u, v) = minus(others[0], a), minus(rest[0], p)
+        length = x * x + y * y
+        if length != u * u + v * v:
+            return None
+        c, s = Fraction(x * u + y * v) / length, Fraction(x * v - y * u) / length
+    move = Point(p.x - c * a.x + s * a.y, p.y - s * a.x - c * a.y)
+    return Congruence(False, (c, s), move, exact=True)
 
 
 def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congruence]:

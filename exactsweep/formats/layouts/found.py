@@ -12,8 +12,10 @@ from typing import Any, NamedTuple
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.node import Data, JsonNode, write_ring, write_shape
+from exactsweep.formats.rounded import RoundedOutline
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Point
 
 _INDEX = re.compile(r"\[\d+\]")
 
@@ -173,9 +175,26 @@ def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
 
 def write_rings(outline: Candidate) -> Data:
     """Write an outline and its holes as Layout JSON has them; crossings are for the judge."""
+    if outline.rounded is not None and not outline.holes():
+        return write_rounded(outline.rounded)
     holes = [write_ring(hole.vertices()) for hole in outline.holes()]
     shape = write_shape(write_ring(outline.vertices()), holes)
     return shape | ({"error": format_fraction(outline.error)} if outline.error else {})
+
+
+def write_rounded(outline: RoundedOutline) -> Data:
+    """Write a rounded outline as Layout JSON has it."""
+    points, radius = write_ring(outline.points), format_fraction(outline.radius)
+    return {"pieces": [{"points": points, "radius": radius}]}
+
+
+def read_rounded(part: Data) -> RoundedOutline | None:
+    """Read what `write_rounded` wrote; None for rings."""
+    if "pieces" not in part:
+        return None
+    (piece,) = part["pieces"]
+    points = tuple(Point(Fraction(x), Fraction(y)) for x, y in piece["points"])
+    return RoundedOutline(points, Fraction(piece["radius"]))
 
 
 def list_unknown(nodes: Iterable[JsonNode], *known: str) -> list[str]:

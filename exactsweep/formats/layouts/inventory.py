@@ -10,10 +10,15 @@ from typing import NamedTuple
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import show_path
 from exactsweep.formats.folder import list_parts, make_unique
-from exactsweep.formats.layouts.congruence import find_congruence
-from exactsweep.formats.layouts.found import FoundLayout
+from exactsweep.formats.layouts.congruence import (
+    Congruence,
+    find_congruence,
+    find_rounded_congruence,
+)
+from exactsweep.formats.layouts.found import FoundLayout, read_rounded, write_rounded
 from exactsweep.formats.node import Data, write_ring
 from exactsweep.formats.reading import Reading
+from exactsweep.formats.rounded import RoundedOutline
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.digits import format_fraction
@@ -30,12 +35,34 @@ class WantedPart(NamedTuple):
         region: its shape.
         error: the error of its curves.
         number: how often it is to be placed.
+        rounded: its hull and radius, if it is a rounded outline.
     """
 
     name: str
     region: Region
     error: Fraction
     number: int
+    rounded: RoundedOutline | None = None
+
+    def write_shape(self) -> Data:
+        """Write the shape as Layout JSON has it."""
+        if self.rounded is not None:
+            return write_rounded(self.rounded)
+        holes = [write_ring(hole.vertices) for hole in self.region.holes]
+        shape = {"exterior": write_ring(self.region.exterior.vertices), "holes": holes}
+        return shape | ({"error": format_fraction(self.error)} if self.error else {})
+
+    def find_map(self, part: Data) -> Congruence | None:
+        """Find the map that takes it to a part of Layout JSON; None for another shape.
+
+        Raises PolygonError if the rings of the part bound no region.
+        """
+        drawn = read_rounded(part)
+        if self.rounded is not None and drawn is not None:
+            return find_rounded_congruence(self.rounded, drawn)
+        if drawn is not None:
+            return None
+        return find_congruence(self.region, Region(part["exterior"], part.get("holes", [])))
 
 
 def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
@@ -50,14 +77,20 @@ def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
     for name, part in zip(names, listing.parts, strict=True):
         if part.candidate.ornament:
             continue
-        region, error = part.candidate.region(), part.candidate.error
+        wanted = WantedPart(
+            name,
+            part.candidate.region(),
+            part.candidate.error,
+            1,
+            None if part.candidate.holes() else part.candidate.rounded,
+        )
         for k, one in enumerate(found):
-            same = find_congruence(one.region, region)
+            same = one.find_map(wanted.write_shape())
             if same is not None and same.exact:
                 found[k] = one._replace(number=one.number + 1)
                 break
         else:
-            found.append(WantedPart(name, region, error, 1))
+            found.append(wanted)
     if not found:
         raise FormatError(f"{show_path(path)}: neither an instance of a nesting program nor parts")
     return found
@@ -113,10 +146,8 @@ def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> Found
     shapes = [
         {
             "id": names[one.name],
-            "exterior": write_ring(one.region.exterior.vertices),
-            "holes": [write_ring(hole.vertices) for hole in one.region.holes],
+            **one.write_shape(),
             "demand": left[one.name],
-            **({"error": format_fraction(one.error)} if one.error else {}),
         }
         for one in wanted
     ]
@@ -129,25 +160,27 @@ def _find_match(
     part: Data, wanted: Sequence[WantedPart], left: dict[str, int]
 ) -> tuple[WantedPart, Data | None] | None:
     """Find the wanted part that a part is, and its placement if it is exactly this one."""
-    try:
-        region = Region(part["exterior"], part.get("holes", []))
-    except PolygonError:
-        return None
     found: tuple[WantedPart, Data | None] | None = None
     for one in sorted(wanted, key=lambda one: not _is_named(part["id"], one.name)):
-        same = find_congruence(one.region, region)
+        try:
+            same = one.find_map(part)
+        except PolygonError:
+            return None
         if same is not None and same.exact:
             turn = [*map(format_fraction, same.turn)]
             placed: Data = {"turn": turn, "move": [*map(format_fraction, same.move)]}
             return one, placed | ({"mirrored": True} if same.mirrored else {})
-        error = one.error + Fraction(str(part.get("error", 0)))
-        if found is None and (same is not None or (error and _is_alike(one.region, region, error))):
+        if found is None and (same is not None or _is_alike(one, part)):
             found = one, None
     return found
 
 
-def _is_alike(one: Region, other: Region, error: Fraction) -> bool:
-    """Decide whether two curved shapes have the same area within their errors."""
+def _is_alike(wanted: WantedPart, part: Data) -> bool:
+    """Decide whether a wanted part and a curved shape have the same area within their errors."""
+    error = wanted.error + Fraction(str(part.get("error", 0)))
+    if not error or "pieces" in part:
+        return False
+    one, other = wanted.region, Region(part["exterior"], part.get("holes", []))
     if len(one.holes) != len(other.holes):
         return False
     around = sum(

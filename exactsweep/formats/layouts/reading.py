@@ -257,6 +257,8 @@ def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
 
 def _make_shape(part: Data) -> object:
     """The region of a part, whichever vertex is first; its rings where these bound none."""
+    if "pieces" in part:
+        return part["pieces"]
     rings = part["exterior"], part.get("holes", [])
     try:
         return Region(*rings)

@@ -1,0 +1,121 @@
+"""Closed paths of arcs of one radius and their tangents: discs, slots, rounded polygons.
+
+Such a path is the boundary of all points at distance at most r from a convex hull if (1) its arcs
+have one radius, turn the same way, and turn by 360 degrees together; (2) the centers of its arcs,
+in order, are the corners of a convex polygon, the two ends of a segment, or one point; and (3) each
+line between two arcs is the side between their centers, moved outwards by r.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import isqrt, tau
+from typing import NamedTuple
+
+from exactsweep.formats.curved.curves import Arc
+from exactsweep.formats.curved.path import Path
+from exactsweep.geometry.vectors import cross, minus, turn
+from exactsweep.numbers.number import Point
+
+_TURN = 0.5
+
+
+class RoundedOutline(NamedTuple):
+    """The points at distance at most `radius` from the convex hull of some points.
+
+    Attributes:
+        points: the corners of the hull, counter-clockwise; one or two of a disc or a slot.
+        radius: more than 0.
+    """
+
+    points: tuple[Point, ...]
+    radius: Fraction
+
+    def turned(self) -> RoundedOutline:
+        """Return the outline with Y reversed."""
+        return RoundedOutline(tuple(Point(x, -y) for x, y in self.points[::-1]), self.radius)
+
+
+class _Round(NamedTuple):
+    """An arc of a circle between two points of it, in the direction of the path."""
+
+    start: Point
+    end: Point
+    center: Point
+
+
+def find_rounded(path: Path) -> RoundedOutline | None:
+    """Find the hull and the radius that a closed path is the boundary of, exactly.
+
+    Args:
+        path: a closed path.
+
+    Returns:
+        A RoundedOutline; None if the path is another one, or its numbers are irrational.
+
+    Cost: linear.
+
+    >>> from exactsweep.formats.curved.affine import make_affine
+    >>> from exactsweep.formats.curved.path import draw_circle
+    >>> print(find_rounded(draw_circle(make_affine(3, 4, -4, 3, 1, 0))).radius)
+    5
+    """
+    if not path.curves or path.off or path.gap or path.soft or not path.is_closed:
+        return None
+    found = [_find_circle(*drawn) for drawn in path.curves.values()]
+    squares = {circle[1] for circle in found if circle}
+    directions = {circle[2] for circle in found if circle}
+    spans = sum(curve.span for curve, _ in path.curves.values() if isinstance(curve, Arc))
+    if None in found or len(squares) != 1 or len(directions) != 1 or abs(spans - tau) > _TURN:
+        return None
+    square, left = squares.pop(), directions.pop()
+    radius = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    if radius * radius != square:
+        return None
+    arcs = [
+        _Round(path.points[k], path.points[k + 1], circle[0])
+        for k, circle in sorted(zip(path.curves, found, strict=True))
+        if circle is not None
+    ]
+    lines = sum(p != q for p, q in zip(path.points, path.points[1:], strict=False))
+    joins = [*zip(arcs, (*arcs[1:], arcs[0]), strict=True)]
+    straight = sum(one.end != other.start for one, other in joins)
+    is_round = len(path.points) == 2 or lines == len(arcs) + straight
+    if not is_round or not all(_fits(*join, square, left=left) for join in joins):
+        return None
+    points = _list_corners([arc.center for arc in arcs], left=left)
+    return None if points is None else RoundedOutline(points, radius)
+
+
+def _find_circle(curve: object, forward: bool) -> tuple[Point, Fraction, bool] | None:
+    """Return the center, the squared radius and the direction of an arc of a circle."""
+    if not isinstance(curve, Arc) or curve.image.off:
+        return None
+    a, b, c, d, e, f, _ = curve.image
+    if a * c + b * d or a * a + b * b != c * c + d * d:
+        return None
+    return Point(e, f), a * a + b * b, (a * d > b * c) == forward
+
+
+def _fits(one: _Round, other: _Round, square: Fraction, *, left: bool) -> bool:
+    """Decide whether an arc of the radius, and a tangent, lead to the next arc."""
+    ends = minus(one.start, one.center), minus(one.end, one.center)
+    if any(x * x + y * y != square for x, y in ends):
+        return False
+    line, side = minus(other.start, one.end), minus(other.center, one.center)
+    if line == (0, 0):
+        return side == (0, 0)
+    (x, y), (u, v) = line, ends[1]
+    return line == side and x * u + y * v == 0 and (cross(line, ends[1]) < 0) == left
+
+
+def _list_corners(centers: Sequence[Point], *, left: bool) -> tuple[Point, ...] | None:
+    """Return the corners of a convex ring, counter-clockwise; None if it is none."""
+    ring = [p for k, p in enumerate(centers) if p != centers[k - 1]] or [centers[0]]
+    if not left:
+        ring.reverse()
+    corners = zip((ring[-1], *ring[:-1]), ring, (*ring[1:], ring[0]), strict=True)
+    if len(ring) > 2 and not all(turn(p, q, r) > 0 for p, q, r in corners):
+        return None
+    return tuple(ring)

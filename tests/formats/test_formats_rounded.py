@@ -1,0 +1,140 @@
+"""Circles, slots and rounded rectangles of drawings, read as rounded pieces of layouts."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from exactsweep.formats.layouts import parse_layouts, read_layouts
+from exactsweep.layout import Layout, judge_layout
+
+SLOT = "M0 0h8a1 1 0 0 1 0 2h-8a1 1 0 0 1 0-2z"
+
+
+def read(shapes: str) -> list[dict[str, Any]]:
+    (found,) = parse_layouts(f"<svg>{shapes}</svg>", container=False)
+    parts: list[dict[str, Any]] = found.data["parts"]
+    return parts
+
+
+def pieces(shape: str) -> tuple[list[list[str]], str] | None:
+    (part,) = read(shape)
+    if "pieces" not in part:
+        assert part["error"]
+        return None
+    (piece,) = part["pieces"]
+    return sorted(piece["points"]), piece["radius"]
+
+
+@pytest.mark.parametrize(
+    ("shape", "points", "radius"),
+    [
+        ('<circle cx="1" cy="2" r="0.5"/>', [["1", "2"]], "1/2"),
+        ('<ellipse cx="1" cy="2" rx="3" ry="3"/>', [["1", "2"]], "3"),
+        ('<path d="M0 0a5 5 0 1 1 0 10a5 5 0 1 1 0-10"/>', [["0", "5"]], "5"),
+        (f'<path d="{SLOT}"/>', [["0", "1"], ["8", "1"]], "1"),
+        ('<path d="M0 0a1 1 0 0 0 0 2h8a1 1 0 0 0 0-2z"/>', [["0", "1"], ["8", "1"]], "1"),
+        ('<rect width="10" height="6" rx="3"/>', [["3", "3"], ["7", "3"]], "3"),
+        (
+            '<rect width="9" height="6" ry="2"/>',
+            [["2", "2"], ["2", "4"], ["7", "2"], ["7", "4"]],
+            "2",
+        ),
+        ('<circle r="2" transform="matrix(3 4 -4 3 1 0)"/>', [["1", "0"]], "10"),
+        ('<circle r="2" transform="scale(1 -1)"/>', [["0", "0"]], "2"),
+        (f'<path d="{SLOT}" transform="scale(-2 2)"/>', [["-16", "2"], ["0", "2"]], "2"),
+    ],
+)
+def test_arcs_of_one_radius_and_tangents_are_a_rounded_piece(
+    shape: str, points: list[list[str]], radius: str
+) -> None:
+    assert pieces(shape) == (sorted(points), radius)
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        '<circle r="2" transform="scale(1 2)"/>',
+        '<circle r="2" cx="1" transform="rotate(30)"/>',
+        '<circle r="1" transform="matrix(1 1 -1 1 0 0)"/>',
+        '<ellipse rx="3" ry="2"/>',
+        '<rect width="9" height="6" rx="2" ry="1"/>',
+        # Not tangent, two radii, a notch, and an arc the other way round.
+        '<path d="M0 0h8a1 1 0 0 1 0 2h-9a1 1 0 0 1 1-2z"/>',
+        '<path d="M0 0h8a2 2 0 0 1 0 4h-8a2.5 2.5 0 0 1 0-4z"/>',
+        '<path d="M0 0h8a1 1 0 0 1 0 2h-8a1 1 0 0 0 0-2z"/>',
+        '<path d="M0 0h4v-1h1v1h3a1 1 0 0 1 0 2h-8a1 1 0 0 1 0-2z"/>',
+        '<path d="M0 0a5 5 0 0 1 10 0z"/>',
+    ],
+)
+def test_other_curves_keep_their_error(shape: str) -> None:
+    assert pieces(shape) is None
+
+
+def test_a_disc_with_a_hole_is_flattened() -> None:
+    (part,) = read('<circle r="5"/><circle r="2"/>')
+    assert "pieces" not in part
+    assert len(part["holes"]) == 1
+
+
+def test_discs_are_judged_without_error() -> None:
+    shapes = "".join(f'<circle cx="{x}" cy="{y}" r="5"/>' for x, y in ((5, 5), (11, 13)))
+    sheet = '<rect id="sheet" width="16" height="18"/>'
+    (found,) = parse_layouts(f"<svg>{sheet}{shapes}</svg>")
+    judgement = judge_layout(Layout.from_json(found.data))
+    assert judgement.valid
+    assert judgement.contacts == ((0, 1),)
+    assert not judgement.layout.greatest_error
+
+
+def test_a_disc_is_a_container() -> None:
+    shapes = '<circle id="sheet" r="5"/><circle cx="3" r="2"/><circle cx="-2.9" r="2.11"/>'
+    (found,) = parse_layouts(f"<svg>{shapes}</svg>")
+    (fault,) = judge_layout(Layout.from_json(found.data)).faults
+    assert (fault.kind, fault.placements) == ("outside", (1,))
+
+
+def entity(kind: str, **groups: Any) -> str:
+    return f"0\n{kind}\n8\n0\n" + "".join(f"{code[1:]}\n{v}\n" for code, v in groups.items())
+
+
+def drawing(*entities: str) -> str:
+    return "0\nSECTION\n2\nENTITIES\n" + "".join(entities) + "0\nENDSEC\n0\nEOF\n"
+
+
+def test_circles_and_slots_of_dxf_are_rounded_pieces() -> None:
+    text = drawing(
+        entity("CIRCLE", _10=50, _20=1, _40="0.25"),
+        entity("LINE", _10=0, _20=0, _11=8, _21=0),
+        entity("ARC", _10=8, _20=1, _40=1, _50=270, _51=90),
+        entity("LINE", _10=8, _20=2, _11=0, _21=2),
+        entity("ARC", _10=0, _20=1, _40=1, _50=90, _51=270),
+    )
+    (found,) = parse_layouts(text, container=False)
+    assert [part["pieces"][0]["radius"] for part in found.data["parts"]] == ["1/4", "1"]
+    bulges = "".join(
+        f"10\n{x}\n20\n{y}\n42\n{bulge}\n"
+        for x, y, bulge in ((0, 20, 0), (8, 20, 1), (8, 24, 0), (0, 24, 1))
+    )
+    text = drawing(f"0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n{bulges}")
+    (found,) = parse_layouts(text, container=False)
+    (part,) = found.data["parts"]
+    assert sorted(part["pieces"][0]["points"]) == [["0", "22"], ["8", "22"]]
+
+
+def test_discs_of_an_instance_are_found_again(tmp_path: Any) -> None:
+    sheet = '<rect id="sheet" width="99" height="99"/>'
+    place = tmp_path / "nest.svg"
+    place.write_text(
+        f'<svg>{sheet}<circle cx="9" cy="9" r="4"/><path d="{SLOT}" '
+        'transform="translate(50 50) matrix(.6 .8 -.8 .6 0 0)"/></svg>'
+    )
+    parts = tmp_path / "parts.svg"
+    parts.write_text(
+        f'<svg><circle id="disc" r="4"/><path id="slot" d="{SLOT}" '
+        'transform="translate(20 20)"/><circle id="more" cx="90" r="5"/></svg>'
+    )
+    (found,) = read_layouts(str(place), instance=str(parts))
+    judgement = judge_layout(Layout.from_json(found.data))
+    assert [(fault.kind, fault.part) for fault in judgement.faults] == [("missing", "more")]
