@@ -29,7 +29,7 @@ from exactsweep.layout.verdict import MOST_BITS, find_witness
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point
 
-_Pieces = list[list[Point]] | None
+_PieceRings = list[list[Point]] | None
 
 _LEAST = 3
 """The number of vertices that a ring of a certificate has at least."""
@@ -231,7 +231,7 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
     return witness and witness.point
 
 
-def _list_outside(board: Board) -> list[_Pieces]:
+def _list_outside(board: Board) -> list[_PieceRings]:
     """List the pieces of what is outside the container, its holes included, and of each defect."""
     number = _count_outside(board)
     pieces = [_leave(wall.form, wall.scale) for wall in board.around]
@@ -239,7 +239,7 @@ def _list_outside(board: Board) -> list[_Pieces]:
     return [outside or None, *pieces[number:]]
 
 
-def _leave(form: LatticeForm | RoundedForm, scale: int) -> _Pieces:
+def _leave(form: LatticeForm | RoundedForm, scale: int) -> _PieceRings:
     """Return the pieces of a polygon; the layout itself has those of a rounded form."""
     if not isinstance(form, LatticeForm):
         return None

@@ -24,7 +24,7 @@ from exactsweep.layout.reading import (
     read_turn,
     read_vertex,
 )
-from exactsweep.layout.rounded import RoundedPiece, Shape, read_pieces
+from exactsweep.layout.rounded import RoundedPiece, BodyShape, read_pieces
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Loop, Point
@@ -89,7 +89,7 @@ class LayoutPart:
         return turns is None or placement.turn in turns
 
     @property
-    def shape(self) -> Shape | None:
+    def shape(self) -> BodyShape | None:
         """The rounded pieces or the `region`; None if rings do not bound one."""
         return self.pieces or self.region
 
@@ -156,7 +156,7 @@ class Defect:
         spacing: the least allowed distance of parts; None for the margin of the layout.
     """
 
-    shape: Shape
+    shape: BodyShape
     error: Fraction = Fraction(0)
     spacing: Fraction | None = None
 
@@ -329,29 +329,29 @@ def _read_container(
         return alone, error, tuple(defects)
 
 
-_Rings = tuple[Loop, tuple[Loop, ...]]
+_ShapeRings = tuple[Loop, tuple[Loop, ...]]
 
 
 def _read_shape(
     data: object, path: str, needed: Sequence[str] = (), others: Sequence[str] = ()
-) -> tuple[Mapping[str, object], _Rings, tuple[RoundedPiece, ...], Fraction]:
+) -> tuple[Mapping[str, object], _ShapeRings, tuple[RoundedPiece, ...], Fraction]:
     """Read the fields of a shape, of rings or of rounded pieces, and its error."""
     is_rounded = isinstance(data, Mapping) and "pieces" in data
     form, more = ("pieces", ()) if is_rounded else ("exterior", ("holes",))
     found = read_object(data, path, (*needed, form), (*more, *others, "error"))
-    rings: _Rings = ((), ()) if is_rounded else read_rings(found, path)
+    rings: _ShapeRings = ((), ()) if is_rounded else read_rings(found, path)
     pieces = read_pieces(found["pieces"], f"{path}.pieces") if is_rounded else ()
     return found, rings, pieces, read_gap(found.get("error", 0), f"{path}.error")
 
 
-def _make_region(rings: _Rings, path: str) -> Region:
+def _make_region(rings: _ShapeRings, path: str) -> Region:
     try:
         return Region(*rings)
     except PolygonError as error:
         raise LayoutError(f"{path}: {error}") from None
 
 
-def _list_shape(shape: Shape, error: Fraction) -> dict[str, Any]:
+def _list_shape(shape: BodyShape, error: Fraction) -> dict[str, Any]:
     if not isinstance(shape, Region):
         return {"pieces": [piece.to_json() for piece in shape], **_list_error(error)}
     holes = [hole.vertices for hole in shape.holes]

@@ -86,7 +86,7 @@ class RoundedPiece(NamedTuple):
         return least, most
 
 
-Shape = Region | tuple[RoundedPiece, ...]
+BodyShape = Region | tuple[RoundedPiece, ...]
 """The shape of a part or a defect: a polygon with holes, or the union of rounded pieces."""
 
 
@@ -168,7 +168,7 @@ def surround(pieces: Sequence[RoundedPiece]) -> Region:
     return Region(find_hull(corners))
 
 
-def to_region(shape: Shape) -> Region:
+def to_region(shape: BodyShape) -> Region:
     """Return a Region as it is, and a polygon around rounded pieces."""
     return shape if isinstance(shape, Region) else surround(shape)
 
@@ -211,7 +211,7 @@ def _list_normals(sides: int) -> list[Point]:
     return normals
 
 
-def bound_area(shape: Shape | None) -> tuple[Fraction, Fraction] | None:
+def bound_area(shape: BodyShape | None) -> tuple[Fraction, Fraction] | None:
     """Bound the area of a shape; None if pieces of it overlap, or there is none.
 
     Cost: O(n^2) for n rounded pieces.

@@ -28,7 +28,7 @@ from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
-from exactsweep.layout.rounded import RoundedPiece, Shape
+from exactsweep.layout.rounded import RoundedPiece, BodyShape
 from exactsweep.numbers.number import Point
 
 LatticeBox = tuple[int, int, int, int]
@@ -194,7 +194,7 @@ def _map(ring: IntRing, matrix: MatrixRows) -> list[IntVertex]:
     return image if a * d > b * c else image[::-1]
 
 
-def make_form(shape: Shape) -> tuple[int, LatticeForm | RoundedForm]:
+def make_form(shape: BodyShape) -> tuple[int, LatticeForm | RoundedForm]:
     """Return the scale of a shape's lattice and its form there. Cost: O(n)."""
     if isinstance(shape, Region):
         scale, rings = shape.lattice()
@@ -229,7 +229,7 @@ def put_on_lattice(value: Fraction, scale: int) -> int:
     return n * whole if rest == 0 else value * scale  # type: ignore[return-value]
 
 
-def measure_slack(shape: Shape, error: Fraction) -> Fraction:
+def measure_slack(shape: BodyShape, error: Fraction) -> Fraction:
     """Return the slack of a shape for an error of its turn, by (3). Cost: O(n).
 
     >>> measure_slack(Region([(0, 0), (3, 0), (3, -4)]), Fraction(1, 100))

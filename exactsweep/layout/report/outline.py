@@ -90,11 +90,11 @@ def list_vertices(piece: RoundedPiece, center: Point, near: Fraction) -> Sequenc
         return points
     found: list[Vertex] = []
     for k, p in enumerate(points):
-        ways = [(center.x - p.x, center.y - p.y)]
+        directions = [(center.x - p.x, center.y - p.y)]
         for q in (points[k - 1], points[(k + 1) % len(points)]):
-            ways += [(q.y - p.y, p.x - q.x), (p.y - q.y, q.x - p.x)]
-        for way in ways:
-            u, v = _find_direction(*way)
+            directions += [(q.y - p.y, p.x - q.x), (p.y - q.y, q.x - p.x)]
+        for direction in directions:
+            u, v = _find_direction(*direction)
             found += [
                 (p.x + r * (u * c - v * s), p.y + r * (u * s + v * c))
                 for c, s in _list_turns(near / r)
