@@ -24,7 +24,7 @@ from exactsweep.layout.reading import (
     read_turn,
     read_vertex,
 )
-from exactsweep.layout.rounded import RoundedPiece, BodyShape, read_pieces
+from exactsweep.layout.rounded import BodyShape, RoundedPiece, read_pieces
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Loop, Point

@@ -28,7 +28,7 @@ from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.overlap import MovedPair, Relation
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
-from exactsweep.layout.rounded import RoundedPiece, BodyShape
+from exactsweep.layout.rounded import BodyShape, RoundedPiece
 from exactsweep.numbers.number import Point
 
 LatticeBox = tuple[int, int, int, int]
