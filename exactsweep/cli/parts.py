@@ -87,7 +87,8 @@ def say_skipped(reasons: Sequence[str]) -> None:
     """Say on standard error what was not read, and why, a line each."""
     more = len(reasons) - _MOST_REASONS
     shown = [*reasons[:_MOST_REASONS], f"{more} more"] if more > 0 else reasons
-    say_all(f"left out: {reason}" for reason in shown)
+    for reason in shown:
+        click.echo(f"left out: {reason}", err=True)
 
 
 def say_all(lines: Iterable[str]) -> None:
