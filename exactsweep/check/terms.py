@@ -118,22 +118,29 @@ def _scaled(pieces: list[list[RationalPoint]], unit: int) -> list[Any]:
 
 # --- Claims ---------------------------------------------------------------------------------------
 
-RINGS, RING = "list Statements.ring", "Statements.ring"
+RINGS, RING, POINT = "list Statements.ring", "Statements.ring", "Statements.point"
+REGIONS = "list (Statements.ring * list Statements.ring)"
 SEGMENTS = "list (Statements.point * Statements.point)"
 
 
 def _no_fit(c: Any) -> CoqClaim:
     d, g, exterior, holes, fits = _answer(c)
     loops = [exterior, *(hole[::-1] for hole in holes)]
-    statement = {"directrix": (RINGS, d), "generatrix": (RINGS, g), "loops": (RINGS, loops)}
-    evidence = _evidence(c["proof"], d, g, loops, fits)
-    return CoqClaim("no_fit", {**statement, "exact_fits": (SEGMENTS, fits)}, {"evidence": evidence})
+    known = _evidence(c["proof"], d, g, loops, fits)
+    cut = _cut(known[1].fields["NoFit.unit"], exterior, holes)
+    evidence = {"evidence": known, "cut": cut}
+    return CoqClaim("no_fit", _question(d, g, exterior, holes, fits), evidence)
 
 
 def _answer(c: Any) -> tuple[Any, ...]:
     fits = _fits(c["exact_fits"])
     shapes = _rings(c["directrix"]), _rings(c["generatrix"])
     return *shapes, _ring(c["exterior"]), [*map(_ring, c["holes"])], fits
+
+
+def _question(d: Any, g: Any, exterior: Any, holes: Any, fits: Any) -> dict[str, tuple[str, Any]]:
+    found = {"directrix": (RINGS, d), "generatrix": (RINGS, g), "exterior": (RING, exterior)}
+    return {**found, "holes": (RINGS, holes), "exact_fits": (SEGMENTS, fits)}
 
 
 def _evidence(proof: Any, d: Any, g: Any, loops: Any, fits: Any) -> tuple[str, Record]:
@@ -146,51 +153,75 @@ def _evidence(proof: Any, d: Any, g: Any, loops: Any, fits: Any) -> tuple[str, R
 
 def _sweep(c: Any) -> CoqClaim:
     d, g, exterior, holes, fits = _answer(c)
-    proof, rings = c["proof"], [_ring(r) for r in (c["outer"], c["inner"], *c["unswept"])]
-    loops, slits = (
-        [rings[0], *(r[::-1] for r in rings[1:])],
-        _fits(c["proof"]["slits"]),
-    )
+    proof, outer, inner = c["proof"], _ring(c["outer"]), _ring(c["inner"])
+    unswept, slits = [*map(_ring, c["unswept"])], _fits(c["proof"]["slits"])
     moving = [*map(_ring, proof["generatrix"])]
-    unit = _unit(exterior, *g, *loops, *slits, *moving)
+    unit = _unit(exterior, *g, outer, inner, *unswept, *slits, *moving)
     swept = {"Sweep.unit": unit, "Sweep.moving": _scaled(moving, unit)}
     swept["Sweep.listed_sums"] = _sums(proof["swept"])
-    statement = {"directrix": (RINGS, d), "generatrix": (RINGS, g), "exterior": (RING, exterior)}
-    statement |= {"holes": (RINGS, holes), "exact_fits": (SEGMENTS, fits)}
-    statement |= {"loops": (RINGS, loops), "slits": (SEGMENTS, slits)}
-    statement |= {"area": ("Q", Fraction(c["area"]))}
+    statement = _question(d, g, exterior, holes, fits)
+    statement |= {"outer": (RING, outer), "inner": (RING, inner), "unswept": (RINGS, unswept)}
+    statement |= {"slits": (SEGMENTS, slits), "area": ("Q", Fraction(c["area"]))}
     around = [exterior, *(hole[::-1] for hole in holes)]
-    evidence = {"evidence": _evidence(proof, d, g, around, fits)}
-    return CoqClaim("sweep", statement, {**evidence, "swept": ("sweep_certificate", Record(swept))})
+    known = _evidence(proof, d, g, around, fits)
+    one, two, three = _ring(proof["directrix"][0])[:3]
+    middle = tuple((x + y + z) / 3 for x, y, z in zip(one, two, three, strict=True))
+    evidence = {
+        "evidence": known,
+        "cut": _cut(known[1].fields["NoFit.unit"], exterior, holes),
+    }
+    evidence |= {"swept": ("sweep_certificate", Record(swept))}
+    evidence |= {"swept_cut": _cut(unit, outer, [inner, *unswept])}
+    return CoqClaim("sweep", statement, {**evidence, "middle": (POINT, middle)})
 
 
 def _inner_fit(c: Any) -> CoqClaim:
     proof, container, part = c["proof"], _rings(c["container"]), _rings(c["part"])
-    regions = [
-        ring
-        for region in c["regions"]
-        for ring in (_ring(region["exterior"]), *(_ring(hole)[::-1] for hole in region["holes"]))
-    ]
-    fits = _fits(c["exact_fits"])
+    regions = [(_ring(e["exterior"]), [*map(_ring, e["holes"])]) for e in c["regions"]]
+    fits, loops = _fits(c["exact_fits"]), [ring for e, holes in regions for ring in (e, *holes)]
     outside, moving = ([*map(_ring, proof[k])] for k in ("outside", "part"))
     ends = [Fraction(n) for n in proof["frame"]]
-    unit = _unit(
-        *container,
-        *part,
-        *regions,
-        *fits,
-        *outside,
-        *moving,
-        [(ends[0], ends[1]), (ends[2], ends[3])],
-    )
+    unit = _unit(*container, *part, *loops, *fits, *outside, *moving, [(n, n) for n in ends])
     statement: dict[str, tuple[str, Any]] = {"container": (RINGS, container)}
-    statement["part"] = RINGS, part
-    statement |= {"regions": (RINGS, regions), "exact_fits": (SEGMENTS, fits)}
+    statement |= {"part": (RINGS, part), "regions": (REGIONS, regions)}
+    statement |= {"exact_fits": (SEGMENTS, fits)}
     found = {"InnerFit.unit": unit, "InnerFit.box": tuple(int(n * unit) for n in ends)}
     found |= {"InnerFit.outside": _scaled(outside, unit), "InnerFit.part": _scaled(moving, unit)}
     found |= {"InnerFit.listed_sums": _sums(proof["sums"])}
     found |= {"InnerFit.around": [_named(chain) for chain in proof["around"]]}
-    return CoqClaim("inner_fit", statement, {"evidence": ("inner_fit_certificate", Record(found))})
+    cut = [_cut(unit, *region)[1] for region in regions]
+    evidence = {"evidence": ("inner_fit_certificate", Record(found))}
+    return CoqClaim("inner_fit", statement, {**evidence, "cut": ("list triangles", cut)})
+
+
+def _cut(unit: int, exterior: Any, holes: Any) -> tuple[str, Any]:
+    """Cut loops into triangles."""
+    return "triangles", (_triangles(exterior, unit), [_triangles(hole, unit) for hole in holes])
+
+
+def _triangles(loop: list[RationalPoint], unit: int) -> list[Any]:
+    """Cut ears from a loop; none if there is none, as where it meets itself."""
+    ((left,), found) = _scaled([loop], unit), []
+
+    def turn(a: Any, b: Any, c: Any) -> int:
+        return int((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+
+    def is_ear(k: int) -> bool:
+        a, b, c = left[k - 1], left[k], left[(k + 1) % len(left)]
+        within = (
+            turn(a, b, p) >= 0 and turn(b, c, p) >= 0 and turn(c, a, p) >= 0
+            for p in left
+            if p not in (a, b, c)
+        )
+        return turn(a, b, c) > 0 and not any(within)
+
+    while len(left) > 2:
+        k = next(filter(is_ear, range(len(left))), None)
+        if k is None:
+            return []
+        found.append([left[k - 1], left[k], left[(k + 1) % len(left)]])
+        del left[k]
+    return found
 
 
 def _rotation(turn: Any) -> Any:

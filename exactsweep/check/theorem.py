@@ -9,24 +9,13 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from exactsweep.check.terms import Nat, Record, Some, to_claim
+from exactsweep.check.terms import POINT, Nat, Record, Some, to_claim
 
 CLAIMS = {
-    "no_fit": ("Statements.no_fit_claim {}", "no_fit_sound {0} {1}"),
-    "inner_fit": ("Statements.inner_fit_claim {}", "inner_fit_sound {0} {1}"),
-    "sweep": (
-        "Statements.no_fit_claim directrix generatrix (with_holes exterior holes) exact_fits /\\\n"
-        "  Statements.sweep_claim exterior generatrix loops slits /\\\n"
-        "  (2 * area == Statements.doubled_area loops)%Q",
-        "whole_sweep_sound {0} {1}",
-    ),
-    "layout": ("Statements.valid {}", "layout_valid entries {0} evidence"),
-}
-CHECKS = {
-    "no_fit": "check_no_fit {0} {1}",
-    "inner_fit": "check_inner_fit {0} {1}",
-    "sweep": "check_whole_sweep {0} {1}",
-    "layout": "check_layout (normals_of entries) (outside_normals_of entries) {0} evidence",
+    "no_fit": ("no_fit_polygon", "no_fit_polygon_sound", "check_no_fit_polygon"),
+    "inner_fit": ("inner_fit_polygon", "inner_fit_polygon_sound", "check_inner_fit_polygon"),
+    "sweep": ("sweep_of", "whole_sweep_sound", "check_whole_sweep"),
+    "layout": ("valid", "layout_valid", "check_entries"),
 }
 HEAD = """(* {title}
 
@@ -44,7 +33,7 @@ ANSWER = """(* The answer of the checker. If it is false, Coq reports at Qed tha
    "accepted = accepted" while it is expected to have type "accepted = true". *)
 """
 TITLES = {
-    "no_fit": "A no-fit polygon: exterior, holes walked clockwise, and exact fits.",
+    "no_fit": "A no-fit polygon: exterior, holes, and exact fits.",
     "inner_fit": "An inner fit: regions, and exact fits.",
     "sweep": "A no-fit polygon, and the area swept along its exterior.",
     "layout": "A valid layout.",
@@ -66,17 +55,16 @@ def write_theorem(certificate: Any, name: str = "certificate") -> str:
         TheoremError: the certificate is of another version, or a layout with faults.
     """
     claim = to_claim(certificate)
-    statement, sound = CLAIMS[claim.kind]
-    names = [" ".join(part) for part in (claim.statement, claim.evidence)]
-    check = CHECKS[claim.kind].format(*names)
+    stated, sound, check = CLAIMS[claim.kind]
+    question, names = " ".join(claim.statement), " ".join([*claim.statement, *claim.evidence])
     lines = [HEAD.format(title=TITLES[claim.kind], name=name)]
     lines += _define(claim.statement)
     lines += ["\n(* The evidence, in integers at a common denominator *)", "Open Scope Z_scope.\n"]
     lines += _define(claim.evidence)
     lines += [
-        f"\n{ANSWER}Notation accepted :=\n  ({check}).",
-        f"\nTheorem proved : {statement.format(names[0])}.",
-        f"Proof.\n  apply ({sound.format(*names)}).",
+        f"\n{ANSWER}Notation accepted :=\n  ({check} {names}).",
+        f"\nTheorem proved : Statements.{stated} {question}.",
+        f"Proof.\n  apply ({sound} {names}).",
         "  vm_cast_no_check (eq_refl accepted).\nQed.",
         "Print Assumptions proved.\n",
     ]
@@ -84,7 +72,11 @@ def write_theorem(certificate: Any, name: str = "certificate") -> str:
 
 
 def _define(terms: dict[str, tuple[str, Any]]) -> list[str]:
-    return [f"Definition {key} : {kind} :=\n  {_coq(term)}." for key, (kind, term) in terms.items()]
+    scopes = {POINT: "%Q"}
+    return [
+        f"Definition {key} : {kind} :=\n  {_coq(term)}{scopes.get(kind, '')}."
+        for key, (kind, term) in terms.items()
+    ]
 
 
 def _coq(term: Any) -> str:

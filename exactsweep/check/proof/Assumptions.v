@@ -7,6 +7,8 @@ Print Assumptions overlap_refutes.
 Print Assumptions no_fit_sound.
 Print Assumptions inner_fit_sound.
 Print Assumptions sweep_sound.
+Print Assumptions no_fit_polygon_sound.
+Print Assumptions inner_fit_polygon_sound.
 Print Assumptions whole_sweep_sound.
 Print Assumptions locate_sound.
 Print Assumptions layout_valid.

@@ -1,27 +1,83 @@
 (* What certificates are checked with: a sweep together with its no-fit polygon, and normals by number. *)
-Require Import QArith ZArith List Bool.
-From Exactsweep Require Import Cancel Pieces Covers Layout NoFit InnerFit Sweep.
+Require Import QArith Lqa ZArith Lia List Bool.
+From Exactsweep Require Import Cancel Pieces Solid Gaps Scaling HalfOpen Covers Layout NoFit InnerFit Sweep.
 From Exactsweep Require Statements.
 Import ListNotations.
 
-(* Exteriors counter-clockwise, holes listed counter-clockwise and walked the other way around *)
-Definition with_holes (exterior : Statements.ring) (holes : list Statements.ring) : list Statements.ring :=
-  exterior :: map (@rev _) holes.
-
-(* T, along which G is swept, is the exterior of the no-fit polygon; the area is that within the loops. *)
-Definition check_whole_sweep (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
-    (fits : list (Statements.point * Statements.point)) (loops : list Statements.ring)
-    (slits : list (Statements.point * Statements.point)) (area : Q) (c : no_fit_certificate) (c' : sweep_certificate) : bool :=
-  check_no_fit D G (with_holes exterior holes) fits c && check_sweep exterior G loops slits c' &&
-  Qeq_bool (2 * area) (Statements.doubled_area loops).
-Theorem whole_sweep_sound D G exterior holes fits loops slits area c c' :
-  check_whole_sweep D G exterior holes fits loops slits area c c' = true ->
-  Statements.no_fit_claim D G (with_holes exterior holes) fits /\ Statements.sweep_claim exterior G loops slits /\
-  (2 * area == Statements.doubled_area loops)%Q.
+Lemma winding_cons r rs z : Statements.winding (r :: rs) z = (Statements.winding [r] z + Statements.winding rs z)%Z.
 Proof.
-  unfold check_whole_sweep. intro H. apply andb_prop in H as (H & E). apply andb_prop in H as (A & B). split; [|split].
-  - exact (no_fit_sound _ _ _ _ c A).
+  unfold Statements.winding. cbn [flat_map]. rewrite app_nil_r, map_app.
+  generalize (map (Statements.crossing z) (Statements.edges r)) (map (Statements.crossing z) (flat_map Statements.edges rs)). intros a b.
+  induction a as [|x a IH]; cbn [app fold_right]; [reflexivity|]. rewrite IH. lia.
+Qed.
+Lemma winding_with_holes z exterior holes :
+  Statements.winding (Statements.with_holes exterior holes) z = (Statements.winding [exterior] z - Statements.winding holes z)%Z.
+Proof. unfold Statements.with_holes. rewrite winding_cons, winding_rev. lia. Qed.
+
+(* Loops by name: triangles that make up the exterior, and each hole *)
+Definition triangles := (list ring * list (list ring))%type.
+Definition is_simple (N : positive) (rs : list Statements.ring) (ps : list ring) : bool :=
+  all_integral (Zpos N) rs && simple_solid {| rings := int_rings (Zpos N) rs; pieces := ps |}.
+Definition check_named (N : positive) (exterior : Statements.ring) (holes : list Statements.ring) (t : triangles) : bool :=
+  is_simple N [exterior] (fst t) && (length holes =? length (snd t))%nat && forallb (fun x => is_simple N [fst x] (snd x)) (combine holes (snd t)) &&
+  match holes with [] => true | _ => is_simple N holes (concat (snd t)) end.
+Lemma is_simple_spec N rs ps : is_simple N rs ps = true -> Statements.simple rs.
+Proof.
+  unfold is_simple. intro H. apply andb_prop in H as (I & S).
+  exact (proj1 (simple_rings N rs ps I S)).
+Qed.
+Lemma check_named_spec N exterior holes t : check_named N exterior holes t = true -> Statements.named exterior holes.
+Proof.
+  unfold check_named. intro H. apply andb_prop in H as (H & A). apply andb_prop in H as (H & E). apply andb_prop in H as (S & L). split; [|split].
+  - exact (is_simple_spec N _ _ S).
+  - apply Nat.eqb_eq in L. rewrite Forall_forall. intros h I. apply In_nth_error in I as (i & I).
+    destruct (Layout.nth_combine _ _ i h L I) as (ps & F). rewrite forallb_forall in E. apply (is_simple_spec N _ ps), (E _ (nth_error_In _ _ F)).
+  - destruct holes as [|h holes]; [left; reflexivity|]. apply (is_simple_spec N _ _ A).
+Qed.
+
+Definition check_no_fit_polygon (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
+    (fits : list (Statements.point * Statements.point)) (c : no_fit_certificate) (t : triangles) : bool :=
+  check_no_fit D G (Statements.with_holes exterior holes) fits c && check_named (NoFit.unit c) exterior holes t.
+Theorem no_fit_polygon_sound D G exterior holes fits c t :
+  check_no_fit_polygon D G exterior holes fits c t = true -> Statements.no_fit_polygon D G exterior holes fits.
+Proof.
+  unfold check_no_fit_polygon. intro H. apply andb_prop in H as (A & B). pose proof (no_fit_sound _ _ _ _ c A) as C.
+  pose proof (check_named_spec _ _ _ _ B) as Na. split; [exact C|]. split; [exact Na|]. intros z NL W.
+  destruct Na as ((E & _) & _ & _). specialize (E z). pose proof (winding_with_holes z exterior holes) as T.
+  destruct (proj2 C z NL) as [(_ & V)|(_ & V)]; lia.
+Qed.
+
+Definition check_inner_fit_polygon (C G : list Statements.ring) (regions : list (Statements.ring * list Statements.ring))
+    (fits : list (Statements.point * Statements.point)) (c : inner_fit_certificate) (ts : list triangles) : bool :=
+  check_inner_fit C G (flat_map (fun r => Statements.with_holes (fst r) (snd r)) regions) fits c && (length regions =? length ts)%nat &&
+  forallb (fun x => check_named (InnerFit.unit c) (fst (fst x)) (snd (fst x)) (snd x)) (combine regions ts).
+Theorem inner_fit_polygon_sound C G regions fits c ts :
+  check_inner_fit_polygon C G regions fits c ts = true -> Statements.inner_fit_polygon C G regions fits.
+Proof.
+  unfold check_inner_fit_polygon. intro H. apply andb_prop in H as (H & E). apply andb_prop in H as (A & L). split; [exact (inner_fit_sound _ _ _ _ c A)|].
+  apply Nat.eqb_eq in L. rewrite Forall_forall. intros r I. apply In_nth_error in I as (i & I).
+  destruct (Layout.nth_combine _ _ i r L I) as (t & F). rewrite forallb_forall in E. exact (check_named_spec _ _ _ t (E _ (nth_error_In _ _ F))).
+Qed.
+
+(* T, along which G is swept, is the exterior of the no-fit polygon; z: a point of D in the inner loop. *)
+Definition check_whole_sweep (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
+    (fits : list (Statements.point * Statements.point)) (outer inner : Statements.ring) (unswept : list Statements.ring)
+    (slits : list (Statements.point * Statements.point)) (area : Q) (c : no_fit_certificate) (t : triangles)
+    (c' : sweep_certificate) (t' : triangles) (z : Statements.point) : bool :=
+  let loops := Statements.with_holes outer (inner :: unswept) in
+  check_no_fit_polygon D G exterior holes fits c t && check_sweep exterior G loops slits c' &&
+  check_named (Sweep.unit c') outer (inner :: unswept) t' && (Statements.winding D z =? 1)%Z && (Statements.winding [inner] z =? 1)%Z &&
+  Qeq_bool (2 * area) (Statements.doubled_area loops).
+Theorem whole_sweep_sound D G exterior holes fits outer inner unswept slits area c t c' t' z :
+  check_whole_sweep D G exterior holes fits outer inner unswept slits area c t c' t' z = true ->
+  Statements.sweep_of D G exterior holes fits outer inner unswept slits area.
+Proof.
+  unfold check_whole_sweep. cbv zeta. intro H. apply andb_prop in H as (H & E). apply andb_prop in H as (H & W'). apply andb_prop in H as (H & W).
+  apply andb_prop in H as (H & Na). apply andb_prop in H as (A & B). split; [|split; [|split; [|split]]].
+  - exact (no_fit_polygon_sound _ _ _ _ _ _ _ A).
   - exact (sweep_sound _ _ _ _ c' B).
+  - exact (check_named_spec _ _ _ _ Na).
+  - exists z. split; apply Z.eqb_eq; assumption.
   - apply Qeq_bool_iff, E.
 Qed.
 
@@ -56,5 +112,7 @@ Definition lookup (l : list entry) (a i b j : Z) : pt :=
   end.
 Definition normals_of (l : list entry) (a i b j : nat) : pt := lookup l (Z.of_nat a) (Z.of_nat i) (Z.of_nat b) (Z.of_nat j).
 Definition outside_normals_of (l : list entry) (a : Z) (i b j : nat) : pt := lookup l a (Z.of_nat i) (Z.of_nat b) (Z.of_nat j).
-Corollary layout_valid entries l c : check_layout (normals_of entries) (outside_normals_of entries) l c = true -> Statements.valid l.
+Definition check_entries (l : Statements.layout) (c : certificate) (entries : list entry) : bool :=
+  check_layout (normals_of entries) (outside_normals_of entries) l c.
+Corollary layout_valid l c entries : check_entries l c entries = true -> Statements.valid l.
 Proof. apply layout_sound. Qed.

@@ -351,6 +351,38 @@ Proof.
     assert (G : (most n q + d # N) <= (snd h # N)) by (apply frac_le, L). rewrite frac_plus in G. rewrite !X. lra.
 Qed.
 
+Lemma simple_rings N rs ps : all_integral (Zpos N) rs = true -> simple_solid {| rings := int_rings (Zpos N) rs; pieces := ps |} = true ->
+  Statements.simple rs /\ exists z, Statements.inside rs z.
+Proof.
+  intros I S. pose proof (simple_shape _ S) as (W01 & z & Z1). cbn [rings] in *. pose proof (int_rings_at (Zpos N) _ I) as Ra.
+  assert (In1 : Statements.inside rs (third N z)).
+  { unfold Statements.inside. rewrite <- Z1, <- W_edges. apply (winding_at (3 * Zpos N)); [lia|apply rings_grow, Ra|apply third_at]. }
+  split; [split|exists (third N z); exact In1].
+  - intro q. destruct (pat_common q q) as (k & v & _ & K & V & _).
+    rewrite (winding_W (Zpos N) k _ _ q v eq_refl K Ra V). apply W01, K.
+  - apply (interior_of_point _ _ In1).
+Qed.
+Lemma nth_combine {A B} (a : list A) (b : list B) i x : length a = length b -> nth_error a i = Some x -> exists y, nth_error (combine a b) i = Some (x, y).
+Proof.
+  revert b i. induction a as [|u a IH]; intros [|v b] [|i] L E; try discriminate; cbn in *.
+  - injection E as ->. exists v. reflexivity.
+  - apply IH; [lia|exact E].
+Qed.
+Lemma nth_numbered {A} (m : list A) i x : nth_error m i = Some x -> exists k, nth_error (numbered m) i = Some (k, x).
+Proof.
+  unfold numbered. generalize 0%nat. revert i. induction m as [|u m IH]; intros [|i] k E; try discriminate; cbn in *.
+  - injection E as ->. exists k. reflexivity.
+  - apply IH, E.
+Qed.
+Lemma pairs_nth {A} (R : A -> A -> Prop) m : ForallOrdPairs R m -> forall i j a b, (i < j)%nat ->
+  nth_error m i = Some a -> nth_error m j = Some b -> R a b.
+Proof.
+  induction 1 as [|x m H _ IH]; intros i j a b L E F; [destruct i; discriminate|].
+  destruct j as [|j]; [lia|]. destruct i as [|i]; cbn in *.
+  - injection E as ->. rewrite Forall_forall in H. apply H. eapply nth_error_In, F.
+  - apply (IH i j); [lia|assumption|assumption].
+Qed.
+
 Section Sound.
 Variables (normals : nat -> nat -> nat -> nat -> pt) (outside_normals : Z -> nat -> nat -> nat -> pt).
 Variables (l : Statements.layout) (c : certificate).
@@ -409,14 +441,7 @@ Proof.
       apply andb_prop in R as (_ & R). destruct p0 as [[|q0 qs] rd]; [discriminate R|].
       exists q0. right. exists (q0 :: qs, rd). rewrite Ro. split; [left; reflexivity|]. apply within_self; [apply R0; left; reflexivity|].
       intros a b d B. apply B. left. reflexivity.
-    + pose proof (simple_shape _ S') as (W01 & z & Z1). cbn [rings] in *.
-      pose proof (int_rings_at (Zpos N) _ I) as Ra.
-      assert (In1 : Statements.inside (Statements.outline f) (third N z)).
-      { unfold Statements.inside. rewrite <- Z1, <- W_edges. apply (winding_at (3 * Zpos N)); [lia|apply rings_grow, Ra|apply third_at]. }
-      split; [right; split|exists (third N z); left; exact In1].
-      * intro q. destruct (pat_common q q) as (k & v & _ & K & V & _).
-        rewrite (winding_W (Zpos N) k _ _ q v eq_refl K Ra V). apply W01, K.
-      * apply (interior_of_point _ _ In1).
+    + destruct (simple_rings N _ _ I S') as (Si & z & Z). split; [right; exact Si|exists z; left; exact Z].
 Qed.
 
 Lemma parts_some f ps : is_solid_figure c (f, ps) = true -> parts (item_of c (f, ps)) <> [].
@@ -424,26 +449,6 @@ Proof.
   intro H. destruct (figure_spec f ps H) as (_ & _ & Cov & _ & z & Z). intro E. apply (Cov z Z). rewrite E. intros p [].
 Qed.
 
-Lemma nth_combine {A B} (a : list A) (b : list B) i x : length a = length b -> nth_error a i = Some x -> exists y, nth_error (combine a b) i = Some (x, y).
-Proof.
-  revert b i. induction a as [|u a IH]; intros [|v b] [|i] L E; try discriminate; cbn in *.
-  - injection E as ->. exists v. reflexivity.
-  - apply IH; [lia|exact E].
-Qed.
-Lemma nth_numbered {A} (m : list A) i x : nth_error m i = Some x -> exists k, nth_error (numbered m) i = Some (k, x).
-Proof.
-  unfold numbered. generalize 0%nat. revert i. induction m as [|u m IH]; intros [|i] k E; try discriminate; cbn in *.
-  - injection E as ->. exists k. reflexivity.
-  - apply IH, E.
-Qed.
-Lemma pairs_nth {A} (R : A -> A -> Prop) m : ForallOrdPairs R m -> forall i j a b, (i < j)%nat ->
-  nth_error m i = Some a -> nth_error m j = Some b -> R a b.
-Proof.
-  induction 1 as [|x m H _ IH]; intros i j a b L E F; [destruct i; discriminate|].
-  destruct j as [|j]; [lia|]. destruct i as [|i]; cbn in *.
-  - injection E as ->. rewrite Forall_forall in H. apply H. eapply nth_error_In, F.
-  - apply (IH i j); [lia|assumption|assumption].
-Qed.
 Lemma all_apart_spec d m : all_apart d normals m = true -> ForallOrdPairs (fun x y => exists f, is_apart d f (snd x) (snd y) = true) m.
 Proof.
   induction m as [|(a, x) m IH]; cbn [all_apart]; intro H; constructor; apply andb_prop in H as (H & H2); [|apply IH, H2].

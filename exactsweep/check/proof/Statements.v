@@ -136,6 +136,15 @@ Definition no_fit_claim (D G loops : list ring) (fits : list (point * point)) : 
   (forall t, L t <-> (closure (overlaps_at D G) t /\ ~ overlaps_at D G t)) /\
   (forall t, ~ L t -> (overlaps_at D G t /\ winding loops t = 1%Z) \/ (~ overlaps_at D G t /\ winding loops t = 0%Z)).
 
+(* Loops by name, all listed counter-clockwise: each is simple, and the holes have no point in common. *)
+Definition named (exterior : ring) (holes : list ring) : Prop :=
+  simple [exterior] /\ Forall (fun h => simple [h]) holes /\ forall z, winding holes z = 0%Z \/ winding holes z = 1%Z.
+Definition with_holes (exterior : ring) (holes : list ring) : list ring := exterior :: map (@rev _) holes.
+(* The exterior is around all others: off the loops and fits, what a hole goes around is inside the exterior. *)
+Definition no_fit_polygon (D G : list ring) (exterior : ring) (holes : list ring) (fits : list (point * point)) : Prop :=
+  no_fit_claim D G (with_holes exterior holes) fits /\ named exterior holes /\
+  forall z, ~ on_any (flat_map edges (with_holes exterior holes) ++ fits) z -> winding holes z = 1%Z -> winding [exterior] z = 1%Z.
+
 (* Inner fits: the translations at which G + t is in the container C.  The claim on regions (exteriors
    counter-clockwise, holes clockwise) and exact fits. *)
 Definition fits_at (C G : list ring) (t : point) : Prop := forall z, inside (translate t G) z -> inside C z.
@@ -143,6 +152,9 @@ Definition inner_fit_claim (C G regions : list ring) (fits : list (point * point
   let L := on_any (flat_map edges regions ++ fits) in
   (forall t, L t <-> (fits_at C G t /\ closure (fun u => ~ fits_at C G u) t)) /\
   (forall t, ~ L t -> (fits_at C G t /\ winding regions t = 1%Z) \/ (~ fits_at C G t /\ winding regions t = 0%Z)).
+
+Definition inner_fit_polygon (C G : list ring) (regions : list (ring * list ring)) (fits : list (point * point)) : Prop :=
+  inner_fit_claim C G (flat_map (fun r => with_holes (fst r) (snd r)) regions) fits /\ Forall (fun r => named (fst r) (snd r)) regions.
 
 (* Swept areas: G travels along the loop T.  The claim on loops, and on slits, which are no part of the
    answer: off them, the loops wind once around the points that G covers on its way, and not around the rest. *)
@@ -155,3 +167,9 @@ Definition sweep_claim (T : ring) (G loops : list ring) (slits : list (point * p
 (* Twice the area within rings, by the shoelace formula *)
 Definition doubled_area (rs : list ring) : Q :=
   fold_right Qplus 0 (map (fun e => fst (fst e) * snd (snd e) - fst (snd e) * snd (fst e)) (flat_map edges rs)).
+(* A sweep: T is the exterior of the no-fit polygon; the inner loop goes around D, that is, around a point of it. *)
+Definition sweep_of (D G : list ring) (T : ring) (holes : list ring) (fits : list (point * point))
+    (outer inner : ring) (unswept : list ring) (slits : list (point * point)) (area : Q) : Prop :=
+  let loops := with_holes outer (inner :: unswept) in
+  no_fit_polygon D G T holes fits /\ sweep_claim T G loops slits /\ named outer (inner :: unswept) /\
+  (exists z, inside D z /\ winding [inner] z = 1%Z) /\ 2 * area == doubled_area loops.

@@ -35,6 +35,8 @@ let inner_fit_certificate () =
 let figure () =
   let outline = list rational_ring in let rounded = list (fun () -> pair rational_ring rational) in
   let error = rational () in { outline; rounded; error }
+let triangles () = pair (fun () -> list ring) (fun () -> list (fun () -> list ring))
+
 let part () =
   let form = figure () in let demand = option nat in let rotations = option (fun () -> list rational_point) in
   let may_mirror = nat () = 1 in { form; demand; rotations; may_mirror }
@@ -60,15 +62,18 @@ let normals () =
 
 let answer = function
   | "no_fit" ->
-    let d = list rational_ring in let g = list rational_ring in let loops = list rational_ring in let fits = list segment in
-    check_no_fit d g loops fits (no_fit_certificate ())
+    let d = list rational_ring in let g = list rational_ring in let exterior = rational_ring () in let holes = list rational_ring in
+    let fits = list segment in let c = no_fit_certificate () in check_no_fit_polygon d g exterior holes fits c (triangles ())
   | "inner_fit" ->
-    let c = list rational_ring in let g = list rational_ring in let regions = list rational_ring in let fits = list segment in
-    check_inner_fit c g regions fits (inner_fit_certificate ())
+    let c = list rational_ring in let g = list rational_ring in
+    let regions = list (fun () -> pair rational_ring (fun () -> list rational_ring)) in let fits = list segment in
+    let e = inner_fit_certificate () in check_inner_fit_polygon c g regions fits e (list triangles)
   | "sweep" ->
     let d = list rational_ring in let g = list rational_ring in let exterior = rational_ring () in let holes = list rational_ring in
-    let fits = list segment in let loops = list rational_ring in let slits = list segment in let area = rational () in
-    let c = no_fit_certificate () in check_whole_sweep d g exterior holes fits loops slits area c (sweep_certificate ())
+    let fits = list segment in let outer = rational_ring () in let inner = rational_ring () in let unswept = list rational_ring in
+    let slits = list segment in let area = rational () in let c = no_fit_certificate () in let t = triangles () in
+    let c' = sweep_certificate () in let t' = triangles () in
+    check_whole_sweep d g exterior holes fits outer inner unswept slits area c t c' t' (rational_point ())
   | "layout" ->
     let l = layout () in let c = certificate () in let n = normals () in
     check_layout n (fun a i b j -> n (B.int_of_big_int a) i b j) l c
