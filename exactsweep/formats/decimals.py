@@ -1,7 +1,6 @@
 """Decimal numbers in files, read and written exactly."""
 
 import re
-from collections.abc import Sequence
 from contextlib import suppress
 from fractions import Fraction
 from math import ceil, log2
@@ -60,17 +59,6 @@ def read_decimals(text: str) -> list[Fraction]:
     if not _DECIMALS.fullmatch(text):
         raise FormatError(f"{quote(text)} is not a list of decimal numbers")
     return [*map(read_decimal, _DECIMAL.findall(text))]
-
-
-def read_each(texts: Sequence[str]) -> list[Fraction]:
-    """Read decimals between blanks, each of them a text of its own.
-
-    >>> read_each([" 1", "-.5 "])
-    [Fraction(1, 1), Fraction(-1, 2)]
-    """
-    # Most drawings have every end of a line twice, and one height and bulge.
-    known = {text: read_decimal(text.strip()) for text in dict.fromkeys(texts)}
-    return [known[text] for text in texts]
 
 
 def read_points(text: str) -> list[Point]:

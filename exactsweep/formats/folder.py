@@ -157,7 +157,7 @@ def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordi
     if len({one.y_down for one in systems}) > 1:
         for name, found in down:
             found[:] = [one.turned() for one in found]
-            notes.append(f"{name}: Y points down there, up in other files: turned up")
+            notes.append(f"{name}: Y axis flipped: down there, up in other files")
     units = {one.unit for one in systems} - {None}
     if len(units) > 1:
         notes.append("the files have different units (--unit brings them to one)")

@@ -197,16 +197,15 @@ class Reading:
         self.found_unit = UNITS[self.unit]
         return unit / self.found_unit
 
-    def hides(self, reason: str, count: int = 1) -> bool:
-        """Decide whether to leave out elements for a reason, and count them if so.
+    def hides(self, reason: str) -> bool:
+        """Decide whether to leave out an element for a reason, and count it if so.
 
         Args:
-            reason: the reason that hides the elements; "" for none.
-            count: the number of elements.
+            reason: the reason that hides the element; "" for none.
         """
         if not reason or self.hidden:
             return False
-        self.passed[reason] += count
+        self.passed[reason] += 1
         return True
 
     def list_hidden(self) -> list[str]:

@@ -48,7 +48,7 @@ def test_a_pair_of_both_hands_is_brought_to_one(ells: dict[str, str]) -> None:
     for first, second in (("dxf", "svg"), ("svg", "dxf"), ("svg", "json")):
         done = run("nfp", ells[first], ells[second], "--to", "wkt")
         assert done.exit_code == 0
-        assert "l.svg: Y points down there, up in other files: turned up" in done.stderr
+        assert "l.svg: Y axis flipped: down there, up in other files" in done.stderr
         (found,) = parse_regions(done.stdout)
         n = no_fit_polygon(ell, ell)
         assert found.region.area == n.area
@@ -56,7 +56,7 @@ def test_a_pair_of_both_hands_is_brought_to_one(ells: dict[str, str]) -> None:
     same = run("nfp", ells["svg"], ells["svg"], "--to", "svg")
     assert (same.exit_code, same.stderr) == (0, "")
     both = run("ifp", ells["svg"], ells["dxf"])
-    assert "turned up" in both.stderr
+    assert "Y axis flipped" in both.stderr
 
 
 def test_a_sheet_of_both_hands_is_brought_to_one(ells: dict[str, str], tmp_path: Path) -> None:
@@ -64,7 +64,7 @@ def test_a_sheet_of_both_hands_is_brought_to_one(ells: dict[str, str], tmp_path:
     parts = [part.region for part in parse_regions(done.stdout)]
     assert len(parts) == 3
     assert len({part.translated([-c for c in part.bounding_box[0]]) for part in parts}) == 1
-    assert done.stderr.count("turned") == 1
+    assert done.stderr.count("Y axis flipped") == 1
 
 
 @pytest.mark.parametrize("source", ["svg", "dxf", "json"])
@@ -73,7 +73,7 @@ def test_converted_parts_look_the_same(source: str, target: str, ells: dict[str,
     done = run("convert", ells[source], "--to", target)
     assert done.exit_code == 0
     differs = (source == "svg") != (target == "svg")
-    assert ("turned" in done.stderr) == differs
+    assert ("Y axis flipped" in done.stderr) == differs
     (part,) = parse_regions(done.stdout)
     region = part.region.scaled((1, -1)) if target == "svg" else part.region
     x, y = region.bounding_box[0]

@@ -6,9 +6,7 @@ Decimals are read exactly, and blocks are placed exactly wherever their angles a
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from fractions import Fraction
-from functools import partial
 from itertools import pairwise
 
 from exactsweep.formats.candidate import Candidate
@@ -18,18 +16,11 @@ from exactsweep.formats.curved.curves import find_arc_center, make_round_arc
 from exactsweep.formats.curved.dxf_block import Blocks, PlacedEntity
 from exactsweep.formats.curved.dxf_entity import Entity, read_drawing
 from exactsweep.formats.curved.join import OpenLine, draw_outline, gather
-from exactsweep.formats.curved.path import (
-    CURVED,
-    Path,
-    draw_circle,
-    draw_lines,
-    find_share,
-    place_points,
-)
+from exactsweep.formats.curved.path import CURVED, Path, draw_circle, draw_lines, find_share
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
-from exactsweep.numbers.number import Point, make_points
+from exactsweep.numbers.number import Point
 
 # Entities without an outline: fillings, which repeat one, and lines without an end.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
@@ -60,71 +51,11 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     image = make_scaling(scale, scale)
     blocks = Blocks(drawing, reading)
     placed = (one for entity in drawing.entities for one in blocks.place(entity, image))
-    return gather((drawn for one in placed for drawn in _draw_run(one, reading)), reading)
-
-
-def _draw_run(placed: PlacedEntity, reading: Reading) -> list[Candidate | OpenLine]:
-    if placed.entity.kind == "LINE" and placed.entity.count > 1 and not placed.image.off:
-        with suppress(ValueError):
-            return _draw_lines(placed, reading)
-    # If one of a run is refused, each by itself has its own reason.
-    return [_draw(placed._replace(entity=one), reading) for one in placed.entity.split()]
-
-
-def _draw_lines(placed: PlacedEntity, reading: Reading) -> list[Candidate | OpenLine]:
-    """Draw a run of lines as chains, each line starting at the end of the one before."""
-    entity, count = placed.entity, placed.entity.count
-    reading.require_level(entity.take(30, 31, default="0"))
-    xs, ys = entity.take(10, 11), entity.take(20, 21)
-    drawn: list[Candidate | OpenLine] = []
-    for numbers in _find_chains(xs, ys, count):
-        ends = [*numbers, count + numbers[-1]]
-        points = make_points([xs[k] for k in ends], [ys[k] for k in ends])
-        chain = place_points(points, placed.image)
-        split = partial(_split, placed, numbers, chain)
-        if len(numbers) > 2:
-            first = placed.place(numbers[0])
-            drawn.append(OpenLine(first, chain, layer=placed.layer, split=split))
-        else:
-            drawn += split()
-    return drawn
-
-
-def _find_chains(
-    xs: Sequence[Fraction], ys: Sequence[Fraction], count: int
-) -> Sequence[Sequence[int]]:
-    """Find the chains of lines by the coordinates of their starts, then of their ends."""
-    breaks = [
-        k for k in range(1, count) if (xs[k], ys[k]) != (xs[count + k - 1], ys[count + k - 1])
-    ]
-    if 2 * len(breaks) <= count:
-        return [range(i, k) for i, k in pairwise([0, *breaks, count])]
-    # Equal texts are one number, whose id is hashed in a tenth of the time of a Fraction.
-    places = [*zip(map(id, xs), map(id, ys), strict=True)]
-    at = {start: k for k, start in enumerate(places[:count])}
-    chains: list[list[int]] = []
-    left = [True] * count
-    for first in range(count):
-        chain: list[int] = []
-        k: int | None = first
-        while k is not None and left[k]:
-            left[k] = False
-            chain.append(k)
-            k = at.get(places[count + k])
-        # Lines that are not a closed outline stay in order, each by itself.
-        chains += [chain] if chain and k == first else ([n] for n in chain)
-    return sorted(chains)
-
-
-def _split(placed: PlacedEntity, numbers: Sequence[int], chain: Sequence[Point]) -> list[OpenLine]:
-    return [
-        OpenLine(placed.place(k), ends, layer=placed.layer)
-        for k, ends in zip(numbers, pairwise(chain), strict=True)
-    ]
+    return gather((_draw(one, reading) for one in placed), reading)
 
 
 def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
-    place, layer, kind = placed.place(), placed.layer, placed.entity.kind
+    place, layer, kind = placed.place, placed.layer, placed.entity.kind
     try:
         if placed.fault:
             raise FormatError(placed.fault)

@@ -37,9 +37,10 @@ class PlacedEntity(NamedTuple):
     around: str = ""
     fault: str = ""
 
-    def place(self, k: int = 0) -> str:
-        """Return the kind and the lines of one entity of a run, for messages."""
-        return f"{self.around}{self.entity.place(k)}"
+    @property
+    def place(self) -> str:
+        """The kind and the line of the entity, for messages."""
+        return f"{self.around}{self.entity.place}"
 
 
 class Blocks:
@@ -72,14 +73,11 @@ class Blocks:
             self.reading.notes[f"the layer {quote(placed.layer)} does not plot, and is read"] = None
         on_layer = reason and f"on the layer {quote(placed.layer)}, which is {reason}"
         what = placed.entity.hidden or on_layer
-        return bool(what) and self.reading.hides(
-            f"{placed.entity.kind} {what}", placed.entity.count
-        )
+        return bool(what) and self.reading.hides(f"{placed.entity.kind} {what}")
 
     def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
-            entity = placed.entity
-            self.reading.allow_copies(entity.count, entity.size, "blocks draw", "entities")
+            self.reading.allow_copies(1, placed.entity.size, "blocks draw", "entities")
         if placed.entity.kind in _NOTES or self._is_hidden(placed):
             return
         if placed.entity.kind != "INSERT":
@@ -95,7 +93,7 @@ class Blocks:
         for image in images:
             for entity in members:
                 layer = placed.layer if entity.layer == "0" else entity.layer
-                inner = PlacedEntity(entity, image, layer, f"{placed.place()}: ")
+                inner = PlacedEntity(entity, image, layer, f"{placed.place}: ")
                 yield from self._place(inner, (*around, name))
 
     def _images(self, placed: PlacedEntity, name: str, around: tuple[str, ...]) -> list[Affine]:
@@ -114,7 +112,7 @@ class Blocks:
     def _own_maps(self, insert: Entity, block: list[Entity]) -> list[Affine]:
         columns, rows = (max(1, int(insert.number(code, "1"))) for code in (70, 71))
         # Copies of an empty block would be maps without end.
-        drawn = sum(entity.count for entity in block[1:]) or 1
+        drawn = len(block) - 1 or 1
         if columns * rows * drawn > MAX_COPIES:
             raise FormatError(f"draws more than {MAX_COPIES:,} entities")
         turn = make_rotation(insert.number(50, "0"))

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from itertools import chain, compress, groupby, pairwise
+from itertools import compress, pairwise
 from typing import NamedTuple, cast
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
-from exactsweep.formats.decimals import read_each
+from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
@@ -18,9 +18,6 @@ from exactsweep.numbers.number import Point, make_points, to_fraction
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
-_SHARED = _LAYER, _PAPER, _INVISIBLE
-# The kinds of entities that files have thousands of, one after the other.
-_RUNS = {"LINE", "VERTEX"}
 _FROZEN = 1
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
 _NORMAL = {210: "0", 220: "0", 230: "1"}
@@ -35,68 +32,34 @@ FROZEN = "frozen"
 
 
 class Entity:
-    """An entity, or a run of several that are alike: their kind, and their values by group code.
-
-    The entities of a run have the same group codes in the same order, and are on one layer. Slices
-    of the values are then columns, which are read in a fraction of the time.
+    """An entity: its kind, and its values by group code.
 
     Args:
-        codes: the group codes of an entity, that of its kind first.
-        texts: the values of one entity after the other.
+        codes: the group codes, that of the kind first.
+        texts: the values.
         line: the line of the file that names the kind.
-        first: the index of the first value of each group, if it is known.
+        first: the index of the first value of each group.
 
     Attributes:
         kind: "LINE", for instance.
         codes, texts, line: as given.
-        count: the number of entities.
         vertices: the entities that follow it and belong to it.
     """
 
-    __slots__ = ("_first", "codes", "count", "kind", "line", "texts", "vertices")
+    __slots__ = ("_first", "codes", "kind", "line", "texts", "vertices")
 
     def __init__(
-        self,
-        codes: Sequence[int],
-        texts: Sequence[str],
-        line: int,
-        first: Mapping[int, int] | None = None,
+        self, codes: Sequence[int], texts: Sequence[str], line: int, first: Mapping[int, int]
     ) -> None:
-        self.codes, self.texts, self.line = codes, texts, line
-        self._first = first or {code: k for k, code in reversed([*enumerate(codes)])}
+        self.codes, self.texts, self.line, self._first = codes, texts, line, first
         self.kind = texts[0].strip()
-        self.count = len(texts) // len(codes)
         self.vertices: Sequence[Entity] = ()
 
-    def slice(self, start: int, stop: int) -> Entity:
-        """Return some of the entities of a run."""
-        size = len(self.codes)
-        texts = self.texts[start * size : stop * size]
-        return Entity(self.codes, texts, self.line + 2 * start * size, self._first)
-
-    def split(self) -> Sequence[Entity]:
-        """Return the entities of a run, each by itself."""
-        return [self.slice(k, k + 1) for k in range(self.count)] if self.count > 1 else [self]
-
-    def runs(self) -> Iterator[Entity]:
-        """Yield the parts of a run that are on one layer and hidden alike."""
-        start = 0
-        for _, run in groupby(zip(*(self.column(code, "") for code in _SHARED), strict=True)):
-            stop = start + sum(1 for _ in run)
-            yield self.slice(start, stop)
-            start = stop
-
-    def column(self, code: int, default: str | None = None) -> Sequence[str]:
-        """Return the first value of a group of each entity."""
-        if code in self._first:
-            return self.texts[self._first[code] :: len(self.codes)]
-        return [str(default)] * self.count
-
-    def place(self, k: int = 0) -> str:
-        """Return the kind and the line of one entity of a run, for messages."""
+    @property
+    def place(self) -> str:
+        """The kind and the line, for messages."""
         is_word = self.kind.isidentifier() and len(self.kind) < _LONG
-        line = self.line + 2 * k * len(self.codes)
-        return f"line {line}: {self.kind if is_word else quote(self.kind)}"
+        return f"line {self.line}: {self.kind if is_word else quote(self.kind)}"
 
     @property
     def layer(self) -> str:
@@ -106,14 +69,16 @@ class Entity:
     @property
     def size(self) -> int:
         """For how many bytes it counts: for those of its values, and as an entity."""
-        own = ENTITY * self.count + sum(len(text) + _GROUP for text in self.texts)
+        own = ENTITY + sum(len(text) + _GROUP for text in self.texts)
         return own + sum(vertex.size for vertex in self.vertices)
 
     def number(self, code: int, default: str | None = None) -> Fraction:
         """Return the number with a group code; refuse if it is missing without a default."""
         if default is not None and code not in self._first:
             return to_fraction(default)
-        return _read_group(code, [self._text(code, None)])[0]
+        text = self._text(code, None)
+        with name_refusals(f"group {code}", FormatError):
+            return read_decimal(text)
 
     def point(self, code: int) -> Point:
         """Return the point whose x has a group code, and its y that code plus ten."""
@@ -142,13 +107,8 @@ class Entity:
         return make_points(xs, ys)
 
     def take(self, *codes: int, default: str | None = None) -> list[Fraction]:
-        """Return the numbers with several group codes, as `number` does each, of all in a run."""
-        try:
-            return read_each([text for code in codes for text in self.column(code, default)])
-        except ValueError:
-            if self.count > 1:
-                raise
-            return [self.number(code, default) for code in codes]
+        """Return the numbers with several group codes, as `number` does each."""
+        return [self.number(code, default) for code in codes]
 
     @property
     def plane(self) -> Affine:
@@ -177,15 +137,16 @@ class Entity:
 
     def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
-        vertices = self.vertices
-        flags = _read_column(vertices, _FLAGS, "0")
-        # The frame of a fitted curve is not drawn.
-        is_drawn = [not int(bits) & _FRAME for bits in flags]
-        if not all(is_drawn):
-            vertices = [*compress(chain.from_iterable(v.split() for v in vertices), is_drawn)]
-        points = make_points(_read_column(vertices, 10), _read_column(vertices, 20))
-        reading.require_level(_read_column(vertices, 30, "0"))
-        return points, _read_column(vertices, _BULGE, "0")
+        points, bulges, heights = [], [], []
+        for vertex in self.vertices:
+            with name_refusals(vertex.place):
+                # The frame of a fitted curve is not drawn.
+                if not vertex.flags() & _FRAME:
+                    points.append(vertex.point(10))
+                    heights.append(vertex.number(30, "0"))
+                    bulges.append(vertex.number(_BULGE, "0"))
+        reading.require_level(heights)
+        return points, bulges
 
     def _text(self, code: int, default: str | None) -> str:
         text = self.texts[self._first[code]] if code in self._first else default
@@ -279,21 +240,18 @@ def _divide(text: str) -> Iterator[Entity]:
     starts = [k for k, code in enumerate(codes) if code == 0]
     # Vertices of old polylines among them.
     require_count(len(starts), ENTITY, "entities")
-    pairs = pairwise([*starts, len(codes)])
-    shapes = ((values[start].strip(), tuple(codes[start:end])) for start, end in pairs)
     # Equal ones are one object, so that few are kept.
-    same: dict[tuple[str, tuple[int, ...]], tuple[str, tuple[int, ...]]] = {}
-    heads = [same.setdefault(shape, shape) for shape in shapes]
-    past = 0
-    for (kind, own), run in groupby(heads[:-1]):
-        start, past = starts[past], past + sum(1 for _ in run)
-        entity = Entity(own, values[start : starts[past]], 2 * start + 2)
-        yield from entity.runs() if kind in _RUNS else entity.split()
-    for kind, own in heads[-1:]:
-        if len(codes) < len(values) and kind != "EOF":
-            place = f"line {2 * len(codes) + 1}: {quote(words[len(codes)])}"
+    same: dict[tuple[int, ...], tuple[tuple[int, ...], dict[int, int]]] = {}
+    for start, end in pairwise([*starts, len(codes)]):
+        own = tuple(codes[start:end])
+        if own not in same:
+            same[own] = own, {code: k for k, code in reversed([*enumerate(own)])}
+        shared, first = same[own]
+        entity = Entity(shared, values[start:end], 2 * start + 2, first)
+        if end == len(codes) < len(values) and entity.kind != "EOF":
+            place = f"line {2 * end + 1}: {quote(words[end])}"
             raise FormatError(f"not DXF: {place} is no group code")
-        yield Entity(own, values[starts[-1] : len(codes)], 2 * starts[-1] + 2)
+        yield entity
 
 
 def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
@@ -345,18 +303,4 @@ def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
 
 def _read_group(code: int, texts: Sequence[str]) -> list[Fraction]:
     with name_refusals(f"group {code}", FormatError):
-        return read_each(texts)
-
-
-def _read_column(
-    entities: Sequence[Entity], code: int, default: str | None = None
-) -> list[Fraction]:
-    """Read the number with a group code of each entity; a refusal names the entity."""
-    try:
-        return read_each([text for entity in entities for text in entity.column(code, default)])
-    except ValueError:
-        found = []
-        for entity in chain.from_iterable(entity.split() for entity in entities):
-            with name_refusals(entity.place()):
-                found.append(entity.number(code, default))
-        return found
+        return [read_decimal(text.strip()) for text in texts]

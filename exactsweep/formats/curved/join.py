@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Callable, Container, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Hashable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import chain, pairwise
-from itertools import count as count_from
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
@@ -34,27 +32,25 @@ _ROUNDED = 250
 
 
 class OpenLine(NamedTuple):
-    """An open line, or a chain of straight lines, each starting at the end of the one before.
+    """An open line.
 
     Attributes:
         place: what and where it is, for messages.
-        ends: its first and its last point; of a chain, also the points between them.
+        ends: its first and its last point.
         path: how it runs between them; None for a straight one.
         is_exact: whether its ends are those that are meant, not just close to them.
         name: its id, or None.
         layer: its layer, or None.
-        split: makes an OpenLine of each line of a chain; else None.
         rule: its fill rule, if it is filled, which closes it; else None.
         groups: as for `Candidate`.
     """
 
     place: str
-    ends: Sequence[Point]
+    ends: tuple[Point, Point]
     path: Path | None = None
     is_exact: bool = True
     name: str | None = None
     layer: str | None = None
-    split: Callable[[], Sequence[OpenLine]] | None = None
     rule: Rule | None = None
     groups: tuple[str, ...] = ()
 
@@ -80,15 +76,11 @@ def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Cand
     """List what a file draws, in order, with the open lines of each layer joined."""
     found: list[tuple[int, Candidate]] = []
     lines: defaultdict[str | None, dict[int, OpenLine]] = defaultdict(dict)
-    order = 0
-    for one in drawn:
+    for order, one in enumerate(drawn):
         if isinstance(one, OpenLine):
             lines[one.layer][order] = one
-            # A chain has a place for each of its lines.
-            order += len(one.ends)
         else:
             found.append((order, one))
-            order += 1
     for loose in lines.values():
         found += join(loose, reading)
     return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
@@ -113,7 +105,6 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
 
     Cost: linear.
     """
-    layer = next(iter(lines.values())).layer
     joints = Joints(reading.join or Fraction(0))
     find = joints.find
     exact = [[*map(find, line.ends)] if line.is_exact else [] for line in lines.values()]
@@ -129,19 +120,9 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
             yield order, _refuse(line, f"{line.place}: {error}")
     if not all(exact):
         _note_gaps(placed, joints, reading)
-    meeting = Counter(chain.from_iterable(ends[1:] + ends[:-1] for _, _, ends in placed))
-    single: list[tuple[int, OpenLine, Sequence[int]]] = []
-    for order, line, ends in placed:
-        if line.split is None:
-            single.append((order, line, ends))
-        elif ends[0] == ends[-1] and all(meeting[joint] == 2 for joint in ends):
-            outline = [joints.points[joint] for joint in ends[:-1]]
-            yield order, Candidate(line.place, outline.copy, None, layer, rule="nonzero")
-        else:
-            single += zip(count_from(order), line.split(), pairwise(ends), strict=False)
     found: dict[tuple[int, int, Hashable], _Joined] = {}
     lost: defaultdict[int, list[_Joined]] = defaultdict(list)
-    for order, line, (i, k) in single:
+    for order, line, (i, k) in placed:
         try:
             joined = _Joined(order, line, (i, k))
             if i != k:
