@@ -120,9 +120,10 @@ class Work:
 
 
 def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
-    """Take an object apart by its keys; what is null or left out has its default, or is None."""
-    known, required = f"{names} {optional}".split(), {*names.split()}
-    right = type(item) is dict and required <= item.keys() <= {*known}
+    """Return the values of an object; an optional key may be null, for its default or None."""
+    known = f"{names} {optional}".split()
+    right = type(item) is dict and item.keys() <= {*known}
+    right = right and all(item.get(key) is not None for key in names.split())
     need(right, f"{name}: not an object with keys {names}{optional and '; optional '}{optional}")
     return [NULL.get(key) if item.get(key) is None else item[key] for key in known]
 

@@ -11,6 +11,7 @@ from random import Random
 from typing import Any
 
 import pytest
+from certified import certificates
 from checkers import CHECKER, ask_node, check_agreement, needs_node
 from falsify import draw, list_places, mix
 from layout_adversary import draw_layouts
@@ -156,6 +157,14 @@ def test_both_agree_on_the_letter_of_the_page(tmp_path: Path) -> None:
         valid_layout(flat=[]),  # a part without pieces, outside
     ]
     assert check_agreement(true, tmp_path) == len(true)
+    assert check_agreement(false, tmp_path) == 0
+
+
+def test_required_keys_are_not_null(tmp_path: Path) -> None:
+    true = [certificates()[name] for name in ("cave", "CM", "island")]
+    lists = ("holes",), ("unswept",), ("regions", 0, "holes")
+    false = [put(c, path, None) for c, path in zip(true, lists, strict=True)]
+    assert check_agreement(true, tmp_path) == 3
     assert check_agreement(false, tmp_path) == 0
 
 
