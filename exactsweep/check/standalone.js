@@ -525,11 +525,12 @@ const body = (keys, fewest = 1, most = Infinity) => (value) => { // with `solids
   return { ...found, solids };
 };
 const demand = (value) => kind((n) => n <= 999999999, "a demand")(natural(value));
-const partKeys = { id: text, demand: optional(demand), turns: optional(listOf(rotation)), mirrored: optional(flag, true) };
+const turns = optional(listOf(rotation));
+const partKeys = { id: text, demand: optional(demand), turns, mirrored_turns: turns, mirrored: optional(flag, true) };
 const placementKeys = { part: text, move: vertex, turn: optional(rotation, rotation("0")), mirrored: optional(flag, false) };
 const layoutReader = object({
   container: optional(body({}, 0, 1), { solids: [], pieces: [], error: ZERO }), parts: listOf(body(partKeys)),
-  placements: listOf(object(placementKeys)), defects: optional(listOf(body({})), []),
+  placements: listOf(object(placementKeys)), defects: optional(listOf(body({ spacing: optional(distance) })), []),
   spacing: optional(distance, ZERO), margin: optional(distance, ZERO),
 });
 const ofPart = { kind: text, part: text }, ofBodies = { kind: text, placements: listOf(index, 2, 2), point: vertex };
@@ -573,7 +574,8 @@ function place(layout, turns) { // give parts their counts, placements their par
     };
     const putRing = (r) => (mirrored ? reversed(r.map(map)) : r.map(map));
     const put = (solids) => solids.map(({ rings, radius }) => ({ rings: rings.map(putRing), radius }));
-    const isTurned = !of.turns || of.turns.some((t) => t.key === key), isMirrored = of.mirrored || !mirrored;
+    const allowed = (mirrored && of.mirrored_turns) || of.turns;
+    const isTurned = !allowed || allowed.some((t) => t.key === key), isMirrored = of.mirrored || !mirrored;
     of.count += 1;
     Object.assign(placement, { of, error, put, isTurned, isMirrored });
   });
@@ -584,7 +586,7 @@ function bodyOf(layout, n) { // {solids, error, isOutside}: of a container, what
   const { placements, container, defects } = layout;
   need(n < placements.length && -n - 2 < defects.length, "there is no body of that number");
   if (n >= 0) return { solids: placements[n].put(placements[n].of.solids), error: placements[n].error };
-  return { ...(n === -1 ? container : defects[-n - 2]), isOutside: n === -1 };
+  return n === -1 ? { ...container, isOutside: true } : defects[-n - 2];
 }
 
 function squaredDistance(edge, p) {
@@ -614,7 +616,7 @@ function isProved({ kind, part: id, placements, point: z }, layout, byId) {
   }
   const [a, b] = placements, both = placements.map((n) => bodyOf(layout, n));
   if (a < 0 || a === b || (kind !== "too close" && (kind === "outside") !== b < 0)) return false;
-  const r = (b < 0 ? layout.margin : layout.spacing).minus(both[0].error).minus(both[1].error).over(TWO);
+  const room = b < 0 ? both[1].spacing ?? layout.margin : layout.spacing, r = room.minus(both[0].error).minus(both[1].error).over(TWO);
   if (kind !== "too close") return both.every((body) => isDeep(body, z, body.error));
   return r.sign() > 0 && both.every((body) => isDeep(body, z, r.negated()));
 }
@@ -666,9 +668,9 @@ function checkValid({ frame, outside, pieces, apart }, layout) {
   need(apart.every((e) => e.of.every(isIndex)), "an entry of `apart` for no body");
   const normals = new Map(apart.map(({ of, normal }) => [of.join(), normal]));
   need(normals.size === apart.length, "two entries of `apart` for the same pieces");
-  const body = (n, solids, { error }) => {
+  const body = (n, solids, { error, spacing: own = margin }) => {
     const boxes = solids.map(widened);
-    return { n, solids, error, boxes, box: boxes.length ? around(boxes) : null };
+    return { n, solids, error, own, boxes, box: boxes.length ? around(boxes) : null };
   };
   const bodies = obstacles.map((list, i) => body(-2 - i, list, defects[i]));
   if (frame) bodies.push(body(-1, beyond, container));
@@ -680,7 +682,7 @@ function checkValid({ frame, outside, pieces, apart }, layout) {
         (q) => isDeep({ solids: beyond, isOutside: true }, q, room.plus(radius).negated())));
     need(isInside, "a placement is not within the container");
     for (const a of bodies) {
-      const s = (a.n < 0 ? margin : spacing).plus(a.error).plus(b.error).reduced();
+      const s = (a.n < 0 ? a.own : spacing).plus(a.error).plus(b.error).reduced();
       if (a.box && !isFar(a.box, b.box, s)) checkApart(a, b, s, normals);
     }
     bodies.push(b);

@@ -68,9 +68,10 @@ from typing import Any, NamedTuple
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
 MAX_DIGITS, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**7, 100
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
-NULL: Any = dict.fromkeys(("turn", "radius", "error", "spacing", "margin"), "0")
+NULL: Any = dict.fromkeys(("turn", "radius", "error"), "0")
 NULL |= {"holes": [], "defects": []}
-FORM, NO_PIECES = "exterior holes pieces error", {"pieces": list[Any]()}
+FORM, RULES = "exterior holes pieces error", "demand turns mirrored mirrored_turns"
+NO_PIECES: Any = {"pieces": []}
 AXES, NOWHERE = ((1, 0), (0, 1), (-1, 0), (0, -1)), ((0, 0, 0, 0), -1, 0)
 PI = "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348"
 
@@ -589,6 +590,7 @@ class Body(NamedTuple):
     name: str
     solids: list[Solid]
     error: Rational
+    distance: Rational
     inside: int
 
     def points(self) -> Ring:
@@ -661,7 +663,8 @@ class Layout:
         more = "container defects spacing margin"
         parts, placed, container, defects, *gaps = fields("layout", given, "parts placements", more)
         self.work, self.valid, self.faults = work, valid, faults
-        self.spacing, self.margin = (number("spacing, margin", n, False) for n in gaps)
+        gaps = ["0" if n is None else n for n in gaps]
+        self.spacing, margin = (number("spacing, margin", n, False) for n in gaps)
         solids = [NO_PIECES if container is None else container, *items("defects", defects)]
         cut: list[Any] = [None] * len(items("parts", parts))
         outside, ends, self.parts = [None] * len(solids), None, dict[str, Part]()
@@ -671,17 +674,19 @@ class Layout:
         self.frame = [] if ends is None else [rectangle("frame", ends)]
         for k, own in enumerate(items("pieces", cut, len(parts))):
             name = f"parts[{k}]"
-            key, *rules = fields(name, parts[k], "id", f"demand turns mirrored {FORM}")
+            key, *rules = fields(name, parts[k], "id", f"{RULES} {FORM}")
             need(type(key) is str and key not in self.parts, f"{name}: id missing or not unique")
-            self.parts[key] = self.read_body(name, rules[3:], own), rules[:3], []
+            self.parts[key] = self.read_body(name, rules[4:], own, self.spacing), rules[:4], []
         self.bodies, self.count = list[Body](), len(items("placements", placed))
         for k, to in enumerate(items("turns", turns, self.count)):
             self.bodies.append(self.read_placement(f"placements[{k}]", placed[k], to))
         for k, own in reversed([*enumerate(items("outside", outside, len(solids)))]):
-            name = f"defects[{k - 1}]" if k else "container"
-            self.bodies.append(self.read_body(name, fields(name, solids[k], "", FORM), own))
+            name, more = (f"defects[{k - 1}]", f"{FORM} spacing") if k else ("container", FORM)
+            *form, distance = [*fields(name, solids[k], "", more), None][:5]
+            far = margin if distance is None else number(f"{name}, spacing", distance, False)
+            self.bodies.append(self.read_body(name, form, own, far))
 
-    def read_body(self, name: str, form: list[Any], cut: Any) -> Body:
+    def read_body(self, name: str, form: list[Any], cut: Any, distance: Rational) -> Body:
         """Read a body: a shape, or rounded pieces; of a container, what is outside it."""
         exterior, holes, given, error = form
         is_outside, found = name == "container", list[Solid]()
@@ -705,7 +710,8 @@ class Layout:
                 length = number(f"{name}, piece {k}, radius", radius, False)
                 found.append(([piece], -length if is_outside else length))
         need(found or is_outside, f"{name}: no pieces")
-        return Body(name, found, number(f"{name}, error", error, False), int(not is_outside))
+        known = number(f"{name}, error", error, False)
+        return Body(name, found, known, distance, int(not is_outside))
 
     def read_placement(self, name: str, item: Any, rational: Any) -> Body:
         """Read a placement, and put its part there."""
@@ -721,25 +727,27 @@ class Layout:
             error += max(sum(map(abs, place(p))) for p in points) * rotation_error(to, asked)
         used.append((asked, flag is True))
         moved = [([move(e, to, flag is True, by) for e in rings], r) for rings, r in body.solids]
-        return Body(f"{name} of {key[:40]!a}", moved, error, 1)
+        return Body(f"{name} of {key[:40]!a}", moved, error, self.spacing, 1)
 
     def find_broken(self) -> Iterator[tuple[str, str]]:
         """List the rules that are broken, each with the id of a part."""
-        for key, (_, (demand, turns, may), used) in self.parts.items():
-            name = f"part {key[:40]!a}"
+        for key, (_, (demand, turns, may, mirrored), used) in self.parts.items():
+            name, others = f"part {key[:40]!a}", turns if mirrored is None else mirrored
             need(may is None or type(may) is bool, f"{name}, mirrored: neither true nor false")
             asked = len(used) if demand is None else integer(f"{name}, demand", demand, 0, 10**9)
             yield from [("missing", key)] * (len(used) < asked)
             yield from [("surplus", key)] * (len(used) > asked)
             yield from [("mirror", key)] * (may is False and any(flag for _, flag in used))
-            if turns is not None:
-                allowed = {read_rotation(name, turn) for turn in items(name, turns)}
-                yield from [("turn", key)] * any(turn not in allowed for turn, _ in used)
+            for listed, at in ((turns, False), (others, True)):
+                own = {turn for turn, flag in used if flag is at and listed is not None}
+                given = [] if listed is None else items(f"{name}, turns", listed)
+                allowed = {read_rotation(name, e) for e in given}
+                yield from [("turn", key)] * (not own <= allowed)
 
     def prove_valid(self) -> None:
         """Prove that parts are in the container, and apart from each other and from obstacles."""
-        normals, boxes, reach = dict[Any, Any](), [], max(self.spacing, self.margin) / Fraction(2)
-        least, beyond = self.count - len(self.bodies), self.bodies[-1]
+        normals, boxes, least = dict[Any, Any](), list[Any](), self.count - len(self.bodies)
+        beyond, reach = self.bodies[-1], max(e.distance for e in self.bodies) / Fraction(2)
         for n, entry in enumerate(items("apart", self.normals)):
             *key, x, y = items(f"apart[{n}]", entry, 6)
             a, i, b, j = (integer(f"apart[{n}]", k, least, 10**9) for k in key)
@@ -747,7 +755,7 @@ class Layout:
             normals[a, i, b, j] = read_points(f"apart[{n}]", [[x, y]])[0][:2]
         for one in self.bodies[: self.count]:
             for (points,), radius in one.solids:
-                room = self.margin + one.error + beyond.error + radius
+                room = beyond.distance + one.error + beyond.error + radius
                 for p, way in zip(*self.frame, AXES, strict=True) if self.frame else ():
                     need(gap([p], points, way, room), f"{one.name}: not in the frame", points[0])
                 for p in () if self.frame else points:
@@ -764,7 +772,7 @@ class Layout:
                 one, other = self.bodies[a], self.bodies[b]
                 ((points,), r), ((others,), s) = one.solids[i], other.solids[j]
                 self.work.spend(12 + len(points) + len(others))
-                far = r + s + one.error + other.error + (self.margin if a < 0 else self.spacing)
+                far = r + s + one.error + other.error + one.distance
                 known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1))
                 is_apart = any(gap(points, others, n, far) for n in (known or AXES[0], *AXES))
                 reason = f"{one.name}, piece {i}: not apart from {other.name}, piece {j}"
@@ -791,7 +799,7 @@ class Layout:
         need(
             is_kind and a >= 0 and a != b and points, f"{name}: not {kind} of two bodies at a point"
         )
-        room = (self.margin if b < 0 else self.spacing) - one.error - other.error
+        room = other.distance - one.error - other.error
         need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)
         for body in (one, other):
             self.work.spend(60 * len(body.points()))

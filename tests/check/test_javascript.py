@@ -11,7 +11,7 @@ from random import Random
 from typing import Any
 
 import pytest
-from certified import certificates
+from certified import certificates, layout, rect, with_faults
 from checkers import CHECKER, ask_node, check_agreement, needs_node
 from falsify import draw, list_places, mix
 from layout_adversary import draw_layouts
@@ -194,3 +194,19 @@ def test_both_agree_on_drawn_certificates(seed: int, tmp_path: Path) -> None:
     assert check_agreement(certificates, tmp_path) > 200
     false = changed(certificates, 6, seed)
     assert check_agreement(false, tmp_path) < len(false) / 2
+
+
+def test_both_agree_on_distances_of_defects_and_rotations_of_mirrored_parts(tmp_path: Path) -> None:
+    certificates = list[Any]()
+    for spacing in (None, "1", "2", "21/10", "-1"):
+        defect = {"exterior": rect(1, 1, 4, 4), "spacing": spacing}
+        part = {"id": "a", "exterior": rect(0, 0, 2, 2), "turns": ["180"]}
+        for turns in (None, [], ["0"], ["1"], [["1", "1"]], "0"):
+            placed = [{"part": "a", "move": ["8", "3"], "mirrored": True}]
+            parts = [{**part, "mirrored_turns": turns}]
+            pieces = [[rect(0, 0, 2, 2)]]
+            found = layout(parts, placed, pieces, defects=[defect], margin="2")
+            certificates += [found, with_faults(found, {"kind": "turn", "part": "a"})]
+            close = {"kind": "too close", "placements": [0, -2], "point": ["5", "4"]}
+            certificates.append(with_faults(found, close))
+    assert check_agreement(certificates, tmp_path) > 10

@@ -132,7 +132,7 @@ CHANGES: dict[str, tuple[Any, str]] = {
     "a radius below 0": (((*PART, "pieces", 0, "radius"), "-1"), "radius: below 0"),
     "an exterior, too": (((*PART, "exterior"), rect(0, 0, 1, 1)), "not rounded pieces alone"),
     "holes, too": (((*PART, "holes"), [rect(0, 0, 1, 1)]), "not rounded pieces alone"),
-    "neither": (((*PART, "pieces"), None), "not a list"),
+    "neither": (((*PART, "pieces"), None), "with keys exterior"),
     "a list of pieces": ((("proof", "pieces", 0), []), "not rounded pieces alone"),
     "a container of two": (
         ((*OUTSIDE, "pieces"), [DISC, DISC]),

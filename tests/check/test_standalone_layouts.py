@@ -326,3 +326,24 @@ def test_the_bound_on_a_rotation_is_that_of_interval_arithmetic(degrees: int) ->
         assert (written - exact).b < iv.mpf(10) ** -87
     finally:
         iv.prec = before
+
+
+@pytest.mark.parametrize(("spacing", "is_valid"), [("2", True), ("21/10", False), (None, False)])
+def test_a_defect_may_have_a_distance_of_its_own(spacing: Any, is_valid: bool) -> None:
+    defect = {"exterior": rect(1, 1, 4, 4), "spacing": spacing}
+    found = layout([SQUARE], [at(6, 3)], [[rect(0, 0, 2, 2)]], defects=[defect], margin="3")
+    assert _is_refused(found) is not is_valid
+    fault = {"kind": "too close", "placements": [0, -2], "point": ["5", "7/2"]}
+    assert _is_refused(with_faults(found, fault)) is is_valid
+
+
+@pytest.mark.parametrize(
+    ("allowed", "is_valid"), [(None, False), (["0"], True), ([], False), (["90"], False)]
+)
+def test_mirrored_placements_may_have_rotations_of_their_own(allowed: Any, is_valid: bool) -> None:
+    part = {**SQUARE, "turns": ["180"], "mirrored_turns": allowed}
+    found = layout([part], [at(9, 9, mirrored=True)], [[rect(0, 0, 2, 2)]])
+    assert _is_refused(found) is not is_valid
+    turn = with_faults(found, {"kind": "turn", "part": "a"})
+    assert _is_refused(turn) is is_valid
+    assert _is_refused(put(found, (*PLACED, 0, "mirrored"), False))
