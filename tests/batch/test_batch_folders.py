@@ -150,19 +150,19 @@ def test_exact_fits_that_rounding_moves_are_left_out_where_overlap_must_be() -> 
     assert kept == exact[2:]
 
 
-def test_tables_have_numbers_on_request(folder: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("what", ["areas", pytest.param("nfp", marks=pytest.mark.long)])
+def test_tables_have_numbers_on_request(what: str, folder: Path, tmp_path: Path) -> None:
     lists = ("--all", str(folder / "one.json"), str(folder / "sub" / "one.json"))
-    for what in ("areas", "nfp"):
-        tables = {}
-        for ending in ("csv", "parquet", "jsonl"):
-            path = tmp_path / f"{what}.{ending}"
-            done = run("batch", *lists, "--compute", what, "--round", "3", "-o", str(path))
-            assert done.exit_code == 0
-            tables[ending] = path
-        (row,) = csv.DictReader(io.StringIO(tables["csv"].read_text()))
-        (record,) = records(tables["jsonl"])
-        (typed,) = pyarrow.parquet.read_table(tables["parquet"]).to_pylist()
-        require_numbers(row, record, typed)
+    tables = {}
+    for ending in ("csv", "parquet", "jsonl"):
+        path = tmp_path / f"{what}.{ending}"
+        done = run("batch", *lists, "--compute", what, "--round", "3", "-o", str(path))
+        assert done.exit_code == 0
+        tables[ending] = path
+    (row,) = csv.DictReader(io.StringIO(tables["csv"].read_text()))
+    (record,) = records(tables["jsonl"])
+    (typed,) = pyarrow.parquet.read_table(tables["parquet"]).to_pylist()
+    require_numbers(row, record, typed)
 
 
 def require_numbers(
@@ -181,7 +181,7 @@ def require_numbers(
 def test_a_folder_of_drawings_becomes_a_table(tmp_path: Path) -> None:
     drawings = tmp_path / "drawings"
     drawings.mkdir()
-    for drawing in every_drawing()[::4]:
+    for drawing in every_drawing()[::12]:
         (drawings / drawing.name).write_text(drawing.text, encoding="utf-8", newline="")
     table, square = tmp_path / "out.csv", tmp_path / "square.json"
     square.write_text("[[0,0],[1,0],[1,1],[0,1]]")
@@ -189,7 +189,7 @@ def test_a_folder_of_drawings_becomes_a_table(tmp_path: Path) -> None:
     done = run("batch", "--all", str(square), str(drawings), *options, "-o", str(table))
     assert done.exit_code == 0
     rows = list(csv.DictReader(io.StringIO(table.read_text())))
-    assert len({row["directrix"].partition("#")[0] for row in rows}) >= 13
+    assert len({row["directrix"].partition("#")[0] for row in rows}) >= 4
     assert all(row["error"] or float(row["area"]) > 0 for row in rows)
     assert sum(bool(row["error"]) for row in rows) == 0
 

@@ -86,7 +86,7 @@ def test_one_file_is_not_for_two_reports(tmp_path: Path) -> None:
         assert "a file of its own" in done.stderr
 
 
-@pytest.mark.parametrize("command", ["sweep", "draw"])
+@pytest.mark.parametrize("command", ["sweep", pytest.param("draw", marks=pytest.mark.long)])
 def test_a_write_that_fails_leaves_the_old_file(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -164,6 +164,7 @@ def wait_until_gone(pids: list[int]) -> None:
     eventually(lambda: not any(Path(f"/proc/{pid}").exists() for pid in pids))
 
 
+@pytest.mark.long
 def test_workers_end_with_the_process_that_started_them(tmp_path: Path, command: list[str]) -> None:
     process = start([*command, "--workers", "2"])
     wait_for(lambda: size(tmp_path / "out.jsonl.part"), process)
