@@ -1,4 +1,4 @@
-"""The command line: `exactsweep`, with one module per command."""
+"""The command line `exactsweep`: one module per command."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -29,12 +29,12 @@ _NAMES = (
     ),
     *("judge", "layout", "lesson", "nfp", "overlap", "reproduce", "sum", "sweep", "verify", "view"),
 )
-# Characters of a refusal by click, which repeats what is refused.
+# Maximum length of a usage error, which repeats the argument.
 _LONGEST = 1000
 
 
 class _Modules(Mapping[str, click.Command]):
-    """The commands by name, each imported when it is first used."""
+    """The commands by name, each imported on first use."""
 
     def __iter__(self) -> Iterator[str]:
         return iter(_NAMES)
@@ -58,15 +58,15 @@ def _load(name: str) -> click.Command:
 
 
 class _Commands(click.Group):
-    """Commands that answer a refusal with one line on standard error and exit code 1."""
+    """Commands that report an error in one line on standard error, with exit code 1."""
 
     def make_context(self, *arguments: Any, **options: Any) -> click.Context:
         # --help and --version write here.
-        with _refuse_in_one_line():
+        with _report_in_one_line():
             return super().make_context(*arguments, **options)
 
     def invoke(self, ctx: click.Context) -> object:
-        with _refuse_in_one_line():
+        with _report_in_one_line():
             return super().invoke(ctx)
 
     def resolve_command(
@@ -79,13 +79,12 @@ class _Commands(click.Group):
 
 
 @contextmanager
-def _refuse_in_one_line() -> Iterator[None]:
+def _report_in_one_line() -> Iterator[None]:
     try:
         yield
     except click.exceptions.NoArgsIsHelpError:
         raise
     except click.UsageError as error:
-        # Of click, which writes on several lines how a command is used.
         message = error.format_message()
         if len(message) <= _LONGEST:
             raise
@@ -95,14 +94,14 @@ def _refuse_in_one_line() -> Iterator[None]:
     except ValueError as error:
         raise click.ClickException(spell_out(str(error))) from None
     except BrokenPipeError:
-        raise  # click ends without a word
+        raise  # click exits silently
     except OSError as error:
         from exactsweep.formats.files import show_path
 
         place = "" if error.filename is None else f"{show_path(str(error.filename))}: "
         raise click.ClickException(f"{place}{error.strerror or error}") from None
     except MemoryError as error:
-        # Release the locals of the failed functions, so that there is room for the message.
+        # Release the locals of the failed functions: the message needs memory.
         clear_frames(error.__traceback__)
         raise click.ClickException("out of memory") from None
 

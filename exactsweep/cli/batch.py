@@ -9,7 +9,7 @@ import click
 
 from exactsweep.cli.export import takes_rounding
 from exactsweep.cli.options import PATH, checked, requires_output, takes_file, takes_workers
-from exactsweep.cli.output import say_limit, write
+from exactsweep.cli.output import report_limit, write
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
 from exactsweep.cli.working import show_bar
@@ -36,8 +36,8 @@ def _to_degrees(text: str) -> list[str]:
         if turn.exact is None:
             cosine, sine = map(format_fraction, turn.near()[:2])
             click.echo(
-                f"{word} degrees: turned by the cosine {cosine} and the sine {sine}, which are off "
-                f"by at most 2^-{TURN_BITS}",
+                f"{word} degrees: rotated by the cosine {cosine} and the sine {sine}, each within "
+                f"2^-{TURN_BITS}",
                 err=True,
             )
     return found
@@ -51,33 +51,33 @@ def _to_degrees(text: str) -> list[str]:
     nargs=2,
     type=PATH,
     metavar="GENERATRICES DIRECTRICES",
-    help="All pairs of the polygons of two files, folders, or patterns such as 'parts/*.dxf'.",
+    help="Sweep all pairs of polygons of two files, folders or patterns such as 'parts/*.dxf'.",
 )
-@takes_file("--parts", "Polygons that PAIRS names.")
+@takes_file("--parts", "File with the polygons that PAIRS refers to by name.")
 @click.option(
     "--compute",
     "what",
     type=click.Choice(["trajectory", "loops", "areas", "nfp"]),
     default="loops",
-    help="The trajectory alone, all loops (the default), just areas, or no-fit polygons.",
+    help="Compute the trajectory, all loops (default), only areas, or no-fit polygons.",
 )
-@takes_workers("The number of processes; by default one per processor.")
+@takes_workers("Number of processes; default: one per CPU.")
 @click.option(
     "--scheduler",
     metavar="ADDRESS",
-    help="Compute on the workers of a Dask scheduler; 'local' starts a cluster on this machine.",
+    help="Use the workers of a Dask scheduler; 'local' starts a cluster on this machine.",
 )
 @click.option(
     "--rotations",
     callback=checked(_to_degrees),
     metavar="DEGREES",
-    help="With --all: turn each generatrix by these degrees, such as 0,90,180,270. For angles "
-    "other than multiples of 90, standard error states the rational turn nearby.",
+    help="With --all: rotate each generatrix by these degrees, such as 0,90,180,270. For angles "
+    "with irrational cosines, standard error states the rational approximation.",
 )
 @click.option("--restart", is_flag=True, help="Discard the records of an interrupted batch.")
 @takes_rounding
 @takes_reading
-@requires_output("The file of the records, one line of JSON each; with .parquet or .csv a table.")
+@requires_output("Output file: one line of JSON per record, or a table in .parquet or .csv.")
 def batch_command(
     pairs: str | None,
     lists: tuple[str, str] | None,
@@ -91,25 +91,20 @@ def batch_command(
     reading: ReadingOptions,
     output: str,
 ) -> None:
-    """Sweep very many pairs.
+    """Sweep many pairs in parallel.
 
-    PAIRS has a line of JSON for each pair, {"generatrix": ..., "directrix": ...}, perhaps with
-    "id", "direction" and "reference". A polygon is a list of pairs or another form of JSON that
-    'exactsweep sweep' reads, or the name of a polygon in the file of --parts. Instead of PAIRS,
-    --all sweeps each polygon of GENERATRICES around each of DIRECTRICES. A folder means all files
-    in it; the names of polygons consist of file, layer and id. Standard error lists the elements
-    that are left out because they are not polygons.
+    PAIRS has one line of JSON per pair, {"generatrix": ..., "directrix": ...}, optionally with
+    "id", "direction" and "reference". A polygon is any JSON that 'exactsweep sweep' reads, or the
+    name of a polygon of --parts. With --all instead, the command sweeps each polygon of
+    GENERATRICES around each of DIRECTRICES. A folder means all files in it; polygons are named by
+    file, layer and id. Standard error lists skipped elements.
 
-    --round rounds all numbers of the records to decimals, which other programs read as numbers.
-    With --round-outward no loop moves to where it would permit an overlap.
+    --round rounds all numbers to decimals, and --round-outward so that no loop permits an overlap.
+    A record of --compute nfp is that of 'exactsweep nfp --json'; the generatrix orbits.
 
-    A record of --compute nfp has the exterior, the holes and the exact fits of the no-fit polygon,
-    as 'exactsweep nfp --json' writes them; the generatrix is the orbiting polygon.
-
-    The records have the order of the pairs. The record of a refused pair has the reason, and the
-    batch continues. After an interruption of any kind, the same command continues the batch. Until
-    the batch is complete, its records are in FILE.part. If all pairs were refused, the exit code
-    is 1.
+    Records have the order of the pairs. The record of a rejected pair has the reason. After an
+    interruption of any kind, the same command resumes the batch; until it is complete, the records
+    are in FILE.part. The exit code is 1 if all pairs are rejected.
 
     Example:
       exactsweep batch --all parts.dxf sheets.json -o results.jsonl
@@ -120,18 +115,20 @@ def batch_command(
     if (pairs is None) == (lists is None):
         raise click.UsageError("Give either PAIRS or --all.")
     if pairs is None and parts is not None:
-        raise click.UsageError("--parts goes with PAIRS.")
+        raise click.UsageError("--parts needs PAIRS.")
     if lists is None and rotations is not None:
-        raise click.UsageError("--rotations goes with --all.")
+        raise click.UsageError("--rotations needs --all.")
     if "-" in (pairs, output):
-        raise click.UsageError("PAIRS and the output are files: a batch may have to be resumed.")
+        raise click.UsageError(
+            "PAIRS and the output must be files, so that a batch can be resumed."
+        )
     from exactsweep.batch import run, take_all_pairs, take_listed_pairs
     from exactsweep.batch.parts import rotate_parts
 
     if scheduler is not None:
         import logging
 
-        # Dask tells a long story of each connection that it loses.
+        # Dask logs every lost connection at length.
         logging.disable(logging.CRITICAL)
     _require_new(output, [path for path in (pairs, parts, *(lists or ())) if path is not None])
     if lists is None:
@@ -163,20 +160,20 @@ def batch_command(
     except KeyboardInterrupt:
         raise click.ClickException(
             f"interrupted after {done} of {count(job.total, 'pair')}; "
-            "the same command goes on from there"
+            "run the same command to resume"
         ) from None
     text = f"{count(summary.pairs, 'pair')}, {summary.refused} refused"
     if summary.resumed:
-        text += f"; {summary.resumed} of the records were there already"
+        text += f"; {summary.resumed} of the records existed already"
     write(f"{text}\n", "-")
     if output.endswith(".jsonl"):
-        say_limit(max(measure_file(output), FAULT * summary.refused), output)
+        report_limit(max(measure_file(output), FAULT * summary.refused), output)
     if summary.pairs and summary.refused == summary.pairs:
         raise click.ClickException(f"all pairs were refused; {show_path(output)} says why")
 
 
 def _require_new(output: str, paths: Sequence[str]) -> None:
-    """Refuse to write over what is read."""
+    """Reject an output that is also an input."""
     files = (file for path in paths for file in find_files(split_choice(path)[0]))
     read = {os.path.realpath(file) for file in files if file != "-"}
     for name in (output, f"{output}.part", f"{output}.job"):
@@ -185,7 +182,7 @@ def _require_new(output: str, paths: Sequence[str]) -> None:
 
 
 def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:
-    """Read the parts of files, and say what is left out."""
+    """Read the parts of files; report skipped elements."""
     from exactsweep.batch.parts import make_parts
 
     return make_parts(find_parts([path], reading))

@@ -20,36 +20,35 @@ from exactsweep.formats import read_certificate
 @click.argument("result", type=PATH)
 @takes_rounding
 @takes_accept
-@click.option("--json", "as_json", is_flag=True, help="Write everything, exactly, as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="Write the exact result as JSON.")
 @takes_output
 def compare_command(
     case: str, result: str, rounding: Fraction | None, accept: str, as_json: bool, output: str
 ) -> None:
     """Compare an answer with the exact one.
 
-    CASE is a file with a case, or with a pair of polygons as 'exactsweep sweep --json' writes it;
-    or the id of a case of the corpus. RESULT is a file, or - for standard input: a JSON object
-    with any of "trajectory", "inner" and "outer", each a list of pairs of numbers or, if there
-    are several rings, a list of such lists; and "exact_fits", a list of pairs of points. A number
-    is an integer, a decimal, which stands for the nearest binary64, or a string, "-7/2".
+    CASE is the id of a case of the corpus, or a file with a case or with a pair of polygons as
+    'exactsweep sweep --json' writes it. RESULT is a file, or - for standard input: a JSON object
+    with any of "trajectory", "inner" and "outer", each a ring or a list of rings, and
+    "exact_fits", a list of pairs of points. A number is an integer, a decimal, which stands for the
+    nearest binary64, or a string such as "-7/2".
 
     \b
-    Verdicts, the worst part of the answer deciding:
+    Verdicts; the worst part of the answer decides:
       exact          the vertices of the exact loop, in order
       equivalent     the same set of points, with other vertices
       equivalent except for exact fits
       within         the exact loop except for rounding
       false exact fits
-      conservative   free positions are lost, no overlap is permitted
-      unsound        overlap is permitted
+      conservative   misses free positions, permits no overlap
+      unsound        permits overlap
       wrong          both
       malformed      no region: nan, too few vertices, edges that cross, ...
       unsupported    nothing to compare
       undecided      not compared in 60 seconds of the processor
 
-    For each part: how far the loops are apart, the area between them, and a place to check by hand.
-
-    The exit code is 0 if there is a verdict no worse than --accept, and 1 otherwise.
+    For each part, the report has the distance of the loops, the area between them, and a place to
+    check by hand. The exit code is 0 for a verdict no worse than --accept, and 1 otherwise.
 
     Example:
       exactsweep compare directions-y answer.json
@@ -61,7 +60,7 @@ def compare_command(
     from exactsweep.corpus.pairs import read_case
 
     if case == result == "-":
-        raise click.UsageError("Only one file can be read from standard input.")
+        raise click.UsageError("Only one file can be standard input (-).")
     found = compare_in_time(read_case(case), read_certificate(result), rounding=rounding)
     write(f"{json.dumps(found.to_json(), indent=2)}\n" if as_json else describe(found), output)
     passed = found.verdict.is_judgement and not fails(found.verdict, Verdict(accept))

@@ -1,4 +1,4 @@
-"""Completion in the shell: names of cases, flags, families, claims and verdicts."""
+"""Shell completion of the names of cases, flags, families, claims and verdicts."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import click
 from click.shell_completion import CompletionItem
 
 Offer = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
-"""A function that click calls with the beginning of a word."""
+"""A completion function of click."""
 
 
 CASES = "exactsweep.corpus.shipped:list_ids"
@@ -18,10 +18,10 @@ THEMES = "exactsweep.corpus:themes"
 FLAGS = "exactsweep.corpus:notes"
 FAMILIES = "exactsweep.corpus:FAMILIES"
 CLASSES = "exactsweep.corpus.case:KINDS"
-"""Places of names, or of functions that list them; they are imported when Tab is pressed."""
+"""Import paths of names, or of functions that list them, resolved when Tab is pressed."""
 
 Source = str | Callable[[], Iterable[str]]
-"""Such a place, or a function that lists names."""
+"""An import path, or a function that lists names."""
 
 
 def list_names(source: Source) -> Iterable[str]:
@@ -36,21 +36,21 @@ def list_names(source: Source) -> Iterable[str]:
 
 
 def list_claims() -> Iterable[str]:
-    """The claims of the paper."""
+    """List the claims of the paper."""
     from exactsweep.paper.ledger import CLAIMS
 
     return [claim.name for claim in CLAIMS]
 
 
 def list_verdicts() -> list[str]:
-    """The verdicts that `--accept` takes: those that say something of an answer."""
+    """List the verdicts that `--accept` allows."""
     from exactsweep.conform.judge.verdict import Verdict
 
     return [verdict.value for verdict in Verdict if verdict.is_judgement]
 
 
 def list_filters() -> Iterable[str]:
-    """The filters of cases, each with its value."""
+    """List the filters of cases with their values."""
     yield "id="
     yield "size="
     yield from (f"class={kind}" for kind in list_names(CLASSES))
@@ -58,11 +58,11 @@ def list_filters() -> Iterable[str]:
 
 
 def offer(*sources: Source, files: bool = False) -> Offer:
-    """Make what click asks for completions.
+    """Make a completion function.
 
     Args:
         sources: the names.
-        files: whether a file may stand there, too.
+        files: whether to complete files, too.
 
     Example:
         >>> found = offer(CLASSES)(click.Context(click.Command("")), click.Option(["-c"]), "C")
@@ -85,6 +85,6 @@ def offer(*sources: Source, files: bool = False) -> Offer:
 
 
 def _escape(name: str) -> str:
-    # Other shells do that themselves.
+    # Only bash leaves this to the program.
     is_bash = os.environ.get("_EXACTSWEEP_COMPLETE", "").startswith("bash")
     return name.replace(" ", "\\ ") if is_bash else name

@@ -22,17 +22,17 @@ from exactsweep.formats import FormatError
 
 
 def _refuse_nan(seconds: float) -> float:
-    """Refuse the one float that is in no range and outside of none."""
+    """Reject nan, which every range accepts."""
     if isnan(seconds):
-        raise FormatError("nan is no number of seconds.")
+        raise FormatError("nan is not a number of seconds.")
     return seconds
 
 
 class _ProgramCommand(click.Command):
-    """A command whose options end where a program begins, with options of its own."""
+    """A command whose own options end where the program to run begins."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Refuse options of this command that stand after the program, unless -- parts them."""
+        """Reject options of this command after the program, unless -- separates them."""
         given = [*args]
         rest = super().parse_args(ctx, args)
         program: tuple[str, ...] = ctx.params.get("command") or ()
@@ -42,8 +42,8 @@ class _ProgramCommand(click.Command):
             name = word.partition("=")[0]
             if name in own:
                 raise click.UsageError(
-                    f"{name} stands after the program, which would get it. Write it before "
-                    f"{program[0]}; or write -- before {program[0]} if it is for the program."
+                    f"{name} follows the program, which would get it. Write it before "
+                    f"{program[0]}; or, if it is for the program, write -- before {program[0]}."
                 )
         return rest
 
@@ -56,14 +56,14 @@ class _ProgramCommand(click.Command):
     multiple=True,
     metavar="NAME=VALUE",
     shell_complete=offer(list_filters),
-    help="Select cases: id=... by the beginning of the id, flag=..., class=CC to SS, size=... by "
-    "the largest number of vertices. May be repeated: any of the ids and classes, all flags.",
+    help="Select cases: id=PREFIX, flag=NAME, class=CC (CM, MM, SS), size=MAXIMUM of vertices. "
+    "Repeatable: any of the ids and classes, all flags.",
 )
-@takes_file("--cases path", "Cases as JSON lines; by default the corpus.")
+@takes_file("--cases path", "Cases as JSON lines; default: the corpus.")
 @takes_file(
     "--pairs",
-    "Your own polygons, in any format, each swept around each; or lines of JSON with a directrix "
-    "and a generatrix. The command computes the exact answers.",
+    "Your own polygons in any format, all pairs of them; or lines of JSON with a directrix and a "
+    "generatrix. The command computes the exact answers.",
 )
 @takes_reading
 @click.option(
@@ -72,30 +72,30 @@ class _ProgramCommand(click.Command):
     callback=checked(_refuse_nan),
     default=10.0,
     metavar="SECONDS",
-    help="The limit of time for one answer; by default 10.",
+    help="Time limit for one answer; default: 10.",
 )
 @click.option(
     "--workers",
     type=click.IntRange(min=1, max=256),
     default=1,
     metavar="N",
-    help="The number of processes of the command.",
+    help="Run N copies of the program in parallel.",
 )
 @click.option(
     "--memory",
     "most_memory",
     type=click.IntRange(min=1),
     metavar="MIB",
-    help="The limit of memory for a process of the command and its descendants; by default none.",
+    help="Memory limit of the program and its descendants; default: none.",
 )
-@takes_file("--journal", "Record each outcome at once.")
-@click.option("--resume", is_flag=True, help="Continue the run of the journal.")
+@takes_file("--journal", "Record each outcome as it arrives.")
+@click.option("--resume", is_flag=True, help="Resume the run of the journal.")
 @click.option(
     "--shrink",
     type=click.IntRange(min=0),
     default=1,
     metavar="N",
-    help="Make N failures of each fault smaller, for --html and --json; by default 1.",
+    help="Shrink N failures of each fault, for --html and --json; default: 1.",
 )
 @takes_rounding
 @takes_reports
@@ -116,14 +116,13 @@ def conform_command(
 ) -> None:
     """Judge a program by exact answers.
 
-    COMMAND is started, with all arguments that follow it, and gets a JSON case a line on its
-    standard input; it answers with a JSON result a line on its standard output. PROTOCOL.md in
-    exactsweep/conform describes the protocol. Options of this command stand before COMMAND, with
-    -- between them.
+    Runs COMMAND with its arguments. It reads one JSON case per line on standard input and writes
+    one JSON result per line on standard output; exactsweep/conform/PROTOCOL.md describes the
+    protocol. Options of 'exactsweep conform' come before COMMAND, separated by --.
 
-    Prints how many cases of each class and flag got which verdict, and each fault with its smallest
-    case. The exit code is 0 if no verdict is worse than --accept, the program ended well, and
-    enough cases could be judged; and 1 otherwise.
+    Prints the number of cases by class, flag and verdict, and each fault with its smallest case.
+    The exit code is 0 if no verdict is worse than --accept, the program exits normally, and enough
+    cases are judged; and 1 otherwise.
 
     Example:
       exactsweep conform --filter class=CC -- python adapter.py
@@ -147,7 +146,7 @@ def conform_command(
     if path is not None and pairs is not None:
         raise click.UsageError("Give either --cases or --pairs.")
     if any(reading.values()) and pairs is None:
-        raise click.UsageError("The options of how files are read go with --pairs.")
+        raise click.UsageError("The options for reading files need --pairs.")
     require_own_files([journal, *reports.list_files()])
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
@@ -182,13 +181,13 @@ def conform_command(
             made_smaller=smaller,
         )
     if not run.summary.total() and not run.interrupted:
-        raise SelectionError("no case is like that")
+        raise SelectionError("no case matches the filters")
     reports.write(run)
 
 
 @contextmanager
 def _end_as_interrupted() -> Iterator[None]:
-    """Let a polite request to end do what Ctrl-C does."""
+    """Handle SIGTERM like Ctrl-C."""
     old = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         yield

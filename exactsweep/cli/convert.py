@@ -24,12 +24,12 @@ from exactsweep.words import count
     "--to",
     "form",
     type=click.Choice(FORMATS),
-    help="The format; by default that of the suffix of the output.",
+    help="Output format; default: the suffix of the output.",
 )
 @click.option(
     "--free",
     is_flag=True,
-    help="With --round-outward: the polygons are free positions, which shrink.",
+    help="With --round-outward: the polygons are free regions, which shrink.",
 )
 @takes_rounding
 @takes_reading
@@ -42,16 +42,14 @@ def convert_command(
     reading: ReadingOptions,
     output: str,
 ) -> None:
-    """Write the polygons of files in another format.
+    """Convert polygons to another format.
 
-    The command reads FILES as 'exactsweep sweep' does, but with all their polygons, or the choice
-    after a #, and with holes, names and layers. A folder means all files in it, and a pattern such
-    as 'parts/*.dxf' all matching files. Standard error lists the elements that cannot be read; if
-    nothing is left, the exit code is 1.
+    Reads all polygons in FILES, or one as FILE#NAME, with holes, names and layers. FILES may be
+    folders and patterns such as 'parts/*.dxf'. Standard error lists skipped elements; the exit code
+    is 1 if no polygon remains.
 
-    The output is exactly the input. WKT, GeoJSON, SVG and DXF hold finite decimals only, so they
-    cannot hold 1/3. --round rounds all coordinates to decimals. DXF has no holes: their rings
-    become polylines like the exterior.
+    The conversion is exact. WKT, GeoJSON, SVG and DXF hold finite decimals only, so 1/3 needs
+    --round. In DXF, holes become polylines like the exterior.
 
     Example:
       exactsweep convert drawing.dxf --flatten 1/100 --join 1e-6 --unit mm -o parts.json
@@ -60,10 +58,10 @@ def convert_command(
     """
     form = form or PurePath(output).suffix[1:].lower()
     if form not in FORMATS:
-        raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
+        raise click.UsageError(f"Give a format: --to {', '.join(FORMATS)}.")
     polygons = read_named(files, reading, keep=True)
     keep_coordinates(polygons.coordinates)
-    # The forbidden side of a part is unknown.
+    # Without --round-outward, either side will do.
     side: Side = "closest"
     if rounding is not None and rounding.outward:
         side = "inward" if free else "outward"

@@ -1,4 +1,4 @@
-"""`exactsweep corpus`: list, show, export and generate cases."""
+"""`exactsweep corpus`."""
 
 from __future__ import annotations
 
@@ -41,18 +41,18 @@ _takes_filters = gather(
         "flags",
         multiple=True,
         shell_complete=offer(complete.FLAGS),
-        help="A flag; repeatable.",
+        help="Only cases with this flag; repeatable.",
     ),
     click.option(
         "--class",
         "kind",
         metavar="CLASS",
         shell_complete=offer(complete.CLASSES),
-        help="CC, CM, MM or SS.",
+        help="Only cases of this class: CC, CM, MM or SS.",
     ),
-    click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
+    click.option("--max-size", type=click.IntRange(min=0), help="Maximum number of vertices."),
 )
-"""Gives a command the options that choose among cases, as `filters`, arguments of `cases`."""
+"""Decorator: the options that select cases, as `filters`, arguments of `cases`."""
 
 
 def _is_any(filters: dict[str, Any]) -> bool:
@@ -66,14 +66,14 @@ def _is_any(filters: dict[str, Any]) -> bool:
     metavar="[themes|flags|families|ID]...",
     shell_complete=offer(lambda: ["themes", "flags", "families"], complete.THEMES, complete.CASES),
 )
-# As it was before names were given as to 'export'.
+# An alias of older versions.
 @click.option("--prefix", hidden=True)
 @_takes_filters
 def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, Any]) -> None:
     """List cases, a line each; or themes, flags, or families of the generator.
 
-    An ID is that of a case, or the beginning of ids, such as a theme, as for 'corpus export'. A
-    case's line has its id, its class, the number of vertices of D and G together, and its title.
+    An ID is that of a case, or a prefix of ids, such as a theme. A line has the id, the class, the
+    number of vertices of D and G together, and the title.
 
     Example:
       exactsweep corpus list --class MM --max-size 20
@@ -85,7 +85,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
     what = names[0] if len(names) == 1 and names[0] in _LISTS else "cases"
     starts = [prefix or ""] if names in ((), ("cases",)) else names
     if what != "cases" and (prefix or _is_any(filters)):
-        raise click.UsageError("The options choose among cases.")
+        raise click.UsageError("The options select cases only.")
     match what:
         case "themes":
             rows: Iterable[tuple[str, ...]] = themes().items()
@@ -110,9 +110,9 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
 )
 @click.option("--json", "as_json", is_flag=True, help="Write the case as one line of JSON.")
 def show_command(name: str, as_json: bool) -> None:
-    """Show a case, with the notes on its flags; or a flag; or a family of the generator.
+    """Show a case with the notes on its flags, a flag, or a family of the generator.
 
-    The id is that of a shipped case, or gen-FAMILY-SEED-NUMBER: then it is made again.
+    The id is that of a shipped case, or gen-FAMILY-SEED-NUMBER of a generated one.
 
     Example:
       exactsweep corpus show directions-y
@@ -126,9 +126,11 @@ def show_command(name: str, as_json: bool) -> None:
 
 @corpus_command.command("layouts")
 @click.argument("name", required=False, metavar="[ID]")
-@click.option("--json", "as_json", is_flag=True, help="Write layouts and expected faults as JSON.")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Write layouts with their expected faults as JSON."
+)
 def layouts_command(name: str | None, as_json: bool) -> None:
-    """List layouts with known faults, or write the one of this id for 'exactsweep layout'.
+    """List layouts with known faults, or write one by its id.
 
     Example:
       exactsweep corpus layouts
@@ -153,7 +155,7 @@ def layouts_command(name: str | None, as_json: bool) -> None:
 @click.argument("name", required=False, metavar="[ID]")
 @click.option("--json", "as_json", is_flag=True, help="Write shapes, paths and sums as JSON.")
 def paths_command(name: str | None, as_json: bool) -> None:
-    """List Minkowski sums of a shape and a path, or write the one of this id as JSON.
+    """List Minkowski sums of a shape and a path, or write one by its id as JSON.
 
     Example:
       exactsweep corpus paths
@@ -180,24 +182,23 @@ def paths_command(name: str | None, as_json: bool) -> None:
     "form",
     type=click.Choice(["json", "wkt", "geojson", "svg"]),
     default="json",
-    help="The format; by default json.",
+    help="Output format; default: json.",
 )
 @takes_output
 def export_command(names: tuple[str, ...], filters: dict[str, Any], form: str, output: str) -> None:
     """Write cases for other programs.
 
-    An ID names a case. gen-FAMILY-SEED-NUMBER names a generated case, and the beginning of an id,
-    such as a theme, all cases whose ids begin with it. The options select from these cases, or from
-    all shipped cases if there is no ID.
+    An ID names a case, gen-FAMILY-SEED-NUMBER a generated one, and a prefix of ids, such as a
+    theme, all cases whose ids begin with it. The options select from these, or from all shipped
+    cases without an ID.
 
-    json: one case per line, as 'exactsweep corpus schema' describes it, without loss.
+    json: one case per line, exact; 'exactsweep corpus schema' describes it.
 
-    wkt: a table of comma-separated values, one ring or segment per row. WKT has decimals only. If
-    a coordinate is not a decimal, the row has the reason instead of the geometry.
+    wkt: comma-separated values, one ring or segment per row. If a coordinate is not a finite
+    decimal, the row has the reason instead of the geometry.
 
-    geojson: a FeatureCollection, one ring or segment per feature. Its readers convert numbers to
-    doubles. If some coordinates are not doubles, the feature has "exact": false, the nearest
-    doubles, and the exact vertices as strings.
+    geojson: a FeatureCollection, one ring or segment per feature. If a coordinate is not a double,
+    the feature has "exact": false, the nearest doubles, and the exact vertices as strings.
 
     svg: a sheet of small pictures.
 
@@ -221,11 +222,11 @@ def export_command(names: tuple[str, ...], filters: dict[str, Any], form: str, o
 @corpus_command.command("release")
 @takes_output
 def release_command(output: str) -> None:
-    """Write the whole corpus as a folder of data, for programs in any language.
+    """Write the corpus as a folder of data for programs in any language.
 
-    The folder has the cases as JSON lines by theme, the schema, a page on how to read a case, a
-    small reader in each of six languages, the changelog, the licence, and checksums. By default it
-    is exactsweep-corpus-VERSION. A version never changes: later ones only add cases.
+    The folder, by default exactsweep-corpus-VERSION, has the cases as JSON lines by theme, the
+    schema, a description, readers in six languages, the changelog, the licence, and checksums. A
+    version never changes: later ones only add cases.
 
     Example:
       exactsweep corpus release -o answers
@@ -242,15 +243,15 @@ def release_command(output: str) -> None:
     "families",
     multiple=True,
     shell_complete=offer(complete.FAMILIES),
-    help="A family; may be repeated. By default all families.",
+    help="A family, repeatable; default: all families.",
 )
-@click.option("--seed", type=click.IntRange(min=0), default=0, help="The seed; by default 0.")
-@click.option("--count", type=click.IntRange(min=0), required=True, help="The number of cases.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, help="Seed; default: 0.")
+@click.option("--count", type=click.IntRange(min=0), required=True, help="Number of cases.")
 def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
-    """Make cases, and write each as a line of JSON.
+    """Generate cases, one line of JSON each.
 
-    They are the same on every machine and in every version of Python. Of several families the
-    first cases come first, then the second ones. 'exactsweep corpus list families' lists families.
+    The cases depend on family and seed only, not on the machine or the version of Python. Several
+    families alternate. 'exactsweep corpus list families' lists them.
 
     Example:
       exactsweep corpus generate --family notched --seed 1 --count 100
@@ -276,7 +277,7 @@ def schema_command() -> None:
 
 
 def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:
-    """The cases of these names; the names are looked at at once, the cases one by one."""
+    """Return the cases of these names, lazily; wrong names fail immediately."""
     from exactsweep.corpus import cases, find_case
     from exactsweep.corpus.shipped import list_ids, require_start
 

@@ -6,7 +6,7 @@ import click
 
 from exactsweep import InnerFit, NoFitPolygon, Point, Sweep
 from exactsweep.cli.options import checked, requires_output
-from exactsweep.cli.output import beside
+from exactsweep.cli.output import replace_file
 from exactsweep.cli.pair import coordinates_of_files, takes_pair, takes_question, to_point
 from exactsweep.cli.working import working
 from exactsweep.formats import show_path
@@ -33,17 +33,17 @@ def _require_suffix(path: str) -> str:
     multiple=True,
     callback=checked(lambda pairs: [*map(to_point, pairs)]),
     metavar="X Y",
-    help="Draw the generatrix with its reference point here; may be repeated.",
+    help="Draw the generatrix with its reference point here; repeatable.",
 )
-@click.option("--title", help="The title above the picture.")
+@click.option("--title", help="Title of the picture.")
 @click.option(
     "--size",
     nargs=2,
     type=click.FloatRange(min=1, max=100),
     metavar="WIDTH HEIGHT",
-    help="The size of picture and legend, in inches; by default 7.2 4.8.",
+    help="Size in inches; default: 7.2 4.8.",
 )
-@requires_output("The file of the picture, with the suffix .svg, .pdf or .png.", _require_suffix)
+@requires_output("Output file, with the suffix .svg, .pdf or .png.", _require_suffix)
 def draw_command(
     result: Sweep | NoFitPolygon | InnerFit,
     positions: list[Point],
@@ -53,16 +53,13 @@ def draw_command(
 ) -> None:
     """Draw a sweep.
 
-    The picture has both polygons, the inner and the outer loop, the trajectory with a colour for
-    each contact event, undercuts hatched, exact fits marked, and the generatrix at some positions:
-    closing undercuts, in exact fits and at the first vertex of the trajectory if none are given.
-    If a polygon is far smaller than the picture, or the picture is flat, enlarged details stand
-    below.
+    The picture shows both polygons, the inner and the outer loop, the trajectory in a colour for
+    each contact event, hatched undercuts, exact fits, and the generatrix at each --position, or by
+    default at positions that close undercuts, in exact fits and at the first vertex. Tiny polygons
+    and flat pictures get enlarged details below.
 
-    For a no-fit polygon or an inner fit the picture has all loops, free positions filled, and exact
-    fits.
-
-    The command reads files as 'exactsweep sweep' does; without files, it draws the example.
+    The picture of a no-fit polygon or an inner fit shows all loops, free regions filled, and exact
+    fits. The command reads files as 'exactsweep sweep' does; without files, it draws the example.
 
     Example:
       exactsweep draw house.json block.wkt --position 13/5 13/5 -o block.svg
@@ -77,7 +74,7 @@ def draw_command(
         plot: Callable[..., object] = plot_sweep if isinstance(result, Sweep) else plot_positions
         plot(result, axes, positions=positions or None, y_down=y_down)
     if title:
-        # No font has what is no letter, and a dollar would begin a formula.
+        # Fonts lack unprintable characters, and a dollar would begin a formula.
         axes.set_title(spell_out(title).replace("$", r"\$"), loc="left")
-    with name_failures(output), working("drawing"), beside(output) as path:
+    with name_failures(output), working("drawing"), replace_file(output) as path:
         save(figure, path)

@@ -15,11 +15,10 @@ from exactsweep.formats import FormatError, show_path
 @click.argument("name", required=False)
 @takes_output
 def example_command(name: str | None, output: str) -> None:
-    """Show programs to begin with, for 'exactsweep conform'.
+    """Write a template program for 'exactsweep conform'.
 
-    Each speaks the protocol and has one function to replace with your own. Without NAME, the
-    command lists them, a line each; with NAME, such as doubles.cpp, it writes the program. The head
-    of a program says how to build it.
+    Each template speaks the protocol and has one function to replace with your own; its head says
+    how to build it. Without NAME, the command lists the templates.
 
     Example:
       exactsweep example
@@ -37,6 +36,6 @@ def example_command(name: str | None, output: str) -> None:
         return
     require_known(name, SUMMARIES, "example")
     if output != "-" and Path(output).exists():
-        raise FormatError(f"{show_path(output)}: is there already")
+        raise FormatError(f"{show_path(output)}: already exists")
     program = files("exactsweep.conform.examples").joinpath(name)
     write(program.read_text(encoding="utf-8"), output)

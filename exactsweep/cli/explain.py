@@ -11,16 +11,15 @@ from exactsweep.cli.working import working
 
 @click.command("explain")
 @takes_pair
-@click.option("--json", "as_json", is_flag=True, help="Write the steps, exactly, as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="Write the steps as exact JSON.")
 @takes_output
 def explain_command(result: Sweep, as_json: bool, output: str) -> None:
     """Explain a sweep, step by step.
 
-    A step is an edge of the trajectory. The explanation names its direction and ends, the features
-    that touch and slide, the reason for its end, and the undercuts and exact fits on the way. Then
-    it describes the holes of the no-fit polygon, which have room for the generatrix, and the exact
-    fits, with their contacts. Vertices and edges have their index in the files; edge i runs from
-    vertex i to the next.
+    A step is an edge of the trajectory. The explanation gives its direction and ends, the features
+    in contact, the reason for its end, and the undercuts and exact fits on the way. Then it
+    describes the holes of the no-fit polygon and the exact fits, with their contacts. Vertices and
+    edges have their index in the files; edge i runs from vertex i to the next.
 
     The command reads files as 'exactsweep sweep' does; without files, it explains the example.
 

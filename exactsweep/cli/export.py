@@ -1,4 +1,4 @@
-"""Results as polygons in a format, rounded on request, and what rounding did to them."""
+"""Results as polygons in a format, rounded on request, with a report of the rounding."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -8,7 +8,7 @@ import click
 from exactsweep.cli.options import gather
 from exactsweep.cli.output import write_readable
 from exactsweep.cli.pair import coordinates_of_files
-from exactsweep.cli.parts import say_all
+from exactsweep.cli.parts import print_notes
 from exactsweep.cli.working import working
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.reading import INSUNITS
@@ -20,7 +20,7 @@ from exactsweep.words import count
 
 def _make_rounding(places: int | None, outward: bool) -> Rounding | None:
     if outward and places is None:
-        raise click.UsageError("--round-outward goes with --round PLACES.")
+        raise click.UsageError("--round-outward needs --round PLACES.")
     return None if places is None else Rounding(places, outward)
 
 
@@ -32,26 +32,26 @@ takes_rounding = gather(
         "places",
         type=click.IntRange(0, MAX_PLACES),
         metavar="PLACES",
-        help="Round to this number of decimal places, and report the changes on standard error.",
+        help="Round to this number of decimal places; standard error reports the changes.",
     ),
     click.option(
         "--round-outward",
         "outward",
         is_flag=True,
-        help="With --round: provably permit no overlap. Forbidden regions only grow, and free "
-        "regions only shrink.",
+        help="With --round: forbidden regions only grow and free regions only shrink, so that the "
+        "result provably permits no overlap.",
     ),
 )
-"""Gives a command --round and --round-outward, as `rounding`; None without them."""
+"""Decorator: --round and --round-outward, as `rounding`; None without them."""
 
 takes_format = click.option(
     "--to",
     "target",
     type=click.Choice(FORMATS),
-    help="Write the polygons of the result in this format; by default that of the suffix of -o. "
-    "'--to json' is '--json'.",
+    help="Write the polygons of the result in this format; default: the suffix of -o. "
+    "'--to json' is the same as '--json'.",
 )
-"""Gives a command --to FORMAT, as `target`; None if left out."""
+"""Decorator: --to FORMAT, as `target`."""
 
 
 def export(
@@ -62,21 +62,21 @@ def export(
     output: str,
     side_of: Callable[[NamedRegion], Side],
 ) -> None:
-    """Write polygons and exact fits, and say on standard error what rounding changed.
+    """Write polygons and exact fits; report on standard error what rounding changed.
 
-    Y is turned where the format and the files that were read differ, and the unit is kept.
+    The Y axis is flipped if its direction differs from that of the input; the unit is kept.
 
     Args:
         regions: the polygons.
         fits: the exact fits.
         target: one of FORMATS.
-        rounding: how they are rounded; None to leave them.
+        rounding: how to round; None for exact output.
         output: a file, or "-".
-        side_of: "outward" for what is forbidden, "inward" for what is free, "closest" for what may
-            move either way.
+        side_of: returns "outward" for a forbidden region, "inward" for a free one, and "closest"
+            for one that may move either way.
 
     Raises:
-        FormatError: what the format cannot hold, or rounding leaves nothing of.
+        FormatError: the format cannot hold a coordinate, or rounding leaves nothing.
     """
     said: list[str] = []
     has_error = any(region.error for region in regions)
@@ -98,7 +98,7 @@ def export(
         regions, fits = rounded, ends
     coordinates = coordinates_of_files()
     if target not in ("svg", "dxf") and click.get_current_context().params.get("y_down"):
-        # These formats have no way up of their own: the user has said it.
+        # These formats do not define the direction of Y; --y-down did.
         coordinates = coordinates._replace(y_down=False)
     try:
         decimals = rounding is not None
@@ -108,12 +108,12 @@ def export(
         raise FormatError(f"{error}{hint}") from None
     write_readable(text, output)
     if coordinates.y_down != (target == "svg"):
-        ways = ("down", "up") if coordinates.y_down else ("up", "down")
-        flipped = f"Y axis flipped: {ways[0]} in the input, {ways[1]} in {target.upper()}"
+        before, after = ("down", "up") if coordinates.y_down else ("up", "down")
+        flipped = f"Y axis flipped: {before} in the input, {after} in {target.upper()}"
         said = [flipped, *said]
     if target == "dxf" and coordinates.unit not in (None, *INSUNITS.values()):
         said.append("DXF has no code for this unit (--unit mm scales the numbers)")
-    say_all(said)
+    print_notes(said)
 
 
 def enlarge(
@@ -121,8 +121,8 @@ def enlarge(
 ) -> Iterator[NamedRegion]:
     """Move boundaries by the errors of curves, so that they hold for the curves.
 
-    The sum with an octagon around a disc of the error contains all that may be forbidden, and the
-    positions of that octagon in a free region are free.
+    Forbidden regions grow by the Minkowski sum with an octagon around a disc of the error; free
+    regions shrink by the erosion.
     """
     from exactsweep import Region, inner_fit_polygon, no_fit_polygon
 
@@ -131,14 +131,14 @@ def enlarge(
         if side == "closest" or not e:
             yield one
             continue
-        # Its sides are at least e from the middle, for (1 + 5/12)**2 > 2.
+        # The sides are at least e from the center, for (1 + 5/12)**2 > 2.
         f = e * Fraction(5, 12)
-        ways = [(e, f), (f, e), (-f, e), (-e, f), (-e, -f), (-f, -e), (f, -e), (e, -f)]
+        octagon = [(e, f), (f, e), (-f, e), (-e, f), (-e, -f), (-f, -e), (f, -e), (e, -f)]
         if side == "outward":
-            grown = no_fit_polygon(one.region, ways)
+            grown = no_fit_polygon(one.region, octagon)
             yield one._replace(region=Region(grown.exterior, grown.holes), error=Fraction(0))
         else:
-            for region in inner_fit_polygon(one.region, ways).regions:
+            for region in inner_fit_polygon(one.region, octagon).regions:
                 yield one._replace(region=region, error=Fraction(0))
 
 
@@ -162,16 +162,16 @@ def _is_safe(
 
 
 def _say(changes: Changes, moved: int, rounding: Rounding, is_safe: bool) -> str:
-    """Report in one line what rounding changed; print nothing if it changed nothing."""
+    """Describe in one line what rounding changed; "" if nothing."""
     if not changes.changed and not moved:
         return ""
     parts = [f"rounded: {count(changes.changed, 'polygon')}"]
     if changes.distance:
         parts.append(f"moved by at most {approximate(changes.distance, up=True)}")
     if moved:
-        parts.append(f"{count(moved, 'exact fit')} {'left out' if rounding.outward else 'moved'}")
+        parts.append(f"{count(moved, 'exact fit')} {'dropped' if rounding.outward else 'moved'}")
     if changes.left_out:
-        parts.append(f"nothing left of {count(changes.left_out, 'ring')}")
+        parts.append(f"{count(changes.left_out, 'ring')} vanished")
     if is_safe:
         parts.append("proved to permit no overlap")
     return ", ".join(parts)

@@ -1,4 +1,4 @@
-"""Help: examples at the end, and the options for reading files, which have a page of their own."""
+"""Help pages: examples last, and one page for the options for reading files."""
 
 from inspect import cleandoc
 
@@ -9,10 +9,10 @@ from exactsweep.words import suggest
 
 
 class ReadingOption(click.Option):
-    """An option for reading files; `exactsweep help reading` describes it."""
+    """An option for reading files, listed by `exactsweep help reading`."""
 
     def get_help_record(self, ctx: click.Context) -> None:
-        """Leave the option out of the help of a command."""
+        """Hide the option in the help of a command."""
 
     def describe(self, ctx: click.Context) -> tuple[str, str]:
         """Return the option and its description."""
@@ -22,24 +22,20 @@ class ReadingOption(click.Option):
 
 
 def add_examples(command: click.Command) -> None:
-    """Move the examples at the end of a docstring, of each command of a group, below its options.
-
-    Args:
-        command: that of the whole program, or part of it.
-    """
+    """Move the examples of a command, or of each command of a group, below its options."""
     if isinstance(command, click.Group):
         for inner in command.commands.values():
             add_examples(inner)
         return
     text, _, examples = cleandoc(command.help or "").partition("\n\nExample:\n")
-    # \b keeps click from wrapping what follows: here, paragraphs that are indented.
+    # \b keeps click from wrapping indented paragraphs.
     command.help = text.replace("\n\n    ", "\n\n\b\n    ")
     heading = "Examples" if "\n" in examples else "Example"
     command.epilog = f"\b\n{heading}:\n{examples}"
 
 
 def name_reading_options(command: click.Command) -> None:
-    """Name the options for reading files in one line of the help, for each command of a group."""
+    """List the options for reading files in one line of the help of each command."""
     if isinstance(command, click.Group):
         for inner in command.commands.values():
             name_reading_options(inner)
@@ -56,7 +52,7 @@ def name_reading_options(command: click.Command) -> None:
 def help_command(ctx: click.Context, topic: str | None) -> None:
     """Show the help of a command, or of the options for reading files.
 
-    TOPIC is the name of a command, or 'reading'. Without it, all commands are listed.
+    TOPIC is the name of a command, or 'reading'; without it, the command lists all commands.
 
     Example:
       exactsweep help reading
@@ -78,7 +74,7 @@ def help_command(ctx: click.Context, topic: str | None) -> None:
 
 
 def _describe_reading(group: click.Group, ctx: click.Context) -> str:
-    """Describe the options for reading files, by those of a command that has all of them."""
+    """Describe the options for reading files, as `convert` has them."""
     command = group.get_command(ctx, "convert")
     assert command
     formatter = ctx.make_formatter()

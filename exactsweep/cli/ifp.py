@@ -19,7 +19,7 @@ _takes_placed = click.option(
     multiple=True,
     type=PATH,
     metavar="FILE",
-    help="Polygons, or a layout of placed parts, that PART must not overlap; may be repeated.",
+    help="Polygons, or a layout, that PART must not overlap; repeatable.",
 )
 
 
@@ -37,17 +37,16 @@ def ifp_command(
 
         exactsweep ifp CONTAINER PART            first stays, second moves
 
-    With --placed FILE, once or several times, PART also stays clear of the polygons in these files,
-    in their positions in the files; of a layout, clear of all placed parts. With --turns or
-    --mirrored the report has one line per turn, and --json writes one line of JSON per turn.
+    With --placed, PART also avoids the polygons of further files, where they are, or all placed
+    parts of a layout. With --turns or --mirrored, the report and --json have one line per pose.
 
-    Holes of CONTAINER are defects, which PART has to avoid. The answer has regions of positions,
-    perhaps with holes, and exact fits, at which CONTAINER is exactly as wide as PART. It is empty
+    Holes of CONTAINER are defects, which PART avoids. The answer consists of regions of positions,
+    perhaps with holes, and of exact fits, where CONTAINER is exactly as wide as PART. It is empty
     if PART does not fit.
 
-    The command reads files as 'exactsweep sweep' does. --wkt writes a POLYGON for each region and a
-    LINESTRING or a POINT for each exact fit, or POLYGON EMPTY. It refuses coordinates that are not
-    finite decimals.
+    The command reads files as 'exactsweep sweep' does. --wkt writes a POLYGON for each region, and
+    a LINESTRING or a POINT for each exact fit, or POLYGON EMPTY, if all coordinates are finite
+    decimals.
 
     Example:
       exactsweep ifp sheet.json part.wkt
@@ -60,14 +59,14 @@ def ifp_command(
         write_result(free_positions(container, placed, part, reference=reference), form)
         return
     if form.kind not in ("report", "json"):
-        raise click.UsageError(f"--{form.kind} is for one turn.")
+        raise click.UsageError(f"--{form.kind} is for a single pose.")
     found = []
-    with working("positions") as tell:
+    with working("positions") as update:
         for k, pose in enumerate(poses, 1):
-            tell(f"positions of turn {k} of {len(poses)}")
+            update(f"pose {k} of {len(poses)}")
             at = pose.place_point(reference)
             found.append(free_positions(container, placed, pose.place(part), reference=at))
-            # They are found when they are asked for.
+            # Computed on first access: here, for the progress.
             _ = found[-1].regions
     if form.kind == "json":
         lines = (
@@ -81,7 +80,7 @@ def ifp_command(
 
 
 def _list(poses: list[Pose], found: list[InnerFit], output: str) -> str:
-    """A line for each turn, with the lowest of the leftmost positions."""
+    """Make a table with a row for each pose, with the lowest leftmost position."""
     numbers = ("regions", "exact fits", "area about")
     table = make_table(("turn", "fits", *numbers, "leftmost position"), numbers)
     for pose, fit in zip(poses, found, strict=True):

@@ -12,20 +12,18 @@ from exactsweep.formats.files import open_bytes
 
 
 @click.command("judge")
-@takes_file(
-    "--cases path", "The cases, as JSON lines, if they are neither of the corpus nor generated."
-)
+@takes_file("--cases path", "Cases as JSON lines; default: the corpus and generated cases, by id.")
 @takes_reports
 def judge_command(path: str | None, reports: Reports) -> None:
     """Judge answers in a pipe by exact answers.
 
-    Reads on standard input what a program writes that speaks the protocol of 'exactsweep conform':
-    its hello, then a JSON result a line. Cases of the corpus and generated ones are known by
-    their ids, as in 'exactsweep corpus generate --count 100 | COMMAND | exactsweep judge'.
+    Reads the output of a program that speaks the protocol of 'exactsweep conform' from standard
+    input: its hello, then one JSON result per line. An example is
+    'exactsweep corpus generate --count 100 | COMMAND | exactsweep judge'.
 
-    Prints how many cases of each class and flag got which verdict, and each fault with its smallest
-    case. The exit code is 0 if no verdict is worse than --accept, all lines were answers, and
-    enough cases could be judged; and 1 otherwise.
+    Prints the number of cases by class, flag and verdict, and each fault with its smallest case.
+    The exit code is 0 if no verdict is worse than --accept, all lines are answers, and enough cases
+    are judged; and 1 otherwise.
 
     Example:
       exactsweep judge --cases cases.jsonl
@@ -36,7 +34,7 @@ def judge_command(path: str | None, reports: Reports) -> None:
     from exactsweep.corpus.selection import read_cases, require_distinct
 
     if path == "-":
-        raise click.UsageError("Standard input is for the answers; give the cases as a file.")
+        raise click.UsageError("Standard input has the answers; give the cases as a file.")
     cases: dict[str, Case] = {}
 
     def find(id: str) -> Case:

@@ -12,8 +12,8 @@ from exactsweep.cli.output import write
 def lesson_command(name: str | None, output: str) -> None:
     """Write a lesson as an HTML page, with its code and pictures.
 
-    Without NAME, the command lists the lessons. They are notebooks, which the package ships; the
-    page shows the output that is stored with them.
+    Without NAME, the command lists the lessons. They are notebooks of the package; the page shows
+    their stored output.
 
     Example:
       exactsweep lesson gallery -o gallery.html

@@ -1,4 +1,4 @@
-"""Limits of a command on the size of files and the length of numbers."""
+"""Limits of a command on file sizes and digits of numbers."""
 
 import click
 
@@ -10,7 +10,7 @@ _READING_NOTHING = {"corpus", "example", "help", "lesson", "reproduce"}
 
 
 def _raise_limit(ctx: click.Context, option: click.Parameter, value: float | None) -> None:
-    """Change a limit for as long as the command runs."""
+    """Set a limit while the command runs."""
     if value is not None and not ctx.resilient_parsing:
         with name_mistakes():
             ctx.with_resource(limits(**{str(option.name): value}))  # type: ignore[arg-type]
@@ -24,8 +24,8 @@ _LIMITS = (
         is_eager=True,  # before options that are numbers
         callback=_raise_limit,
         metavar="MIB",
-        help="Read files up to this size, where each vertex counts for at least 16 bytes; by "
-        f"default {DEFAULT_MIB}.",
+        help="Maximum file size; each vertex counts for at least 16 bytes. "
+        f"Default: {DEFAULT_MIB}.",
         cls=ReadingOption,
     ),
     click.option(
@@ -35,15 +35,15 @@ _LIMITS = (
         is_eager=True,
         callback=_raise_limit,
         metavar="N",
-        help="Read numbers with up to N digits above and below the fraction bar, or 32 times as "
-        f"many if they are written out; by default {DEFAULT_DIGITS}.",
+        help="Maximum number of digits of a numerator and a denominator; numbers written digit by "
+        f"digit may have 32 times as many. Default: {DEFAULT_DIGITS}.",
         cls=ReadingOption,
     ),
 )
 
 
 def add_limits(command: click.Command) -> None:
-    """Give a command that reads files the options --max-mib and --max-digits."""
+    """Add --max-mib and --max-digits to a command that reads files."""
     if command.name not in _READING_NOTHING:
         for option in _LIMITS:
             option(command)

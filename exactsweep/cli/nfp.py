@@ -9,7 +9,7 @@ from exactsweep import NoFitPolygon, Point, no_fit_polygon
 from exactsweep.cli.export import export
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import errors_of_files, keep_errors, read_each, takes_shapes
-from exactsweep.cli.result import Form, takes_form, tell_error, write_result
+from exactsweep.cli.result import Form, describe_error, takes_form, write_result
 from exactsweep.cli.turns import Pose, takes_turns
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion
@@ -31,20 +31,21 @@ def nfp_command(
     poses: list[Pose] | None,
     form: Form,
 ) -> None:
-    """Find no-fit polygons, of one pair or of several.
+    """Compute the no-fit polygon of a pair, or of several pairs.
 
-    A no-fit polygon is the set of positions where ORBITING overlaps STATIONARY. It has an exterior,
-    which is the trajectory of a sweep; holes, where ORBITING fits into a cave or a hole; and exact
-    fits, positions and segments of positions at which it fits without any room.
+    The no-fit polygon is the set of positions where ORBITING overlaps STATIONARY. It has an
+    exterior, the trajectory of a sweep; holes, where ORBITING fits into a cave or a hole; and exact
+    fits, positions and segments of positions without room to either side.
 
         exactsweep nfp   STATIONARY ORBITING     first stays, second moves
         exactsweep sweep GENERATRIX DIRECTRIX    first moves, second stays
 
     The command reads files as 'exactsweep sweep' does. Each argument may also be a folder or a
-    pattern. For several pairs the report has one line per pair, --json writes one line of JSON per
-    pair, and --to writes all polygons. --wkt writes a POLYGON with its holes, and a LINESTRING or a
-    POINT for each exact fit. It refuses coordinates that are not finite decimals. With --turns or
-    --mirrored each turn of ORBITING makes a pair.
+    pattern; with --turns or --mirrored, each pose of ORBITING makes a pair. For several pairs the
+    report and --json have one line per pair, and --to writes all polygons.
+
+    --wkt writes a POLYGON with its holes, and a LINESTRING or a POINT for each exact fit, if all
+    coordinates are finite decimals.
 
     Example:
       exactsweep nfp plate.json fork.wkt
@@ -52,18 +53,18 @@ def nfp_command(
       exactsweep nfp plate.json fork.wkt --turns 0,90,180,270 --mirrored
       exactsweep nfp sheet.dxf#0 part.svg --to dxf --round 3 --round-outward -o nfp.dxf
     """
-    turned = [(g, pose) for g in shapes[1] for pose in poses or (_AS_READ,)]
+    posed = [(g, pose) for g in shapes[1] for pose in poses or (_AS_READ,)]
     orbiting = [
-        (pose.place_point(reference), g if poses is None else _turn(g, pose)) for g, pose in turned
+        (pose.place_point(reference), g if poses is None else _turn(g, pose)) for g, pose in posed
     ]
     pairs = [(d, g) for d in shapes[0] for _, g in orbiting]
     keep_errors(*(max(one.error for one in shape) for shape in shapes))
     found = []
-    with working("no-fit polygons") as tell:
+    with working("no-fit polygons") as update:
         for k, (d, (at, g)) in enumerate(product(shapes[0], orbiting), 1):
-            tell(f"no-fit polygon {k} of {len(pairs)}")
+            update(f"no-fit polygon {k} of {len(pairs)}")
             found.append(no_fit_polygon(d.region, g.region, reference=at))
-            # It is found when it is asked for.
+            # Computed on first access: here, for the progress.
             _ = found[-1].holes
     if len(pairs) == 1:
         write_result(found[0], form)
@@ -90,9 +91,9 @@ def nfp_command(
         write_readable(b"".join(lines).decode(), form.output)
     elif form.kind == "report":
         error = sum(errors_of_files())
-        write(_list(names, found, form.output) + tell_error(Fraction(error)), form.output)
+        write(_list(names, found, form.output) + describe_error(Fraction(error)), form.output)
     else:
-        raise click.UsageError(f"--{form.kind} is for one pair; here are {len(pairs)}.")
+        raise click.UsageError(f"--{form.kind} is for a single pair, not for {len(pairs)}.")
 
 
 def _turn(part: NamedRegion, pose: Pose) -> NamedRegion:
@@ -101,7 +102,7 @@ def _turn(part: NamedRegion, pose: Pose) -> NamedRegion:
 
 
 def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) -> str:
-    """A line for each pair."""
+    """Make a table with a row for each pair."""
     numbers = ("vertices", "holes", "exact fits", "area about")
     table = make_table(("stationary", "orbiting", "class", *numbers), numbers)
     for (d, g), n in zip(names, found, strict=True):

@@ -1,4 +1,4 @@
-"""Options and arguments of commands: values that are checked, and several that make one."""
+"""Building blocks of options: checked values, and options combined into one argument."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -11,13 +11,13 @@ import click
 Decorator = Callable[[Callable[..., None]], Callable[..., None]]
 """An option or an argument of click, or several."""
 
-# Not checked by click, for which a file that cannot be read is a mistake in the usage.
+# The readers report unreadable files; click would call that a usage error.
 PATH = click.Path(allow_dash=True, readable=False)
 
 
 @contextmanager
 def name_mistakes() -> Iterator[None]:
-    """Turn a ValueError into a refusal by click, which names the option."""
+    """Turn a ValueError into a usage error that names the option."""
     try:
         yield
     except ValueError as error:
@@ -25,10 +25,10 @@ def name_mistakes() -> Iterator[None]:
 
 
 def checked(read: Callable[[Any], object]) -> Callable[..., object]:
-    """Make the callback of an option, which reads its value; None stays None.
+    """Make an option callback that reads the value; None stays None.
 
     Args:
-        read: raises ValueError for a value that is refused; click names the option.
+        read: a function that raises ValueError for a wrong value.
     """
 
     def callback(ctx: click.Context, option: click.Parameter, given: Any) -> object:
@@ -39,13 +39,12 @@ def checked(read: Callable[[Any], object]) -> Callable[..., object]:
 
 
 def gather(name: str, make: Callable[..., object], *options: Decorator) -> Decorator:
-    """Make a decorator that gives a command options, whose values become one argument.
+    """Make a decorator that adds options to a command and combines their values into one argument.
 
     Args:
-        name: of the argument.
-        make: a function of the values, by name; also of those that other decorators made, if
-            these are among the options.
-        options: what the decorator gives the command, in the order of its help.
+        name: the name of the argument.
+        make: a function of the values, by name.
+        options: the options, in the order of the help; further such decorators, too.
     """
     wanted = signature(make).parameters
 
@@ -64,23 +63,23 @@ def gather(name: str, make: Callable[..., object], *options: Decorator) -> Decor
 
 
 def takes_file(name: str, help: str) -> Decorator:
-    """Give a command an option that is a file; None if left out."""
+    """Add an option that is a file."""
     return click.option(*name.split(), type=PATH, metavar="FILE", help=help)
 
 
 def takes_workers(help: str) -> Decorator:
-    """Give a command the option --workers, as `workers`; None if left out."""
+    """Add the option --workers."""
     return click.option("--workers", type=click.IntRange(1, 1024), metavar="N", help=help)
 
 
 takes_output = click.option(
     "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
 )
-"""Gives a command the option -o FILE, as `output`; "-" if left out."""
+"""Decorator: the option -o FILE, as `output`, by default "-"."""
 
 
 def requires_output(help: str, read: Callable[[Any], object] = str) -> Decorator:
-    """Give a command the option -o FILE, which must not be left out; `read` may refuse it."""
+    """Add a required option -o FILE, checked by `read`."""
     names = ("-o", "--output")
     return click.option(
         *names, type=PATH, required=True, callback=checked(read), metavar="FILE", help=help

@@ -1,4 +1,4 @@
-"""The output of a command: a file, a pipe or a terminal."""
+"""Output to a file, a pipe or a terminal."""
 
 import os
 import sys
@@ -15,42 +15,37 @@ from exactsweep.formats.size import find_needed_mib
 
 
 def measure_terminal(output: str) -> os.terminal_size | None:
-    """Return the size of the terminal of the output, or None if it is not a terminal."""
+    """Return the size of the terminal, or None if the output is not one."""
     if output == "-" and sys.stdout is not None and sys.stdout.isatty():
         return get_terminal_size()
     return None
 
 
 def measure_columns(output: str) -> int | None:
-    """Return the columns of the terminal that the output goes to, or None if that is none."""
+    """Return the width of the terminal, or None if the output is not one."""
     terminal = measure_terminal(output)
     return terminal and terminal.columns
 
 
 def write_readable(text: str, output: str) -> None:
-    """Write an output for other commands, and report the limit if they need a higher one."""
+    """Write output for other commands; report the size limit that reading it needs."""
     write(text, output)
-    say_limit(measure_written(text), output)
+    report_limit(measure_written(text), output)
 
 
-def say_limit(size: int, output: str) -> None:
-    """Report on standard error the limit that is needed to read the output, if it is a higher one.
-
-    Args:
-        size: the size of the output in bytes, for the limit.
-        output: the file, or "-".
-    """
+def report_limit(size: int, output: str) -> None:
+    """Report the limit that reading an output of some bytes needs, if it exceeds the default."""
     needed = find_needed_mib(size)
     if needed is not None:
         name = "standard output" if output == "-" else show_path(output)
-        click.echo(f"{name}: large; commands read it with --max-mib {needed}", err=True)
+        click.echo(f"{name}: large; to read it, commands need --max-mib {needed}", err=True)
 
 
 @contextmanager
-def beside(output: str) -> Iterator[str]:
-    """Yield the name of a new file beside the output, which replaces the output when complete.
+def replace_file(output: str) -> Iterator[str]:
+    """Yield the name of a temporary file, which replaces the output when complete.
 
-    Devices, and files in folders without room for another, are written in place.
+    Devices, and files in read-only folders, are written in place.
     """
     path = Path(output).resolve()
     folder = path.parent
@@ -69,13 +64,14 @@ def beside(output: str) -> Iterator[str]:
 
 
 def write(text: str, output: str) -> None:
-    """Write to a file, or to standard output.
+    """Write to a file or to standard output.
 
-    Raises FormatError when that fails, with the name of the file and the reason.
+    Raises:
+        FormatError: the file cannot be written.
     """
     try:
         if output != "-":
-            with beside(output) as path:
+            with replace_file(output) as path:
                 Path(path).write_text(text, encoding="utf-8", newline="\n")
         elif sys.stdout is None:
             raise FormatError("standard output: closed")
@@ -86,7 +82,7 @@ def write(text: str, output: str) -> None:
     except OSError as error:
         name = show_path(output)
         if output == "-":
-            # The buffer still has the rest, which would fail again on exit.
+            # The buffer still holds the rest; flushing it on exit would fail again.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             name = "standard output"
         raise FormatError(f"{name}: {error.strerror or error}") from None

@@ -16,21 +16,20 @@ from exactsweep.formats import FormatError, NamedRegion, show_path
 def _list_pairs(
     a: str, b: str | None, reading: ReadingOptions
 ) -> list[tuple[NamedRegion, NamedRegion]]:
-    """List the pairs of a file, or of two files."""
     if b is not None:
         first, second = read_each(a, b, reading)
         return [(one, other) for one in first for other in second]
     found = read_named([a], reading)
     keep_coordinates(found.coordinates)
     if len(found) < 2:
-        raise FormatError(f"{show_path(a)}: holds one polygon; give a second file")
+        raise FormatError(f"{show_path(a)}: contains one polygon; give a second file")
     return [*combinations(found, 2)]
 
 
 @click.command("overlap")
 @click.argument("a", metavar="A", type=PATH)
 @click.argument("b", metavar="[B]", required=False, type=PATH)
-@click.option("--json", is_flag=True, help="Write everything, exactly, as JSON.")
+@click.option("--json", is_flag=True, help="Write the exact result as JSON.")
 @takes_reading
 @takes_output
 def overlap_command(
@@ -38,13 +37,13 @@ def overlap_command(
 ) -> None:
     """Compare polygons where they are: overlap, area, depth.
 
-    With one file, the command compares all pairs of its polygons; with two, each polygon of A with
-    each of B. The verdict is OVERLAP if interiors meet, CONTACT if only boundaries do, and FREE
-    otherwise. The depth is the length of the least move of the second polygon after which they do
-    not overlap.
+    With one file, the command compares all pairs of its polygons; with two files, each polygon of A
+    with each of B. The verdict is OVERLAP if interiors meet, CONTACT if only boundaries do, and
+    FREE otherwise. The depth is the length of the shortest move of the second polygon that
+    separates the interiors.
 
-    For several pairs the report has one line for each pair that overlaps or touches, and --json
-    writes one line of JSON for each of these. The command reads files as 'exactsweep sweep' does.
+    For several pairs, the report and --json have one line for each pair that overlaps or touches.
+    The command reads files as 'exactsweep sweep' does.
 
     Example:
       exactsweep overlap first.wkt second.json
@@ -62,9 +61,9 @@ def overlap_command(
             text = texts.overlap_to_json(o) if json else texts.report_overlap(o, columns)
     else:
         found = []
-        with working("overlaps") as tell:
+        with working("overlaps") as update:
             for k, (one, other) in enumerate(listed, 1):
-                tell(f"pair {k} of {len(listed)}")
+                update(f"pair {k} of {len(listed)}")
                 o = overlap(one.region, other.region)
                 if o.verdict != "FREE":
                     found.append(texts.NamedOverlap(str(one.name), str(other.name), o))

@@ -1,4 +1,4 @@
-"""The polygons that a command works on: its files and options."""
+"""The polygons of a command: its files and reading options."""
 
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
@@ -18,7 +18,7 @@ from exactsweep import (
 )
 from exactsweep.cli.help import ReadingOption
 from exactsweep.cli.options import PATH, Decorator, checked, gather
-from exactsweep.cli.parts import find_parts, read_named, say_all, say_error, say_skipped
+from exactsweep.cli.parts import find_parts, print_notes, read_named, report_error, report_skipped
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
@@ -33,13 +33,13 @@ from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import to_fraction
 from exactsweep.words import count
 
-# A house that cannot reach the bottom of a lopsided notch: a CM sweep with one undercut. All
-# loops have finite decimal coordinates, so that every output format can hold them.
+# A CM sweep with one undercut. All loops have finite decimal coordinates, as every output format
+# needs.
 GENERATRIX = Polygon([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
 DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 
 ReadingOptions = dict[str, Any]
-"""The arguments "tolerance" and `Options` of the readers of files."""
+"""The argument "tolerance" and the `Options` of the readers."""
 
 _COORDINATES = "exactsweep.coordinates"
 _ERRORS = "exactsweep.errors"
@@ -47,7 +47,7 @@ _NONE = Fraction(0)
 
 
 def to_point(pair: Iterable[str]) -> Point:
-    """Read the two words of an option that is a point."""
+    """Read the two values of a point option."""
     return Point(*map(to_fraction, pair))
 
 
@@ -75,23 +75,22 @@ takes_reading = gather(
         "tolerance",
         callback=checked(lambda text: how.Reading(text).tolerance),
         metavar="TOLERANCE",
-        help="Replace curves of SVG and DXF by lines within this distance; by default about a "
-        "thousandth of each outline. All answers state the error.",
+        help="Flatten curves of SVG and DXF within this distance; default: about a thousandth of "
+        "each outline. All results state the error.",
         cls=ReadingOption,
     ),
     click.option(
         "--join",
         callback=checked(lambda text: how.Reading(join=text).join),
         metavar="DISTANCE",
-        help="Join ends of lines of SVG and DXF within this distance. By default only equal ends "
-        "are joined.",
+        help="Join line ends of SVG and DXF within this distance. Default: only equal ends.",
         cls=ReadingOption,
     ),
     click.option(
         "--nested/--flat",
         default=None,
-        help="Read outlines inside others as holes, outlines in a hole as polygons, and so on; or "
-        "each outline as a polygon. By default flat; 'exactsweep layout' nests.",
+        help="Nested: outlines inside others are holes, outlines in a hole are polygons, and so "
+        "on. Flat: each outline is a polygon. Default: flat, except for 'exactsweep layout'.",
         cls=ReadingOption,
     ),
     click.option(
@@ -99,7 +98,7 @@ takes_reading = gather(
         "layers",
         multiple=True,
         metavar="NAME",
-        help="Read only this layer of SVG and DXF; may be repeated.",
+        help="Read only this layer of SVG and DXF; repeatable.",
         cls=ReadingOption,
     ),
     click.option(
@@ -107,37 +106,36 @@ takes_reading = gather(
         "ignored_layers",
         multiple=True,
         metavar="NAME",
-        help="Leave out a layer of SVG and DXF, such as engraving; may be repeated.",
+        help="Skip a layer of SVG and DXF, such as engraving; repeatable.",
         cls=ReadingOption,
     ),
     click.option(
         "--clean",
         callback=checked(lambda text: how.Reading(clean=text).clean),
         metavar="AREA",
-        help="Leave out polygons of a smaller area, and report them.",
+        help="Skip polygons of a smaller area, and report them.",
         cls=ReadingOption,
     ),
     click.option(
         "--hidden",
         is_flag=True,
-        help="Read hidden geometry of SVG and DXF, too.",
+        help="Also read hidden geometry of SVG and DXF.",
         cls=ReadingOption,
     ),
     click.option(
         "--y-down/--y-up",
         default=None,
-        help="The direction of Y in the files; by default down in SVG and up in all others.",
+        help="Direction of Y in the files; default: down in SVG, up in other formats.",
         cls=ReadingOption,
     ),
     click.option(
         "--unit",
         type=click.Choice(list(how.UNITS)),
-        help="Scale SVG and DXF that state their unit to this one. By default numbers are "
-        "unchanged.",
+        help="Convert SVG and DXF with a unit to this unit. Default: keep the numbers.",
         cls=ReadingOption,
     ),
 )
-"""Gives a command the options of reading files, as `reading`, a dict of arguments."""
+"""Decorator: the options for reading files, as `reading`, a dict of arguments."""
 
 
 def _make_reference(help: str) -> Decorator:
@@ -147,7 +145,7 @@ def _make_reference(help: str) -> Decorator:
         default=("0", "0"),
         callback=checked(to_point),
         metavar="X Y",
-        help=f"{help}; by default 0 0.",
+        help=f"{help}; default: 0 0.",
     )
 
 
@@ -165,7 +163,7 @@ def _answer(
     reading: ReadingOptions,
     asked: str = "sweep",
 ) -> Sweep | NoFitPolygon | InnerFit:
-    """Answer the question of a command about the polygons of its files, or of its example."""
+    """Compute the answer for the polygons of the files, or for the built-in example."""
     answer = _ASKED.get(asked)
     if generatrix is not None and directrix is not None:
         g, d = read_two(generatrix, directrix, reading)
@@ -195,12 +193,12 @@ takes_pair = gather(
         nargs=2,
         callback=checked(read_direction),
         metavar="P Q",
-        help="The shared direction of monotonicity; by default the command chooses one.",
+        help="Shared direction of monotonicity; default: chosen automatically.",
     ),
-    _make_reference("The point of the generatrix whose path is the trajectory"),
+    _make_reference("Point of the generatrix whose path is the trajectory"),
     takes_reading,
 )
-"""Gives a command the arguments and options of a pair, as `result`, the pair's Sweep."""
+"""Decorator: the arguments and options of a pair, as `result`, its Sweep."""
 
 
 takes_question = click.option(
@@ -208,22 +206,22 @@ takes_question = click.option(
     "asked",
     type=click.Choice(["sweep", *_ASKED]),
     default="sweep",
-    help="Show a sweep, the no-fit polygon of STATIONARY and ORBITING, or the inner fit of "
-    "CONTAINER and PART; the files have this order.",
+    help="Show a sweep; the no-fit polygon of the files STATIONARY ORBITING; or the inner fit of "
+    "the files CONTAINER PART.",
 )
-"""Gives a command of `takes_pair` the option --of, by which its result is no sweep."""
+"""Decorator: the option --of of a command with `takes_pair`."""
 
 
 def takes_shapes(
     first: str, second: str, read: Callable[..., object], *options: Decorator
 ) -> Decorator:
-    """Give a command two polygons, of which the second one moves, as `shapes`.
+    """Add two polygons, the second of which moves, as `shapes`.
 
     Args:
-        first: what the file of the one that stays is called.
-        second: what the file of the other one is called.
+        first: the name of the argument that stays.
+        second: the name of the argument that moves.
         read: reads both; a function of "stays", "moves", "reading" and the values of the options.
-        options: further ones.
+        options: further options.
     """
     return gather(
         "shapes",
@@ -231,20 +229,20 @@ def takes_shapes(
         *options,
         click.argument("stays", metavar=first, type=PATH),
         click.argument("moves", metavar=second, type=PATH),
-        _make_reference(f"The point of {second} whose positions are listed"),
+        _make_reference(f"Point of {second} whose positions are computed"),
         takes_reading,
     )
 
 
 def name_files_of_pair() -> tuple[str, str] | None:
-    """The files of G and of D of the command that runs; None for the built-in example."""
+    """Return the files of G and D of the current command; None for the built-in example."""
     named = click.get_current_context().params
     generatrix, directrix = named.get("generatrix"), named.get("directrix")
     return None if generatrix is None or directrix is None else (generatrix, directrix)
 
 
 def name_files() -> dict[str, str]:
-    """The files of the command that runs, by role; none for the built-in example."""
+    """Return the files of the current command by role; none for the built-in example."""
     ctx = click.get_current_context()
     named = {one.name: one.human_readable_name.lower() for one in ctx.command.params}
     roles = {"generatrix": "moves", "directrix": "stays", "stays": "stays", "moves": "moves"}
@@ -256,7 +254,7 @@ def name_files() -> dict[str, str]:
 
 
 def coordinates_of_files() -> Coordinates:
-    """The meaning of the coordinates that the command that runs has read: of Y, and the unit."""
+    """Return the direction of Y and the unit of the files read so far."""
     ctx = click.get_current_context()
     coordinates: Coordinates = ctx.meta.get(
         _COORDINATES, Coordinates(bool(ctx.params.get("y_down")))
@@ -265,20 +263,20 @@ def coordinates_of_files() -> Coordinates:
 
 
 def keep_coordinates(coordinates: Coordinates, notes: Iterable[str] = ()) -> None:
-    """Keep the meaning of the coordinates for what the command writes, and say what changed."""
+    """Store the direction of Y and the unit for the output; print notes."""
     click.get_current_context().meta[_COORDINATES] = coordinates
-    say_all(notes)
+    print_notes(notes)
 
 
 def keep_errors(stays: Fraction, moves: Fraction = _NONE) -> None:
-    """Keep the errors of curves for what the command writes."""
+    """Store the errors of curves for the output."""
     known = errors_of_files()
     errors = max(stays, known[0]), max(moves, known[1])
     click.get_current_context().meta[_ERRORS] = errors
 
 
 def errors_of_files() -> tuple[Fraction, Fraction]:
-    """Return the errors of the polygons that the command has read: what stays, what moves."""
+    """Return the curve errors of the stationary and of the moving polygons."""
     meta = click.get_current_context().meta
     found: tuple[Fraction, Fraction] = meta.get(_ERRORS, (_NONE, _NONE))
     return found
@@ -286,13 +284,13 @@ def errors_of_files() -> tuple[Fraction, Fraction]:
 
 def _require_one_input(first: str, second: str) -> None:
     if first == second == "-":
-        raise click.UsageError("Only one polygon can be read from standard input.")
+        raise click.UsageError("Only one file can be standard input (-).")
 
 
 def read_each(
     stays: str, moves: str, reading: ReadingOptions
 ) -> tuple[list[NamedRegion], list[NamedRegion]]:
-    """Read the polygons of two files, folders or patterns, with Y the same way up."""
+    """Read the polygons of two files, folders or patterns, with one direction of Y."""
     _require_one_input(stays, moves)
     found = [(show_path(path), read_named([path], reading)) for path in (stays, moves)]
     keep_coordinates(*bring_to_one(found))
@@ -302,9 +300,9 @@ def read_each(
 def read_placed(
     stays: str, moves: str, placed: Sequence[str], reading: ReadingOptions
 ) -> tuple[Region, Region, list[Region]]:
-    """Read a container, a part, and the shapes that it must not overlap, with Y as in the two.
+    """Read a container, a part and placed shapes, with one direction of Y.
 
-    Holes of the container that touch or cross its boundary or one another are such shapes, too.
+    Holes of the container that touch or cross its boundary or each other count as placed shapes.
     """
     (one, file), (other, its_file) = _choose_two(stays, moves, reading)
     with working("reading"), name_file(file):
@@ -323,22 +321,24 @@ def read_placed(
     others: list[Region] = []
     errors = [Fraction(0)]
     for part in listing.parts:
-        # None may be left out as not simple.
+        # Placed shapes that are not simple are errors.
         with name_refusals(part.file):
             shapes = part.candidate.named_regions(said)
         others += [one.region for one in shapes]
         errors += [one.error for one in shapes]
-    say_skipped(said.left_out)
-    say_all(said.notes)
+    report_skipped(said.left_out)
+    print_notes(said.notes)
     keep_errors(max(errors))
     if listing.coordinates.y_down != coordinates_of_files().y_down:
-        say_all([f"{', '.join(map(show_path, files))}: Y turned, to point as in the other files"])
+        print_notes(
+            [f"{', '.join(map(show_path, files))}: Y axis flipped, to agree with the others"]
+        )
         others = [region.scaled((1, -1)) for region in others]
     return first, second, regions + others
 
 
 def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
-    """Read the placed parts and the defects of a layout as JSON; none if a file is none."""
+    """Read the placed parts and defects of a layout in JSON; none if the file is not one."""
     file = split_choice(path)[0]
     if not file.lower().endswith(".json"):
         return []
@@ -361,13 +361,13 @@ def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
         found += [board.turned(k).translated(layout.placements[k].move) for k in board.placed]
         found += [to_region(defect.shape) for defect in layout.defects]
         if any(part.pieces for part in layout.parts):
-            say_all([f"{show_path(path)}: rounded parts are polygons around them"])
-        say_all([f"{show_path(path)}: {count(len(board.placed), 'placed part')}"])
+            print_notes([f"{show_path(path)}: rounded parts are polygons around them"])
+        print_notes([f"{show_path(path)}: {count(len(board.placed), 'placed part')}"])
     return found
 
 
 def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, Region]:
-    """Read two polygons, each from a file, with Y the same way up, and say what is left out."""
+    """Read two polygons, each from a file, with one direction of Y; report skipped elements."""
     regions = []
     for candidate, file in _choose_two(stays, moves, reading):
         with working("reading"), name_file(file):
@@ -376,7 +376,7 @@ def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, R
 
 
 def _choose_two(stays: str, moves: str, reading: ReadingOptions) -> list[tuple[Candidate, str]]:
-    """Find two polygons, each with the name of its file, and say what is left out."""
+    """Find two polygons with the names of their files; report skipped elements."""
     _require_one_input(stays, moves)
     with working("reading"):
         files = [(path, read_choice(path, **reading)) for path in (stays, moves)]
@@ -384,10 +384,10 @@ def _choose_two(stays: str, moves: str, reading: ReadingOptions) -> list[tuple[C
     chosen = []
     for path, found in files:
         name = split_choice(path)[0]
-        say_skipped([f"{show_path(name)}: {reason}" for reason in found.left_out])
-        say_all(f"{show_path(name)}: {note}" for note in found.notes)
+        report_skipped([f"{show_path(name)}: {reason}" for reason in found.left_out])
+        print_notes(f"{show_path(name)}: {note}" for note in found.notes)
         chosen.append((found[0], name))
     errors = [one.error for one, _ in chosen]
     keep_errors(*errors)
-    say_error(max(errors), reading)
+    report_error(max(errors), reading)
     return chosen

@@ -1,4 +1,4 @@
-"""The polygons of files and folders, and the report of omissions."""
+"""Polygons of files and folders, with notes on skipped elements."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
@@ -16,11 +16,7 @@ _MOST_REASONS = 100
 
 
 def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
-    """Find the polygons of files, and report elements that are not polygons.
-
-    Args:
-        paths: files, folders and patterns, as for `list_parts`.
-        reading: the options of the reader.
+    """Find the polygons of files, folders and patterns; report elements that are not polygons.
 
     Raises:
         FormatError: there is no polygon.
@@ -28,23 +24,23 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
     with working("reading"):
         listing = list_parts(paths, **reading)
     if not listing.parts:
-        reasons = listing.left_out or [f"{', '.join(map(show_path, paths))}: holds no polygon"]
+        reasons = listing.left_out or [f"{', '.join(map(show_path, paths))}: contains no polygon"]
         raise FormatError(summarize(reasons))
-    say_skipped(listing.left_out)
-    say_all(listing.notes)
-    say_error(max(part.candidate.error for part in listing.parts), reading)
+    report_skipped(listing.left_out)
+    print_notes(listing.notes)
+    report_error(max(part.candidate.error for part in listing.parts), reading)
     return listing
 
 
 def read_named(
     paths: Sequence[str], reading: Mapping[str, Any], *, keep: bool = False
 ) -> PartList[NamedRegion]:
-    """Read the polygons of files, with unique names, and report the omissions.
+    """Read the polygons of files, with unique names; report skipped elements.
 
     Args:
         paths: as for `find_parts`.
         reading: likewise.
-        keep: whether those of a single file keep the names, or none, that they have there.
+        keep: whether polygons of a single file keep their names, or the lack of one.
 
     Raises:
         FormatError: nothing can be read.
@@ -68,33 +64,33 @@ def read_named(
             reasons += [f"{part.file}: {reason}" for reason in said.left_out]
     if not found:
         raise FormatError(summarize(reasons))
-    say_skipped(reasons)
-    say_all(notes)
+    report_skipped(reasons)
+    print_notes(notes)
     if not keep or listing.files > 1:
         unique = make_unique(names)
         found = [one._replace(name=name) for one, name in zip(found, unique, strict=True)]
     return PartList(found, listing.coordinates)
 
 
-def say_error(error: Fraction, reading: Mapping[str, Any]) -> None:
-    """Say on standard error how near lines are to the curves that were read, if any were."""
+def report_error(error: Fraction, reading: Mapping[str, Any]) -> None:
+    """Report the flattening error on standard error, if there were curves."""
     if error:
         how = "" if reading.get("tolerance") else " (--flatten TOLERANCE sets it)"
-        say_all([f"curves drawn as lines, within {approximate(error, up=True)} of them{how}"])
+        print_notes([f"curves flattened within {approximate(error, up=True)}{how}"])
 
 
-def say_skipped(reasons: Sequence[str]) -> None:
-    """Say on standard error what was not read, and why, a line each."""
+def report_skipped(reasons: Sequence[str]) -> None:
+    """List skipped elements with the reasons on standard error."""
     more = len(reasons) - _MOST_REASONS
     shown = [*reasons[:_MOST_REASONS], f"{more} more"] if more > 0 else reasons
     for reason in shown:
-        click.echo(f"left out: {reason}", err=True)
+        click.echo(f"skipped: {reason}", err=True)
 
 
-def say_all(lines: Iterable[str]) -> None:
-    """Write lines on standard error, each only once in a command."""
-    said = click.get_current_context().meta.setdefault("exactsweep.said", set())
+def print_notes(lines: Iterable[str]) -> None:
+    """Print lines on standard error, each only once in a command."""
+    printed = click.get_current_context().meta.setdefault("exactsweep.printed", set())
     for line in lines:
-        if line not in said:
-            said.add(line)
+        if line not in printed:
+            printed.add(line)
             click.echo(line, err=True)

@@ -1,4 +1,4 @@
-"""The reports that `exactsweep conform` and `exactsweep judge` have in common."""
+"""Reports of `exactsweep conform` and `exactsweep judge`."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ if TYPE_CHECKING:
 
 
 def require_own_files(paths: Sequence[str | None]) -> None:
-    """Refuse one file for two reports."""
+    """Reject one file for two reports."""
     files = [os.path.realpath(path) for path in paths if path not in (None, "-")]
     if len({*files}) < len(files):
-        raise click.UsageError("Give each report and the journal a file of its own.")
+        raise click.UsageError("Give each report and the journal a different file.")
 
 
 @dataclass
 class Reports:
-    """The files that a run is reported to, and its acceptance."""
+    """The report files of a run, and its conditions for success."""
 
     accept: str
     least_judged: Fraction
@@ -45,30 +45,30 @@ class Reports:
     annotations: bool
 
     def __post_init__(self) -> None:
-        """Refuse, before a long run, what would fail after it."""
+        """Reject before a long run what would fail after it."""
         paths = [path for path in self.list_files() if path is not None]
         if paths.count("-") > 1:
             raise click.UsageError("Only one report can go to standard output.")
         require_own_files(paths)
         for path in paths:
             if path != "-" and not Path(path).parent.is_dir():
-                raise FormatError(f"{show_path(path)}: its folder is not there")
+                raise FormatError(f"{show_path(path)}: its folder does not exist")
 
     def list_files(self) -> list[str | None]:
-        """The files, None where one is not asked for."""
+        """List the files, None for a report that is not wanted."""
         return [self.junit, self.json, self.html, self.badge]
 
     def begin(self, hello: Hello, command: Sequence[str] = ()) -> Run:
-        """Begin a run that is measured so."""
+        """Begin a run with these conditions."""
         from exactsweep.conform.judge.verdict import Verdict
         from exactsweep.conform.run.run import Run
 
         return Run(hello, command, Verdict(self.accept), self.least_judged)
 
     def write(self, run: Run) -> None:
-        """Write the table and the files that were asked for, and exit with 1 unless all is well.
+        """Write the table and the requested files, and exit with 1 if the run failed.
 
-        A report to standard output takes the place of the table.
+        A report on standard output replaces the table.
 
         Raises:
             FormatError: a file cannot be written.
@@ -100,7 +100,7 @@ class Reports:
 
 
 def to_gap(text: str) -> Fraction:
-    """Read a number that is not negative; raises ValueError."""
+    """Read a number that is not negative."""
     found = to_fraction(text)
     if found < 0:
         raise FormatError(f"{text} is negative")
@@ -116,7 +116,7 @@ def _to_share(text: str) -> Fraction:
 
 
 def _require_verdict(name: str) -> str:
-    """Refuse what is no verdict, or says nothing on an answer."""
+    """Reject names that are not verdicts on answers."""
     allowed = list_verdicts()
     if name not in allowed:
         raise FormatError(f"{quote(name)} is not one of: {', '.join(allowed)}")
@@ -129,18 +129,18 @@ takes_accept = click.option(
     shell_complete=offer(list_verdicts),
     default="equivalent except for exact fits",
     callback=checked(_require_verdict),
-    help="The worst verdict that passes; by default 'equivalent except for exact fits', because "
-    "exact fits are reported apart. With --accept equivalent they count.",
+    help="Worst verdict that passes; default: 'equivalent except for exact fits', as exact fits "
+    "are reported separately. With --accept equivalent they count.",
 )
-"""Gives a command the option --accept VERDICT, as `accept`."""
+"""Decorator: the option --accept VERDICT, as `accept`."""
 
 takes_rounding = click.option(
     "--rounding",
     callback=checked(to_gap),
     metavar="NUMBER",
-    help="The error of coordinates below which an answer is still 'within'.",
+    help="Largest coordinate error of an answer that is still 'within'.",
 )
-"""Gives a command the option --rounding NUMBER, as `rounding`."""
+"""Decorator: the option --rounding NUMBER, as `rounding`."""
 
 takes_reports = gather(
     "reports",
@@ -151,14 +151,16 @@ takes_reports = gather(
         metavar="SHARE",
         default="0",
         callback=checked(_to_share),
-        help="Fail if a smaller share of the cases is judged, for example 0.9 or 90%.",
+        help="Fail if less than this share of the cases is judged, for example 0.9 or 90%.",
     ),
     takes_file("--junit", "Write JUnit XML, for CI."),
     takes_file("--json", "Write all outcomes as JSON."),
     takes_file("--html", "Write a page with a picture of each failure."),
-    takes_file("--badge", "Write how many answers are exact, as JSON for a badge."),
+    takes_file("--badge", "Write JSON for a badge with the number of exact answers."),
     click.option(
-        "--annotations", is_flag=True, help="Print the first failures as GitHub Actions shows them."
+        "--annotations",
+        is_flag=True,
+        help="Print the first failures as annotations of GitHub Actions.",
     ),
 )
-"""Gives a command the options of its reports, as `reports`."""
+"""Decorator: the options of reports, as `reports`."""

@@ -10,27 +10,25 @@ from exactsweep.cli.complete import list_claims, offer
 
 @click.command("reproduce")
 @click.argument("names", nargs=-1, metavar="[NAME]...", shell_complete=offer(list_claims))
-@click.option("--seed", default=1, show_default=True, help="Of the random pairs.")
+@click.option("--seed", default=1, show_default=True, help="Seed for the random pairs.")
 @click.option(
     "--quick",
     is_flag=True,
-    help="A thirtieth of the pairs, smaller grids and sizes; leaves out all seconds.",
+    help="Use a thirtieth of the pairs and smaller sizes; skips timing.",
 )
 @click.option(
     "--out",
     "folder",
     type=click.Path(file_okay=False, path_type=Path),
-    help="Where files go; 'reproduced' if left out and no NAME is given.",
+    help="Output folder; default without NAME: 'reproduced'.",
 )
 @click.option(
     "--list",
     "only_list",
     is_flag=True,
-    help="List all statements, with sections, verdicts and kinds of evidence.",
+    help="List all claims with section, verdict and kind of evidence.",
 )
-@click.option(
-    "--cite", is_flag=True, help="Write CITATION.cff and references.bib, and nothing else."
-)
+@click.option("--cite", is_flag=True, help="Write only CITATION.cff and references.bib.")
 def reproduce_command(
     names: tuple[str, ...],
     seed: int,
@@ -42,16 +40,15 @@ def reproduce_command(
     """Check the claims of the paper, one by one.
 
     Checks each definition, theorem, lemma, corollary, procedure and figure of the paper, or those
-    that are named, such as "Lemma 5.3", and writes a report, as HTML and as Markdown. Beside it go
-    the figures, as SVG and as PDF, all that was found as ledger.json and as tables, and the
-    counterexamples, as files that 'exactsweep sweep' reads. Every check looks for counterexamples.
-    The exit code is 1 if the evidence for a row fails.
+    named, such as "Lemma 5.3". Every check searches for counterexamples. The output folder gets a
+    report in HTML and Markdown, figures in SVG and PDF, the results as ledger.json and as tables,
+    and the counterexamples as files for 'exactsweep sweep'. The exit code is 1 if the evidence for
+    a claim fails.
 
     Example:
       exactsweep reproduce "Lemma 5.3"
       exactsweep reproduce --quick --out report
     """
-    # All of this is needed by no other command.
     from exactsweep.paper.claim import Effort, reproduce
     from exactsweep.paper.ledger import CLAIMS, find
     from exactsweep.paper.report import count_verdicts, render_row, write, write_citation

@@ -1,4 +1,4 @@
-"""The result of a sweep or a fit: as a report, as JSON or WKT, as a certificate, as polygons."""
+"""Results of sweeps and fits as a report, JSON, WKT, a certificate or polygons."""
 
 from collections.abc import Callable
 from fractions import Fraction
@@ -12,7 +12,7 @@ from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import Decorator, gather, takes_output
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import coordinates_of_files, errors_of_files, name_files
-from exactsweep.cli.parts import say_all
+from exactsweep.cli.parts import print_notes
 from exactsweep.cli.working import working
 from exactsweep.formats import FORMATS, FormatError, NamedRegion
 from exactsweep.formats.rounding import Rounding, Side
@@ -22,14 +22,14 @@ from exactsweep.text.report import approximate
 
 
 class Form(NamedTuple):
-    """The form in which a result is wanted.
+    """The requested form of a result.
 
     Attributes:
-        kind: "report", "json", "wkt", "certificate" or "to".
-        target: the format of the polygons.
-        rounding: how they are rounded.
+        kind: "report", "json", "wkt", "certificate", or "to" for polygons in a format.
+        target: that format.
+        rounding: how to round; None for exact output.
         output: the file, or "-".
-        everything: whether a report shows all vertices.
+        everything: whether a report lists all vertices.
     """
 
     kind: str
@@ -60,24 +60,24 @@ def _make_form(
         kind = "json"
     if rounding is not None:
         if kind not in ("json", "wkt", "to"):
-            raise click.UsageError("--round goes with --to FORMAT, --json or --wkt.")
+            raise click.UsageError("--round needs --to FORMAT, --json or --wkt.")
         kind, target = "to", target or kind
     return Form(kind, target or "", rounding, output, everything)
 
 
 def takes_form(wkt: str) -> Decorator:
-    """Give a command the options of its answer, as `form`; --wkt writes what is named."""
+    """Add the options of output forms, as `form`; `wkt` names what --wkt writes."""
     return gather(
         "form",
         _make_form,
-        click.option("--json", is_flag=True, help="Write everything, exactly, as JSON."),
-        click.option("--wkt", is_flag=True, help=f"Write {wkt}, exactly, as WKT."),
+        click.option("--json", is_flag=True, help="Write the exact result as JSON."),
+        click.option("--wkt", is_flag=True, help=f"Write {wkt} as exact WKT."),
         click.option(
             "--certificate",
             is_flag=True,
-            help="Write the answer and its proof as JSON, for 'exactsweep verify'.",
+            help="Write the result with its proof as JSON, for 'exactsweep verify'.",
         ),
-        click.option("--all", "everything", is_flag=True, help="Report all vertices."),
+        click.option("--all", "everything", is_flag=True, help="List all vertices in the report."),
         takes_format,
         takes_rounding,
         takes_output,
@@ -85,7 +85,7 @@ def takes_form(wkt: str) -> Decorator:
 
 
 class _Writers(NamedTuple):
-    """Functions that write a kind of result, and the side to which a region is rounded."""
+    """Functions that write a kind of result, and the safe side for rounding a region."""
 
     to_json: Callable[..., str]
     to_wkt: Callable[[Any], str]
@@ -123,16 +123,16 @@ _WRITERS = {
 }
 
 
-def tell_error(error: Fraction) -> str:
-    """Say at the end of a report what it is worth for curves; "" if there were none."""
+def describe_error(error: Fraction) -> str:
+    """Describe for the end of a report what holds for curves; "" without curves."""
     if not error:
         return ""
     about = approximate(error, up=True)
-    return f"note: curves drawn as lines; free positions are certain {about} from the boundary\n"
+    return f"note: curves flattened; free positions are certain {about} from the boundary\n"
 
 
 def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
-    """Write a result in a form of `takes_form`."""
+    """Write a result in the requested form."""
     columns, writers = measure_columns(form.output), _WRITERS[type(result)]
     first, second = errors_of_files()
     # The second file of a sweep has the polygon that stays.
@@ -148,7 +148,7 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
             case "certificate":
                 text = results.certificate_to_json(result)
                 if bound:
-                    say_all(["the certificate is about the lines, not about the curves"])
+                    print_notes(["the certificate is about the flattened curves"])
             case "wkt":
                 try:
                     text = writers.to_wkt(result)
@@ -157,7 +157,7 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
             case _:
                 files = name_files()
                 text = writers.report(result, columns, everything=form.everything, files=files)
-                text += tell_error(bound)
+                text += describe_error(bound)
     if form.kind == "to":
         export(regions, fits, form.target, form.rounding, form.output, writers.side_of)
     elif form.kind == "report":
@@ -165,4 +165,4 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
     else:
         write_readable(text, form.output)
         if form.kind == "json" and coordinates_of_files().y_down:
-            say_all(["Y points down in the output, as in the files (--y-down reads it so)"])
+            print_notes(["Y points down in the output, as in the files; read it with --y-down"])

@@ -15,7 +15,7 @@ from exactsweep.cli.pair import (
     read_two,
     takes_reading,
 )
-from exactsweep.cli.parts import say_error, say_skipped
+from exactsweep.cli.parts import report_error, report_skipped
 from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion, read_text, show_path
 from exactsweep.formats.candidate import Candidate
@@ -67,7 +67,7 @@ def _read_with_path(
 ) -> tuple[Region, Polyline]:
     """Read the polygon of a sum with a path; where the Y axes differ, flip the one that is down."""
     name, found = show_path(split_choice(a)[0]), read_choice(a, **reading)
-    say_skipped([f"{name}: {reason}" for reason in found.left_out])
+    report_skipped([f"{name}: {reason}" for reason in found.left_out])
     notes = [f"{name}: {note}" for note in found.notes]
     y_down = is_svg if reading["y_down"] is None else reading["y_down"]
     coordinates = found.coordinates
@@ -79,7 +79,7 @@ def _read_with_path(
         notes.append(f"{show_path(file)}: Y axis flipped, as {name} has Y up")
     keep_coordinates(coordinates._replace(y_down=coordinates.y_down and y_down), notes)
     keep_errors(found[0].error)
-    say_error(found[0].error, reading)
+    report_error(found[0].error, reading)
     with name_file(name):
         return read_single(found[0], Candidate.named_region).region, path
 
@@ -91,10 +91,10 @@ def _read_with_path(
     "--path",
     "as_path",
     is_flag=True,
-    help="B is a path, also if it is a list of three points or more.",
+    help="Read B as a path even if it is a list of three or more points.",
 )
-@click.option("--json", is_flag=True, help="Write everything, exactly, as JSON.")
-@click.option("--wkt", is_flag=True, help="Write the sum, exactly, as a WKT POLYGON.")
+@click.option("--json", is_flag=True, help="Write the exact result as JSON.")
+@click.option("--wkt", is_flag=True, help="Write the sum as an exact WKT POLYGON.")
 @takes_format
 @takes_rounding
 @takes_reading
@@ -143,7 +143,7 @@ def sum_command(
     if rounding is not None or target is not None:
         target = target or ("json" if json else "wkt" if wkt else None)
         if target is None:
-            raise click.UsageError("--round goes with --to FORMAT, --json or --wkt.")
+            raise click.UsageError("--round needs --to FORMAT, --json or --wkt.")
         export([NamedRegion(found, "sum")], (), target, rounding, output, lambda _: "outward")
     elif json:
         write_readable(pairs.sum_to_json(first, second, found), output)

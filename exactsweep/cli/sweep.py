@@ -13,22 +13,21 @@ from exactsweep.cli.result import Form, takes_form, write_result
 def sweep_command(result: Sweep, form: Form) -> None:
     """Sweep one polygon around another.
 
-    GENERATRIX goes around DIRECTRIX, always in contact and never overlapping:
+    GENERATRIX moves around DIRECTRIX, always in contact and never overlapping:
 
         exactsweep sweep GENERATRIX DIRECTRIX    first moves, second stays
         exactsweep nfp   STATIONARY ORBITING     first stays, second moves
 
-    Each is a file, or - for standard input: JSON (a list of pairs or an object with such a list as
-    "vertices"), GeoJSON, WKT, CSV, SVG or DXF. Of a file with several polygons, FILE#NAME chooses
-    one by its name, its index from 0 or its layer. Decimals are read exactly; JSON may hold
-    fractions, too, as strings such as "-7/2". Without files, a built-in example is swept.
+    Each is a file, or - for standard input: JSON (a list of pairs, or an object with such a list as
+    "vertices"), GeoJSON, WKT, CSV, SVG or DXF. FILE#NAME chooses one of several polygons by name,
+    index from 0 or layer. Decimals are read exactly; in JSON, strings such as "-7/2" are fractions.
+    Without files, the command sweeps a built-in example.
 
-    A polygon may have any shape. One with holes is WKT with inner rings, or a JSON object with a
-    list of pairs as "exterior" and a list of such lists as "holes".
+    Polygons may have any shape. Holes are inner rings in WKT, and in JSON a list of rings as
+    "holes" of an object with an "exterior".
 
-    WKT has no fractions: --wkt writes the trajectory, the inner and the outer loop, and further
-    holes of the swept area, a POLYGON a line, if all their coordinates are finite decimals, and is
-    refused otherwise.
+    --wkt writes the trajectory, the inner and the outer loop, and further holes of the swept area,
+    one POLYGON per line. WKT holds finite decimals only; other coordinates need --round.
 
     Example:
       exactsweep sweep house.json block.wkt

@@ -1,4 +1,4 @@
-"""The turns and mirrored copies of a part: --turns and --mirrored."""
+"""Rotations and mirrored copies of a part: --turns and --mirrored."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import click
 
 from exactsweep import Point, Region
 from exactsweep.cli.options import Decorator, checked, gather
-from exactsweep.cli.parts import say_all
+from exactsweep.cli.parts import print_notes
 from exactsweep.geometry.point_set import AffineMap
 from exactsweep.geometry.turn import TURN_BITS, Turn, read_turn
 from exactsweep.numbers.digits import abridge
@@ -18,19 +18,14 @@ from exactsweep.numbers.number import to_fraction
 
 
 class Pose(NamedTuple):
-    """A turn of a part, mirrored (x to -x) before or not.
-
-    Attributes:
-        turn: a Turn.
-        mirrored: whether the part is mirrored.
-    """
+    """A rotation of a part, after mirroring (x to -x) if `mirrored`."""
 
     turn: Turn
     mirrored: bool = False
 
     @property
     def name(self) -> str:
-        """The degrees, and whether it is mirrored."""
+        """The degrees, with ", mirrored" if so."""
         degrees = abridge(self.turn.degrees or Fraction(0))
         return f"{degrees}, mirrored" if self.mirrored else degrees
 
@@ -64,14 +59,14 @@ def _list_poses(turns: list[Turn], *, mirrored: bool) -> Iterator[Pose]:
     for turn in turns:
         if turn.exact is None:
             degrees = abridge(turn.degrees or Fraction(0))
-            say_all([f"{degrees} degrees: rotated by a rational angle within 2^-{TURN_BITS}"])
+            print_notes([f"{degrees} degrees: rotated by a rational angle within 2^-{TURN_BITS}"])
         yield Pose(turn)
     if mirrored:
         yield from (Pose(turn, mirrored=True) for turn in turns)
 
 
 def takes_turns(part: str) -> Decorator:
-    """Give a command the options --turns and --mirrored, as `poses`; None without them."""
+    """Add --turns and --mirrored, as `poses`; None without them."""
     return gather(
         "poses",
         _make_poses,

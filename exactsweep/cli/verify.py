@@ -22,7 +22,7 @@ from exactsweep.words import count, write_pair
     "--max-steps",
     type=click.IntRange(min=1),
     metavar="N",
-    help="The limit of work, in steps of at most a microsecond; by default it grows with the file.",
+    help="Limit of work, in steps of at most a microsecond; default: grows with the file.",
 )
 @click.option(
     "--coq",
@@ -33,7 +33,7 @@ from exactsweep.words import count, write_pair
 @click.option(
     "--extracted",
     is_flag=True,
-    help="Ask the checker extracted from the Coq proof, too; needs coqc, ocamlfind and zarith.",
+    help="Also run the checker extracted from the Coq proof; needs coqc, ocamlfind and zarith.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Write the verdict as JSON.")
 def verify_command(
@@ -47,14 +47,14 @@ def verify_command(
     """Check a certificate by independent code.
 
     Decides whether the certificate in FILE, or - for standard input, proves its answer: a sweep, a
-    no-fit polygon, an inner fit, or the verdict on a layout. check/standalone.py decides, a file
-    that needs nothing but Python. Prints "proved" and the answer; or the first reason why it is not
-    proved, with a witness, a translation or a point where it shows, and the exit code is 1.
+    no-fit polygon, an inner fit, or the verdict on a layout. The checker is check/standalone.py,
+    one file without dependencies. Prints "proved" and the answer; or the first failed condition,
+    with a translation or a point as a witness, and exits with 1.
 
-    With G and D, the certificate has to be about these two polygons: the one that moves and the
-    one that stays; of an inner fit, the part and the container.
+    With G and D, the certificate has to be about these polygons: the moving and the stationary one,
+    or the part and the container of an inner fit.
 
-    'exactsweep sweep', 'nfp', 'ifp' and 'layout' write certificates, given --certificate.
+    'exactsweep sweep', 'nfp', 'ifp' and 'layout' write certificates with --certificate.
 
     Example:
       exactsweep verify proof.json
@@ -95,11 +95,11 @@ def verify_command(
 
 
 def _ask_extracted(certificate: Any, verdict: Any) -> Any:
-    """Return the verdict, not proved if the extracted checker does not accept the certificate."""
+    """Return the verdict, or "not proved" if the extracted checker rejects the certificate."""
     from exactsweep.check.extracted import ask
 
     try:
-        with working("asking the extracted checker"):
+        with working("running the extracted checker"):
             answer = ask(certificate)
     except RuntimeError as error:
         raise click.ClickException(f"no extracted checker: {error}") from error

@@ -15,14 +15,12 @@ from exactsweep.formats import show_path
 @takes_pair
 @takes_output
 def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
-    """Write a page on which the generatrix can be moved.
+    """Write an interactive HTML page.
 
-    The page is one HTML file for a browser, and needs no network. A slider, dragging or the
-    keyboard moves the generatrix around the directrix, around holes of the no-fit polygon and into
-    exact fits. The page always names the contact, and shows the exact coordinates of vertices,
-    undercuts and exact fits.
-
-    For a no-fit polygon or an inner fit the page shows the positions alone.
+    The page is one file that needs no network. A slider, dragging or the keyboard moves the
+    generatrix along the trajectory, around holes of the no-fit polygon and into exact fits. The
+    page names the contacts, and shows exact coordinates of vertices, undercuts and exact fits. With
+    --of nfp or --of ifp it shows a no-fit polygon or an inner fit.
 
     The command reads files as 'exactsweep sweep' does; without files, it shows the example.
 
@@ -39,6 +37,6 @@ def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
     if names and not isinstance(result, Sweep):
         # The stationary polygon is the first file.
         names = names[1], names[0]
-    with working("making the page") as tell:
-        text = make_page(result, names=names, y_down=coordinates_of_files().y_down, tell=tell)
+    with working("making the page") as update:
+        text = make_page(result, names=names, y_down=coordinates_of_files().y_down, tell=update)
     write(text, output)

@@ -1,4 +1,4 @@
-"""Progress on a terminal, of commands that take longer than a second: words, or a bar."""
+"""Progress of long commands on a terminal: a status line or a bar."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     from rich.status import Status
 
 PATIENCE = 1.0
-"""Seconds before a command says anything."""
+"""Seconds before the first progress message."""
 
 
 @contextmanager
 def working(doing: str) -> Iterator[Callable[[str], None]]:
-    """Say on a terminal, after a second, what is being done, and yield what changes the words."""
+    """Show a status line on a terminal after one second; yield a function that updates it."""
     if not _has_terminal():
         yield lambda doing: None
         return
@@ -31,14 +31,14 @@ def working(doing: str) -> Iterator[Callable[[str], None]]:
 
 @contextmanager
 def show_bar(total: int | None) -> Iterator[Callable[[int, str], None]]:
-    """Show a progress bar on standard error, if that is a terminal, after the first second.
+    """Show a progress bar on a terminal after one second.
 
     Args:
-        total: the number at its end; None if it is unknown.
+        total: the number of steps; None if unknown.
 
     Yields:
-        A function that sets the progress, and words beside it; "" stands for the rate of work. Its
-        first value does not count for the rate.
+        A function of the steps done and a text, by default the rate. The first call does not count
+        for the rate.
     """
     if not _has_terminal():
         yield lambda done, words: None

@@ -212,9 +212,9 @@ def test_the_command_reads_files(tmp_path: Path) -> None:
     [
         (["batch", "-o", "x"], "Give either PAIRS or --all."),
         (["batch", "p", "--all", "a", "b", "-o", "x"], "Give either PAIRS or --all."),
-        (["batch", "--all", "a", "b", "--parts", "p", "-o", "x"], "--parts goes with PAIRS."),
-        (["batch", "-", "-o", "x"], "PAIRS and the output are files"),
-        (["batch", "p", "-o", "-"], "PAIRS and the output are files"),
+        (["batch", "--all", "a", "b", "--parts", "p", "-o", "x"], "--parts needs PAIRS."),
+        (["batch", "-", "-o", "x"], "PAIRS and the output must be files"),
+        (["batch", "p", "-o", "-"], "PAIRS and the output must be files"),
         (["batch", "p"], "Missing option '-o'"),
         (["batch", "p", "-o", "x", "--workers", "0"], "0 is not in the range"),
         (["batch", "p", "-o", "x", "--compute", "all"], "'all' is not one of"),

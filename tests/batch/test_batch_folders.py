@@ -51,7 +51,7 @@ def test_names_of_files_survive_in_records(folder: Path, tmp_path: Path) -> None
     output = tmp_path / "out.jsonl"
     done = run("batch", "--all", str(folder), f"{folder}/*.svg#plate", "-o", str(output))
     assert done.exit_code == 0
-    assert done.stderr.count("left out: ") == 2
+    assert done.stderr.count("skipped: ") == 2
     assert "broken.wkt: line 1, column 14" in done.stderr
     assert "left.svg: line 1: path: the end (0,0) meets no other end exactly" in done.stderr
     names = [record["generatrix"] for record in records(output)]
@@ -113,8 +113,8 @@ def test_other_angles_are_told(tmp_path: Path) -> None:
     options = ("--rotations", "0,33.3", "--compute", "nfp", "-o", str(output), "--workers", "1")
     done = run("batch", "--all", str(part), str(part), *options)
     turn = read_turn("33.3").near()
-    told = f"the cosine {turn.cosine} and the sine {turn.sine}, which are off by at most 2^-64"
-    assert done.stderr == f"33.3 degrees: turned by {told}\n"
+    approximation = f"the cosine {turn.cosine} and the sine {turn.sine}, each within 2^-64"
+    assert done.stderr == f"33.3 degrees: rotated by {approximation}\n"
     _, turned = records(output)
     assert turned["generatrix"] == "part.json@33.3"
     expected = no_fit_polygon(TRIANGLE, TRIANGLE.rotated((turn.cosine, turn.sine))).exterior

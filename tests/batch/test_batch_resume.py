@@ -59,7 +59,7 @@ def test_killed_at_random_and_resumed(
         kills += 1
     assert kills > 0
     assert output.read_bytes() == b"".join(whole)
-    assert "of the records were there already" in out
+    assert "of the records existed already" in out
     assert {path.name for path in tmp_path.iterdir()} == {"out.jsonl", "parts.json"}
 
 
@@ -155,7 +155,7 @@ def test_control_c_ends_in_one_line_and_no_process_stays(
     out, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, out) == (1, "")
     assert err.startswith("Error: interrupted after ")
-    assert err.endswith(" of 576 pairs; the same command goes on from there\n")
+    assert err.endswith(" of 576 pairs; run the same command to resume\n")
     assert len(workers) == 2
     wait_until_gone(workers)
 

@@ -7,7 +7,7 @@ from command import refusal, run
 
 from exactsweep import Region, no_fit_polygon
 from exactsweep.cli.export import _is_safe
-from exactsweep.cli.parts import say_skipped
+from exactsweep.cli.parts import report_skipped
 from exactsweep.formats import FORMATS, parse_regions, read_region
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.rounding import Side, contains
@@ -64,10 +64,10 @@ def test_a_rounded_no_fit_polygon_permits_no_overlap(files: dict[str, str]) -> N
 def test_at_most_a_hundred_omissions_are_listed(
     number: int, last: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    say_skipped([*map(str, range(number))])
+    report_skipped([*map(str, range(number))])
     lines = capsys.readouterr().err.splitlines()
-    assert lines[:100] == [f"left out: {k}" for k in range(min(number, 100))]
-    assert lines[-1] == f"left out: {last}"
+    assert lines[:100] == [f"skipped: {k}" for k in range(min(number, 100))]
+    assert lines[-1] == f"skipped: {last}"
 
 
 def test_a_limit_is_said_of_outputs_that_commands_read(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -75,7 +75,7 @@ def test_a_limit_is_said_of_outputs_that_commands_read(monkeypatch: pytest.Monke
     sizes = []
     for options in (("--json",), ("--wkt",), ("--to", "csv"), ("--certificate",)):
         said = run("sweep", *options).stderr
-        start = "standard output: large; commands read it with --max-mib "
+        start = "standard output: large; to read it, commands need --max-mib "
         assert said.startswith(start)
         sizes.append(int(said.removeprefix(start)))
     assert len(set(sizes)) == 4

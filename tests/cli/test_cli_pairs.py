@@ -115,7 +115,7 @@ def test_all_pairs_are_compared_and_free_ones_are_counted(tmp_path: Path) -> Non
 
 def test_one_polygon_is_no_pair(tmp_path: Path) -> None:
     (one,) = save(tmp_path, one=WKT)
-    assert refusal(run("overlap", one)) == f"{one}: holds one polygon; give a second file"
+    assert refusal(run("overlap", one)) == f"{one}: contains one polygon; give a second file"
 
 
 def test_shapes_apart_have_a_distance(tmp_path: Path) -> None:

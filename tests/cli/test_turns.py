@@ -79,7 +79,7 @@ def test_no_fit_polygons_of_turns(tmp_path: Path) -> None:
 
 def test_several_turns_have_no_certificate(tmp_path: Path) -> None:
     files = write(tmp_path, "c.json", SHEET), write(tmp_path, "p.json", PART)
-    assert "--wkt is for one turn." in run("ifp", *files, "--turns", "0,90", "--wkt").stderr
+    assert "--wkt is for a single pose." in run("ifp", *files, "--turns", "0,90", "--wkt").stderr
     assert "'--turns'" in run("ifp", *files, "--turns", "x").stderr
 
 

@@ -56,7 +56,7 @@ def test_examples_are_listed_shown_and_copied(tmp_path: Path) -> None:
     mine = tmp_path / "mine.py"
     assert run("example", "convex.py", "-o", str(mine)).exit_code == 0
     assert mine.read_bytes() == (EXAMPLES / "convex.py").read_bytes()
-    assert "is there already" in refusal(run("example", "doubles.js", "-o", str(mine)))
+    assert "already exists" in refusal(run("example", "doubles.js", "-o", str(mine)))
     assert mine.read_bytes() == (EXAMPLES / "convex.py").read_bytes()
     assert refusal(run("example", "convex.p")) == "no example 'convex.p'; did you mean 'convex.py'?"
 

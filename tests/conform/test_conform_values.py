@@ -119,7 +119,7 @@ def test_options_after_the_program_are_refused_unless_parted() -> None:
     ours = ("--filter", "id=worked-s")
     done = run("conform", *CONVEX, *ours)
     assert done.exit_code == 2
-    assert "--filter stands after the program, which would get it." in done.stderr
+    assert "--filter follows the program, which would get it." in done.stderr
     for words in ([*CONVEX, "--html=a"], [*CONVEX, "--resume"]):
         assert run("conform", *words).exit_code == 2
     assert run("conform", *ours, "--", *CONVEX, "--html=a").exit_code == 0

@@ -30,7 +30,7 @@ def test_drawings_are_read_or_refused_with_the_reason(drawing: Drawing, tmp_path
     said = [
         line
         for line in result.stderr.splitlines()
-        if not line.startswith(("Y axis flipped", "curves drawn as lines"))
+        if not line.startswith(("Y axis flipped", "curves flattened"))
     ]
     assert (drawing.reason in result.stderr) if drawing.reason else not said
     regions = [part.region for part in parse_regions(result.stdout)]

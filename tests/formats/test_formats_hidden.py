@@ -85,7 +85,7 @@ def test_commands_tell_what_is_hidden(tmp_path: Path) -> None:
     path = tmp_path / "a.svg"
     path.write_text(SVG)
     done = run("nfp", f"{path}#part", f"{path}#part")
-    assert "left out: " in done.stderr
+    assert "skipped: " in done.stderr
     assert "hidden: 1 g with display none (--hidden)" in done.stderr
     told = [line for line in done.stderr.splitlines() if "hidden: " in line]
     swept = run("sweep", f"{path}#part", f"{path}#used").stderr.splitlines()
