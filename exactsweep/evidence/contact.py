@@ -3,31 +3,28 @@
 An edge of the trajectory is a piece of a segment of translations at which two features touch: EV
 (edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
 edges): d - e. All of the trajectory is free of overlap. So two features are in contact along the
-edge if their segment shares a piece with it. Look-ups of lines find all pairs that can touch
-without overlap (see `find_facing`), without regard to how the trajectory was computed.
-
-An edge e touches a vertex v from outside only if both edges at v run on the other side of the line
-through e. Then v is convex, and the direction of the reversed e lies between those of the two
-edges. For two convex polygons this leaves one vertex for each edge, or two if edges are parallel.
+edge if their segment shares a piece with it. A look-up of their line decides that for each pair,
+without regard to how the trajectory was computed.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
+from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import accumulate, pairwise
-from math import inf, lcm
+from collections.abc import Sequence
+from itertools import pairwise, product
+from math import lcm
 from typing import Literal, NamedTuple
 
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, find_direction, lay_point, make_segment
-from exactsweep.geometry.vectors import cross
 from exactsweep.numbers.number import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
+_Features = list[tuple[int, Segment]]
+"""The numbers of edges or vertices, and their segments on lines of one direction."""
 
 
 class Contact(NamedTuple):
@@ -81,60 +78,34 @@ def find_edge_contacts(
         For each edge, the sorted contacts that last along a piece of positive length. The list
         omits an EV or VE contact that is part of an EE contact.
 
-    Cost: O((t + m + n) log(t + m + n)) for t edges, plus a look-up in O(log t) for each pair that
-    can touch without overlap. Convex polygons have O(m + n) such pairs, others O(m n).
+    Cost: O(t + m + n) for each direction of the edges, and a look-up for each pair of a feature of
+    G and an edge of D, or the other way round, that are parallel to it: O(m n) in all if few edges
+    of one shape are parallel.
     """
-    lines: defaultdict[tuple[Vector, Rational], list[tuple[Rational, int, Segment]]]
-    lines = defaultdict(list)
+    lines: defaultdict[tuple[Vector, Rational], list[tuple[int, Segment]]] = defaultdict(list)
     for k, piece in enumerate(map(make_segment, edges)):
-        lines[piece.direction, piece.offset].append((piece.low, k, piece))
-    reaches = {}
-    for line, pieces in lines.items():
-        pieces.sort()
-        reaches[line] = list(accumulate((piece.high for _, _, piece in pieces), max))
-    directions = {u for u, _ in lines}
+        lines[piece.direction, piece.offset].append((k, piece))
     found: list[set[Contact]] = [set() for _ in edges]
-
-    def note(event: Event, i: int, j: int, mine: Segment, theirs: Segment) -> None:
-        """Note a contact of two parallel features for all edges along which it lasts."""
-        line = mine.direction, theirs.offset - mine.offset
-        if line in reaches:
-            touching, pieces = theirs.minus(mine), lines[line]
-            for number in range(bisect_right(reaches[line], touching.low), len(pieces)):
-                low, k, piece = pieces[number]
-                if low >= touching.high:
-                    break
-                if touching.shares_piece(piece):
-                    found[k].add(Contact(event, i, j))
-
-    ours, theirs = (
-        [k for k, piece in enumerate(shape.pieces) if piece.direction in directions]
-        for shape in (generatrix, directrix)
-    )
-    for i, vertex in find_facing(generatrix, directrix, ours):
-        for j in directrix.twins(vertex):
-            mine = generatrix.pieces[i]
-            note("EV", i, j, mine, lay_point(directrix.vertices[j], mine.direction))
-    for j, vertex in find_facing(directrix, generatrix, theirs):
-        for i in generatrix.twins(vertex):
-            other = directrix.pieces[j]
-            note("VE", i, j, lay_point(generatrix.vertices[i], other.direction), other)
-    # Both run with their shape on the left, so facing edges have opposite orientations.
-    parallel: defaultdict[tuple[Vector, bool], list[int]] = defaultdict(list)
-    for j in theirs:
-        parallel[directrix.pieces[j].direction, directrix.backward[j]].append(j)
-    for i in ours:
-        mine = generatrix.pieces[i]
-        u = mine.direction
-        for j in parallel[u, not generatrix.backward[i]]:
-            other = directrix.pieces[j]
-            note("EE", i, j, mine, other)
-            # Where rings touch, a vertex may lie inside an edge.
-            for k in directrix.vertices_inside(j):
-                note("EV", i, k, mine, lay_point(directrix.vertices[k], u))
-            for k in generatrix.vertices_inside(i):
-                note("VE", k, j, lay_point(generatrix.vertices[k], u), other)
+    for u in {u for u, _ in lines}:
+        g_edges, d_edges = (
+            [(k, piece) for k, piece in enumerate(shape.pieces) if piece.direction == u]
+            for shape in (generatrix, directrix)
+        )
+        pairs: list[tuple[Event, _Features, _Features]] = [("EE", g_edges, d_edges)]
+        if g_edges:
+            pairs.append(("EV", g_edges, _lay_vertices(directrix, u)))
+        if d_edges:
+            pairs.append(("VE", _lay_vertices(generatrix, u), d_edges))
+        for event, ours, theirs in pairs:
+            for (i, mine), (j, other) in product(ours, theirs):
+                for k, piece in lines.get((u, other.offset - mine.offset), ()):
+                    if other.minus(mine).shares_piece(piece):
+                        found[k].add(Contact(event, i, j))
     return [sorted(_without_parts(at, generatrix, directrix)) for at in found]
+
+
+def _lay_vertices(shape: Outline, u: Vector) -> _Features:
+    return [(k, lay_point(vertex, u)) for k, vertex in enumerate(shape.vertices)]
 
 
 def find_translations(contact: Contact, generatrix: Outline, directrix: Outline) -> Segment:
@@ -193,45 +164,3 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
                 if touching.offset == place.offset and touching.shares_piece(place):
                     found.add(Contact("EE", i, d))
     return sorted(found)
-
-
-def find_facing(
-    shape: Outline, outline: Outline, numbers: Iterable[int]
-) -> Iterator[tuple[int, int]]:
-    """Find the pairs of an edge and a vertex that can touch without overlap.
-
-    Args:
-        shape: the features of a polygon.
-        outline: those of the other polygon, no three neighbours collinear.
-        numbers: the numbers of the edges of the first polygon.
-
-    Returns:
-        (number of the edge, number of the vertex).
-
-    Cost: O((m + n) log n + pairs) for n edges and m vertices.
-
-    >>> square, steep = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]]), Outline([[(1, 0), (0, 1)]])
-    >>> sorted(find_facing(square, square, [0])), sorted(find_facing(steep, square, [0]))
-    ([(0, 2), (0, 3)], [(0, 0)])
-    """
-    # Slopes of edges no wider than 2**n differ by 4**-n, so ints in that unit have their order.
-    widths = [piece.direction[0] for o in (shape, outline) for piece in o.pieces]
-    bits = 2 * max(widths).bit_length()
-
-    def angle(o: Outline, k: int, *, turned: bool) -> tuple[bool, float]:
-        """Return a key that orders directed edges by angle, from -90 degrees, exclusive."""
-        a, b = o.pieces[k].direction
-        return o.backward[k] != turned, (b << bits) // a if a else inf
-
-    order = sorted((angle(shape, i, turned=True), i) for i in numbers)
-    angles = [key for key, _ in order]
-    ways = [angle(outline, k, turned=False) for k in range(len(outline.vertices))]
-    for j, into in enumerate(outline.before):
-        first, last = ways[into], ways[j]
-        if (cross(outline.pieces[into].direction, outline.pieces[j].direction) > 0) == (
-            first[0] == last[0]
-        ):
-            start, end = bisect_left(angles, first), bisect_right(angles, last)
-            found = order[start:end] if first <= last else order[start:] + order[:end]
-            for _, i in found:
-                yield i, j

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from exactsweep.geometry.edges import EdgeIndex
-from exactsweep.geometry.near import BoxRows
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
@@ -63,15 +62,6 @@ class Outline:
         return list(map(make_segment, self.edges))
 
     @cached_property
-    def backward(self) -> list[bool]:
-        """For each edge, True if it runs against the direction of its segment."""
-        return [p > q for p, q in self.edges]
-
-    @cached_property
-    def _places(self) -> BoxRows:
-        return BoxRows([(x, x, y, y) for x, y in self.vertices])
-
-    @cached_property
     def _all_numbers(self) -> dict[Vertex, list[int]]:
         found: defaultdict[Vertex, list[int]] = defaultdict(list)
         for k, vertex in enumerate(self.vertices):
@@ -86,22 +76,6 @@ class Outline:
         if scale != 1:
             point = ratio(point[0], scale), ratio(point[1], scale)
         return self._all_numbers.get(point, ())
-
-    def twins(self, k: int) -> Sequence[int]:
-        """Find the numbers of the vertices at the place of vertex k, k among them."""
-        return self._all_numbers[self.vertices[k]]
-
-    def vertices_inside(self, k: int) -> list[int]:
-        """Find the numbers of the vertices of other rings inside edge k.
-
-        Cost: that of `BoxRows.find`, and O(n log n) the first time.
-        """
-        if len(self.starts) == 1:
-            return []
-        p, q = self.edge(k)
-        (left, right), (low, high) = (sorted(pair) for pair in zip(p, q, strict=True))
-        near = self._places.find((left, right, low, high))
-        return sorted(i for i in near if is_between(self.vertices[i], p, q))
 
     def edges_through(self, point: Vertex, scale: int = 1) -> Iterator[int]:
         """Find the numbers of the edges with a point, multiplied by a scale, in their interior.

@@ -8,15 +8,15 @@ segment can touch the loop, and there two vertices meet.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
+from math import inf
 
 from exactsweep.draw.sweeps import Moving
-from exactsweep.evidence.contact import find_facing
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon, share_lattice, to_region
-from exactsweep.geometry.vectors import minus, turn
+from exactsweep.geometry.vectors import cross, minus, turn
 from exactsweep.numbers.number import Point
 
 # The number of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
@@ -51,9 +51,9 @@ class Meetings:
         for rings in ([ring[::-1] for ring in around] if inside else around, *placed):
             d = Outline(rings)
             pairs = set()
-            for i, j in find_facing(g, d, range(len(g.vertices))):
+            for i, j in find_facing(g, d):
                 pairs |= {(i, j), (g.after[i], j)}
-            for j, i in find_facing(d, g, range(len(d.vertices))):
+            for j, i in find_facing(d, g):
                 pairs |= {(i, j), (i, d.after[j])}
             translations |= {minus(d.vertices[j], g.vertices[i]) for i, j in pairs}
         self.translations = sorted(translations)
@@ -96,3 +96,47 @@ def find_meetings(
         return None
     found = Meetings(s, others, inside=inside)
     return found if len(found.translations) * corners <= _MOST_LOOKS else None
+
+
+def find_facing(shape: Outline, outline: Outline) -> Iterator[tuple[int, int]]:
+    """Find the pairs of an edge and a vertex that can touch without overlap.
+
+    An edge touches a vertex from outside only if both edges at the vertex run on the other side of
+    its line. Then the vertex is convex, and the direction of the reversed edge lies between those
+    of the two edges.
+
+    Args:
+        shape: the features of a polygon.
+        outline: those of the other polygon, no three neighbours collinear.
+
+    Returns:
+        (number of the edge, number of the vertex).
+
+    Cost: O((m + n) log n + pairs) for n edges and m vertices.
+
+    >>> square, steep = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]]), Outline([[(1, 0), (0, 1)]])
+    >>> sorted(pair for pair in find_facing(steep, square) if pair[0] == 0)
+    [(0, 0)]
+    """
+    # Slopes of edges no wider than 2**n differ by 4**-n, so ints in that unit have their order.
+    widths = [piece.direction[0] for o in (shape, outline) for piece in o.pieces]
+    bits = 2 * max(widths).bit_length()
+
+    def angle(o: Outline, k: int, *, turned: bool) -> tuple[bool, float]:
+        """Return a key that orders directed edges by angle, from -90 degrees, exclusive."""
+        a, b = o.pieces[k].direction
+        p, q = o.edge(k)
+        return (p > q) != turned, (b << bits) // a if a else inf
+
+    order = sorted((angle(shape, i, turned=True), i) for i in range(len(shape.vertices)))
+    angles = [key for key, _ in order]
+    directions = [angle(outline, k, turned=False) for k in range(len(outline.vertices))]
+    for j, into in enumerate(outline.before):
+        first, last = directions[into], directions[j]
+        if (cross(outline.pieces[into].direction, outline.pieces[j].direction) > 0) == (
+            first[0] == last[0]
+        ):
+            start, end = bisect_left(angles, first), bisect_right(angles, last)
+            found = order[start:end] if first <= last else order[start:] + order[:end]
+            for _, i in found:
+                yield i, j

@@ -14,7 +14,6 @@ from tiers import examples
 from exactsweep import Point, Polygon, PolygonError, Region, sweep
 from exactsweep.evidence.contact import (
     find_contacts,
-    find_facing,
 )
 from exactsweep.geometry.outline import Outline
 from exactsweep.numbers.number import Vertex
@@ -203,32 +202,6 @@ def test_contacts_at_all_positions_of_a_grid(g: list[Vertex], d: list[Vertex]) -
         expected = sorted(meetings(moved, twice))
         t = Fraction(x, 2), Fraction(y, 2)
         assert find_contacts(Outline([g]), Outline([d]), t) == expected
-
-
-COMPASS = [(x, y) for x, y in product(range(-2, 3), repeat=2) if 2 in (abs(x), abs(y))]
-
-
-def test_an_edge_faces_the_corners_that_lie_to_its_right() -> None:
-    """Corners that are convex, with both of their edges to the right of the edge or along it."""
-    # Edge 2 k leads to point k of the compass, and the next one back.
-    ways = dict(enumerate(COMPASS))
-    rose = Outline([[(5, 5), (5 + x, 5 + y)] for x, y in COMPASS])
-    for forward, back in product(COMPASS, repeat=2):
-        turn = forward[0] * back[1] - forward[1] * back[0]
-        if turn == 0:
-            continue
-        faced = {
-            i // 2
-            for i, j in find_facing(
-                rose, Outline([[(0, 0), forward, back]]), range(0, 2 * len(COMPASS), 2)
-            )
-            if j == 0
-        }
-        assert faced == {
-            k
-            for k, (x, y) in ways.items()
-            if turn > 0 and all(x * w <= y * v for v, w in (forward, back))
-        }
 
 
 def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:

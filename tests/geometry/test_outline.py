@@ -5,11 +5,10 @@ from itertools import product
 from random import Random
 
 import families
-from small_pairs import draw_touching
 
-from exactsweep import Polygon, Region
+from exactsweep import Polygon
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.vectors import is_between, is_on_segment
+from exactsweep.geometry.vectors import is_between
 
 
 def test_features_at_a_point_are_those_of_the_definition() -> None:
@@ -37,21 +36,3 @@ def test_features_are_counted_through_all_rings() -> None:
     assert outline.before == [3, 0, 1, 2, 6, 4, 5]
     assert outline.edge(6) == ((2, 1), (1, 1))
     assert [*outline.edges_through((Fraction(3, 2), 1))] == [6]
-
-
-def test_vertices_of_other_rings_inside_edges_are_found() -> None:
-    touched = 0
-    for number in range(40):
-        exterior, *holes = draw_touching(Random(number)).directrix
-        # On either side of the diagonal, so that x and y are not taken for each other.
-        shape = Region(exterior, holes).translated((2**50 * (-1) ** number, 0))
-        outline = Outline(shape.lattice()[1])
-        for k, (p, q) in enumerate(outline.edges):
-            expected = {
-                j
-                for j, v in enumerate(outline.vertices)
-                if v not in (p, q) and is_on_segment(v, p, q)
-            }
-            assert {*outline.vertices_inside(k)} == expected
-            touched += len(expected)
-    assert touched > 20
