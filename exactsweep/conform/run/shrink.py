@@ -1,11 +1,11 @@
-"""Failing cases made smaller while they still fail.
+"""Reduction of failing cases to smaller ones with the same fault.
 
-Greedy, in rounds, until a round changes nothing: vertices are left out, many at once and then one
-by one; the pair is moved to the origin and freed of common factors; numbers are made shorter, all
-together and then one by one. A candidate replaces the case if it is smaller, `sweep` accepts it, it
-shows the same fault, and all its flags are flags of the case: a lost notch must not become a
-repeated vertex, which is another fault. Cases have a total order, by numbers of vertices and sizes
-of numbers, and each candidate is less than the one before, so rounds end.
+The search is greedy and runs in rounds until a round changes nothing. It removes vertices, many at
+once and then one by one; moves the pair to the origin and divides by common factors; and shortens
+numbers, all together and then one by one. A candidate replaces the case if it is smaller, `sweep`
+accepts it, it shows the same fault, and all its flags are flags of the case: a lost notch must not
+become a repeated vertex, which is another fault. Candidates decrease in a total order, by numbers
+of vertices and sizes of numbers, so rounds end.
 """
 
 from __future__ import annotations
@@ -23,6 +23,8 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import ExactSweepError, tells_arguments
 from exactsweep.numbers.number import ORIGIN, Loop, Point
 
+_Rings = tuple[Loop, ...]
+
 
 class ShrinkError(ExactSweepError):
     """A case that does not fail."""
@@ -31,42 +33,42 @@ class ShrinkError(ExactSweepError):
 class _GivenPair(NamedTuple):
     """The rings of D and of G as given, the exterior of each first, and the reference point."""
 
-    shapes: tuple[tuple[Loop, ...], ...]
+    shapes: tuple[_Rings, ...]
     reference: Point
 
     def size(self) -> tuple[int, int, Fraction]:
-        """Measure a case for shrinking: vertices, then digits, then numbers."""
+        """Return the vertices, the bits of their coordinates, and the sum of these."""
         numbers = [c for point in self.points() for c in point]
-        digits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
+        bits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
         vertices = sum(map(len, chain(*self.shapes)))
-        return vertices, digits, sum(map(abs, numbers), Fraction(0))
+        return vertices, bits, sum(map(abs, numbers), Fraction(0))
 
     def points(self) -> Iterator[Point]:
         return chain(*chain(*self.shapes), (self.reference,))
 
     def rings(self) -> Iterator[tuple[int, int, Loop]]:
-        """The rings, each with the number of its polygon and its own number there."""
+        """Yield each ring with the index of its shape and its own index there."""
         for which, rings in enumerate(self.shapes):
             yield from ((which, k, ring) for k, ring in enumerate(rings))
 
     def with_ring(self, which: int, k: int, *ring: Loop) -> _GivenPair:
-        """The pair with another ring in the place of one, or with none."""
+        """Return the pair with one ring replaced, or removed."""
         shapes = list(self.shapes)
         shapes[which] = (*shapes[which][:k], *ring, *shapes[which][k + 1 :])
         return self._replace(shapes=tuple(shapes))
 
-    def put(self, function: Callable[[Point], Point]) -> _GivenPair:
-        """The pair with a function applied to each point."""
-        shapes = tuple(_put(rings, function) for rings in self.shapes)
-        return _GivenPair(shapes, function(self.reference))
-
-    def map(self, function: Callable[[Fraction], Fraction]) -> _GivenPair:
-        """The pair with a function applied to each number."""
-        return self.put(lambda p: Point(function(p.x), function(p.y)))
+    def map(self, function: Callable[[Fraction], Fraction], axes: str = "xy") -> _GivenPair:
+        """Return the pair with a function applied to all coordinates of some axes."""
+        shapes = tuple(_map(rings, function, axes) for rings in self.shapes)
+        ((reference,),) = _map(((self.reference,),), function, axes)
+        return _GivenPair(shapes, reference)
 
 
-def _put(rings: tuple[Loop, ...], function: Callable[[Point], Point]) -> tuple[Loop, ...]:
-    return tuple(tuple(map(function, ring)) for ring in rings)
+def _map(rings: _Rings, function: Callable[[Fraction], Fraction], axes: str) -> _Rings:
+    return tuple(
+        tuple(p._replace(**{axis: function(getattr(p, axis)) for axis in axes}) for p in ring)
+        for ring in rings
+    )
 
 
 @tells_arguments
@@ -77,13 +79,13 @@ def shrink(
 
     Args:
         case: a case that fails.
-        judge: gives the verdict on a case, as by an implementation and `compare`, or more than
-            the verdict: the value that must stay the same. An exception ends the search.
-        tries: the most calls of `judge`.
+        judge: returns the verdict on a case, as by an implementation and `compare`, or another
+            value that must stay the same. An exception ends the search.
+        tries: the maximum number of calls of `judge`.
         seconds: the time after which it is not called again.
 
     Returns:
-        A Case with the id "ID-shrunk"; the same pair, if none that is smaller was found.
+        A Case with the id "ID-shrunk"; the same pair if no smaller one was found.
 
     Raises:
         ShrinkError: the verdict on the case is exact or equivalent.
@@ -110,7 +112,7 @@ def shrink(
 
 
 class _Search:
-    """The smallest case so far, and how long the search may go on."""
+    """The smallest case so far, and the limits of the search."""
 
     def __init__(
         self, case: Case, judge: Callable[[Case], str], fault: str, tries: int, deadline: float
@@ -126,19 +128,18 @@ class _Search:
 
     @property
     def is_over(self) -> bool:
-        """Decide whether no more may be asked."""
         return self._tries <= 0 or time.monotonic() >= self._deadline
 
     def improve(self) -> bool:
-        """Go through all ways to a smaller pair once; tell whether one was found."""
+        """Try all reductions once; return whether one succeeded."""
         before = self._size
-        for candidates in (_move, _leave_out, _shorten_all, _shorten_one):
-            # Each way goes on from the pair as it is now, and begins again when that has changed.
-            while any(self._take(pair) for pair in candidates(self._pair)):
+        for candidates in (_move, _remove, _shorten_all, _shorten_one):
+            # Candidates are made of the pair as it is now, so they start over when it changes.
+            while any(self._accept(pair) for pair in candidates(self._pair)):
                 pass
         return self._size < before
 
-    def _take(self, pair: _GivenPair) -> bool:
+    def _accept(self, pair: _GivenPair) -> bool:
         if self.is_over or pair in self._seen or pair.size() >= self._size:
             return False
         self._seen.add(pair)
@@ -169,7 +170,7 @@ class _Search:
 
 
 def _move(pair: _GivenPair) -> Iterator[_GivenPair]:
-    """Canonical rings, the reference at the origin, each polygon with its corner there."""
+    """Canonical rings; the reference at the origin; each shape with its lower left corner there."""
     canonical = (tuple(Polygon(ring).vertices for ring in rings) for rings in pair.shapes)
     yield _GivenPair(tuple(canonical), ORIGIN)
     yield pair._replace(reference=ORIGIN)
@@ -178,13 +179,13 @@ def _move(pair: _GivenPair) -> Iterator[_GivenPair]:
         yield pair._replace(shapes=shapes)
 
 
-def _put_in_corner(rings: tuple[Loop, ...]) -> tuple[Loop, ...]:
+def _put_in_corner(rings: _Rings) -> _Rings:
     x, y = map(min, zip(*rings[0], strict=True))
-    return _put(rings, lambda p: Point(p.x - x, p.y - y))
+    return _map(_map(rings, lambda c: c - x, "x"), lambda c: c - y, "y")
 
 
-def _leave_out(pair: _GivenPair) -> Iterator[_GivenPair]:
-    """Holes, and vertices."""
+def _remove(pair: _GivenPair) -> Iterator[_GivenPair]:
+    """Remove holes and vertices."""
     for which, k, ring in pair.rings():
         if k > 0:
             yield pair.with_ring(which, k)
@@ -198,45 +199,37 @@ def _leave_out(pair: _GivenPair) -> Iterator[_GivenPair]:
 
 
 def _shorten_all(pair: _GivenPair) -> Iterator[_GivenPair]:
-    """All numbers at once: as integers without a common factor; rounded to fewer digits."""
+    """Shorten all numbers: to coprime integers, to fewer bits, to their ranks on an axis."""
     numbers = [c for point in pair.points() for c in point]
     scale = lcm(*(c.denominator for c in numbers))
     common = gcd(*(int(c * scale) for c in numbers)) or 1
     yield pair.map(lambda c: c * scale / common)
-    digits = max(abs(c.numerator) for c in numbers).bit_length()
-    while digits := digits // 2:
-        power = 2**digits
+    bits = max(abs(c.numerator) for c in numbers).bit_length()
+    while bits:
+        power = 2 ** (bits := bits // 2)
         yield pair.map(lambda c, power=power: Fraction(round(c / power)))  # type: ignore[misc]
-    yield pair.map(lambda c: Fraction(round(c)))
-    for axis in (0, 1):
-        yield _rank(pair, axis)
-
-
-def _rank(pair: _GivenPair, axis: int) -> _GivenPair:
-    """The pair with the coordinates of one axis numbered by their order."""
-    rank = {c: Fraction(k) for k, c in enumerate(sorted({p[axis] for p in pair.points()}))}
-    return pair.put(lambda p: p._replace(**{"xy"[axis]: rank[p[axis]]}))
+    for axis in "xy":
+        values = sorted({getattr(p, axis) for p in pair.points()})
+        yield pair.map({c: Fraction(k) for k, c in enumerate(values)}.__getitem__, axis)
 
 
 def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
-    """One number at a time, or all numbers of a polygon that are equal to it on its axis."""
+    """Shorten one number, or all numbers of a ring that equal it on its axis."""
     for which, number, ring in pair.rings():
         for axis in "xy":
             for value in sorted({getattr(p, axis) for p in ring}, key=abs, reverse=True):
+                where = [k for k, p in enumerate(ring) if getattr(p, axis) == value]
                 for other in _find_simpler(value):
-                    where = [k for k, p in enumerate(ring) if getattr(p, axis) == value]
                     for chosen in [where, *([k] for k in where if len(where) > 1)]:
-                        moved = (
-                            p._replace(**{axis: other}) if k in chosen else p
-                            for k, p in enumerate(ring)
-                        )
+                        moved = list(ring)
+                        for k in chosen:
+                            moved[k] = ring[k]._replace(**{axis: other})
                         yield pair.with_ring(which, number, tuple(moved))
 
 
 def _find_simpler(value: Fraction) -> list[Fraction]:
-    """Numbers that are simpler than another one, the simplest first."""
-    towards_zero = 1 if value < 0 else -1
+    """Return shorter numbers, the simplest first."""
     found = [Fraction(0), Fraction(round(value)), Fraction(int(value / 2))]
     if abs(value) < 32:
-        found.append(value + towards_zero)
+        found.append(value - 1 if value > 0 else value + 1)
     return [other for other in dict.fromkeys(found) if other != value]
