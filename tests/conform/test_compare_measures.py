@@ -199,7 +199,7 @@ def test_an_irrational_distance_is_bounded() -> None:
     assert low <= high <= low * (1 + Fraction(1, 2**32))
 
 
-@patient
+@examples(12)
 @given(polygons(), st.data())
 def test_a_loop_whose_vertices_are_moved_is_close(ring: Ring, data: st.DataObject) -> None:
     small = st.fractions(Fraction(-9, 10), Fraction(9, 10), max_denominator=10)

@@ -60,6 +60,7 @@ def test_annotations_are_lines_of_the_worst_faults() -> None:
     assert write_annotations(run) == "::error title=a%2Cb%3A c::nothing was judged\n"
 
 
+@pytest.mark.long
 def test_the_command_writes_them(tmp_path: Path) -> None:
     badge = str(tmp_path / "badge")
     ours = ("conform", "--filter", "id=worked-s", "--annotations", "--badge", badge, "--")

@@ -20,13 +20,13 @@ def two(tmp_path: Path) -> str:
     ("fault", "accepted", "code"),
     [
         ("fit-dropped", None, 0),
-        ("fit-dropped", "equivalent", 1),
-        ("reversed", "equivalent", 0),
-        ("reversed", "exact", 1),
-        ("another-start", "exact", 0),
-        ("to-floats", None, 0),
         ("vertex-outward", None, 1),
-        ("vertex-outward", "conservative", 0),
+        pytest.param("fit-dropped", "equivalent", 1, marks=pytest.mark.long),
+        pytest.param("reversed", "equivalent", 0, marks=pytest.mark.long),
+        pytest.param("reversed", "exact", 1, marks=pytest.mark.long),
+        pytest.param("another-start", "exact", 0, marks=pytest.mark.long),
+        pytest.param("to-floats", None, 0, marks=pytest.mark.long),
+        pytest.param("vertex-outward", "conservative", 0, marks=pytest.mark.long),
     ],
 )
 def test_conform_and_compare_pass_the_same(

@@ -118,7 +118,7 @@ def build_rust(folder: Path) -> list[str]:
 
 BUILDS = [
     pytest.param(build_python, id="python", marks=pytest.mark.long),
-    pytest.param(build_javascript, id="javascript"),
+    pytest.param(build_javascript, id="javascript", marks=pytest.mark.long),
     pytest.param(build_cpp, id="cpp", marks=pytest.mark.long),
     pytest.param(build_rust, id="rust", marks=pytest.mark.long),
 ]

@@ -9,6 +9,7 @@ from uuid import uuid4
 import pytest
 from command import eventually, processes
 from judged import HOSTILE, SQUARE
+from tiers import mostly_long
 
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.conform.run.outcome import judge_case
@@ -76,7 +77,10 @@ def test_a_program_ends_if_its_start_is_interrupted(
         ProcessPeer(Terms([*HOSTILE, "no-hello", mark]))
 
 
-@pytest.mark.parametrize("kind", SURVIVED)
+BRIEF = ("endless-lines", "deep-json", "long-int", "closes-output", "leaves-children", "dies")
+
+
+@pytest.mark.parametrize("kind", mostly_long(SURVIVED, BRIEF))
 def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> None:
     verdict, reason = SURVIVED[kind]
     # The runner waits briefly for a case without an answer, and long for all others.

@@ -172,8 +172,9 @@ def test_too_much_memory_ends_the_wait_for_an_answer(tmp_path: Path) -> None:
     assert judged.reason == "holds more than 150.0 MiB"
 
 
+@pytest.mark.long
 @needs_proc
-def test_memory_is_limited_and_told(tmp_path: Path) -> None:
+def test_memory_is_limited_and_reported(tmp_path: Path) -> None:
     data = tmp_path / "run.json"
     options = ("--cases", write_cases(tmp_path / "cases", TWO), "--json", str(data))
     assert run("conform", *options, "--memory", "2000", "--", *CORRECT).exit_code == 0

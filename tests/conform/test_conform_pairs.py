@@ -121,6 +121,7 @@ def write_file(path: Path, ring: object) -> str:
     return str(path)
 
 
+@pytest.mark.long
 def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
     path = write(tmp_path, "\n".join(map(json.dumps, LINES)))
     assert run("conform", "--pairs", path, "--", *CORRECT).exit_code == 0

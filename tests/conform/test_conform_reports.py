@@ -111,7 +111,8 @@ def test_the_page_is_whole_and_quotes_what_is_foreign(two: str, tmp_path: Path) 
     assert 'class="witness"' in "".join(pictures)
 
 
-def test_what_rounding_was_granted_is_said(tmp_path: Path) -> None:
+@pytest.mark.long
+def test_reports_state_the_granted_rounding(tmp_path: Path) -> None:
     page = tmp_path / "run.html"
     filters = ("--filter", "flag=rounded-answer", "--filter", "size=10")
     options = ("--accept", "within", "--rounding", "1/7", "--html", str(page))

@@ -310,7 +310,8 @@ def test_a_line_beyond_the_limit_is_not_read(tmp_path: Path) -> None:
         Journal(tmp_path / "journal", Terms([]), Hello("mine"), resume=True)
 
 
-def test_the_journal_of_something_else_is_refused(tmp_path: Path) -> None:
+@pytest.mark.long
+def test_the_journal_of_another_run_is_refused(tmp_path: Path) -> None:
     journal_of(tmp_path)
     other = journal_of(tmp_path, "--resume", command=[*FAULTY, "reversed"])
     assert "is the journal of another command" in other.stderr
@@ -328,7 +329,8 @@ def test_a_file_that_is_no_journal_is_left_alone(tmp_path: Path, text: str) -> N
     assert path.read_text() == text
 
 
-def test_the_command_refuses_what_is_no_journal(tmp_path: Path) -> None:
+@pytest.mark.long
+def test_the_command_refuses_a_file_that_is_no_journal(tmp_path: Path) -> None:
     (tmp_path / "journal").write_text("x\n")
     refused = journal_of(tmp_path, "--resume")
     assert (refused.exit_code, refused.stdout) == (1, "")

@@ -115,12 +115,18 @@ def test_an_id_that_begins_none_is_refused_among_others() -> None:
     assert done.stderr == "Error: no theme or case 'wroked'; did you mean 'worked'?\n"
 
 
-def test_options_after_the_program_are_refused_unless_parted() -> None:
-    ours = ("--filter", "id=worked-s")
-    done = run("conform", *CONVEX, *ours)
+OURS = ("--filter", "id=worked-s")
+
+
+def test_options_after_the_program_are_refused() -> None:
+    done = run("conform", *CONVEX, *OURS)
     assert done.exit_code == 2
     assert "--filter follows the program, which would get it." in done.stderr
     for words in ([*CONVEX, "--html=a"], [*CONVEX, "--resume"]):
         assert run("conform", *words).exit_code == 2
-    assert run("conform", *ours, "--", *CONVEX, "--html=a").exit_code == 0
-    assert run("conform", *ours, *CONVEX, "-o", "--other").exit_code == 0
+
+
+@pytest.mark.long
+def test_options_of_the_program_follow_a_double_dash() -> None:
+    assert run("conform", *OURS, "--", *CONVEX, "--html=a").exit_code == 0
+    assert run("conform", *OURS, *CONVEX, "-o", "--other").exit_code == 0

@@ -7,6 +7,7 @@ import pytest
 from builders.shipping import unproved
 from hypothesis import given
 from hypothesis import strategies as st
+from tiers import mostly_long
 
 from exactsweep.corpus import FAMILIES, Case, find_case, generate, notes
 from exactsweep.corpus.generator.prng import Prng
@@ -65,7 +66,7 @@ def test_nothing_lies_between_bounds_that_are_exchanged() -> None:
         Prng("").between(2, 1)
 
 
-@each_family
+@pytest.mark.parametrize("family", mostly_long(FAMILIES, [*FAMILIES][::3]))
 def test_cases_are_proved(family: str) -> None:
     for case in drawn(family):
         assert list(unproved(case)) == []

@@ -1,13 +1,13 @@
-"""The boundary of the region that rings determine, in any notation.
+"""The boundary of the region that rings determine, however they are written.
 
-A point belongs to the region if an odd number of edges cross a ray from it. So a stretch of a line
-bounds the region if and only if an odd number of edges run along it, in either direction:
+A point belongs to the region if an odd number of edges cross a ray from it. So a segment bounds the
+region if and only if an odd number of edges cover it, in either direction:
 
-    (1)  two regions differ by a set without area exactly if these stretches are the same;
-    (2)  stretches with an even number of edges bound nothing: whiskers, traced in and out;
-         keyholes, by which a ring reaches a hole; borders of parts that a region is split into.
+    (1)  two regions differ by a set without area exactly if these segments are the same;
+    (2)  segments covered by an even number of edges bound nothing: whiskers, traced in and out;
+         keyholes, by which a ring reaches a hole; borders between pieces of a region.
 
-Crossings do not matter to (1), so that only edges of one line are compared with each other.
+(1) does not depend on crossings, so only edges on the same line are compared.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ _LineKey = tuple[Fraction | None, Fraction]
 
 
 class RingBoundary(NamedTuple):
-    """The edges of some rings, by line.
+    """The edges of some rings, joined along lines.
 
     Attributes:
-        solid: segments with an odd number of edges along them, as long as they can be.
+        solid: the maximal segments that an odd number of edges cover.
         through: for each of these, the vertices of the rings between its ends.
-        doubled: segments with an even number of edges, likewise; and single points, of rings that
-            are no more than that, as segments of two equal ends.
+        doubled: those that an even number of edges cover; and rings of a single point, as segments
+            with two equal ends.
     """
 
     solid: tuple[Fit, ...]
@@ -43,13 +43,13 @@ class RingBoundary(NamedTuple):
 
 
 def find_boundary(rings: PointRings) -> RingBoundary:
-    """Find what bounds the region of some rings, and what only seems to.
+    """Find the boundary of the region of some rings, and the doubled segments.
 
     Args:
-        rings: sequences of Point, not closed, otherwise anything.
+        rings: sequences of Point, not closed, otherwise arbitrary.
 
     Returns:
-        The RingBoundary, in an order that depends on these sets of points alone.
+        The RingBoundary, sorted.
 
     Cost: O(n log n) operations on rationals for n edges.
 
@@ -73,7 +73,7 @@ def find_boundary(rings: PointRings) -> RingBoundary:
     solid: list[tuple[Fit, Loop]] = []
     doubled: list[Fit] = []
     for ends in lines.values():
-        for is_solid, (a, *between, b) in _find_stretches(ends):
+        for is_solid, (a, *between, b) in _join_along_line(ends):
             if is_solid:
                 solid.append(((a, b), tuple(between)))
             else:
@@ -90,8 +90,8 @@ def _find_line(p: Point, q: Point) -> _LineKey:
     return slope, p.y - slope * p.x
 
 
-def _find_stretches(ends: list[tuple[Point, int]]) -> Iterator[tuple[bool, list[Point]]]:
-    """Yield whether edges of a line are odd in number along a stretch, and the points on it."""
+def _join_along_line(ends: list[tuple[Point, int]]) -> Iterator[tuple[bool, list[Point]]]:
+    """Yield the segments of a line as the points on them, and whether each is solid."""
     ends.sort()
     count = 0
     points: list[Point] = []
@@ -105,14 +105,11 @@ def _find_stretches(ends: list[tuple[Point, int]]) -> Iterator[tuple[bool, list[
 
 
 def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fit], list[Fit]]:
-    """Split segments into what lies on exact fits and what does not.
+    """Split segments into the pieces on exact fits and the others.
 
     Args:
-        segments: segments, a point being two equal ends.
+        segments: segments; a point is one with two equal ends.
         fits: likewise.
-
-    Returns:
-        The pieces on fits, and the others.
 
     Cost: O(f) for each segment and f fits.
     """
@@ -136,14 +133,14 @@ def are_collinear(points: Sequence[Vertex]) -> bool:
 
 
 def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
-    """Decide whether segments lead from place to place of a boundary, with no end that hangs free.
+    """Decide whether doubled segments connect points of a boundary, without free ends.
 
     Args:
-        segments: the doubled lines that are on no exact fit.
-        solid: the boundary, and exact fits that are traced.
+        segments: the doubled segments off the exact fits.
+        solid: the boundary, and traced exact fits.
 
-    Cost: linear where they lead from corner to corner, else O(s + n) for each end of s segments
-        that is none of n corners.
+    Cost: linear if all ends are corners, else O(s + n) for each other end, of s segments and n
+        corners.
     """
     corners = {*chain.from_iterable(solid)}
     ends: dict[Point, list[Fit]] = {}

@@ -1,14 +1,14 @@
-"""Regions that are equal except for errors of their coordinates, decided exactly.
+"""An exact decision whether two regions are equal except for errors of their coordinates.
 
 Two regions E and T are closer than a bound r if
 
     (1)  every point of the boundary of E is closer than r to that of T, and conversely; and
     (2)  every point in exactly one of them is closer than r / 2 to one of the boundaries,
 
-by the larger of the differences in x and in y, in which all is rational. Moving each vertex by less
-than r leaves a region closer than r: a point that changes sides is on the way of a point of the
-boundary, so that it is closer than r / 2 to one end of that way. Which rings touch, and how many
-there are, does not matter; but nothing that is as wide as r is lost or gained.
+in the maximum norm, which keeps all numbers rational. Moving each vertex by less than r leaves a
+region closer than r: a point that changes sides lies on the path of a boundary point, so it is
+closer than r / 2 to one end of that path. The number of rings, and which of them touch, does not
+matter; but nothing as wide as r is lost or gained.
 
 (1): the parameters of the points on an edge that are closer than r to another edge form an open
 interval; such intervals must cover every edge. (2): the points closer than r / 2 to an edge form an
@@ -37,11 +37,11 @@ _EDGE = _OpenInterval(Fraction(-1), Fraction(2))
 
 
 class _NearEdge(NamedTuple):
-    """All points closer than a bound to an edge: an open hexagon, by three strips.
+    """The points closer than a bound to an edge: an open hexagon, the intersection of strips.
 
     Attributes:
         left: the least x of its box, likewise right, bottom and top.
-        strips: (u, v, middle, half): the points p with |u p.x + v p.y - middle| < half.
+        strips: (u, v, middle, half) for the points p with |u p.x + v p.y - middle| < half.
     """
 
     left: Fraction
@@ -63,11 +63,10 @@ class _NearEdge(NamedTuple):
         return cls(x - wide, x + wide, y - high, y + high, tuple(strips))
 
     def holds(self, p: Point) -> bool:
-        """Decide whether a point is closer than the bound."""
         return all(abs(u * p.x + v * p.y - middle) < half for u, v, middle, half in self.strips)
 
     def meets(self, low: Point, high: Point) -> bool:
-        """Decide whether its box and another one have a common inner point."""
+        """Decide whether its box and another one overlap."""
         return (
             self.left < high.x and low.x < self.right and self.bottom < high.y and low.y < self.top
         )
@@ -83,7 +82,7 @@ class _NearEdge(NamedTuple):
                     inside = _clip(inside, [-height for height in above])
 
     def cut(self, a: Point, b: Point) -> _OpenInterval | None:
-        """Find the places a + t (b - a) that are closer than the bound; None if there are none."""
+        """Return the interval of t in which a + t (b - a) is closer than the bound, if any."""
         low, high = _EDGE
         for u, v, middle, half in self.strips:
             start, step = u * a.x + v * a.y - middle, u * (b.x - a.x) + v * (b.y - a.y)
@@ -97,23 +96,23 @@ class _NearEdge(NamedTuple):
 
 
 def is_close(p: Point, edge: Fit, bound: Fraction) -> bool:
-    """Decide whether a point is closer than a bound to a segment, in x and in y."""
+    """Decide whether a point is closer than a bound to a segment."""
     return _NearEdge.around(edge, bound).holds(p)
 
 
 def find_box(rings: PointRings) -> tuple[Point, Point]:
-    """Return the lower left and the upper right corner of the box around rings."""
+    """Return the lower left and the upper right corner of the bounding box."""
     xs, ys = zip(*chain.from_iterable(rings), strict=True)
     return Point(min(xs), min(ys)), Point(max(xs), max(ys))
 
 
 def is_near(p: Point, q: Point, bound: Fraction) -> bool:
-    """Decide whether two points are equal, or closer than a bound in x and in y."""
+    """Decide whether two points are equal or closer than a bound."""
     return p == q or all(abs(a - b) < bound for a, b in zip(p, q, strict=True))
 
 
 def are_boxes_near(first: PointRings, second: PointRings, bound: Fraction) -> bool:
-    """Decide whether the boxes around rings allow them to be closer than a bound."""
+    """Decide whether the bounding boxes of rings permit a distance below a bound."""
     corners = zip(find_box(first), find_box(second), strict=True)
     return all(is_near(p, q, bound) for p, q in corners)
 
@@ -121,11 +120,7 @@ def are_boxes_near(first: PointRings, second: PointRings, bound: Fraction) -> bo
 def take_pairs(
     exact: PointRings, theirs: list[Sequence[Point]], bound: Fraction
 ) -> Iterator[Sequence[Point]]:
-    """Take from a list the rings that are closer to exact ones than a bound, each to one.
-
-    Yields:
-        The exact rings of which there is none.
-    """
+    """Remove one ring close to each exact ring from a list; yield exact rings without one."""
     for ring in exact:
         found = next((other for other in theirs if are_close([ring], [other], bound)), None)
         if found is None:
@@ -135,14 +130,14 @@ def take_pairs(
 
 
 def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool:
-    """Decide whether each point of some edges is closer than a bound to others.
+    """Decide whether each point of some edges is closer than a bound to target edges.
 
     Args:
-        target: the others.
+        target: segments.
         edges: segments; a point is one with two equal ends.
         bound: positive.
 
-    Cost: linear where edges of the same place in both lists are close, else O(m n).
+    Cost: linear if edges of the same index in both lists are close, else O(m n).
 
     Example:
         >>> a, b, c = (Point(Fraction(x), Fraction(0)) for x in (0, 2, 5))
@@ -153,9 +148,9 @@ def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool
     hit = 0
     for a, b in edges:
         low, high = (Point(*map(f, a, b)) for f in (min, max))
-        place, one = Fraction(0), Fraction(1)
-        while place <= one:
-            p = Point(a.x + place * (b.x - a.x), a.y + place * (b.y - a.y))
+        t, one = Fraction(0), Fraction(1)
+        while t <= one:
+            p = Point(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))
             # Neighbours in one list are close to neighbours in the other.
             for k in chain(range(hit, len(near)), range(hit)):
                 if near[k].meets(low, high) and near[k].holds(p):
@@ -165,7 +160,7 @@ def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool
                 return False
             found = near[hit].cut(a, b)
             assert found is not None
-            place = found.high
+            t = found.high
     return True
 
 
@@ -177,11 +172,11 @@ def are_close(
     Args:
         first: rings.
         second: rings.
-        bound: the bound; of 0, whether the regions are equal.
-        besides: segments that the boundary of the second may be close to as well.
+        bound: the bound; 0 asks whether the regions are equal.
+        besides: further segments that the boundary of the second may be close to.
 
     Returns:
-        False, too, where the difference has too many parts to be looked at.
+        The answer; False if the difference has too many trapezoids.
 
     Cost: that of `covers` and `find_differences`.
 
@@ -202,7 +197,7 @@ def are_close(
 def are_boundaries_close(
     one: RingBoundary, other: RingBoundary, bound: Fraction, besides: Sequence[Fit] = ()
 ) -> bool:
-    """Decide `are_close` of two boundaries and a positive bound."""
+    """Decide `are_close` for two boundaries and a positive bound."""
     return (
         covers([*one.solid, *one.doubled, *besides], other.solid, bound)
         and covers([*other.solid, *other.doubled], one.solid, bound)
@@ -211,7 +206,7 @@ def are_boundaries_close(
 
 
 def _is_difference_thin(first: PointRings, second: PointRings, bound: Fraction) -> bool:
-    """Decide (2), for rings without doubled lines."""
+    """Decide (2), for rings without doubled segments."""
     edges: list[_NearEdge] = []
     try:
         for cell in find_differences(first, second):
@@ -235,7 +230,7 @@ def _is_difference_thin(first: PointRings, second: PointRings, bound: Fraction) 
 def _is_covered(corners: Sequence[Point], edges: Sequence[_NearEdge]) -> bool:
     """Decide whether open hexagons cover a convex polygon.
 
-    A piece is outside of every hexagon that it was cut by, so that each cuts it only once.
+    A piece lies outside every hexagon that it was cut by, so each cuts it only once.
     """
     left = [corners]
     while left:
@@ -249,7 +244,7 @@ def _is_covered(corners: Sequence[Point], edges: Sequence[_NearEdge]) -> bool:
 
 
 def _clip(corners: Sequence[Point], heights: Sequence[Fraction]) -> list[Point]:
-    """Return the part of a convex polygon whose height, linear in x and y, is not negative."""
+    """Return the part of a convex polygon where a linear function, the height, is not negative."""
     part: list[Point] = []
     for k, (q, after) in enumerate(zip(corners, heights, strict=True)):
         p, before = corners[k - 1], heights[k - 1]

@@ -1,4 +1,4 @@
-"""An answer beside the exact one: part by part, each loop with all of its rings."""
+"""Comparison of an answer with the exact one, part by part."""
 
 from __future__ import annotations
 
@@ -59,14 +59,14 @@ from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import Fit, Loop
 
 MOST_MEASURED = 3000
-"""The most edges, exact and theirs together, of loops whose area and distance are measured."""
+"""Maximum number of edges, exact and answered, of loops whose area and distance are measured."""
 MOST_PAIRS = 20_000
-"""The most pairs of rings that are near each other which are examined for overlap: some seconds."""
+"""Maximum number of pairs of close rings that are examined for overlap: a few seconds."""
 _MOST_SHOWN = 100
-"""The number of places that are enough to choose a witness from."""
+"""Number of trapezoids that a witness is chosen from."""
 
 JudgedLoop = tuple[PartComparison, Sequence[Fit]]
-"""A comparison, and the segments on exact fits that the rings go along and back."""
+"""A comparison, and the segments on exact fits that the rings trace there and back."""
 
 
 @tells_arguments
@@ -82,22 +82,20 @@ def compare(
 
     Args:
         case: the case.
-        result: the answer, plain data: a mapping with any of "trajectory", "inner", "outer",
-            "no_fit", "minkowski_sum" and "inner_fit", each a loop as `read_loop` takes it, an
-            "inner_fit" perhaps empty; "exact_fits", a list of pairs of points, and
-            "inner_exact_fits". It may have the "id" of the case, and in "rounding" a claim by how
-            much less a coordinate may be off, of which `limit_claim` says how much is granted.
-        rounding: the same, without limits, before what the answer says; `grant_rounding` says what
-            it is otherwise.
+        result: the answer as plain data: a mapping with any of "trajectory", "inner", "outer",
+            "no_fit", "minkowski_sum" and "inner_fit", each a loop as for `read_loop`; and
+            "exact_fits" and "inner_exact_fits", lists of pairs of points. It may have the "id" of
+            the case and a "rounding": the claimed coordinate error, capped by `limit_claim`.
+        rounding: the permitted coordinate error, instead of the claim and `grant_rounding`.
         promised: names of loops that must be there.
-        numbers: what the implementation says that it reads, as for `Hello`, or None: one that reads
-            binary64 means 3.0 where it writes 3.
+        numbers: the numbers of the program, as for `Hello`, or None: a program that reads binary64
+            means 3.0 where it writes 3.
 
     Returns:
-        A Comparison; `Verdict` defines the verdicts. Parts that are neither there nor promised are
-        left out, as is an "inner_fit" that the case does not ask for, and an answer without any
-        part is unsupported. Exact fits are a part where they are answered, and where a trajectory,
-        a "no_fit" or an "inner_fit" is: without any, that answers that there are none.
+        A Comparison; `Verdict` defines the verdicts. Parts that are neither answered nor promised
+        are skipped, as is an "inner_fit" that the case does not have; an answer without parts is
+        unsupported. A trajectory, "no_fit" or "inner_fit" without exact fits answers that there
+        are none.
 
     Raises:
         AnswerError: the answer has the id of another case.
@@ -166,7 +164,7 @@ def compare(
 def _list_parts(
     case: Case, result: Mapping[str, object], promised: Collection[str]
 ) -> Iterator[str]:
-    """List what is judged: loops first, since they may trace exact fits."""
+    """List the judged parts: loops first, since they may trace exact fits."""
     asked = {*result, *promised}
     if case.inner_regions is None:
         asked.discard("inner_fit")
@@ -186,9 +184,6 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         name: a key of LOOP_NAMES.
         loop: the answered loop.
         rounding: the bound that coordinate errors must stay below.
-
-    Returns:
-        A JudgedLoop; `Verdict` says what its verdict means.
 
     Raises:
         WitnessError: the expected answer of the case is refuted by the definition.
@@ -215,7 +210,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         plain = tuple(trace_rings(boundary))
         if find_fault(plain, "") is None:
             rings, fault = plain, None
-    # Other mistakes than those of numbers make sound rings of sound ones.
+    # Of unsound rings, only arithmetic is diagnosed: other mistakes keep rings sound.
     diagnosis = (
         name_arithmetic(exact, loop.rings) if fault else diagnose(case, name, rings, rounding)
     )
@@ -223,7 +218,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
 
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:
-    """Say what is wrong with some rings by themselves, or return None."""
+    """Return the reason why rings are malformed, or None."""
     polygons = []
     for k, ring in enumerate(rings):
         try:
@@ -235,8 +230,7 @@ def find_fault(rings: Sequence[Loop], place: str) -> str | None:
     for j, k in sorted(
         islice(find_near([one.box for one in shapes]), MOST_PAIRS), key=itemgetter(1, 0)
     ):
-        # Of two rings that overlap, both reach out of the other one, or none does if they are the
-        # same, unless one is inside the other.
+        # Rings overlap unless one contains the other; equal rings contain each other.
         one, other = shapes[j].rings, shapes[k].rings
         if relate(shapes[j], shapes[k]) is Relation.OVERLAP and (
             contains(one, other) == contains(other, one)
@@ -252,14 +246,13 @@ def _measure_rounded(
     traced: Sequence[Fit],
     rounding: Fraction,
 ) -> PartComparison:
-    """Compare a loop that is the exact one except for rounding."""
     plain = tuple(trace_rings(boundary))
     joint = name_joint(list_exact_rings(case, name), plain, name, rounding)
-    said = ("rounded", "exact fits traced by the loop" if traced else "", joint)
+    phrases = ("rounded", "exact fits traced by the loop" if traced else "", joint)
     return replace(
         _measure(case, name, plain, None, (), rounding, is_rounded=True),
         verdict=Verdict.WITHIN,
-        reason=", ".join(filter(None, said)),
+        reason=", ".join(filter(None, phrases)),
         kind="whisker" if traced else "",
     )
 
@@ -273,7 +266,6 @@ def _measure(
     rounding: Fraction,
     is_rounded: bool = False,
 ) -> PartComparison:
-    """Compare a loop whose region is not the exact one."""
     exact = list_exact_rings(case, name)
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
     lost: list[Trapezoid] = []
@@ -285,7 +277,7 @@ def _measure(
     if diagnosis:
         reason = f"{diagnosis[0]}; {reason}"
     is_measured = is_small and is_whole
-    # An inner fit tells where G may be, and not where it may not.
+    # An inner fit consists of free positions, other loops of overlapping ones.
     overlapping, free = (extra, lost) if name == "inner_fit" else (lost, extra)
     return PartComparison(
         name,
@@ -305,7 +297,7 @@ def _measure(
 def _find_cells(
     exact: Sequence[Loop], rings: Sequence[Loop], is_small: bool
 ) -> tuple[list[Trapezoid], list[Trapezoid], bool]:
-    """Find what is lost, what is extra, and whether that is all: of large loops, some of it."""
+    """Return lost and extra trapezoids, and whether these are all: of large loops, only some."""
     sides: tuple[list[Trapezoid], list[Trapezoid]] = [], []
     try:
         for cell in find_differences(exact, rings):
@@ -347,9 +339,8 @@ def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> Part
 
 
 def _have_same_vertices(rings: Sequence[Loop], exact: Sequence[Loop]) -> bool:
-    """Decide whether rings are the exact ones, from any vertex on."""
     (first, holes), (right, exact_holes) = ((some[:1], some[1:]) for some in (rings, exact))
-    # Holes are written in either orientation.
+    # Holes may have either orientation.
     return [*map(_rotate, first)] == [*map(_rotate, right)] and (
         sorted(map(_orient, holes)) == sorted(map(_orient, exact_holes))
     )

@@ -1,9 +1,9 @@
-"""Diagnosis of a wrong trajectory: the mistake that gives it, if one does.
+"""Diagnosis of a wrong loop: the mistake that produces it.
 
-P are the positions of G's origin in which it overlaps D, the sum of D and -G. The usual mistakes
-give another exact set instead: P about another reference point; -P, for exchanged roles; D + G, for
-a sign forgotten; P at another scale or in other axes; its hull; or one that belongs to another
-question. Each is compared as a whole, so that a diagnosis is a proof and no guess.
+Let P be the positions of G's origin at which G overlaps D: the sum of D and -G. The usual mistakes
+give another exact set: P about another reference point; -P, for exchanged roles; D + G, if G is not
+reflected; P at another scale or in other axes; its convex hull; or the answer to another question.
+Each is compared as a whole, so a diagnosis is a proof, not a guess.
 """
 
 from __future__ import annotations
@@ -34,17 +34,7 @@ _POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")
 
 
 class _DiagnosedRings(NamedTuple):
-    """A loop of a case that was answered.
-
-    Attributes:
-        case: the case.
-        name: a key of LOOP_NAMES.
-        exact: the exact rings.
-        rings: the answered rings.
-        rounding: the bound that coordinate errors must stay below.
-        low: the lower left corner of the box around the answered rings.
-        high: its upper right corner.
-    """
+    """An answered loop; `low` and `high` are the corners of its bounding box."""
 
     case: Case
     name: str
@@ -56,11 +46,11 @@ class _DiagnosedRings(NamedTuple):
 
     @property
     def reference(self) -> Point:
-        """The point of G whose positions they are; of a Minkowski sum the origin."""
+        """The point of G whose positions the rings contain; of a Minkowski sum the origin."""
         return ORIGIN if self.name == SUM else self.case.reference
 
     def are(self, others: PointRings, times: int = 1) -> bool:
-        """Decide whether they are some others but for so many roundings."""
+        """Decide whether the answered rings equal others except for a multiple of the rounding."""
         return bool(others) and are_close(others, self.rings, times * self.rounding)
 
 
@@ -74,16 +64,15 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         rounding: the bound that coordinate errors must stay below.
 
     Returns:
-        Tuple of phrases that go with "exact for" or stand alone, the likeliest first; () where
-        nothing is found. All that hold are there: in one case two reference points may be one.
+        All phrases that hold, the likeliest first; of one case, two reference points may be equal.
 
-    Cost: that of a sweep and of a few times `are_close`; linear where no box fits.
+    Cost: that of a sweep and of a few times `are_close`; linear if no bounding box fits.
     """
     if not any(map(find_doubled_area, rings)):
         return () if rings else ("says that G does not fit",)
     low, high = find_box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
-        # Nearly everything is something else except for so much.
+        # Within so large a rounding, nearly everything equals everything.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
     theirs = _DiagnosedRings(case, name, exact, rings, rounding, low, high)
@@ -93,7 +82,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         return counted
     spoilt = name_arithmetic(exact, rings)
     if rounding and theirs.are(exact, _NEARLY):
-        # So much makes another reference point of nothing, or another scale.
+        # So small an error could pass for another reference point or scale.
         named = spoilt or tuple(_name_vertices(exact, rings))
         return *named, f"exact except for {_NEARLY} times the rounding granted"
     found = [*_other_loops(theirs)]
@@ -111,7 +100,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
 
 
 def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings) -> Iterator[str]:
-    """Say whether all exact rings are there, and how many more, or how many are missing."""
+    """Count the missing or additional rings, if all others are exact."""
     exact, name = theirs.exact, theirs.name
     if len(missing) == len(exact):
         return
@@ -129,7 +118,7 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
 
 
 def _find_inside(case: Case, reference: Point) -> PointRings:
-    """Find where G is inside D, or D inside G: where their boundaries do not meet."""
+    """Find the positions at which G is inside D, or D inside G, so boundaries do not meet."""
     shapes = case.directrix, case.generatrix
     inside = inner_fit_polygon(*shapes, reference=reference)
     around = inner_fit_polygon(*shapes[::-1])
@@ -138,7 +127,7 @@ def _find_inside(case: Case, reference: Point) -> PointRings:
 
 
 def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
-    """Say which vertices of a single ring are wrong, where most of them are right."""
+    """Describe the wrong vertices of a single ring, most of which are right."""
     points, answered = {*chain(*exact)}, {*chain(*theirs)}
     missing, added = points - answered, answered - points
     if not len(exact) == len(theirs) == 1 or len(missing) > len(points) // 2:
@@ -152,7 +141,7 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
 
 
 def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
-    """Name loops of the case that are not the one asked for."""
+    """Name other loops of the case that equal the answer."""
     case, exact = theirs.case, theirs.exact
     for other, words in LOOP_NAMES.items():
         if SUM in (other, theirs.name):
@@ -175,10 +164,10 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
 
 
 def _other_positions(theirs: _DiagnosedRings) -> list[str]:
-    """Name mistakes in what is computed, about any reference point, the likeliest first.
+    """Name mistakes about any reference point, the likeliest first.
 
-    On symmetric shapes one of them looks like another one. Usual reference points come before what
-    is turned or added, and that before others.
+    On symmetric shapes, mistakes may coincide. Usual reference points come before reflections and
+    sums, and those before other points.
     """
     case, rings = theirs.case, theirs.exact
     positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, theirs.reference))
@@ -223,13 +212,13 @@ _AXES = {
     "another orientation: y is negated": (1, 0, 0, -1),
     "another orientation: x is negated": (-1, 0, 0, 1),
     "another orientation: x and y are exchanged": (0, 1, 1, 0),
-    "another orientation: a turn to the left": (0, -1, 1, 0),
-    "another orientation: a turn to the right": (0, 1, -1, 0),
+    "another orientation: a quarter turn to the left": (0, -1, 1, 0),
+    "another orientation: a quarter turn to the right": (0, 1, -1, 0),
 }
 
 
 def _map(rings: PointRings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) -> PointRings:
-    """Return the image of rings under a matrix and a translation, counter-clockwise again."""
+    """Return the image of rings under a matrix and a translation, counter-clockwise."""
     image = [[Point(a * x + b * y + by.x, c * x + d * y + by.y) for x, y in r] for r in rings]
     return image if a * d > b * c else [ring[::-1] for ring in image]
 
@@ -241,7 +230,7 @@ def _add(case: Case, name: str) -> PointRings:
 
 
 def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
-    """Name the point of G whose path a trajectory is, if G's origin moved by it draws it."""
+    """Name the points of G that are at an offset from G's origin."""
     case = theirs.case
     if theirs.name == SUM:
         if is_near(ORIGIN, offset, theirs.rounding):
@@ -280,13 +269,13 @@ def _mean(ring: Sequence[Point]) -> Point:
 
 
 def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:
-    """Find the translation that makes some rings the answered ones, except for rounding."""
+    """Return the translation from some rings to the answered ones, if there is one."""
     by = subtract(theirs.low, find_box(shape)[0])
     return by if theirs.are(_map(shape, 1, 0, 0, 1, by), 2) else None
 
 
 def _find_scale(theirs: _DiagnosedRings) -> Fraction | None:
-    """Find the factor that makes the exact rings the answered ones, except for rounding."""
+    """Return the factor from the exact rings to the answered ones, if there is one."""
     low, high = find_box(theirs.exact)
     factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
     scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in theirs.exact]

@@ -1,4 +1,4 @@
-"""Bounds on the Hausdorff distance of loops: how far a point of one can be from all of the other.
+"""Bounds on the Hausdorff distance of loops.
 
 Loops are curves here, so a filled notch counts with its depth. Let e be a piece of an edge of one
 loop, with ends a and b, and f_j(p) the squared distance of a point p from edge j of the other;
@@ -6,10 +6,10 @@ f = min_j f_j. An edge is convex, so f_j is greatest on e at an end of e, and
 
     (1)  max(f(a), f(b))  <=  max f on e  <=  max(f_j(a), f_j(b))  for each j.
 
-The right side is taken for the edges nearest to a and to b; if one edge is nearest to both, (1) is
-an equality. Otherwise e is cut: at the foot of an end of these two edges, so that vertices along a
-line cost no accuracy, or else in the middle. The piece with the greatest upper bound comes first;
-the search ends when that bound is equal or close to the greatest value found.
+The search uses the right side for the edges nearest to a and to b; if one edge is nearest to both,
+(1) is an equality. Otherwise it cuts e: at the foot of an end of these two edges, so that vertices
+along a line cost no accuracy, or else in the middle. The piece with the greatest upper bound comes
+first; the search ends when that bound is equal or close to the greatest value found.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ class LoopEdge:
 
 
 class _PieceEnd(NamedTuple):
-    """An end of a piece: its parameter, its place and the edge of the other loop nearest to it."""
+    """An end of a piece: its parameter, its position and the nearest edge of the other loop."""
 
     t: Fraction
     place: Place

@@ -1,14 +1,15 @@
-"""Answered exact fits beside the exact ones: each of them right, or wrong in one of these ways.
+"""Comparison of answered exact fits with the exact ones.
 
-- missing: no position of it is answered;
-- too short: only a part of it is answered;
-- too long: the answered fit goes on beyond it;
+They may differ as follows:
+
+- missing: no position is answered;
+- too short: only a part is answered;
+- too long: the answered fit continues beyond it;
 - invented: the answered fit is no part of any;
-- given twice, or in pieces: all the same positions;
+- given twice, or in pieces: the same positions;
 - rounded: both ends are off by less than the rounding;
-- whisker: traced by the loop, and not listed. Programs that orbit, moving G along D from contact to
-  contact, go into a slot that fits exactly and come back the same way, so that the ring that they
-  leave has a spike for each fit.
+- whisker: traced by the loop, and not listed. Orbiting programs, which move G along D from contact
+  to contact, enter a slot that fits exactly and leave it on the same path.
 """
 
 from __future__ import annotations
@@ -53,11 +54,10 @@ def judge_fits(
         name: NAME, or INSIDE for those of G inside D.
 
     Returns:
-        The part of that name. Its verdict is exact; equivalent, for the same positions given in
-        another way; "equivalent except for exact fits" where some are missing, too short or
-        rounded; "false exact fits" where some are too long or invented, with a position that is on
-        no exact fit; or unsound, with a position that overlaps. Its kind says in which of these
-        ways they differ.
+        The part of that name. Its verdict is exact; equivalent, for the same positions written
+        differently; "equivalent except for exact fits" if some are missing, too short or rounded;
+        "false exact fits" if a position is on no exact fit; or unsound if a position overlaps. Its
+        kind names the differences.
 
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
@@ -73,11 +73,11 @@ def judge_fits(
     missing = [f for f in fits if frozenset(f) not in answered]
     others = [f for f in given if frozenset(f) not in exact]
     rounded = _take_rounded(missing, others, rounding)
-    ways = _name_ways(missing, others)
+    differences = _count_differences(missing, others)
     if twice := len(answered) - len(set(answered)):
-        ways["given twice"] = twice
+        differences["given twice"] = twice
     if rounded:
-        ways["rounded"] = rounded
+        differences["rounded"] = rounded
     far = [fit for fit in others if not (rounding and covers(fits, [fit], rounding))]
     shown = [
         at_position(case, position, inside=name == INSIDE)
@@ -87,8 +87,8 @@ def judge_fits(
     ]
     overlap = next((found for found in shown if found.classified == "OVERLAP"), None)
     false = overlap or next(iter(shown), None)
-    kind = ", ".join(ways)
-    listed = ", ".join(f"{count(number, 'exact fit')} {way}" for way, number in ways.items())
+    kind = ", ".join(differences)
+    listed = ", ".join(f"{count(number, 'exact fit')} {how}" for how, number in differences.items())
     if false is not None:
         false = replace(false, says=f"{false.says}; that is on an exact fit of theirs")
         return PartComparison(
@@ -115,7 +115,7 @@ def judge_fits(
 
 
 def _take_rounded(missing: list[Fit], others: list[Fit], rounding: Fraction) -> int:
-    """Take pairs that are the same except for rounding from both lists; return how many."""
+    """Remove pairs that are equal except for rounding from both lists; return their number."""
     taken = 0
     for fit in list(missing):
         near = next((f for f in others if rounding and _is_near(fit, f, rounding)), None)
@@ -133,21 +133,20 @@ def _is_near(one: Fit, other: Fit, rounding: Fraction) -> bool:
     )
 
 
-def _name_ways(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[str, int]:
-    """Count in which ways exact fits that are missing and others that were answered go together."""
-    ways = dict.fromkeys(("missing", "too short", "too long", "invented"), 0)
+def _count_differences(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[str, int]:
+    counts = dict.fromkeys(("missing", "too short", "too long", "invented"), 0)
     touched = set()
     for other in others:
         near = [fit for fit in missing if _unite_to_one(fit, other)]
         touched.update(near)
         is_inside = any(all(is_on_segment(p, *fit) for p in other) for fit in near)
-        ways["invented" if not near else "too short" if is_inside else "too long"] += 1
-    ways["missing"] = len(set(missing) - touched)
-    return {way: number for way, number in ways.items() if number}
+        counts["invented" if not near else "too short" if is_inside else "too long"] += 1
+    counts["missing"] = len(set(missing) - touched)
+    return {how: number for how, number in counts.items() if number}
 
 
 def _unite_to_one(one: Fit, other: Fit) -> bool:
-    """Decide whether two segments are on one line, and have more than an end of one in common."""
+    """Decide whether segments are collinear, and share more than an end (or one is a point)."""
     low, high = max(min(one), min(other)), min(max(one), max(other))
     return are_collinear((*one, *other)) and (
         low < high or (low == high and (one[0] == one[1] or other[0] == other[1]))
@@ -155,9 +154,9 @@ def _unite_to_one(one: Fit, other: Fit) -> bool:
 
 
 def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
-    """Yield positions on a segment, one of each piece that is all overlap or all free of it.
+    """Yield the ends of a segment and a position between each two crossings of loops or fits.
 
-    Such pieces end on a loop of positions or on an exact fit.
+    Between those, all positions overlap or none does.
     """
     p, q = segment
     ends = {p, q}

@@ -1,21 +1,15 @@
-"""Regions bounded by any rings, compared exactly: where they differ, and the area of that.
+"""The exact difference of two regions with arbitrary rings, as trapezoids.
 
-A point belongs to a region if an odd number of its rings' windings separate it from infinity: a
-ray from it crosses the edges of all rings an odd number of times. So rings may cross themselves
-and each other, run either way, and enclose holes.
+A point belongs to a region if a ray from it crosses the edges of all rings an odd number of times.
+So rings may cross themselves and each other, have either orientation, and enclose holes.
 
-Method: vertical slabs. The x of all vertices cut the plane into slabs, in each of which the edges
-across it are whole straight lines. Two of them cross inside the slab exactly when their order at
-its left side is the opposite of that at its right side; the x of such crossings cut it further.
-Between two neighbouring cuts no two edges cross, so their order at the left side, and at the right
-side where that is equal, holds all the way, and two neighbours bound a trapezoid that holds no part
-of any edge. Going up from below, each edge changes the parity of its own region. Vertical edges
-lie on cuts and bound no more than those. The trapezoids in exactly one region make up the
-difference, except for a set without area.
-
-Libraries with exact rational polygons exist (rene; SFCGAL by pysfcgal). They are not used here:
-they take simple polygons, and of random pairs of rings that cross themselves rene 0.3 hangs on one
-in twenty; and the trapezoids are needed besides the area: their inner points are the witnesses.
+Method: vertical slabs. The x of all vertices cut the plane into slabs, which edges cross from side
+to side. Two edges cross inside a slab exactly if their orders at its two sides are opposite; the x
+of such crossings cut it further. Then no edges cross between two cuts, so their order at the left
+side, and at the right side where that is equal, holds throughout, and two neighbours bound a
+trapezoid without parts of edges inside. From below, each edge changes the parity of its region.
+Vertical edges lie on cuts. The trapezoids in exactly one region make up the difference, except for
+a set without area. Their inner points are the witnesses.
 """
 
 from __future__ import annotations
@@ -32,7 +26,7 @@ from exactsweep.numbers.number import Fit, Point, PointRings
 Height = tuple[Fraction, Fraction]
 
 MAX_WORK = 300_000
-"""The most edges across slabs, summed over all slabs, that are looked at: some 15 seconds."""
+"""Maximum number of edges across slabs, summed over all slabs: about 15 seconds."""
 
 _PARTS = tuple((Fraction(a, 9), Fraction(b, 9)) for a, b in ((3, 6), (1, 2), (7, 8)))
 
@@ -63,7 +57,7 @@ class Trapezoid(NamedTuple):
         return gaps * (self.right - self.left) / 2
 
     def corners(self) -> tuple[Point, ...]:
-        """The corners, counter-clockwise; two of them are one where it is a triangle."""
+        """The corners, counter-clockwise; two of them coincide in a triangle."""
         sides = (self.left, self.low[0]), (self.right, self.low[1])
         return tuple(
             Point(*p) for p in (*sides, (self.right, self.high[1]), (self.left, self.high[0]))
@@ -105,14 +99,14 @@ def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoi
         second: rings of the second region.
 
     Yields:
-        Trapezoids with disjoint interiors. None exactly when the regions are the same except
-        for a set without area.
+        Trapezoids with disjoint interiors; none if and only if the regions are equal except for a
+        set without area.
 
     Raises:
-        RegionError: more than MAX_WORK would have to be done; nothing is wrong with the rings.
+        RegionError: the work would exceed MAX_WORK.
 
-    Cost: O((n + k) w log w) operations on rationals for n edges that cross k times, of which
-    w at most are above each other.
+    Cost: O((n + k) w log w) operations on rationals for n edges with k crossings, at most w of
+    them above each other.
 
     Example:
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
@@ -130,11 +124,7 @@ def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoi
 
 
 def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
-    """Yield slabs inside which no edge ends or crosses another one, with the edges across each.
-
-    Raises:
-        RegionError: more than MAX_WORK would have to be done.
-    """
+    """Yield slabs without ends and crossings inside, with the edges across each."""
     edges.sort()
     cuts = sorted({x for edge in edges for x in (edge.left.x, edge.right.x)})
     active: list[_RegionEdge] = []
@@ -164,9 +154,9 @@ def add_areas(cells: Iterable[Trapezoid]) -> Fraction:
 
 
 def find_simplest(low: Fraction, high: Fraction) -> Fraction:
-    """Return the rational of the least denominator between two others, both allowed.
+    """Return the rational of least denominator in a closed interval; of integers nearest to zero.
 
-    Of integers it is the one nearest to zero. By continued fractions.
+    By continued fractions, without recursion, since numbers may be long.
 
     Example:
         >>> find_simplest(Fraction(31, 100), Fraction(36, 100))
@@ -196,7 +186,7 @@ def _edges(rings: PointRings, region: int) -> Iterator[_RegionEdge]:
 
 
 def _crossings(ordered: Ordered) -> Iterator[Fraction]:
-    """Yield the shares of a slab's width at which edges cross, while sorting them for its end."""
+    """Yield the fractions of a slab's width at which edges cross, by insertion sort."""
     below: list[Height] = []
     for heights, _ in ordered:
         low, high = heights
@@ -209,5 +199,4 @@ def _crossings(ordered: Ordered) -> Iterator[Fraction]:
 
 
 def _order(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
-    """Sort edges, with their heights at two cuts, from below to above."""
     return sorted(((edge.at(left), edge.at(right)), edge) for edge in edges)

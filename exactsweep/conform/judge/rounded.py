@@ -1,4 +1,4 @@
-"""Loops that are the exact ones except for rounding, whichever rings touch."""
+"""Loops that equal the exact ones except for rounding, whichever rings touch."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NUMBERS = {2: "two", 3: "three", 4: "four"}
 def match_rounded(
     theirs: RingBoundary, exact: RingBoundary, fits: Sequence[Fit], rounding: Fraction
 ) -> list[Fit] | None:
-    """Return the fits that rings trace if they are the exact ones except for rounding, or None."""
+    """Return the fits that rings trace, or None if they differ by more than rounding."""
     if not rounding:
         return None
     known = [*exact.solid, *fits]
@@ -35,13 +35,13 @@ def match_rounded(
         return None
     if not fits:
         return []
-    # Lines that are near fits, and nowhere so near the loop, trace them.
+    # Segments close to fits, and nowhere close to the loop, trace them.
     lines = [line for line in (*theirs.solid, *near) if not covers(exact.solid, [line], rounding)]
     return [fit for fit in fits if covers(lines, [fit], rounding)]
 
 
 def name_joint(exact: Sequence[Loop], theirs: Sequence[Loop], name: str, rounding: Fraction) -> str:
-    """Say which rings rounding has joined or parted, and where; "" if it has not."""
+    """Describe which rings rounding has joined or parted, and where; "" if none."""
     if len(exact) == len(theirs):
         return ""
     left = list[Sequence[Point]](theirs)

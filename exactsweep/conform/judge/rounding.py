@@ -1,4 +1,4 @@
-"""The effect of a program's numbers on an answer: the error granted, and the error made."""
+"""Permitted coordinate errors, and the diagnosis of arithmetic errors."""
 
 from __future__ import annotations
 
@@ -20,38 +20,36 @@ Change = Callable[[Fraction], Fraction]
 _MOST_DECIMALS = 12
 _DIGITS = range(3, 16)
 _WIDTHS = (32, 64, 16, 8)
-# The least numbers that are rounded to infinity; such numbers are left as they are. To single
-# precision a number is rounded by way of a double.
+# The least numbers that round to infinity; such numbers stay as they are. Single precision is
+# reached through a double.
 _BEYOND = Fraction(2**1024 - 2**970)
 _BEYOND_SINGLE = Fraction(2**128 - 2**103 - 2**74)
 
 ULPS = 16
 """Units in the last place of the largest coordinate: sums of three vertices, and a crossing."""
 SHARE = Fraction(1, 2**32)
-"""The part of the smaller polygon's size that edges which are nearly parallel may take besides."""
+"""The fraction of the smaller polygon's size granted in addition, for nearly parallel edges."""
 MOST_CLAIMED = Fraction(1, 100)
-"""No answer may claim more for itself than this part of the smaller polygon's size."""
+"""The fraction of the smaller polygon's size that an answer may claim."""
 _NEAREST = Fraction(9, 16)
 _LEAST_UNIT = Fraction(1, 2**1074)
 
 
 def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | None) -> Fraction:
-    """Return the bound that errors of the coordinates of a loop must stay below.
+    """Return the bound that coordinate errors of a loop must stay below.
 
     Args:
-        case: the case that the implementation got.
+        case: the case as the program got it.
         name: of the loop, or of the exact fits.
         loop: the answered loop.
-        numbers: the numbers that its hello declares, or None.
+        numbers: the numbers that the hello declares, or None.
 
     Returns:
         For floats, and for all answers of a program that reads binary64: 16 units in the last place
         of the largest coordinate of the case, plus 2^-32 of the size of the smaller polygon. For
         integers, if the exact answer has other numbers: 1, or that size if it is less, but at least
         9/16, which exceeds the error of the nearest integers. Otherwise 0: fractions, and integers
-        of a program that reads any rationals, claim to be exact.
-
-    Cost: linear.
+        of a program that reads rationals, claim to be exact.
     """
     if loop.has_floats or numbers == "binary64":
         return ULPS * _unit_in_last_place(_largest(case)) + SHARE * measure_smaller(case)
@@ -65,12 +63,12 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
 
 
 def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
-    """Return the part of an answer's own claim that is granted."""
+    """Return the granted part of an answer's claim."""
     return min(claim, max(granted, MOST_CLAIMED * measure_smaller(case)))
 
 
 def measure_smaller(case: Case) -> Fraction:
-    """Return the greater one of width and height, of the polygon for which that is less."""
+    """Return the size of the smaller polygon: the greater of its width and its height."""
     return min(_size(case.directrix), _size(case.generatrix))
 
 
@@ -91,7 +89,7 @@ def _is_integer(case: Case, name: str) -> bool:
 
 
 def _unit_in_last_place(value: Fraction) -> Fraction:
-    """Return the distance of two binary64 next to each other, at a positive number of any size.
+    """Return the spacing of binary64 at a positive number of any size.
 
     >>> _unit_in_last_place(Fraction(1)) == Fraction(2) ** -52
     True
@@ -103,18 +101,16 @@ def _unit_in_last_place(value: Fraction) -> Fraction:
 
 
 def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
-    """Say how all coordinates of a loop were spoilt by the numbers that a program works with.
+    """Name the arithmetic errors that explain every coordinate of a loop.
 
     Args:
-        exact: the rings that should have been answered.
+        exact: the exact rings.
         theirs: the answered rings, sound or not.
 
     Returns:
-        Those of these that explain every coordinate, the likeliest first: "rounded down to
-        integers", "rounded to integers", "rounded to 2 decimals", "rounded to 6 digits", "rounded
-        to single precision", "wraps around at 32 bits".
-
-    Cost: that of some thirty changes of all coordinates.
+        Some of these, the likeliest first: "rounded down to integers", "rounded to integers",
+        "rounded to 2 decimals", "rounded to 6 digits", "rounded to single precision", "wraps around
+        at 32 bits".
 
     Example:
         >>> third = [[Point(Fraction(0), Fraction(0)), Point(Fraction(1), Fraction(1, 3))]]

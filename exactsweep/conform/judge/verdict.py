@@ -1,4 +1,4 @@
-"""Verdicts on answers of other programs, and answers read unchecked."""
+"""Verdicts on answers of other programs, and a reader of answers."""
 
 from __future__ import annotations
 
@@ -19,47 +19,41 @@ from exactsweep.words import count
 
 
 class Verdict(StrEnum):
-    """The verdicts on an answer, from best to worst. The worst part of an answer decides.
+    """The verdicts on an answer, from best to worst; the worst part of an answer decides.
 
     E is the closed region inside the exact loop, T the one inside the answered loop: the points
-    around which the rings wind an odd number of times. One loop gets the first of these verdicts
+    around which the rings wind an odd number of times. A loop gets the first of these verdicts
     that holds, malformed before those that compare regions:
 
     - malformed: the answer determines no region, though its parts may still be measured. A
-      number is nan, infinite or unreadable; a vertex has not two coordinates; a loop that was
-      promised is missing or empty, or larger than `limits` allow. Or the region is not the exact
-      one, nor rounded, and programs that read the rings would not agree on it: edges cross, two
-      rings overlap, a ring encloses nothing (fewer than three distinct vertices, or zero area),
-      or a line is traced in and out, which is no exact fit and does not lead to another ring.
-    - exact: the vertices of the exact loop, each once, counter-clockwise. Any of them may come
-      first, and may be repeated at the end.
-    - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, in
-      other rings, keyholed, crossing itself where it does no harm, or with exact fits traced.
-    - within: theirs is the exact region except for rounding. By the larger of the differences in x
-      and in y, each point of either boundary is closer than `rounding` to the other one, and each
-      point in only one of T and E closer than half of it to one of the boundaries (see
-      `closeness`). Vertices may fall together or appear on edges so, and rings may touch or part,
-      but nothing that is as wide as `rounding` is lost or gained. Rings that are nowhere so far
-      from one exact fit trace it. A rounded answer may permit overlap, or lose free space: the
-      witnesses say whether it does.
-    - false exact fits: of exact fits alone: the answer has positions that are on none.
+      number is nan, infinite or unreadable; a vertex has not two coordinates; a promised loop is
+      missing or empty, or larger than `limits` allow. Or the region is neither exact nor rounded,
+      and readers of the rings would not agree on it: edges cross, rings overlap, a ring encloses
+      nothing (fewer than three distinct vertices, or zero area), or a line is traced in and out
+      that is no exact fit and does not lead to another ring.
+    - exact: the vertices of the exact loop, each once, counter-clockwise, from any of them, which
+      may be repeated at the end.
+    - equivalent: T = E, written differently: clockwise, with collinear or repeated vertices, in
+      other rings, keyholed, crossing itself harmlessly, or with exact fits traced.
+    - within: T equals E except for rounding, as `closeness` defines it. Vertices may coincide and
+      rings may touch or part, but nothing as wide as `rounding` is lost or gained. Rings that
+      close to an exact fit trace it. A rounded answer may permit overlap or lose free space; the
+      witnesses show it.
+    - false exact fits: only for exact fits: a position of the answer is on none.
     - conservative: T contains E. An answered trajectory permits no overlap, but forbids free
       positions.
     - unsound: E contains T. An answered trajectory permits overlap.
-    - wrong: neither. An answered trajectory permits overlap and forbids free positions. A
-      different region with too many edges to compare (`region.MAX_WORK`) is wrong, too.
+    - wrong: neither; also a different region with too many edges (`region.MAX_WORK`).
 
     The caller declares `rounding`, or `rounding.grant_rounding` derives it from the program's
     numbers. An answer's own claim is granted up to `rounding.MOST_CLAIMED`.
 
-    Exact fits, where the trajectory is answered, are a part of their own; `judge_fits` says what
-    they may be. Where they are only missing, too short or rounded, the part is "equivalent except
-    for exact fits", which is thus the verdict on an answer whose loops are exact or equivalent.
-    Programs for Minkowski sums cannot know them; a false one counts against the program.
+    Exact fits are a part of their own; see `judge_fits`. If they are only missing, too short or
+    rounded, that part is "equivalent except for exact fits". Programs for Minkowski sums cannot
+    know exact fits; a false one counts against the program.
 
-    The runner adds timeout, memory (more than was allowed), crash, and unsupported: no answer that
-    could be judged; and undecided, where there is one that could not be compared in time, by no
-    fault of the implementation.
+    The runner adds timeout, memory, crash and unsupported, without an answer to judge; and
+    undecided, if the comparison took too long, which is no fault of the program.
 
     Example:
         >>> max(Verdict.EXACT, Verdict.WITHIN, key=lambda verdict: verdict.severity).value
@@ -83,12 +77,12 @@ class Verdict(StrEnum):
 
     @property
     def severity(self) -> int:
-        """The place in the order above, 0 for exact."""
+        """The index in the order above, 0 for exact."""
         return _SEVERITY[self]
 
     @property
     def is_judgement(self) -> bool:
-        """Decide whether it says what an implementation did: not undecided, not unsupported."""
+        """Whether the program was judged: it is neither undecided nor unsupported."""
         return self not in (Verdict.UNDECIDED, Verdict.UNSUPPORTED)
 
 
@@ -97,14 +91,14 @@ _SEVERITY = {verdict: k for k, verdict in enumerate(Verdict)}
 
 @dataclass(frozen=True)
 class Witness:
-    """A place where theirs is wrong, checked again before it is handed out.
+    """A position or a point at which an answer is wrong, verified.
 
     Attributes:
-        says: one sentence that describes it.
-        translation: Point, where G's origin is to be put, or None if the witness is no position.
-        classified: what `classify` says of that translation: FREE, CONTACT, OVERLAP; or None.
-        point: Point of the plane: in both interiors, for an OVERLAP; for the inner and the outer
-            loop the point that G can or cannot cover; or None.
+        says: a description in one sentence.
+        translation: the translation of G, or None if the witness is no position.
+        classified: the verdict of `classify` on it: FREE, CONTACT, OVERLAP; or None.
+        point: for an OVERLAP a Point in both interiors; for the inner and the outer loop the Point
+            that G can or cannot cover; or None.
     """
 
     says: str
@@ -115,20 +109,20 @@ class Witness:
 
 @dataclass(frozen=True)
 class PartComparison:
-    """One part of an answer beside the exact one.
+    """One part of an answer, compared with the exact one.
 
     Attributes:
         name: "trajectory", "inner", "outer" or "exact_fits".
         verdict: of this part alone.
         reason: one line.
-        distance_squared: bounds (low, high) of the square of the Hausdorff distance between the
-            two loops, both equal where it is rational; None where it is not defined.
+        distance_squared: bounds (low, high) on the squared Hausdorff distance of the two loops;
+            None if it is not defined.
         permitted: area of E without T: overlap permitted, for the trajectory.
         forbidden: area of T without E: free space lost, for the trajectory.
         unsound: Witness in E without T, or None.
         conservative: Witness in T without E, or None.
         granted: the bound that coordinate errors had to stay below, if one was needed.
-        kind: in which way exact fits differ, or how else the loop is special; "" where it is not.
+        kind: how exact fits differ, or another property of the loop; "" if there is none.
         diagnosis: the questions to which the loop is exact, the likeliest first; () if none.
     """
 
@@ -146,33 +140,31 @@ class PartComparison:
 
     @property
     def area(self) -> Fraction | None:
-        """Area of the symmetric difference of E and T; None where it is not defined."""
+        """Area of the symmetric difference of E and T; None if it is not defined."""
         if self.permitted is None or self.forbidden is None:
             return None
         return self.permitted + self.forbidden
 
     @property
     def witnesses(self) -> tuple[Witness, ...]:
-        """All witnesses there are, the one of overlap first."""
+        """All witnesses, that of overlap first."""
         found = (self.unsound, self.conservative)
         return tuple(witness for witness in found if witness is not None)
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings, the area included."""
-        said = asdict(self) | {"verdict": self.verdict.value, "area": self.area}
-        return to_plain(said)
+        return to_plain(asdict(self) | {"verdict": self.verdict.value, "area": self.area})
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """An answer beside the exact one; by `compare`, or by the runner where there is no answer.
+    """An answer, compared with the exact one by `compare`; or the lack of one, by the runner.
 
     Attributes:
         id: of the case.
         verdict: the worst of the parts.
         reason: one line, that of the worst part.
-        parts: tuple of PartComparison: the parts that were answered, trajectory, inner, outer,
-            exact fits in this order.
+        parts: tuple of PartComparison: trajectory, inner, outer, exact fits in this order.
     """
 
     id: str
@@ -187,7 +179,7 @@ class Comparison:
 
     @property
     def witness(self) -> Witness | None:
-        """The first witness of the worst part, or None if it has none."""
+        """The first witness of the worst part, or None."""
         part = self.worst
         return part.witnesses[0] if part is not None and part.witnesses else None
 
@@ -198,11 +190,11 @@ class Comparison:
 
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "minkowski_sum", "inner_fit")
-"""The members of an answer: loops of a sweep, rings of the fits, and those of a + b."""
+"""The loops that an answer may have."""
 
 
 class AnswerError(ExactSweepError):
-    """An answer, or a part of it, that does not say which points it means; with the place."""
+    """An unreadable answer or part of one; the message names the place."""
 
 
 class AnsweredLoop(NamedTuple):
@@ -218,7 +210,7 @@ class AnsweredLoop(NamedTuple):
 
     @property
     def is_integer(self) -> bool:
-        """Decide whether all coordinates are integers, and none was a float."""
+        """Whether all coordinates are integers, and none was a float."""
         return not self.has_floats and all(
             c.denominator == 1 for ring in self.rings for point in ring for c in point
         )
@@ -228,18 +220,17 @@ def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> Answer
     """Read a loop: a list of pairs of numbers, or a list of such lists, its rings.
 
     Args:
-        value: plain data. A number is an int; a float, taken as the binary value that it is; a
-            string that `to_fraction` reads; or what else that reads. A ring may be closed (the
-            last vertex repeats the first) or not.
-        path: where the value stands, for messages.
-        may_be_empty: whether no ring at all is an answer, as that a part does not fit.
+        value: plain data. A number is anything that `to_fraction` reads; a float has its binary
+            value. A ring may be closed (the last vertex repeats the first) or not.
+        path: the place of the value, for messages.
+        may_be_empty: whether an answer may have no rings, if a part does not fit.
 
     Returns:
-        The AnsweredLoop. Rings of fewer than three vertices are read, too.
+        The AnsweredLoop. Rings may have fewer than three vertices.
 
     Raises:
-        AnswerError: anything else, numbers that are not finite, a ring without vertices, or
-            more of them than `limits` allow.
+        AnswerError: anything else, a number is not finite, a ring has no vertices, or there are
+            more vertices than `limits` allow.
 
     Cost: linear.
 
@@ -307,7 +298,7 @@ def read_number(value: object, path: str) -> Fraction:
 
 
 def _read_points(pairs: Sequence[object], path: str) -> tuple[Loop, bool]:
-    """Read points, and tell whether a coordinate is a float."""
+    """Read points; return them, and whether a coordinate is a float."""
     points, has_floats = [], False
     for k, pair in enumerate(pairs):
         found = _list(pair, f"{path}[{k}]", "a pair of numbers")
@@ -325,5 +316,5 @@ def _list(value: object, path: str, what: str) -> Sequence[object]:
 
 
 def name_kind(value: object) -> str:
-    """Name the kind of any value; answers of Python callables may hold anything."""
+    """Name the kind of any value; a Python function may return anything."""
     return describe_kind(value) if isinstance(value, (dict, list, str, bool)) else quote(value)

@@ -1,16 +1,16 @@
-"""Witnesses: positions and points at which an answer is wrong, each checked before it is shown.
+"""Verified witnesses: positions and points at which an answer is wrong.
 
-Let P be the region inside the exact trajectory of G's origin: the translations t at which G + t
-overlaps D, except for exact fits, and their limits. The translations that put G onto a point p are
-the polygon H(p) = p - G. By the definitions of the loops (Theorems 2.1 and 2.2),
+Let P be the region inside the exact trajectory of G's origin: the closure of the translations t at
+which G + t overlaps D, except for exact fits. The translations that put G onto a point p are the
+polygon H(p) = p - G. By the definitions of the loops (Theorems 2.1 and 2.2),
 
-- p is inside the outer loop if and only if H(p) overlaps P: some of the positions that put G onto p
-  are passed, or closed in, by the sweep;
-- p is inside the inner loop if and only if P holds H(p): every position that puts G onto p overlaps
-  D, and G can reach p from no side.
+- p is inside the outer loop if and only if H(p) overlaps P: the sweep passes or encloses some
+  position that puts G onto p;
+- p is inside the inner loop if and only if P contains H(p): every position that puts G onto p
+  overlaps D, and G can reach p from no side.
 
 So the witness for a point of an inner or outer loop is a translation t in H(p), on the trajectory
-or outside; or the point itself, when there is none.
+or outside; or the point itself if there is none.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ NAME = "exact_fits"
 INSIDE = "inner_exact_fits"
 SUM = "minkowski_sum"
 FITS_OF = {"trajectory": NAME, "no_fit": NAME, SUM: NAME, "inner_fit": INSIDE}
-"""The exact fits that belong to the loops of positions; those of a sum are slits of it."""
+"""The exact fits that belong to the loops of positions; those of a sum are its slits."""
 
 _DOES = {
     "FREE": "does not touch D",
@@ -61,11 +61,11 @@ _SEVERITY = tuple(_DOES)
 
 
 def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
-    """Return the rings of an exact loop, counter-clockwise: its outer one, then its holes.
+    """Return the rings of an exact loop, counter-clockwise: the exterior, then the holes.
 
-    Of the inner loop of any shapes the one around D comes first, and what else is unswept then;
-    of an inner fit the regions follow each other. An exact fit is a ring of two points. A Minkowski
-    sum is that of a = D and b = -G: the no-fit polygon for the origin of G.
+    The inner loop comes before other unswept regions, and the regions of an inner fit follow each
+    other. An exact fit is a ring of two points. A Minkowski sum is that of a = D and b = -G: the
+    no-fit polygon for the origin of G.
     """
     if name == SUM:
         by = subtract(ORIGIN, case.reference)
@@ -84,7 +84,7 @@ def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
 
 
 def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
-    """Return the exact fits of G around D or inside it, or the slits of a sum, by name."""
+    """Return the exact fits of G around D or inside D, or the slits of a sum."""
     if name == SUM:
         by = subtract(ORIGIN, case.reference)
         return tuple((add(p, by), add(q, by)) for p, q in case.exact_fits)
@@ -92,7 +92,7 @@ def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
 
 
 class WitnessError(ExactSweepError):
-    """A case whose expected answer is refuted by the definition; the message names the place."""
+    """A case whose expected answer contradicts the definition; the message names the place."""
 
 
 def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
@@ -102,8 +102,8 @@ def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trap
         case: the case.
         name: a key of LOOP_NAMES.
         theirs: rings of the loop as answered.
-        cells: from `find_differences` of the exact region and theirs; at least one, and all of them
-            in the exact region or all of them in theirs.
+        cells: from `find_differences` of the exact region and theirs; at least one, all of them in
+            the same region.
 
     Returns:
         A Witness in the largest cell, with short coordinates.
@@ -124,12 +124,12 @@ def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trap
 
 
 def is_inside(point: Point, rings: PointRings) -> bool:
-    """Decide whether an odd number of rings' windings are around a point on none of their edges."""
+    """Decide whether a point off all edges has an odd winding number."""
     return sum(locate(point, ring) > 0 for ring in rings) % 2 == 1
 
 
 def at_position(case: Case, position: Point, *, inside: bool = False) -> Witness:
-    """Say what the definition says of a position of the reference point, around D or inside it."""
+    """Classify a position of the reference point, around D or inside D."""
     translation = subtract(position, case.reference)
     does, obstacles = _DOES, [case.directrix]
     if inside:
@@ -140,7 +140,7 @@ def at_position(case: Case, position: Point, *, inside: bool = False) -> Witness
 
 
 def _obstacles(case: Case, t: Point) -> list[AnyPolygon]:
-    """List the shapes around D: a frame beyond the reach of G + t, and the holes of D."""
+    """List the shapes outside D: a frame that G + t does not leave, and the holes of D."""
     exterior, *holes = Region(case.directrix).rings
     corners = [*exterior, *(add(p, t) for p in case.generatrix_ring)]
     (left, right), (low, high) = ((min(c) - 1, max(c) + 1) for c in zip(*corners, strict=True))
@@ -149,7 +149,6 @@ def _obstacles(case: Case, t: Point) -> list[AnyPolygon]:
 
 
 def _of_positions(case: Case, position: Point, missed: bool, name: str) -> Witness | None:
-    """Show a position that overlaps D, or reaches out of it; or else one that does not."""
     is_inside = name == "inner_fit"
     if name == SUM:
         found = at_position(case, add(position, case.reference))
@@ -170,7 +169,6 @@ def _tell_sum(position: Point, a: Point | None) -> str:
 
 
 def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
-    """Show a point that G cannot reach, or else can."""
     onto, positions = _onto(case, point), _positions(case)
     escapes = [c for c in find_differences(onto.rings, [positions.vertices]) if c.first]
     if permitted and case.kind == "SS":
@@ -184,14 +182,13 @@ def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
         return _over(case, point, t)
     if escapes:
         return None
-    # No position is better than another one; to show one of them, one well inside.
+    # All positions are witnesses; the largest cell has one with short coordinates.
     t = next(max(find_differences(onto.rings, []), key=lambda cell: cell.area).points())
     found = _over(case, point, t)
     return found and replace(found, says=f"{found.says}, as at all positions over that point")
 
 
 def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
-    """Show a point that G covers on its way or closes in, or else one that it does not."""
     onto, positions = _onto(case, point), _positions(case)
     if not permitted:
         if classify(positions, onto, (0, 0)).verdict == "OVERLAP":
@@ -210,7 +207,6 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
 
 
 def _over(case: Case, point: Point, t: Point) -> Witness | None:
-    """Say that G + t covers a point, and what it does there."""
     if locate_in_shape(point, case.generatrix.translated(t).rings) < 0:
         return None
     verdict, _ = classify(case.directrix, case.generatrix, t)
@@ -229,7 +225,7 @@ def _positions(case: Case) -> Polygon:
 
 
 def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
-    """Yield points of a polygon's boundary in another shape: vertices, then crossings."""
+    """Yield points of a polygon's boundary in a shape: vertices, then crossings."""
     vertices = positions.vertices
     yield from (vertex for vertex in vertices if locate_in_shape(vertex, onto.rings) >= 0)
     for k, b in enumerate(vertices):
@@ -240,7 +236,7 @@ def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
 
 
 def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
-    """Find the common point of two segments that are not parallel, ends included."""
+    """Return the common point of two closed segments that are not parallel, if any."""
     of_a, of_b, of_c, of_d = turn(c, d, a), turn(c, d, b), turn(a, b, c), turn(a, b, d)
     if of_a == of_b or of_a * of_b > 0 or of_c * of_d > 0:
         return None
@@ -249,7 +245,7 @@ def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
 
 
 def find_middle(p: Point, q: Point) -> Point:
-    """Return the middle of two points."""
+    """Return the midpoint of two points."""
     return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
 
 

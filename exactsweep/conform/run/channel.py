@@ -1,4 +1,4 @@
-"""Lines to and from a process that may do anything: with limits on time and memory."""
+"""Lines to and from an untrusted process, with limits on time and memory."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from exactsweep.processes import Started
 _CHUNK = 65536
 _LAST_CHUNKS = 16
 _LOOKING = 0.2
-"""Seconds after which to look whether the process has ended."""
+"""Seconds between looks at the process."""
 _TO_EXIT = 1.0
-"""Seconds for a process that has closed its output to end, so that its exit code is known."""
+"""Seconds that a process may take to end after it closed its output."""
 
 
 class ChannelError(Exception):
-    """No line came; the message says why.
+    """A missing line; the message gives the reason.
 
     Attributes:
-        verdict: on the answer that the line was to be.
+        verdict: on the expected answer.
     """
 
     verdict = Verdict.MALFORMED
@@ -50,26 +50,25 @@ class LongLineError(ChannelError):
 
 
 class LargeError(ChannelError):
-    """The process held more memory than it may."""
+    """The process exceeded its memory limit."""
 
     verdict = Verdict.MEMORY
 
 
 class Channel:
-    """A process, spoken to in lines.
+    """A process that exchanges lines.
 
-    Memory is bounded: by `limits` for what it writes and is not read, and some KiB of what it
-    writes to standard error, the last of it.
+    The buffers are bounded: by `limits` for a line, and by MAX_STDERR for standard error.
 
     Args:
         command: the program and its arguments.
-        most: bytes of memory that it may hold, or None.
+        most: the memory limit in bytes, or None.
 
     Attributes:
-        peak: its peak memory since the last line was sent, in bytes, or None if unknown.
+        peak: the peak memory since the last line was sent, in bytes, or None if unknown.
 
     Raises:
-        OSError: it cannot be started.
+        OSError: the process cannot be started.
     """
 
     def __init__(self, command: Sequence[str], most: int | None = None) -> None:
@@ -91,7 +90,7 @@ class Channel:
         return self._stderr.decode("utf-8", "replace")
 
     def send(self, line: str) -> None:
-        """Leave a line to be written while the next one is waited for; forget the peak."""
+        """Queue a line, which `receive` writes while it waits, and reset the peak."""
         self._outgoing += line.encode() + b"\n"
         self._started.forget_peak()
         self.peak = None
@@ -100,13 +99,13 @@ class Channel:
         """Wait for a line.
 
         Returns:
-            The line without its end; what is not UTF-8 in it is replaced.
+            The line without its end; bytes that are not UTF-8 are replaced.
 
         Raises:
             SilentError: no line came within these seconds.
-            ClosedError: the output ended before a line did.
+            ClosedError: the output ended before the line did.
             LongLineError: the line is too long.
-            LargeError: it held too much memory.
+            LargeError: the process exceeded its memory limit.
         """
         now = time.monotonic()
         deadline, look = now + seconds, now + _LOOKING
@@ -124,10 +123,10 @@ class Channel:
             self._transfer(deadline - now)
 
     def finish(self, line: str, seconds: float) -> str | None:
-        """Send a last line, close its input, wait for its end, kill what is left.
+        """Send a last line, close the input, wait for the end of the process, and kill the rest.
 
         Returns:
-            None if it wrote nothing more and ended by itself with exit code 0, or what it did.
+            None if it wrote nothing more and ended with exit code 0; otherwise a complaint.
         """
         self.send(line)
         self._closing = True
@@ -147,7 +146,7 @@ class Channel:
         return f"wrote on after bye: {said[:40]!r}"
 
     def kill(self) -> None:
-        """End the process and all that it started."""
+        """Kill the process and all its descendants."""
         self._selector.close()
         self._started.end()
 
@@ -166,7 +165,6 @@ class Channel:
                 raise LargeError(f"holds more than {tell_bytes(self._most)}")
 
     def _take(self) -> bytes | None:
-        """The next whole line, if there is one."""
         end = self._incoming.find(b"\n", self._searched)
         if (end if end >= 0 else len(self._incoming)) > get_max_bytes():
             raise LongLineError(f"a line of more than {get_max_mib():g} MiB (max_mib)")
@@ -179,14 +177,14 @@ class Channel:
         return line
 
     def _transfer(self, seconds: float) -> None:
-        """Read and write what can be."""
+        """Transfer what the pipes accept now."""
         if self._outgoing:
             with suppress(KeyError):
                 self._selector.register(self._stdin, selectors.EVENT_WRITE)
         had_ended = self._started.process.poll() is not None
         ready = self._selector.select(min(seconds, _LOOKING))
         if had_ended and not ready:
-            # A process that it started still holds its output open.
+            # A descendant still holds its output open.
             raise ClosedError(self._end())
         for key, _ in ready:
             if key.fd == self._stdin:
@@ -219,7 +217,7 @@ class Channel:
 
     def _end(self) -> str:
         code = self._started.wait(_TO_EXIT)
-        # Its last words are in the pipe; a process that it started may still be writing.
+        # Its last words are in the pipe; a descendant may still be writing.
         with suppress(OSError, KeyError):
             for _ in range(_LAST_CHUNKS):
                 self._stderr = (self._stderr + self._read(self._errors))[-MAX_STDERR:]
@@ -227,7 +225,7 @@ class Channel:
 
 
 def tell_exit(code: int) -> str:
-    """Say how a process ended.
+    """Describe how a process ended.
 
     >>> tell_exit(3), tell_exit(-11)
     ('exited with code 3', 'was ended by signal 11, SIGSEGV')

@@ -1,6 +1,6 @@
-"""The message of a failed program: the line of its standard error that names the error.
+"""The line of standard error that names the error of a failed program.
 
-Runtimes write it in different places: Python last, node and Java before the stack, Rust in two
+Runtimes write it in different places: Python last, Node and Java before the stack, Rust in two
 lines, sanitizers above a report of a hundred lines.
 """
 
@@ -28,7 +28,7 @@ _TRAILER = re.compile(
     r"^(?:Node\.js v\d|note: run with `RUST_BACKTRACE|stack backtrace:|\(Use `node --trace|"
     r"Aborted|Segmentation fault|==\d+==\s*ABORTING|=+$|\s*at )"
 )
-"""A line below the error that says nothing about it."""
+"""A line below the error without information."""
 _PLACES = (
     re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]*)", line (\d+)'),
     re.compile(r"\bat (?:.*[ (])?(?:file://)?(?!node:)(?:[^\s()]*[/\\])?([\w.-]+\.\w+):(\d+)"),
@@ -39,14 +39,12 @@ def find_error(stderr: str) -> str:
     r"""Return the line of standard error that names the error.
 
     Args:
-        stderr: what a program wrote, or the end of it.
+        stderr: the end of the standard error of a program.
 
     Returns:
-        The last line of a traceback of Python; otherwise the first line that looks like an error;
+        The last line of a Python traceback; otherwise the first line that looks like an error;
         otherwise the last line that is no common trailer; "" if there is none. A panic of Rust and
         an exception of C++ are joined from two lines.
-
-    Cost: linear.
 
     Example:
         >>> find_error("TypeError: not a BigInt\n    at f.js:1\n\nNode.js v20.1.0")

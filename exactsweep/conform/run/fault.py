@@ -1,9 +1,9 @@
-"""Classification of failures by the fault behind them, so that faults are counted apart.
+"""Classification of failures by the fault behind them.
 
 Two failures have the same fault if they have the same verdict on the same part, the same kinds of
-witness, and the same reason except for numbers and quoted values; or, of crashes, the same exit
-code or signal, the same error on standard error, likewise, and the same place in the program, if it
-names one.
+witness, and the same reason except for numbers and quoted values. Crashes have the same fault if
+they have the same exit code or signal, the same error on standard error, likewise, and the same
+place in the program, if it is named.
 """
 
 from __future__ import annotations
@@ -39,12 +39,10 @@ def name_fault(
         reason: one line.
         parts: what `PartComparison.to_json` gives, for each part.
         stderr: the end of the program's standard error.
-        id: of the case, which does not count where it is quoted.
+        id: of the case, which is replaced where it is quoted.
 
     Returns:
-        One line, the same for failures of the same kind; what passes has the verdict alone.
-
-    Cost: linear.
+        One line, the same for failures of the same kind; for an answer that passes, the verdict.
 
     Example:
         >>> name_fault(Verdict.CRASH, "says: division by zero in row 12")
@@ -69,7 +67,6 @@ def name_fault(
 
 
 def _name_difference(part: Mapping[str, Any]) -> str:
-    """Describe the fault of a part, and what its witnesses show."""
     named = next(iter(part["diagnosis"]), "") or part["kind"] or part["reason"]
     shown = (part[side] and part[side]["classified"] for side in ("unsound", "conservative"))
     place = part["name"].replace("_", " ")
@@ -77,12 +74,11 @@ def _name_difference(part: Mapping[str, Any]) -> str:
 
 
 def _forget_values(text: str) -> str:
-    """Write a message without what differs from case to case: numbers and quoted values."""
     return write_cause(_QUOTED.sub("#", text))
 
 
 def write_cause(text: str) -> str:
-    """Write a diagnosis, or other words, as `name_fault` does: without numbers.
+    """Write a diagnosis without numbers, as `name_fault` does.
 
     >>> write_cause("all is moved by (3,-1/2)")
     'all is moved by (#,-#)'

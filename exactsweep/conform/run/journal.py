@@ -1,4 +1,4 @@
-"""The journal of a run: JSON lines, one an outcome, written as they come."""
+"""The journal of a run: JSON lines, one for each outcome."""
 
 from __future__ import annotations
 
@@ -24,29 +24,29 @@ _WORDS = {"hello": "implementation", "seconds": "timeout"}
 
 
 class JournalError(ExactSweepError):
-    """A journal that cannot be begun, continued or read; the message says why."""
+    """A journal that cannot be started, continued or read; the message gives the reason."""
 
 
 class Journal:
-    """A journal that is written; a context manager.
+    """A journal to write; a context manager.
 
-    Every line is handed to the system at once, so what is in it outlives this process, however
-    that ends. Only the last line can be a part of one; going on drops it.
+    Every line is flushed at once, so it survives the end of this process. Only the last line may be
+    incomplete; resuming drops it.
 
     Args:
         path: the file.
-        terms: the judged command, and what it may take; a journal on other terms is refused.
-        hello: the implementation's hello, likewise.
-        resume: whether the file may be there and is gone on with.
+        terms: the judged command and its limits; a journal with other terms is refused.
+        hello: the program's hello, likewise.
+        resume: whether to continue an existing file.
 
     Raises:
-        JournalError: the file is there and `resume` is false; it is no journal, or one of
-            something else; it cannot be read or written.
+        JournalError: the file exists and `resume` is false; it is no journal, or that of another
+            run; it cannot be read or written.
     """
 
     def __init__(self, path: Path, terms: Terms, hello: Hello, *, resume: bool = False) -> None:
         self._path, self._name = str(path), show_path(str(path))
-        # Where the outcomes of before are, by the digest of their case.
+        # Offsets and lengths of earlier outcomes, by the digest of their case.
         self._places: dict[str, tuple[int, int]] = {}
         head = {
             "format": FORMAT,
@@ -67,15 +67,11 @@ class Journal:
             refused.pop_all()
 
     def add(self, outcome: Outcome) -> None:
-        """Write an outcome.
-
-        Raises:
-            JournalError: it cannot be written.
-        """
+        """Write an outcome; raise JournalError if the file cannot be written."""
         self._write(outcome.to_json())
 
     def find(self, digest: str) -> Outcome | None:
-        """Return the earlier outcome of a case, by its digest, or None if there is none."""
+        """Return the earlier outcome of a case, by its digest, or None."""
         place = self._places.get(digest)
         if place is None:
             return None
@@ -92,7 +88,7 @@ class Journal:
             self._file.close()
 
     def _begin(self, head: Mapping[str, Any]) -> None:
-        """Write the head, or go on after the last whole line."""
+        """Write the head, or continue after the last complete line."""
         if not lock(self._file):
             raise JournalError(f"{self._name}: another run is writing it")
         self._file.seek(0)
@@ -102,11 +98,11 @@ class Journal:
             self._write(head)
 
     def _read(self, head: Mapping[str, Any]) -> int:
-        """Read the outcomes of before; return where the last whole line ends."""
+        """Read earlier outcomes; return where the last complete line ends."""
         whole, most = 0, get_max_bytes()
         for number, line in enumerate(iter(lambda: self._file.readline(most), b""), start=1):
             is_cut = not line.endswith(b"\n") and len(line) < most
-            # Without a whole line, this may be any file, which must not be lost.
+            # Without a complete line this may be any file, which must not be lost.
             if is_cut and (number > 1 or _line(head).startswith(line)):
                 break
             try:

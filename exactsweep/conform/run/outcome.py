@@ -1,4 +1,4 @@
-"""Outcomes: the result of one case, as journals keep it and reports show it."""
+"""The outcome of one case, for journals and reports."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ from exactsweep.numbers.error import ExactSweepError, NumberError, quote
 from exactsweep.numbers.number import to_fraction
 
 TO_COMPARE = 60.0
-"""Seconds of the processor that comparing one answer may take: far more than the bounds leave."""
+"""CPU seconds per comparison; work bounds normally stop earlier."""
 _MAX_RESULT = 65536
-"""The most characters of a result that are kept."""
+"""Maximum number of characters of a kept answer."""
 
 
 @dataclass(frozen=True)
@@ -39,17 +39,16 @@ class Outcome:
         flags: its flags.
         verdict: the verdict.
         reason: one line.
-        fault: what `name_fault` says: the same for failures of the same kind.
+        fault: by `name_fault`: the same for failures of the same kind.
         diagnosis: the questions to which the worst part is exact, the likeliest first.
         seconds: the time of the answer.
-        memory: the program's peak memory meanwhile, in bytes, or None if it is not known.
-        digest: of the case as it was given; the same only for the same case.
-        parts: what `PartComparison.to_json` gives, for each part; empty for exact and
-            equivalent answers.
-        case: the case as the implementation got it, as by `case_to_json`; None if the answer is
-            exact or equivalent, or the case was not asked.
-        result: the answer, likewise, unless it is too long to keep.
-        stderr: the end of the implementation's standard error, if it failed.
+        memory: the program's peak memory meanwhile, in bytes, or None if unknown.
+        digest: a hash of the given case.
+        parts: each part by `PartComparison.to_json`; empty for exact and equivalent answers.
+        case: the case as the program got it, by `case_to_json`; None if the answer is exact or
+            equivalent, or the case was not asked.
+        result: the answer, likewise; None if it is too long.
+        stderr: the end of the program's standard error, if it failed.
     """
 
     id: str
@@ -68,12 +67,12 @@ class Outcome:
     stderr: str = ""
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data; what is empty is left out."""
+        """Return plain data without empty members."""
         return {name: value for name, value in asdict(self).items() if value not in ("", (), None)}
 
     @property
     def size(self) -> int:
-        """The vertices of D and G without holes; 0 if the case is not kept."""
+        """The number of vertices of D and G without holes; 0 if the case is not kept."""
         return len(self.case["directrix"]) + len(self.case["generatrix"]) if self.case else 0
 
     @property
@@ -82,7 +81,7 @@ class Outcome:
         return max(self.parts, key=lambda part: Verdict(part["verdict"]).severity, default=None)
 
     def lead_with(self, cause: str | None) -> Outcome:
-        """Return the outcome with one of its diagnoses first; unchanged if it has it not."""
+        """Return the outcome with one of its diagnoses first, if it has it."""
         if cause not in self.diagnosis[1:]:
             return self
         first, parts = self.diagnosis[0], []
@@ -103,11 +102,7 @@ class Outcome:
 
 
 def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
-    """Read what `Outcome.to_json` gave.
-
-    Raises:
-        ValueError: anything else.
-    """
+    """Read the result of `Outcome.to_json`; raise ValueError for anything else."""
     try:
         parts = {**data, "verdict": Verdict(data["verdict"])}
         for name in ("flags", "parts", "diagnosis"):
@@ -118,26 +113,17 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
 
 
 def list_witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Return the witnesses of a part of an outcome, the one of overlap first."""
+    """Return the witnesses of a part of an outcome, that of overlap first."""
     return [part[name] for name in ("unsound", "conservative") if part[name]]
 
 
 def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outcome:
-    """Put a case to an implementation and judge its answer.
-
-    Args:
-        peer: the implementation.
-        case: a Case.
-        rounding: the bound that coordinate errors must stay below, as for `compare`.
-
-    Returns:
-        The Outcome.
-    """
+    """Ask a program a case and judge its answer; `rounding` as for `compare`."""
     return judge_answer(case, *ask(peer, case), peer.hello, rounding)
 
 
 def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
-    """Put a case to an implementation, in its terms; return the case as put and the answer."""
+    """Ask a program an adapted case; return the adapted case and the answer."""
     try:
         put = adapt(case, peer.hello)
     except UnsupportedError as error:
@@ -152,13 +138,10 @@ def judge_answer(
 
     Args:
         case: a Case.
-        put: the same case as the implementation got it.
-        answer: the implementation's answer, or its failure.
-        hello: the implementation's hello.
+        put: the same case, adapted to the program.
+        answer: the answer, or the failure.
+        hello: the program's hello.
         rounding: the bound that coordinate errors must stay below, as for `compare`.
-
-    Returns:
-        The Outcome.
     """
     if answer.result is None:
         assert answer.verdict is not None
@@ -190,11 +173,7 @@ def judge_answer(
 
 
 def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
-    """Compare an answer with the exact one, as `compare` does.
-
-    The verdict is undecided if that takes more than TO_COMPARE seconds, in the main thread: it is
-    not the implementation that was slow.
-    """
+    """Compare an answer by `compare`; undecided after TO_COMPARE seconds, in the main thread."""
     try:
         with stop_after(TO_COMPARE):
             return compare(case, result, **options)
@@ -204,15 +183,12 @@ def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
 
 
 class OvertimeError(Exception):
-    """A computation took too long."""
+    """A computation that took too long."""
 
 
 @contextmanager
 def stop_after(seconds: float) -> Iterator[None]:
-    """Stop what is in the `with` block after seconds of the processor, in the main thread.
-
-    Raises:
-        OvertimeError: it was stopped.
+    """Raise OvertimeError in a `with` block after CPU seconds, in the main thread.
 
     Example:
         >>> with stop_after(0.01):
@@ -241,16 +217,13 @@ def stop_after(seconds: float) -> Iterator[None]:
 def shrink_outcome(
     peer: Peer, outcome: Outcome, seconds: float, rounding: Fraction | None = None
 ) -> Outcome:
-    """Find a smaller case that shows the same fault of an implementation.
+    """Return the outcome of the smallest case found that shows the same fault of a program.
 
     Args:
-        peer: the implementation.
-        outcome: of a case that it failed; with the case.
-        seconds: after which no smaller one is looked for.
+        peer: the program.
+        outcome: of a failed case; with the case.
+        seconds: the limit of the search.
         rounding: as for `judge_case`.
-
-    Returns:
-        The Outcome of the smallest case that was found.
     """
 
     def judge(case: Case) -> Outcome:

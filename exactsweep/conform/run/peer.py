@@ -1,4 +1,4 @@
-"""The runner's view of an implementation: something that can be asked."""
+"""A program as the runner sees it: a peer that can be asked."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import Point
 
 SECONDS = 10.0
-"""Seconds that an answer may take, unless the caller says otherwise."""
+"""Default time limit of an answer, in seconds."""
 MAX_STDERR = 16384
-"""The most bytes that are kept of what it wrote to standard error, the last of it."""
+"""Bytes kept of the end of standard error."""
 _MAX_REASON = 200
 _MOST_ITEMS = 10**6
 
@@ -29,15 +29,15 @@ Function = Callable[..., Any]
 
 
 class Answer(NamedTuple):
-    """The reply to a question: a result to be compared, or a verdict and its reason.
+    """The reply to a question: a result to compare, or a verdict and its reason.
 
     Attributes:
         result: plain data, or None.
-        verdict: where there is no result.
+        verdict: if there is no result.
         reason: one line, likewise.
-        seconds: that it took.
+        seconds: the time of the answer.
         memory: the program's peak memory meanwhile, in bytes, or None if unknown.
-        stderr: the end of its standard error, if it failed.
+        stderr: the end of the standard error, if the program failed.
     """
 
     result: Mapping[str, Any] | None = None
@@ -49,16 +49,16 @@ class Answer(NamedTuple):
 
 
 class Peer(Protocol):
-    """An implementation that can be asked."""
+    """A program that can be asked."""
 
     hello: Hello
 
     def ask(self, case: Case) -> Answer:
-        """Put a case to it, as `adapt` has it."""
+        """Ask an adapted case."""
 
 
 def read_answer(result: Mapping[str, Any]) -> Answer:
-    """Tell an answer from the reason why there is none."""
+    """Classify an answer: a result, unsupported, or an error."""
     for name, verdict in (("unsupported", Verdict.UNSUPPORTED), ("error", Verdict.CRASH)):
         if name in result:
             said = result[name]
@@ -68,7 +68,7 @@ def read_answer(result: Mapping[str, Any]) -> Answer:
 
 
 def cut(reason: str) -> str:
-    """Put a foreign message on one line, cut short, without characters that a terminal obeys.
+    """Return an untrusted message on one line, shortened, without control characters.
 
     >>> cut("first   second ") + cut(chr(27))
     'first second�'
@@ -77,14 +77,14 @@ def cut(reason: str) -> str:
 
 
 def replace_controls(text: str) -> str:
-    """Return a foreign text without characters that a terminal or a page obeys, but line ends."""
+    """Return an untrusted text without control characters other than line ends and tabs."""
     return "".join(
         c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}" for c in text
     )
 
 
 def tell_bytes(number: int) -> str:
-    """Say how much memory something takes.
+    """Write an amount of memory.
 
     >>> tell_bytes(5 * 2**20 + 1), tell_bytes(300)
     ('5.0 MiB', '0.0 MiB')
@@ -93,7 +93,7 @@ def tell_bytes(number: int) -> str:
 
 
 def is_shape(value: object) -> bool:
-    """Decide whether a value is one loop, or one region, and no answer with names."""
+    """Decide whether a value is a loop or a region, and no mapping from names."""
     is_named = isinstance(value, (str, Mapping))
     return isinstance(value, (Polygon, Region)) or (
         not is_named and (isinstance(value, Iterable) or hasattr(value, "__geo_interface__"))
@@ -101,11 +101,11 @@ def is_shape(value: object) -> bool:
 
 
 def make_plain(value: Any) -> Any:
-    """Return vertices and rings in any form of Python as lists; leave all else as it is.
+    """Return vertices and rings in any form as lists, and other values unchanged.
 
     Args:
         value: a Polygon or a Region; an array or a number of numpy; geometry of shapely or its
-            coordinates; a generator or another iterable of these; or anything.
+            coordinates; an iterable of these; or anything.
 
     Example:
         >>> make_plain(iter([(0, 0), range(2)]))
@@ -121,12 +121,12 @@ def make_plain(value: Any) -> Any:
         value = _list_rings(value.__geo_interface__)
     if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
         return value
-    # No answer has so many rings or vertices; a generator may have no end.
+    # A generator may be infinite.
     return [make_plain(one) for one in islice(value, _MOST_ITEMS)]
 
 
 def _list_rings(shape: Mapping[str, Any]) -> list[Any]:
-    """List the rings of a polygon, or of several, as GeoJSON has them."""
+    """List the rings of a polygon or of several in GeoJSON."""
     if "geometries" in shape:
         return [ring for one in shape["geometries"] for ring in _list_rings(one)]
     places = list(shape["coordinates"])
@@ -136,14 +136,12 @@ def _list_rings(shape: Mapping[str, Any]) -> list[Any]:
 
 
 class CallablePeer:
-    """A function in this process.
-
-    It cannot be stopped: an answer that comes too late gets the verdict timeout when it comes.
+    """A function in this process. It cannot be stopped: the verdict timeout comes with the answer.
 
     Args:
-        function: as `conform` takes it.
+        function: as for `conform`.
         hello: its hello.
-        seconds: that an answer may take.
+        seconds: the time limit of an answer.
     """
 
     def __init__(self, function: Function, hello: Hello, seconds: float = SECONDS) -> None:
@@ -171,10 +169,10 @@ class CallablePeer:
                 result = {name: make_plain(value) for name, value in result.items()}
         except NotImplementedError as error:
             return Answer(verdict=Verdict.UNSUPPORTED, reason=cut(str(error)))
-        except (Exception, SystemExit) as error:  # it may fail in any way, and that is its answer
+        except (Exception, SystemExit) as error:  # any failure is its answer
             reason = cut(f"{type(error).__name__}: {error}")
             seconds = time.monotonic() - began
-            # The innermost frames tell one fault from another.
+            # The innermost frames distinguish faults.
             said = traceback.format_exc()[-MAX_STDERR:]
             return Answer(verdict=Verdict.CRASH, reason=reason, seconds=seconds, stderr=said)
         seconds = time.monotonic() - began

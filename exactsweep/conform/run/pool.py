@@ -1,4 +1,4 @@
-"""Processes that judge side by side, each with a process of the implementation."""
+"""Parallel judging processes, each with its own process of the program."""
 
 from __future__ import annotations
 
@@ -23,26 +23,23 @@ _Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
 class JudgeError(ExactSweepError):
-    """A failure of judging, not of the implementation; the message says why."""
+    """A failure of judging, not of the program; the message gives the reason."""
 
 
 class Judges:
-    """An implementation, started once for each process that judges it.
-
-    `close` leaves nothing running that was started, however that goes on.
+    """A program, started once for each judging process; `close` ends all of them.
 
     Args:
-        terms: the program, and what it may take.
-        workers: how many cases are worked on at a time.
+        terms: the program and its limits.
+        workers: the number of judging processes.
 
     Attributes:
-        hello: the implementation's first line, about itself.
-        complaints: errors as its processes ended; complete once `finish` has been called.
+        hello: the program's hello.
+        complaints: errors at the end of its processes; complete after `finish`.
 
     Raises:
-        ProtocolError: the implementation cannot be started, or says no hello, or not always the
-            same.
-        JudgeError: a process that judges was killed, or cannot be started.
+        ProtocolError: the program cannot be started, or its hellos are missing or differ.
+        JudgeError: a judging process was killed, or cannot be started.
     """
 
     def __init__(self, terms: Terms, workers: int = 1) -> None:
@@ -61,29 +58,20 @@ class Judges:
             raise
 
     def judge(self, cases: Iterable[Case]) -> Iterator[Outcome]:
-        """Put cases to the implementation.
-
-        Args:
-            cases: the cases, read as they are needed.
-
-        Returns:
-            An iterator of their outcomes, in the order in which they are ready.
+        """Yield the outcomes of cases as they are ready.
 
         Raises:
-            JudgeError: a case cannot be judged; outcomes that are under way are lost.
+            JudgeError: a case cannot be judged; unfinished outcomes are lost.
         """
         jobs: Iterator[_Call] = ((case.id, _judge, (case,)) for case in cases)
         return (outcome for _, outcome in self._work_on(jobs))
 
     def shrink(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
-        """Look for smaller cases that show the same fault of the implementation.
+        """Yield the ids of failed cases with the outcomes of smaller cases.
 
         Args:
-            outcomes: of cases that it failed; with the case.
-            seconds: after which no smaller one is looked for, for each of them.
-
-        Returns:
-            An iterator of pairs: the id of the first case, and the outcome of the smaller one.
+            outcomes: of failed cases; with the case.
+            seconds: the limit of each search.
 
         Raises:
             JudgeError: as by `judge`.
@@ -91,20 +79,16 @@ class Judges:
         return self._work_on((outcome.id, _shrink, (outcome, seconds)) for outcome in outcomes)
 
     def finish(self) -> None:
-        """Say bye to the implementation, and note in `complaints` what goes wrong then.
-
-        Raises:
-            JudgeError: a process that judges was killed.
-        """
+        """Say bye to the program, and collect `complaints`; raise JudgeError as `judge` does."""
         self.complaints += filter(None, self._call_in_each(_finish))
 
     def close(self) -> None:
-        """End all processes and all that they started, at once."""
+        """Kill all processes and their descendants."""
         self._pool.close()
 
     def _work_on(self, jobs: Iterable[_Call]) -> Iterator[tuple[str, Outcome]]:
         jobs, pending = iter(jobs), dict[Future[Outcome], str]()
-        # One more for each process, so that none waits for the next case to be made.
+        # One more for each process, so that none waits for the next case.
         most = 2 * self._pool.count  # pragma: no mutate: costs only time
         while (fresh := [*islice(jobs, most - len(pending))]) or pending:
             try:
@@ -126,7 +110,7 @@ class Judges:
             raise JudgeError(_ENDED) from None
 
 
-# The functions below run in the processes that judge.
+# The functions below run in the judging processes.
 
 _peer: ProcessPeer
 

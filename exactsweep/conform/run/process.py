@@ -1,4 +1,4 @@
-"""An implementation that is a process and speaks the protocol."""
+"""A program that speaks the protocol as a process."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ from exactsweep.formats.exact_json import describe_kind
 from exactsweep.numbers.error import quote
 
 TO_START = 30.0
-"""Seconds that an implementation may take to say hello."""
+"""Time limit of the hello, in seconds."""
 TO_END = 2.0
-"""Seconds that it may take to end after bye."""
+"""Time limit of the end after bye, in seconds."""
 
 
 class Terms(NamedTuple):
@@ -39,9 +39,9 @@ class Terms(NamedTuple):
 
     Attributes:
         command: the program and its arguments.
-        seconds: that an answer may take.
+        seconds: the time limit of an answer.
         rounding: the bound that coordinate errors must stay below, as for `compare`.
-        most: bytes of memory that each process of it may hold, or None.
+        most: the memory limit of each process in bytes, or None.
     """
 
     command: Sequence[str]
@@ -51,11 +51,11 @@ class Terms(NamedTuple):
 
 
 class ProcessPeer:
-    """A process that speaks the protocol; started anew after everything that goes wrong.
+    """A process that speaks the protocol; restarted after each failure.
 
     Args:
-        terms: the program, and what it may take.
-        to_start: seconds that it may take to say hello.
+        terms: the program and its limits.
+        to_start: the time limit of the hello, in seconds.
 
     Raises:
         ProtocolError: it cannot be started, or says no hello.
@@ -67,7 +67,7 @@ class ProcessPeer:
         self.hello = self._start()
 
     def ask(self, case: Case) -> Answer:
-        """Put a case to it."""
+        """Ask an adapted case."""
         try:
             self._restart()
         except ProtocolError as error:
@@ -79,7 +79,7 @@ class ProcessPeer:
         return answer._replace(seconds=time.monotonic() - began, memory=channel.peak)
 
     def close(self) -> str | None:
-        """Say bye, wait for its end, kill it if need be."""
+        """Say bye, and wait for the end or kill the process; return a complaint, if any."""
         channel, self._channel = self._channel, None
         if channel is None:
             return None
@@ -87,7 +87,7 @@ class ProcessPeer:
         return complaint and _with_last_words(complaint, channel)
 
     def kill(self) -> None:
-        """End it and all that it started, at once."""
+        """Kill the process and its descendants."""
         if self._channel is not None:
             self._channel.kill()
             self._channel = None
@@ -143,6 +143,5 @@ class ProcessPeer:
 
 
 def _with_last_words(reason: str, channel: Channel) -> str:
-    """A reason, and the error that the process wrote to standard error, if any."""
     said = find_error(channel.stderr)
     return f"{reason}; it says: {cut(said)}" if said else reason

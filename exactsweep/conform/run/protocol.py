@@ -1,32 +1,18 @@
-"""The protocol between the runner and an implementation: JSON lines, both ways.
+"""The protocol between the runner and a program: JSON lines in both directions.
 
-The implementation first writes one line, which lists its abilities:
+PROTOCOL.md specifies it. The program first writes a hello:
 
     {"hello": "my program 1.0", "questions": ["no_fit", "inner_fit"], "shapes": "any",
      "numbers": "integer", "reference": "given"}
 
-One that is asked to "sweep" names the loops that it answers, "loops": ["trajectory"]. A hello
-without "questions" and "shapes" is asked for that alone, of pairs that share a direction.
-
-The runner sends a case a line, waits for one line of answer, and at the end sends a last line:
+The runner sends one case per line, waits for one line of answer, and sends a last line:
 
     {"id": "...", "class": "CM", "directrix": [["0", "0"], ...], "generatrix": [...],
      "reference": ["0", "0"], "directrix_holes": [[["1", "1"], ...]], "ask": ["no_fit"]}
     {"bye": true}
 
-Holes are there where a polygon has some, and "ask" if the hello has questions; for a question of
-"minkowski_sum" there are "a" and "b" as well, or instead. An answer has the id of the case and all
-that it asks for: the loops that the hello promised, "no_fit", "minkowski_sum" or "inner_fit"; or
-the reason why there is none, which is the verdict unsupported or crash:
-
-    {"id": "...", "trajectory": [["-1", "0"], ...], "exact_fits": [[["1", "3"], ["1", "1"]]]}
     {"id": "...", "no_fit": [[["-1", "0"], ...], [["2", "2"], ...]], "exact_fits": []}
-    {"id": "...", "inner_fit": [], "inner_exact_fits": [[["1", "3"], ["1", "1"]]]}
     {"id": "...", "unsupported": "not convex"}
-    {"id": "...", "error": "division by zero"}
-
-All numbers of a case are strings. Those of an answer are strings, decimal or fraction, or JSON
-numbers: an integer is itself, any other is the nearest binary64.
 """
 
 from __future__ import annotations
@@ -66,28 +52,27 @@ MAX_NAME = 200
 
 
 class ProtocolError(ExactSweepError):
-    """A line from an implementation that is not what the protocol asks for there."""
+    """A line from a program that violates the protocol."""
 
 
 @dataclass(frozen=True)
 class Hello:
-    """The self-description of an implementation.
+    """The self-description of a program.
 
     Attributes:
         name: its name and version, for the report.
         loops: the loops of a sweep that it answers, of "trajectory", "inner", "outer"; () if
             `questions` has no "sweep".
         numbers: the numbers that it reads. "rational": any. "integer", "int64", "int32": cases are
-            scaled to integers, and cases beyond the type are not asked. "binary64": cases are
-            scaled to integers unless the type holds their numbers exactly.
+            scaled to integers, and cases beyond the type are skipped. "binary64": cases are scaled
+            to integers unless the type represents their numbers exactly.
         reference: the point of G whose path its trajectory is. "given": the case's. "origin": the
-            point (0, 0) in the coordinates of G. "first": the first vertex of G. The cases it gets
-            have that reference point.
-        questions: the questions that it answers, of "sweep"; "no_fit", the no-fit polygon with
-            its holes; "minkowski_sum", the sum of two shapes a and b, which are D and -G; and
-            "inner_fit", the positions of G inside D.
-        shapes: the pairs that it accepts, each kind with those before it: "convex"; "monotone", to
-            one direction; "simple", without holes; "any".
+            point (0, 0) in the coordinates of G. "first": the first vertex of G. The cases are sent
+            with that reference point.
+        questions: of "sweep"; "no_fit", the no-fit polygon with its holes; "minkowski_sum", the sum
+            of the shapes a and b, which are D and -G; and "inner_fit", the positions of G inside D.
+        shapes: the pairs that it accepts, each kind including those before it: "convex";
+            "monotone", to one direction; "simple", without holes; "any".
     """
 
     name: str
@@ -98,39 +83,32 @@ class Hello:
     shapes: Shapes = "monotone"
 
     def parts(self, case: Case) -> tuple[str, ...]:
-        """Return what an answer to a case must hold: loops of a sweep, and all other questions."""
+        """Return the parts of an answer to a case: loops of a sweep, and other questions."""
         fits = [name for name in self.questions if name != "sweep"]
         if case.inner_regions is None:
             fits = [name for name in fits if name != "inner_fit"]
         return (*self.loops, *fits)
 
     def to_json(self) -> dict[str, Any]:
-        """Return the line as plain data; one of the old form stays as it is."""
-        said = {
+        """Return the line as plain data, in the old form if that suffices."""
+        members = {
             "hello": self.name,
             "loops": list(self.loops),
             "numbers": self.numbers,
             "reference": self.reference,
         }
         if self.is_old:
-            return said
-        return {**said, "questions": list(self.questions), "shapes": self.shapes}
+            return members
+        return {**members, "questions": list(self.questions), "shapes": self.shapes}
 
     @property
     def is_old(self) -> bool:
-        """Decide whether it says no more than a hello without "questions" and "shapes"."""
+        """Whether a hello without "questions" and "shapes" would be the same."""
         return (self.questions, self.shapes) == (("sweep",), "monotone")
 
 
 def make_hello(said: Mapping[str, object]) -> Hello:
-    """Check what an implementation says of itself.
-
-    Args:
-        said: the members of its first line.
-
-    Raises:
-        ProtocolError: it may not say that; the message says what is wrong.
-    """
+    """Make a Hello of the members of the first line; raise ProtocolError if they are invalid."""
     for member in said:
         if member not in _MEMBERS:
             raise ProtocolError(f"the hello has {quote(member)}{suggest(member, _MEMBERS)}")
@@ -164,7 +142,6 @@ def _choose(said: Mapping[str, object], key: str, allowed: tuple[Word, ...]) -> 
 def _choose_some(
     said: Mapping[str, object], key: str, allowed: tuple[Word, ...]
 ) -> tuple[Word, ...]:
-    """Read a list of some words, in their order."""
     found = said[key]
     if isinstance(found, (list, tuple)) and found and all(word in allowed for word in found):
         return tuple(word for word in allowed if word in found)
@@ -172,10 +149,7 @@ def _choose_some(
 
 
 def read_hello(line: str) -> Hello:
-    """Read the first line of an implementation.
-
-    Raises:
-        ProtocolError: not a hello; the message says what is wrong.
+    """Read the first line of a program; raise ProtocolError if it is no hello.
 
     Example:
         >>> read_hello('{"hello": "mine", "loops": ["inner"], "numbers": "int64"}')
@@ -190,7 +164,7 @@ def read_hello(line: str) -> Hello:
 
 
 def write_case_line(case: Case, hello: Hello) -> str:
-    """Write the line of a case, without its end, to an implementation that said this hello.
+    """Write the line of a case, without its end, for a program with this hello.
 
     Example:
         >>> triangle = [(0, 0), (1, 0), (0, 1)]
@@ -228,17 +202,14 @@ def list_reflected_rings(case: Case) -> tuple[Loop, ...]:
 
 
 def read_object(line: str) -> dict[str, Any]:
-    """Read a line that must be a JSON object.
+    """Read a JSON object; raise ProtocolError for any other line, with the start of it.
 
-    Raises:
-        ProtocolError: anything else; the message quotes the start of the line.
-
-    Cost: linear; memory about 30 times the line, at worst.
+    Cost: linear; memory up to 30 times the line.
     """
     try:
         found = parse_certificate(line)
     except FormatError as error:
-        # The file of one line that the parser sees is no place to look at.
+        # The only line of the parser's input is no useful place.
         reason = str(error).removeprefix("line 1, ")
         raise ProtocolError(f"{quote(line)} is no JSON line: {reason}") from None
     if not isinstance(found, dict):
@@ -247,25 +218,23 @@ def read_object(line: str) -> dict[str, Any]:
 
 
 class UnsupportedError(ExactSweepError):
-    """A case that an implementation is not asked, as it says in its hello."""
+    """A case that the hello of a program excludes."""
 
 
 def adapt(case: Case, hello: Hello) -> Case:
-    """Return the case as an implementation gets it, with the answers that it should give.
+    """Return the case as a program gets it, with the expected answers.
 
     Args:
         case: a Case.
-        hello: the implementation's hello.
+        hello: the program's hello.
 
     Returns:
-        The same pair, with the reference point that the implementation uses, and multiplied by
-        `integer_scale` where its numbers need that.
+        The same pair, with the reference point that the program uses, and multiplied by
+        `integer_scale` if its numbers need that.
 
     Raises:
-        UnsupportedError: it does not take such shapes, or can be asked nothing of the case; or its
-            numbers do not hold the case, multiplied or not.
-
-    Cost: linear, and that of `Polygon` where it is multiplied.
+        UnsupportedError: the program does not accept such shapes, none of its questions applies,
+            or its numbers do not represent the case, multiplied or not.
 
     Example:
         >>> case = Case.of("a", "", [(0, 0), ("1/2", 0), (0, 1)], [(1, 1), (2, 1), (1, 2)])
@@ -290,7 +259,7 @@ def adapt(case: Case, hello: Hello) -> Case:
         scaled = _transform(case, case.integer_scale)
         if SUM not in hello.questions or hello.numbers == "integer":
             return scaled
-        # One of these types holds a number whose negative it does not hold.
+        # The least number of these types has no negative.
         reflected = chain.from_iterable(chain.from_iterable(list_reflected_rings(scaled)))
         if hello.numbers in find_types([*reflected], 1):
             return scaled
@@ -305,11 +274,11 @@ _FIXED = (
     *("directrix_ring", "directrix_holes", "generatrix_ring", "generatrix_holes"),
     *("inner", "outer", "unswept"),
 )
-"""Parts of a case that are no positions of the reference point."""
+"""Members of a case that are no positions of the reference point."""
 
 
 def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:
-    """Return the case with polygons p as k p, and positions t as k t + by."""
+    """Return the case with polygons p as k p and positions t as k t + by."""
     if (k, by) == (1, ORIGIN):
         return case
 

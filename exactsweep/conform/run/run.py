@@ -1,4 +1,4 @@
-"""A run: the outcomes of an implementation on cases."""
+"""A run: the outcomes of a program on cases."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from exactsweep.numbers.digits import format_fraction
 from exactsweep.words import count
 
 SHOWN = 5
-"""The number of failures of each fault, the smallest, that a run keeps whole."""
+"""Number of failures kept in full for each fault, the smallest."""
 MOST_FAULTS = 40
-"""The number of faults that a run distinguishes; it groups the rest by verdict."""
+"""Number of faults that a run distinguishes; it groups the others by verdict."""
 
 
 @dataclass
@@ -27,9 +27,9 @@ class NamedFault:
 
     Attributes:
         verdict: of all of them.
-        name: what `name_fault` says of them.
-        count: how many there are.
-        kept: the smallest ones, whole, the smallest first.
+        name: by `name_fault`.
+        count: their number.
+        kept: the smallest ones in full, in order.
     """
 
     verdict: Verdict
@@ -38,25 +38,25 @@ class NamedFault:
     kept: list[Outcome] = field(default_factory=list)
 
     def add(self, outcomes: Iterable[Outcome], count: int = 1) -> None:
-        """Count some failures, and keep those of the given ones that are among the smallest."""
+        """Count failures, and keep the smallest."""
         self.kept = sorted([*self.kept, *outcomes], key=lambda outcome: outcome.size)[:SHOWN]
         self.count += count
 
 
 class Run:
-    """Outcomes as they come in; of most cases without what takes much memory.
+    """The outcomes of a program; most of them without their case and answer, to save memory.
 
     Args:
-        hello: the implementation's hello.
+        hello: the program's hello.
         command: the command; empty for a function or a stream.
-        accepted: the worst verdict that is no failure.
-        least_judged: the least part of the cases that must be judged for the run to pass.
+        accepted: the worst verdict that passes.
+        least_judged: the fraction of the cases that must be judged for the run to pass.
 
     Attributes:
         outcomes: list of all outcomes, without the case, the answer and the measurements.
         shrunk: dict from the id of a case to the outcome of a smaller one with the same fault.
         summary: the counts.
-        complaints: list of other errors, a line each.
+        complaints: list of other errors, one line each.
         interrupted: whether the run was stopped before its end.
     """
 
@@ -77,7 +77,7 @@ class Run:
         self._faults: dict[str, NamedFault] = {}
 
     def add(self, outcome: Outcome) -> None:
-        """Take in an outcome."""
+        """Add an outcome."""
         self.summary.add(outcome)
         bare = replace(outcome, parts=(), case=None, result=None, stderr="")
         self.outcomes.append(bare if len(bare.diagnosis) > 1 else replace(bare, diagnosis=()))
@@ -88,9 +88,9 @@ class Run:
             self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add([outcome])
 
     def list_faults(self) -> list[NamedFault]:
-        """Return the failures, those with the same fault together, the worst verdict first.
+        """Return the failures grouped by fault, the worst verdict first.
 
-        Where one cause explains all answers of the run that differ, it is the fault of all.
+        A cause that explains all differing answers of the run is the fault of all.
         """
         cause = self.summary.find_cause()
         found: dict[str, NamedFault] = {}
@@ -101,18 +101,18 @@ class Run:
         return sorted(found.values(), key=lambda f: (-f.verdict.severity, -f.count))
 
     def list_outcomes(self) -> Iterator[Outcome]:
-        """Yield all outcomes, those that are kept whole as they are."""
+        """Yield all outcomes, some of them in full."""
         cause = self.summary.find_cause()
         whole = {outcome.id: outcome for outcome in self.show()}
         return (whole.get(bare.id) or bare.lead_with(cause) for bare in self.outcomes)
 
     def show(self) -> Iterator[Outcome]:
-        """Yield the failures that are kept whole, fault by fault, the smallest first."""
+        """Yield the failures kept in full, fault by fault, the smallest first."""
         for fault in self.list_faults():
             yield from fault.kept
 
     def to_be_smaller(self, number: int) -> list[Outcome]:
-        """Return some failures of each fault, the smallest; none that may take long to fail."""
+        """Return the smallest failures of each fault, except those that take long to fail."""
         return [
             outcome
             for fault in self.list_faults()
@@ -121,18 +121,14 @@ class Run:
         ]
 
     def add_smaller(self, id: str, outcome: Outcome) -> None:
-        """Take in the outcome of a smaller case than that of this id.
-
-        It is dropped if it shows another fault after all, as an implementation that does not
-        always answer the same may bring about.
-        """
+        """Add the outcome of a smaller case, if the program shows the same fault again."""
         (fault,) = (found.fault for found in self.show() if found.id == id)
         smaller = outcome.lead_with(self.summary.find_cause())
         if smaller.fault == fault:
             self.shrunk[id] = smaller
 
     def find_objections(self) -> list[str]:
-        """List the errors of the run besides failures, a line each."""
+        """List the errors of the run other than failures, one line each."""
         judged, total = self.summary.judged, self.summary.total()
         lines = [*self.complaints, *(["interrupted"] if self.interrupted else [])]
         if not judged:
@@ -143,11 +139,11 @@ class Run:
 
     @property
     def passed(self) -> bool:
-        """Decide whether enough was judged, nothing failed, and nothing else was wrong."""
+        """Whether enough was judged, nothing failed, and there are no objections."""
         return not self.summary.failures(self.accepted) and not self.find_objections()
 
     def to_json(self) -> dict[str, Any]:
-        """Return everything as plain data, numbers of the geometry as strings."""
+        """Return plain data, numbers of the geometry as strings."""
         summary = self.summary
         return {
             "format": "exactsweep conform report",

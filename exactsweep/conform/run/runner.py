@@ -1,4 +1,4 @@
-"""The runner: cases in, outcomes out, kept as they come."""
+"""The runner, which asks cases and collects outcomes."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from exactsweep.corpus.selection import require_distinct
 from exactsweep.numbers.error import tells_arguments
 
 TO_MAKE_SMALLER = 20.0
-"""Seconds that may be spent on one failure to find a smaller one like it."""
+"""Time limit of the reduction of one failure, in seconds."""
 MOST_TO_MAKE_SMALLER = 120.0
-"""Seconds that may be spent so on all of them."""
+"""Time limit of all reductions, in seconds."""
 
 
 def judge_cases(
@@ -31,21 +31,21 @@ def judge_cases(
     tell: Callable[[], None] = lambda: None,
     made_smaller: int = 0,
 ) -> None:
-    """Put cases to an implementation and collect the outcomes.
+    """Ask a program cases and collect the outcomes.
 
-    Cases that are in the journal already are not asked again. Ctrl-C ends the run early, and so
-    does a case that cannot be judged; the outcomes so far are kept.
+    Cases in the journal are not asked again. Ctrl-C and a case that cannot be judged end the run
+    early; the outcomes so far are kept.
 
     Args:
-        run: where the outcomes go.
-        judges: the implementation.
+        run: collects the outcomes.
+        judges: the program.
         cases: the cases.
         journal: the file that records each outcome at once.
         tell: a function to call after each outcome.
         made_smaller: the number of failures of each fault to shrink.
     """
 
-    def leave_out_old(cases: Iterable[Case]) -> Iterator[Case]:
+    def skip_old(cases: Iterable[Case]) -> Iterator[Case]:
         for case in cases:
             old = journal and journal.find(digest_case(case))
             if old:
@@ -55,7 +55,7 @@ def judge_cases(
                 yield case
 
     try:
-        for outcome in judges.judge(leave_out_old(cases)):
+        for outcome in judges.judge(skip_old(cases)):
             if journal:
                 journal.add(outcome)
             run.add(outcome)
@@ -73,7 +73,6 @@ def judge_cases(
 
 
 def _share_time(failures: Sequence[Outcome]) -> float:
-    """The seconds that may be spent on one of some failures to find a smaller one like it."""
     return min(TO_MAKE_SMALLER, MOST_TO_MAKE_SMALLER / max(1, len(failures)))
 
 
@@ -96,32 +95,29 @@ def conform(
 
     Args:
         function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
-            integer numbers, float for "binary64", else Fraction; polygons as lists of rings, the
-            exterior first, where `shapes` is "any". If "minkowski_sum" is the only question it gets
-            a and b instead. It returns the members of an answer of the protocol, without the id; or
-            the only one. Vertices are in any form that `make_plain` takes, and coordinates any
-            numbers that `to_fraction` reads. An exception is a crash, NotImplementedError is
-            unsupported.
+            integer numbers, float for "binary64", else Fraction; if `shapes` is "any", polygons are
+            lists of rings, the exterior first. If "minkowski_sum" is the only question, it gets a
+            and b instead. It returns the members of an answer of the protocol without the id, or
+            the only member; vertices in any form that `make_plain` reads, numbers as `to_fraction`
+            reads them. An exception is a crash; NotImplementedError is unsupported.
         cases: the cases.
-        name: of the implementation.
-        loops: the loops that it answers, of "trajectory", "inner", "outer".
-        numbers: "rational", "integer", "int64", "int32" or "binary64", as for `Hello`.
-        reference: "given", "origin" or "first", as for `Hello`.
-        questions: its questions, of "sweep", "no_fit", "minkowski_sum", "inner_fit".
-        shapes: the pairs that it takes: "convex", "monotone", "simple" or "any".
-        seconds: that an answer may take. A function cannot be stopped: an answer that comes too
-            late is a timeout when it comes.
-        accepted: the worst verdict that passes; Verdict.EQUIVALENT makes exact fits count, too.
+        name: of the program.
+        loops: as for `Hello`, likewise the next four.
+        numbers: the numbers that the function gets.
+        reference: the point of G whose path it answers.
+        questions: its questions.
+        shapes: the pairs that it accepts.
+        seconds: the time limit of an answer. A function cannot be stopped: the verdict timeout
+            comes with the late answer.
+        accepted: the worst verdict that passes; with Verdict.EQUIVALENT, lost exact fits fail.
         made_smaller: the number of failures of each fault to shrink.
 
     Returns:
         A Run; `exactsweep.conform.report` writes it for people and for CI.
 
     Raises:
-        ProtocolError: the loops, numbers or reference are none of those.
+        ProtocolError: the loops, numbers, reference, questions or shapes are invalid.
         SelectionError: two cases have the same id.
-
-    Cost: for each case that of the function and of `compare`, and O(m + n) besides.
 
     Example:
         >>> from exactsweep import no_fit_polygon

@@ -1,7 +1,7 @@
 """Answers from a pipe: `gen | implementation | exactsweep judge`.
 
-A pipe does not convert the cases for the implementation, which reads them as they were
-written, with rationals, but is free to refer its trajectory to another reference point.
+A pipe does not adapt the cases: the program reads rationals. Its trajectory may be that of another
+reference point.
 """
 
 from __future__ import annotations
@@ -23,22 +23,21 @@ _MOST_COMPLAINTS = 20
 
 
 class Stream:
-    """The output of an implementation: a hello, then answers, a line each.
+    """The output of a program: a hello, then answers, one per line.
 
     Args:
-        file: where it is read from.
+        file: the file to read.
 
     Attributes:
-        hello: the implementation's hello.
-        complaints: list of lines on what was no answer to any case, or could not be judged; the
-            first of them.
+        hello: the program's hello.
+        complaints: list of the first lines that are no answers, or could not be judged.
 
     Raises:
         ProtocolError: the first line is no hello.
     """
 
     def __init__(self, file: BinaryIO) -> None:
-        # Of a line that is too long this is the start, which is no JSON.
+        # A line that is too long is cut, and so no JSON.
         self._lines = (line.decode("utf-8", "replace").rstrip("\n") for line in split_lines(file))
         self.complaints: list[str] = []
         hello = next(self._lines, None)
@@ -48,13 +47,10 @@ class Stream:
         self._seen: set[str] = set()
 
     def outcomes(self, find: Callable[[str], Case]) -> Iterator[Outcome]:
-        """Judge the answers as they come.
+        """Yield the outcomes of the answers.
 
         Args:
-            find: gives the case of an id, or raises UnknownNameError.
-
-        Returns:
-            An iterator of Outcome.
+            find: returns the case of an id, or raises UnknownNameError.
         """
         terms = replace(self.hello, numbers="rational")
         for number, line in enumerate(self._lines, 2):
@@ -72,7 +68,7 @@ class Stream:
             yield outcome
 
     def unanswered(self, cases: Iterable[Case]) -> Iterator[Outcome]:
-        """Yield an outcome for each case that has no answer, once all answers have been read."""
+        """Yield an outcome for each case without an answer, after all answers."""
         answer = Answer(verdict=Verdict.CRASH, reason="no answer")
         for case in cases:
             if case.id not in self._seen:

@@ -1,4 +1,4 @@
-"""Counts of verdicts, by class and flag, and what goes with them."""
+"""Counts and extremes of outcomes, by class and flag."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from exactsweep.numbers.number import read_any_length
 ALL = "all"
 
 ACCEPTED = Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
-"""The worst verdict that passes, unless the caller says otherwise."""
+"""The default worst verdict that passes."""
 
 
 class Worst(NamedTuple):
-    """The outcomes in which one kind of loop is furthest off.
+    """The greatest errors of one kind of loop.
 
     Attributes:
-        distance_squared: the greatest squared Hausdorff distance, from below, and its case's id.
-        area: the greatest area of the symmetric difference, and its case's id.
+        distance_squared: the greatest lower bound on a squared Hausdorff distance, and its case.
+        area: the greatest area of a symmetric difference, and its case.
     """
 
     distance_squared: tuple[Fraction, str]
@@ -34,20 +34,20 @@ _DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
 
 
 class Tally:
-    """Counts of verdicts, and what goes with them.
+    """Counts and extremes of outcomes.
 
     Args:
-        outcomes: the outcomes to begin with.
+        outcomes: the first outcomes.
 
     Attributes:
         counts: Counter of (group, verdict); a group is "all", a class or a flag.
-        worst: dict from the name of a loop to its Worst, where there was anything to measure.
-        seconds: that all answers took together.
-        slowest: the longest time of one answer, and the id of its case.
-        largest: the most bytes that the program held for one answer, likewise; 0 if unknown.
+        worst: dict from the name of a loop to its Worst, if anything was measured.
+        seconds: the total time of all answers.
+        slowest: the longest time of an answer, and the id of its case.
+        largest: the peak memory of an answer in bytes, likewise; 0 if unknown.
         granted: the greatest rounding with which a loop is within, and the id of its case.
-        different: how many trajectories are conservative, unsound or wrong.
-        diagnoses: Counter of what these are exact for.
+        different: the number of trajectories that are conservative, unsound or wrong.
+        diagnoses: Counter of their diagnoses.
 
     Example:
         >>> summary = Tally([Outcome("a", "CC", ("parallel-edges",), Verdict.EXACT)])
@@ -87,44 +87,44 @@ class Tally:
                 self.worst[part["name"]] = Worst(max(old[0], distance), max(old[1], area))
 
     def find_cause(self) -> str | None:
-        """Return what all answers that differ are exact for, or None."""
+        """Return the diagnosis that all differing answers share, or None."""
         for words, number in self.diagnoses.most_common(1):
             if number == self.different > 1:
                 return words
         return None
 
     def diagnosis(self) -> str | None:
-        """Say what all answers that differ are exact for, or None."""
+        """Describe the diagnosis that all differing answers share, or return None."""
         cause = self.find_cause()
         return cause and f"all {self.different} answers that differ: {cause}"
 
     def total(self, verdict: Verdict | None = None, group: str = ALL) -> int:
-        """Return how many cases there are, in a group, with a verdict or with any."""
+        """Count the cases of a group with a verdict, or with any."""
         verdicts = Verdict if verdict is None else (verdict,)
         return sum(self.counts[group, one] for one in verdicts)
 
     @property
     def judged(self) -> int:
-        """Count the cases that the implementation could do and that could be judged."""
+        """The number of judged cases."""
         return sum(self.total(verdict) for verdict in Verdict if verdict.is_judgement)
 
     def failures(self, accepted: Verdict) -> int:
-        """Return how many verdicts are worse than an accepted one, as `fails` has it."""
+        """Count the verdicts that `fails` rejects."""
         return sum(self.total(verdict) for verdict in Verdict if fails(verdict, accepted))
 
     def groups(self) -> list[str]:
-        """Return the groups that have cases: all, the classes, the flags by name."""
+        """Return the groups that have cases: all, the classes, then the flags in order."""
         found = {group for group, _ in self.counts}
         first = [group for group in (ALL, *KINDS) if group in found]
         return first + sorted(found.difference(first))
 
     def verdicts(self) -> list[Verdict]:
-        """Return the verdicts that were given, from best to worst."""
+        """Return the verdicts that occur, from best to worst."""
         return [verdict for verdict in Verdict if self.total(verdict)]
 
 
 def fails(verdict: Verdict, accepted: Verdict) -> bool:
-    """Decide whether a verdict is worse than an accepted one; what was not judged is no failure.
+    """Decide whether a verdict is worse than an accepted one; a case that was not judged is not.
 
     >>> fails(Verdict.WITHIN, Verdict.EQUIVALENT), fails(Verdict.UNSUPPORTED, Verdict.EXACT)
     (True, False)
