@@ -135,7 +135,7 @@ def _no_fit(c: Any) -> CoqClaim:
 def _answer(c: Any) -> tuple[Any, ...]:
     fits = _fits(c["exact_fits"])
     shapes = _rings(c["directrix"]), _rings(c["generatrix"])
-    return *shapes, _ring(c["exterior"]), [*map(_ring, c["holes"])], fits
+    return *shapes, _ring(c["exterior"]), [*map(_ring, c["holes"] or [])], fits
 
 
 def _question(d: Any, g: Any, exterior: Any, holes: Any, fits: Any) -> dict[str, tuple[str, Any]]:
@@ -177,7 +177,7 @@ def _sweep(c: Any) -> CoqClaim:
 
 def _inner_fit(c: Any) -> CoqClaim:
     proof, container, part = c["proof"], _rings(c["container"]), _rings(c["part"])
-    regions = [(_ring(e["exterior"]), [*map(_ring, e["holes"])]) for e in c["regions"]]
+    regions = [(_ring(e["exterior"]), [*map(_ring, e["holes"] or [])]) for e in c["regions"]]
     fits, loops = _fits(c["exact_fits"]), [ring for e, holes in regions for ring in (e, *holes)]
     outside, moving = ([*map(_ring, proof[k])] for k in ("outside", "part"))
     ends = [Fraction(n) for n in proof["frame"]]
@@ -255,7 +255,7 @@ def _layout(c: Any) -> CoqClaim:
     every = [*placed, *drawn, *obstacles, *([sheet] if sheet else [])]
     points = [ring for one in every for ring in one.rings()]
     numbers = [*gaps.values(), *frame, *(n for one in every for n in one.numbers())]
-    rings = [*points, *chain(*pieces), *outside, *chain(*cut_obstacles)]
+    rings = [*points, *chain(*pieces, *cut, *cut_obstacles), *outside]
     unit = _unit(*rings, [(n, n) for n in numbers]) * (SLACK if any(s for *_, s in moves) else 1)
     layout = {
         "sheet": Some(sheet.term()) if sheet else None,
@@ -265,6 +265,7 @@ def _layout(c: Any) -> CoqClaim:
         **gaps,
     }
     found = {"Layout.denominator": unit, "Layout.part_pieces": [_scaled(e, unit) for e in pieces]}
+    found |= {"Layout.kind_pieces": [_scaled(e, unit) for e in cut]}
     found |= {"Layout.obstacle_pieces": [_scaled(e, unit) for e in cut_obstacles]}
     found |= {"Layout.outside_pieces": _scaled(outside, unit)}
     found |= {"Layout.frame": tuple(int(n * unit) for n in frame)}

@@ -28,7 +28,7 @@ Definition two_squares : Statements.layout :=
 Definition evidence : certificate :=
   {| denominator := 2;
      part_pieces := [[[(0, 0); (2, 0); (2, 2); (0, 2)]]; [[(5, 0); (5, 2); (3, 2); (3, 0)]]];
-     obstacle_pieces := [];
+     kind_pieces := [[[(0, 0); (2, 0); (2, 2); (0, 2)]]]; obstacle_pieces := [];
      outside_pieces := [[(-2, -2); (8, -2); (6, 0); (0, 0)]; [(8, -2); (8, 4); (6, 2); (6, 0)];
        [(8, 4); (-2, 4); (0, 2); (6, 2)]; [(-2, 4); (-2, -2); (0, 0); (0, 2)]];
      frame := (-2, -2, 8, 4) |}.
@@ -44,7 +44,7 @@ Definition disc_in (container : Statements.figure) (margin : Q) : Statements.lay
      Statements.placements := [{| Statements.kind := 0; Statements.by_motion := still (1 # 2) (1 # 2); Statements.slack := 0 |}];
      Statements.spacing := 0; Statements.margin := margin |}.
 Definition disc_evidence : certificate :=
-  {| denominator := 4; part_pieces := [[]]; obstacle_pieces := [];
+  {| denominator := 4; part_pieces := [[]]; kind_pieces := [[]]; obstacle_pieces := [];
      outside_pieces := [[(-4, -4); (8, -4); (4, 0); (0, 0)]; [(8, -4); (8, 8); (4, 4); (4, 0)];
        [(8, 8); (-4, 8); (0, 4); (4, 4)]; [(-4, 8); (-4, -4); (0, 0); (0, 4)]];
      frame := (-4, -4, 8, 8) |}.
@@ -56,7 +56,7 @@ Proof. vm_compute. reflexivity. Qed.
 (* A disc as the container: it holds a disc with room 1/4, not 1/3. *)
 Definition dish : Statements.figure :=
   {| Statements.outline := []; Statements.rounded := [([(1 # 2, 1 # 2)], 3 # 4)]; Statements.error := 0 |}.
-Definition no_frame : certificate := {| denominator := 12; part_pieces := [[]]; obstacle_pieces := []; outside_pieces := []; frame := (0, 0, 0, 0) |}.
+Definition no_frame : certificate := {| denominator := 12; part_pieces := [[]]; kind_pieces := [[]]; obstacle_pieces := []; outside_pieces := []; frame := (0, 0, 0, 0) |}.
 Example disc_in_dish : Statements.valid (disc_in dish (1 # 4)).
 Proof. apply (layout_sound no_normals no_outside_normals _ no_frame). vm_compute. reflexivity. Qed.
 Example dish_too_small : check_layout no_normals no_outside_normals (disc_in dish (1 # 3)) no_frame = false.

@@ -6,11 +6,11 @@ From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Co
 Import ListNotations.
 Open Scope Z_scope.
 
-(* The evidence, in integers at a common denominator: pieces of each placement that is drawn as rings, of each
+(* The evidence, in integers at a common denominator: pieces of each placement that is drawn as rings, of each part, of each
    obstacle, and of what a frame (left, bottom, right, top) has outside the sheet. *)
 Record certificate := {
   denominator : positive;
-  part_pieces : list (list ring); obstacle_pieces : list (list ring);
+  part_pieces : list (list ring); kind_pieces : list (list ring); obstacle_pieces : list (list ring);
   outside_pieces : list ring; frame : Z * Z * Z * Z }.
 
 (* A piece has a radius.  A solid here: its pieces, up to which error it is known, and the extents of its box. *)
@@ -102,11 +102,13 @@ Definition check_sheet (f : Statements.figure) (d : Z) (l : list (nat * item)) :
   end.
 
 Definition solid_parts := combine (map (Statements.placed l) (Statements.placements l)) (part_pieces c).
+Definition solid_kinds := combine (map Statements.form (Statements.kinds l)) (kind_pieces c).
 Definition solid_obstacles := combine (Statements.obstacles l) (obstacle_pieces c).
 Definition items : list (nat * item) := numbered (map item_of solid_parts).
 Definition check_layout : bool :=
   forallb (check_allowed l) (Statements.placements l) && check_supply l &&
   (length (Statements.placements l) =? length (part_pieces c))%nat &&
+  (length (Statements.kinds l) =? length (kind_pieces c))%nat && forallb is_solid_figure solid_kinds &&
   (length (Statements.obstacles l) =? length (obstacle_pieces c))%nat &&
   is_amount D (Statements.spacing l) && is_amount D (Statements.margin l) &&
   forallb is_solid_figure solid_parts && forallb is_solid_figure solid_obstacles &&
@@ -588,8 +590,8 @@ Proof.
   unfold check_layout. intro H.
   apply andb_prop in H as (H & Hs). apply andb_prop in H as (H & Ho). apply andb_prop in H as (H & Ha). apply andb_prop in H as (H & So).
   apply andb_prop in H as (H & Sp). apply andb_prop in H as (H & Hm). apply andb_prop in H as (H & Hd). apply andb_prop in H as (H & Lo).
-  apply andb_prop in H as (H & Lp). apply andb_prop in H as (Al & Su).
-  rewrite forallb_forall in Al, So, Sp. apply Nat.eqb_eq in Lp, Lo.
+  apply andb_prop in H as (H & Sk). apply andb_prop in H as (H & Lk). apply andb_prop in H as (H & Lp). apply andb_prop in H as (Al & Su).
+  rewrite forallb_forall in Al, So, Sp, Sk. apply Nat.eqb_eq in Lp, Lo, Lk.
   destruct (amount_spec N _ Hm) as (M0 & M1). destruct (amount_spec N _ Hd) as (D0 & D1).
   assert (At : forall i x, nth_error (Statements.placements l) i = Some x -> exists ps k, In (Statements.placed l x, ps) (solid_parts l c) /\
     nth_error (items l c) i = Some (k, item_of c (Statements.placed l x, ps))).
@@ -607,7 +609,10 @@ Proof.
   { intros o I. apply In_nth_error in I as (i & I). destruct (nth_combine _ _ i o Lo I) as (ps & F). exists ps. eapply nth_error_In, F. }
   constructor.
   - split; [rewrite Forall_forall; intros x I; apply check_allowed_spec, Al, I|apply check_supply_spec, Su].
-  - split; rewrite Forall_forall.
+  - split; [|split]; rewrite Forall_forall.
+    + intros k I. apply (in_map Statements.form) in I. apply In_nth_error in I as (i & I).
+      destruct (nth_combine _ (kind_pieces c) i (Statements.form k) ltac:(rewrite map_length; exact Lk) I) as (ps & F).
+      apply (figure_spec _ ps (Sk _ (nth_error_In _ _ F))).
     + intros x I. destruct (In_ x I) as (ps & k & A & _). apply (figure_spec _ ps (Sp _ A)).
     + intros o I. destruct (Obs o I) as (ps & A). apply (figure_spec o ps (So _ A)).
   - assert (G : forall i j x y S T, (i < j)%nat -> nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y ->

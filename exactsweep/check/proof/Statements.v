@@ -111,7 +111,8 @@ Definition keeps (d : Q) (S T : point -> Prop) : Prop := ~ overlap S T /\ at_lea
 
 Record valid (l : layout) : Prop := {
   rules : Forall (allowed l) (placements l) /\ supplied l;
-  shapes : Forall (fun x => is_shape (placed l x)) (placements l) /\ Forall is_shape (obstacles l);
+  shapes : Forall (fun p => is_shape (form p)) (kinds l) /\ Forall (fun x => is_shape (placed l x)) (placements l) /\
+    Forall is_shape (obstacles l);
   apart : forall i j x y S T, nth_error (placements l) i = Some x -> nth_error (placements l) j = Some y -> i <> j ->
     shape_of (placed l x) S -> shape_of (placed l y) T -> keeps (spacing l) S T;
   (* U: all that is outside the true container *)

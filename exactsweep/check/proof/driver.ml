@@ -48,9 +48,10 @@ let layout () =
   let sheet = option figure in let obstacles = list figure in let kinds = list part in let placements = list placement in
   let spacing = rational () in let margin = rational () in { sheet; obstacles; kinds; placements; spacing; margin }
 let certificate () =
-  let denominator = integer () in let part_pieces = list (fun () -> list ring) in let obstacle_pieces = list (fun () -> list ring) in
+  let denominator = integer () in let part_pieces = list (fun () -> list ring) in
+  let kind_pieces = list (fun () -> list ring) in let obstacle_pieces = list (fun () -> list ring) in
   let outside_pieces = list ring in let frame = quadruple () in
-  { denominator; part_pieces; obstacle_pieces; outside_pieces; frame }
+  { denominator; part_pieces; kind_pieces; obstacle_pieces; outside_pieces; frame }
 (* Normals are hints: whatever this table gives, the theorem holds. *)
 let normals () =
   let table = Hashtbl.create 1000 in
