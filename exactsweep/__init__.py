@@ -1,4 +1,4 @@
-"""Exact planar sweeps: no-fit polygons of polygons of any shape."""
+"""Exact planar sweeps, no-fit polygons, inner fits and Minkowski sums of polygons."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""The answers of the public functions, with their pictures."""
+"""Answers of the public functions, with plots and notebook output."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Sweep(SweepAnswer):
             for any shape.
         direction: the shared direction of monotonicity, a primitive integer vector; None if the
             kind is "SS".
-        reference: the point of G whose path the trajectory is, a Point.
+        reference: the point of G whose path is the trajectory, a Point.
     """
 
     def plot(
@@ -42,11 +42,7 @@ class Sweep(SweepAnswer):
         return plot_sweep(self, axes, positions=positions, y_down=y_down)
 
     def view(self, height: int = 600) -> InlinePage:
-        """Return the interactive page for a notebook; see `exactsweep.view.page`.
-
-        Args:
-            height: the height of the frame in the notebook, in pixels.
-        """
+        """Return the interactive page for a notebook, in a frame of a height in pixels."""
         from exactsweep.view import InlinePage
 
         return InlinePage(self, height)

@@ -1,4 +1,4 @@
-"""Processes that are ended for certain, with all that they started."""
+"""Child processes that end reliably, with all their descendants."""
 
 from __future__ import annotations
 
@@ -20,39 +20,38 @@ if TYPE_CHECKING:
     import subprocess
 
 _MARK = "EXACTSWEEP_MARK"
-# For what is spawned: no modules of the working directory before those of Python, and no word of
-# the helper that removes the semaphores of a process that was killed.
+# For spawned processes: ignore modules of the working directory, and silence the resource tracker,
+# which complains about killed processes.
 _SPAWNED = {"PYTHONSAFEPATH": "1", "PYTHONWARNINGS": "ignore:resource_tracker:UserWarning"}
 _PASSES = 20
 
 _T = TypeVar("_T")
 
-# Held while a process is started, so that none is started behind the back of what ends them all.
+# Held while a process starts, so that `_end_all` misses none.
 _starting = RLock()
 
-# Files whose lock a copy of this process would hold, too.
+# Locked files; a forked process would share their locks.
 _locked: WeakSet[IO[Any]] = WeakSet()
 
 
 class Started:
-    """A process in a group of its own, with pipes to it, and a mark that its descendants inherit.
+    """A child process in its own process group, with pipes, and a mark in its environment.
 
-    The mark is a word in the environment. Ending kills the group, its descendants and, where the
-    system shows the environment of processes under /proc, all that bear the mark. A process in
-    another group and environment whose parents have ended is not found: this is no sandbox.
+    `end` kills the group, the descendants and, on systems with /proc, all processes with the mark.
+    It misses an orphan with another group and environment: this is not a sandbox.
 
     Args:
         command: the program and its arguments.
 
     Raises:
-        OSError: it cannot be started; or the system has no groups of processes, as Windows.
+        OSError: the program cannot be started, or the system lacks process groups, as Windows does.
     """
 
     def __init__(self, command: Sequence[str]) -> None:
         if not hasattr(os, "killpg"):
             raise OSError(
-                "programs are started and ended on POSIX systems only; a Python function can be "
-                "judged here, and what 'exactsweep judge' reads from a pipe"
+                "programs run on POSIX systems only; elsewhere, judge a Python function, or pipe "
+                "answers to 'exactsweep judge'"
             )
         import subprocess
 
@@ -68,21 +67,20 @@ class Started:
             )
 
     def forget_peak(self) -> None:
-        """Let `read_peak` begin anew, of the process itself, where the system can do that."""
+        """Reset the peak memory of the process, where the system supports it."""
         with suppress(OSError):
             Path(f"/proc/{self.process.pid}/clear_refs").write_text("5")
 
     def read_peak(self) -> int | None:
-        """Return the bytes of memory that it held at most, with all that it started and that runs.
+        """Return the sum of the peak memory of the process and its running descendants, in bytes.
 
-        They are the sum of what each of these processes held at most, which they may not have held
-        at one time; None where the system does not tell.
+        The peaks may be at different times. None if the system does not report them.
         """
         peaks = [peak for pid in _find_family(self.process.pid) if (peak := read_peak(pid))]
         return sum(peaks) or None
 
     def wait(self, seconds: float) -> int | None:
-        """Return the exit code, as of `subprocess.Popen`, or None if it does not end in time."""
+        """Return the exit code, as of `subprocess.Popen`, or None after a timeout."""
         from subprocess import TimeoutExpired
 
         with suppress(TimeoutExpired):
@@ -90,11 +88,11 @@ class Started:
         return None
 
     def end(self) -> None:
-        """Kill it and all that it started, and close the pipes."""
+        """Kill the process and its descendants, and close the pipes."""
         descendants = _find_family(self.process.pid)[1:]
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.process.pid, signal.SIGKILL)
-        # It may have moved to the group of one that it started.
+        # The process may have changed its group.
         self.process.kill()
         for pid in descendants:
             with suppress(ProcessLookupError, PermissionError):
@@ -112,9 +110,9 @@ def _make_mark() -> str:
 
 
 def _find_family(pid: int) -> list[int]:
-    """The processes that one started, and those that these started; itself first."""
+    """List a process and its descendants."""
     family = [pid]
-    # They may be nested deeper than Python calls itself.
+    # A loop: the tree may be deeper than Python's recursion limit.
     for parent in family:
         for path in Path(f"/proc/{parent}/task").glob("*/children"):
             with suppress(OSError):
@@ -123,7 +121,7 @@ def _find_family(pid: int) -> list[int]:
 
 
 def read_peak(pid: int) -> int | None:
-    """Return the bytes of memory that a process held at most; None if the system is silent."""
+    """Return the peak memory of a process in bytes; None if the system does not report it."""
     with suppress(OSError):
         found = re.search(r"^VmHWM:\s*(\d+) kB$", Path(f"/proc/{pid}/status").read_text(), re.M)
         return int(found[1]) * 1024 if found else None
@@ -131,7 +129,7 @@ def read_peak(pid: int) -> int | None:
 
 
 def _kill_marked(mark: str) -> None:
-    # One that is just starting another may be a step ahead.
+    # A process that forks meanwhile may escape one pass.
     for _ in range(_PASSES):
         marked = list(_find_marked(mark.encode()))
         for pid in marked:
@@ -149,7 +147,7 @@ def _find_marked(mark: bytes) -> Iterator[int]:
 
 
 def count_cores() -> int:
-    """Return how many processors this process may use."""
+    """Return the number of CPUs that this process may use."""
     try:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # not Linux
@@ -157,9 +155,9 @@ def count_cores() -> int:
 
 
 def lock(file: IO[Any]) -> bool:
-    """Keep other processes away from an open file; tell whether none had it already.
+    """Lock an open file for this process; return False if another process holds the lock.
 
-    The system unlocks it when this process ends, however it ends.
+    The system releases the lock when this process ends.
     """
     try:
         import fcntl
@@ -174,18 +172,17 @@ def lock(file: IO[Any]) -> bool:
 
 
 class Pool:
-    """Fresh processes that end with this one, however it ends, with all that they started.
+    """A pool of processes that end, with all descendants, when this process ends.
 
     Args:
-        count: how many there are.
-        prepare: what each of them calls before anything else.
-        arguments: of that.
-        forks: whether they may be copies of this process, which start sooner, while it has one
-            thread only.
+        count: the number of processes.
+        prepare: a function that each process calls first.
+        arguments: its arguments.
+        forks: whether to fork while this process has a single thread; forking starts sooner.
 
     Raises:
-        BrokenProcessPool: by `submit` and by what it returns, when one of them is killed; `start`
-            begins again.
+        BrokenProcessPool: by `submit` and its futures, after a process was killed; `start` restarts
+            the pool.
     """
 
     def __init__(
@@ -198,41 +195,40 @@ class Pool:
         self.count = count
         self._prepare = prepare, arguments
         self._forks = forks
-        # Nothing is ever sent: it closes when this process ends.
+        # Nothing is sent: the pipe closes when this process ends.
         self._lifeline, self._held = multiprocessing.Pipe(duplex=False)
         self.start()
 
     def start(self) -> None:
-        """Take fresh processes, the old ones having been killed."""
+        """Start new processes."""
         own = {name: os.environ.get(name) for name in _SPAWNED}
-        # A fork would copy the threads' locks in whatever state they are in.
-        way = "fork" if self._forks and _has_one_thread() else "spawn"
-        context = multiprocessing.get_context(way)
+        # A fork would copy locks that other threads hold.
+        method = "fork" if self._forks and _has_one_thread() else "spawn"
+        context = multiprocessing.get_context(method)
         with _allow_spawn():
             pipe = self._lifeline, self._held
             given = (*pipe, context.Barrier(self.count), own, *self._prepare)
             self._executor = ProcessPoolExecutor(self.count, context, _begin, given)
 
     def submit(self, function: Callable[..., _T], *arguments: object) -> Future[_T]:
-        """Call a function in whichever process is idle."""
-        # This may start processes.
+        """Call a function in an idle process."""
         with _allow_spawn():
             return self._executor.submit(function, *arguments)
 
     def call_in_each(self, function: Callable[..., _T], *arguments: object) -> list[_T]:
-        """Call a function once in each process, and return what it returns in each."""
+        """Call a function once in each process, and return the results."""
         futures = [self.submit(_call_together, function, *arguments) for _ in range(self.count)]
         return [future.result() for future in futures]
 
     def close(self) -> None:
-        """End all processes, whatever they are doing."""
+        """Kill all processes."""
         self._held.close()
         self._lifeline.close()
         self._executor.shutdown(wait=True, cancel_futures=True)
 
 
 def _has_one_thread() -> bool:
-    """Tell whether this process has a single thread, of any library; only Linux knows."""
+    """Decide whether this process has a single thread; False where the system is not Linux."""
     with suppress(OSError):
         return len(os.listdir("/proc/self/task")) == 1
     return False
@@ -240,9 +236,9 @@ def _has_one_thread() -> bool:
 
 @contextmanager
 def _allow_spawn() -> Iterator[None]:
-    """Let processes be started that neither Control-C nor files of the working directory reach.
+    """Shield processes that start meanwhile from Control-C and from modules of the working folder.
 
-    Control-C is for the process that starts them, and comes through afterwards.
+    Control-C reaches this process afterwards.
     """
     held_back = hasattr(signal, "pthread_sigmask")  # not on Windows
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if held_back else ()
@@ -277,14 +273,14 @@ def _begin(
 ) -> None:
     global _together
     _together = barrier
-    # Both end with the process that started this one.
+    # Close this copy: the pipe has to end with the parent.
     held.close()
     for file in _locked:
         if not file.closed:
             os.close(file.fileno())
     mark = _make_mark()
     _set_environment({**environment, _MARK: f"{os.environ.get(_MARK, '')} {mark}"})
-    # A handler, and no mask, is not inherited by what is started from here.
+    # Children inherit masks, but not handlers.
     signal.signal(signal.SIGINT, lambda number, frame: None)
     signal.signal(signal.SIGTERM, lambda number, frame: _end_all(mark))
     if hasattr(signal, "pthread_sigmask"):
@@ -295,20 +291,20 @@ def _begin(
 
 
 def _end_with(lifeline: Connection, mark: str) -> None:
-    """End this process with the one that started it: nobody else would."""
+    """End this process when its parent ends."""
     with suppress(EOFError, OSError):
         lifeline.recv_bytes()
     _end_all(mark)
 
 
 def _end_all(mark: str) -> NoReturn:
-    """End this process, and all that it started."""
+    """End this process and its descendants."""
     with _starting:
         _kill_marked(mark)
         os._exit(1)
 
 
 def _call_together(function: Callable[..., _T], *arguments: object) -> _T:
-    """Call a function once every process is about to."""
+    """Call a function when all processes are ready."""
     _together.wait()
     return function(*arguments)

@@ -1,4 +1,4 @@
-"""The public functions: they read shapes, choose the class of the pair, and return answers."""
+"""Public functions: read shapes, choose the class of the pair, and return answers."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def sweep(
 
 
 def _share(generatrix: AnyPolygon, directrix: AnyPolygon) -> Vector | None:
-    """Return the shared direction, if the paper's procedures can sweep the pair."""
+    """Return the shared direction of monotonicity; None if there is none."""
     if generatrix.holes or directrix.holes:
         return None
     return find_shared_direction(generatrix.exterior, directrix.exterior)

@@ -1,4 +1,4 @@
-"""Points, directions and counts in words."""
+"""Points, directions and counts as text."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -18,7 +18,7 @@ CLASSES = {
 
 
 def write_pair(point: Iterable[object]) -> str:
-    """Write a point or a vector without blanks, with long numbers shortened.
+    """Write a point or a vector without blanks; long numbers are shortened.
 
     >>> write_pair((1, "-7/2"))
     '(1,-7/2)'
@@ -27,7 +27,7 @@ def write_pair(point: Iterable[object]) -> str:
 
 
 def write_vector(direction: Iterable[object]) -> str:
-    """Write a direction as Python writes a pair of ints, with long numbers shortened.
+    """Write a direction like a pair of Python; long numbers are shortened.
 
     >>> write_vector((1, -2)), write_vector((1, 10**5000))
     ('(1, -2)', '(1, 1e+5000~)')
@@ -45,7 +45,7 @@ def count(number: int, thing: str) -> str:
 
 
 def write_size(vertices: int, area: Fraction) -> str:
-    """Write the size of a polygon.
+    """Describe the size of a polygon.
 
     >>> write_size(3, Fraction(1, 2))
     '3 vertices, area 1/2'
@@ -79,7 +79,7 @@ def write_degrees(vector: Vertex) -> str:
 
 
 def suggest(word: str, words: Iterable[str]) -> str:
-    """Suggest a similar word, if there is one.
+    """Suggest a similar word; "" if there is none.
 
     >>> suggest("brakcet", ["plate", "bracket"])
     "; did you mean 'bracket'?"
@@ -89,7 +89,7 @@ def suggest(word: str, words: Iterable[str]) -> str:
 
 
 def spell_out(text: str) -> str:
-    r"""Write a text on one line, its unprintable characters as Python escapes them.
+    r"""Write a text on one line, with escapes for unprintable characters.
 
     >>> spell_out("a\nb")
     'a\\nb'

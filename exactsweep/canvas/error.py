@@ -1,7 +1,7 @@
-"""The refusal of a picture."""
+"""The error of pictures."""
 
 from exactsweep.numbers.error import ExactSweepError
 
 
 class DrawError(ExactSweepError):
-    """A picture that cannot be drawn or written; the message gives the reason."""
+    """A picture that cannot be drawn or saved."""

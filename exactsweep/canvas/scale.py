@@ -1,8 +1,7 @@
 """The exact scale of a picture: from coordinates of any size to floats near 1.
 
-A coordinate is moved and divided as a Fraction, and only then converted to a float. So a picture of
-coordinates around 10^30, or of two shapes that differ in the last of 500 digits, is as accurate as
-one of small integers.
+A coordinate is shifted and divided as a Fraction before it becomes a float. So coordinates around
+10^30, or shapes that differ in the last of 500 digits, are drawn as accurately as small integers.
 """
 
 from __future__ import annotations
@@ -17,8 +16,8 @@ from exactsweep.canvas.window import MOST_STRETCHED
 from exactsweep.numbers.digits import find_magnitude, format_fraction
 from exactsweep.numbers.number import Rational, Vertex
 
-# An axis keeps its numbers if they have few digits: for these powers of ten, and for an origin no
-# further away than this number of picture sizes.
+# An axis keeps its numbers for these powers of ten, and for an origin within this number of picture
+# sizes.
 _PLAIN = range(-2, 4)
 _NEAR = 1000
 _SHOWN_DIGITS = 12
@@ -44,7 +43,8 @@ class AxisScale(NamedTuple):
     def place(self, value: Rational) -> float:
         """Return the place of a coordinate, correctly rounded.
 
-        Raises DrawError if the coordinate is so far outside that a float cannot hold its place.
+        Raises:
+            DrawError: the place is beyond the range of floats.
         """
         try:
             return float((value - self.origin) / self.unit)

@@ -1,10 +1,9 @@
 """One style for all pictures, for print and for colour-blind readers.
 
-A colour has the same meaning in all pictures, pages and sheets; LIGHT and DARK define the colours
-for the two backgrounds. A test computes that readers who confuse red and green can distinguish any
-two of them. No two things differ by colour alone. They also differ in line width, dashes, hatching
-or markers, so black-and-white prints remain readable. Colours that only count things are those of
-Okabe and Ito.
+A colour has one meaning in all pictures, pages and sheets; LIGHT and DARK define the colours for
+the two backgrounds. A test computes that readers who confuse red and green can distinguish any two
+of them. Things also differ in line width, dashes, hatching or markers, so black-and-white prints
+remain readable. Colours that only count things are those of Okabe and Ito.
 """
 
 from __future__ import annotations
@@ -32,15 +31,15 @@ _DATA: dict[str, Any] = tomllib.loads(
     files("exactsweep.canvas").joinpath("style.toml").read_text(encoding="utf-8")
 )
 LIGHT: dict[str, str] = _DATA["light"]
-"""The colour of each thing on a light background."""
+"""Colours on a light background."""
 DARK: dict[str, str] = _DATA["dark"]
-"""The colour of each thing on a dark background."""
+"""Colours on a dark background."""
 JUDGED: dict[str, str] = _DATA["judged"]
-"""The colours of another program's answer and of a witness, in addition to LIGHT."""
+"""Colours of another program's answer and of a witness, on both backgrounds."""
 
 
 def write_style_sheet() -> str:
-    """Write all colours as CSS variables, also those for readers with a dark background.
+    """Write all colours as CSS variables, for light and dark backgrounds.
 
     >>> write_style_sheet().splitlines()[0][:24]
     ':root { --directrix: #5f'
@@ -54,7 +53,7 @@ def write_style_sheet() -> str:
 
 
 def use_style() -> AbstractContextManager[None]:
-    """Return a context in which matplotlib uses the settings of the style."""
+    """Return a context with the matplotlib settings of the style."""
     from matplotlib import rc_context
 
     return rc_context(_DATA["settings"])

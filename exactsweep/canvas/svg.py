@@ -20,7 +20,7 @@ _HATCH = "exactsweep-hatch"
 
 
 class Shape(NamedTuple):
-    """One or several loops or chains, and their look."""
+    """Loops or chains with a look."""
 
     loops: Sequence[Iterable[Vertex]]
     look: Look
@@ -31,8 +31,8 @@ def write_svg(shapes: Iterable[Shape], title: str) -> str:
     """Write shapes as one SVG image on a white ground.
 
     Args:
-        shapes: the shapes in drawing order; points have Fraction coordinates. One without loops is
-            left out.
+        shapes: the shapes in drawing order, with Fraction coordinates; shapes without loops are
+            skipped.
         title: the title of the picture.
 
     Returns:
@@ -60,7 +60,7 @@ def _path(shape: Shape, window: Window) -> str:
     look = shape.look
     fill, hatching = look.fill or "none", ""
     if look.hatch:
-        # The id is equal in all pictures of a page, and so is the pattern.
+        # Pictures of one page share the id and the pattern.
         fill = f"url(#{_HATCH})"
         hatching = (
             f'<pattern id="{_HATCH}" width="5" height="5" patternUnits="userSpaceOnUse" '
@@ -83,8 +83,8 @@ def draw_rings(rings: Iterable[Iterable[Vertex]], title: str) -> str:
     return write_svg([Shape(list(rings), style.DIRECTRIX)], title)
 
 
-def put_beside(picture: str, rows: Iterable[tuple[str, str]]) -> str:
-    """Show a picture as HTML with a table of names and texts beside it."""
+def add_table(picture: str, rows: Iterable[tuple[str, str]]) -> str:
+    """Return HTML of a picture with a table of names and texts on its right."""
     table = "".join(
         f'<tr><th style="text-align:left">{escape(name)}</th>'
         f'<td style="text-align:left">{escape(text)}</td></tr>'
@@ -102,7 +102,7 @@ def write_path(
     """Write lines as the data of one SVG path.
 
     Args:
-        lines: lists of points, in pixels; empty lists are left out.
+        lines: lists of points, in pixels; empty lists are skipped.
         closed: whether each line is a loop.
         digits: the number of decimals.
 

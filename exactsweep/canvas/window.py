@@ -1,4 +1,4 @@
-"""A part of the plane, and the conversion of its exact places to pixels."""
+"""A box of the plane, and the conversion of exact coordinates to pixels."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from exactsweep.numbers.number import Vertex
 
 MOST_STRETCHED = 12
 """The ratio of length to width from which the axes have different units."""
-# No pixel is further away: what is far outside is outside.
+# Pixels farther outside are clamped.
 _FAR = 100_000
 
 
 class Window(NamedTuple):
-    """A box of the plane with Y upwards, and a picture of it in pixels with Y downwards.
+    """A box of the plane, and its picture in pixels with Y downward.
 
     Attributes:
-        left, bottom, right, top: the box, Fractions, of positive width and height; where Y points
-            down in the plane, too, the bottom is above the top.
+        left, bottom, right, top: the box, Fractions, of positive width and height; if Y points down
+            in the plane, too, bottom > top.
         width, height: the size of the picture, in pixels.
     """
 
@@ -73,7 +73,7 @@ class Window(NamedTuple):
         return cls(x - half_x, y - half_y, x + half_x, y + half_y, width, height)
 
     def turned(self) -> Self:
-        """Return the same box with Y downwards."""
+        """Return the same box with Y downward."""
         return self._replace(bottom=self.top, top=self.bottom)
 
     @property
@@ -87,7 +87,7 @@ class Window(NamedTuple):
         return max(self.right - self.left, self.top - self.bottom)
 
     def place(self, point: Vertex) -> tuple[float, float]:
-        """Return the place of a point, in pixels from the upper left corner."""
+        """Return the pixel coordinates of a point, from the upper left corner."""
         x, y = point
         return (
             _limit((x - self.left) * self.width / (self.right - self.left)),

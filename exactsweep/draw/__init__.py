@@ -17,7 +17,7 @@ make a `Picture` on an Axes, with a `Scale` that covers all points, and draw on 
     >>> save_svg(figure).startswith("<?xml")
     True
 
-Chains, shapes and exact fits have functions of their own:
+There are separate functions for chains, shapes and exact fits:
 
     >>> figure = make_figure()
     >>> picture = Picture(figure.axes[0], Scale.of([(-1, -1), (9, 4)]))
@@ -27,8 +27,8 @@ Chains, shapes and exact fits have functions of their own:
     >>> draw_exact_fits(picture, s, s.exact_fits, [s.trajectory])
     >>> save(figure, "out.svg")  # doctest: +SKIP
 
-`Picture` accepts points with int or Fraction coordinates. The functions `draw_...` draw parts of a
-sweep, and `style` defines the look of each. The package imports matplotlib only when it draws.
+Points have int or Fraction coordinates. `style` defines the look of each part. The package imports
+matplotlib only when it draws.
 """
 
 from exactsweep.canvas import style
@@ -36,9 +36,9 @@ from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.scale import AxisScale, Scale
 from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
 from exactsweep.draw.figure import SUFFIXES, make_figure, read_suffix, save, save_svg
+from exactsweep.draw.intervals import ContactInterval, cut_trajectory
 from exactsweep.draw.no_fits import plot_positions
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.stretches import ContactStretch, cut_trajectory
 from exactsweep.draw.sweeps import (
     choose_telling_positions,
     draw_contacts,
@@ -52,9 +52,13 @@ from exactsweep.draw.sweeps import (
     plot_sweep,
 )
 
+ContactStretch = ContactInterval
+"""The former name of ContactInterval."""
+
 __all__ = [
     "SUFFIXES",
     "AxisScale",
+    "ContactInterval",
     "ContactStretch",
     "DrawError",
     "Picture",

@@ -1,4 +1,4 @@
-"""Vertices and edges of G and D by their numbers in contacts, and the places where they touch."""
+"""Vertices and edges of G and D by their index in contacts, and the places of contact."""
 
 from __future__ import annotations
 
@@ -15,11 +15,7 @@ Ends = tuple[Point, Point]
 
 
 class Features:
-    """The features of the polygons of a sweep, with the numbers of its contacts.
-
-    Args:
-        s: a Sweep.
-    """
+    """The features of both polygons of a Sweep, by their index in its contacts."""
 
     def __init__(self, s: SweepAnswer) -> None:
         self._reference = s.reference
@@ -27,7 +23,7 @@ class Features:
         self.d_vertices, self._d_ends = number_features(s.directrix)
 
     def span(self, contact: Contact) -> Ends:
-        """Return the ends of the segment of positions at which two features touch."""
+        """Return the ends of the segment of positions at which a contact lasts."""
         event, i, j = contact
         (a, b), (c, d) = (
             ends[k] if letter == "E" else (k, k)
@@ -36,12 +32,12 @@ class Features:
         return self._position(a, c), self._position(b, d)
 
     def _position(self, i: int, j: int) -> Point:
-        """Return the reference point's position at which vertex i of G is on vertex j of D."""
+        """Return the position at which vertex i of G is on vertex j of D."""
         (x, y), g, d = self._reference, self.g_vertices[i], self.d_vertices[j]
         return Point(d.x - g.x + x, d.y - g.y + y)
 
     def spot(self, contact: Contact, position: Point) -> Ends:
-        """Find where two features touch at a position: the ends of a segment, or a point twice.
+        """Return the common segment of two features at a position, by its ends; a point twice.
 
         Example:
             >>> from exactsweep import sweep
@@ -61,7 +57,6 @@ class Features:
         return low, high
 
     def _move(self, point: Point, position: Point) -> Point:
-        """Move a point of G with the reference point to a position."""
         return Point(
             point.x + position.x - self._reference.x, point.y + position.y - self._reference.y
         )

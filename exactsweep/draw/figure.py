@@ -1,4 +1,4 @@
-"""Figures of matplotlib in the project's style, and files with reproducible bytes."""
+"""Figures of matplotlib in the project's style, saved reproducibly."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def require_matplotlib() -> None:
-    """Raise DrawError if matplotlib is missing or does not load; say how to install it."""
+    """Raise DrawError if matplotlib is missing or does not load."""
     with require_imports("matplotlib", "a picture", DrawError):
         import matplotlib  # noqa: F401
 
 
 @tells_arguments
 def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
-    """Make a Figure in the project's style, with empty Axes, for a file and without a window.
+    """Make a Figure in the project's style, with empty Axes and without a window.
 
     Args:
         rows: number of rows of Axes.
@@ -49,7 +49,7 @@ def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | Non
     from matplotlib.figure import Figure
 
     if not 1 <= rows * columns <= _MOST_AXES or rows < 1:
-        raise DrawError(f"{quote(rows)} by {quote(columns)} pictures: not 1 to {_MOST_AXES}")
+        raise DrawError(f"{quote(rows)} by {quote(columns)} Axes: not 1 to {_MOST_AXES}")
     with use_style():
         figure = Figure(layout="compressed", figsize=size)
         figure.subplots(rows, columns)
@@ -69,8 +69,8 @@ def read_suffix(path: str) -> str:
     """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
-        named = f"the suffix {suffix!a}" if suffix else "no suffix"
-        raise DrawError(f"{named}, but a picture is one of {', '.join(SUFFIXES)}")
+        named = f"the suffix {suffix!a} is not" if suffix else "the suffix is missing: use"
+        raise DrawError(f"{named} one of {', '.join(SUFFIXES)}")
     return suffix
 
 
@@ -91,7 +91,7 @@ def save(figure: Figure, path: str) -> None:
 
 @tells_arguments
 def save_svg(figure: Figure) -> str:
-    """Write a figure as the text of an SVG document; the text is reproducible, as for `save`."""
+    """Return a figure as an SVG document, reproducible as by `save`."""
     text = StringIO()
     with use_style():
         figure.savefig(text, format="svg", metadata=_METADATA[".svg"], bbox_inches="tight")

@@ -1,4 +1,4 @@
-"""Enlarged details below a picture, for a polygon that is far smaller or a flat picture."""
+"""Enlarged details below a picture, for tiny polygons and flat pictures."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from exactsweep.draw.picture import Picture
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import Point, Vertex
 
-# The ratio of sizes from which a polygon is enlarged, up to the resolution of floats.
+# Ratios of sizes at which a polygon is enlarged, up to the resolution of floats.
 _SMALL = range(25, 10**9)
 _MOST = 3
 # In widths of the picture: the width of a detail, the gap between details, the gap above them.
@@ -22,12 +22,7 @@ _ROUND = Fraction(5, 2)
 
 
 class Detail(NamedTuple):
-    """A square of the plane that is enlarged.
-
-    Attributes:
-        left, bottom: the lower left corner, Fractions.
-        side: the length of a side, a Fraction.
-    """
+    """An enlarged square of the plane: its lower left corner and the length of a side."""
 
     left: Fraction
     bottom: Fraction
@@ -35,7 +30,7 @@ class Detail(NamedTuple):
 
     @classmethod
     def around(cls, center: Vertex, side: Fraction) -> Self:
-        """Return the square of a side around a point."""
+        """Return the square with a given center and side."""
         x, y = center
         return cls(x - side / 2, y - side / 2, side)
 
@@ -46,7 +41,7 @@ class Detail(NamedTuple):
         return Point(left, bottom), Point(left + side, bottom + side)
 
     def is_near(self, other: Detail) -> bool:
-        """Decide whether another detail shows nearly the same."""
+        """Decide whether another detail overlaps most of this one."""
         reach = self.side / 2
         return abs(self.left - other.left) < reach and abs(self.bottom - other.bottom) < reach
 
@@ -62,12 +57,12 @@ def find_details(
     Args:
         shown: all points of the picture.
         directrix: D.
-        placed: G at each of its positions; at any position if it is not drawn.
-        spots: the places where the two touch.
+        placed: G at each of its positions, or anywhere if it is not drawn.
+        spots: the places of contact.
 
     Returns:
-        list of Detail, three at most: around G and around D, if they are 25 times as small as the
-        picture; and around some spots, if the picture is 25 times as long as wide.
+        list of at most three Details: of G and D if the picture is 25 times as large; of some
+        spots if the picture is 25 times as long as wide.
 
     Cost: O(n) for n points.
 
@@ -113,12 +108,12 @@ def _middle(shape: AnyPolygon) -> Point:
 def draw_with_details(
     picture: Picture, details: Sequence[Detail], paint: Callable[[Picture], None]
 ) -> None:
-    """Draw a picture, details below it, each to scale, their frames in the picture, and a legend.
+    """Draw a picture with frames of the details, the details below, to scale, and a legend.
 
     Args:
         picture: a Picture.
         details: the details.
-        paint: a function that draws the whole content on another Picture.
+        paint: draws the content on a Picture.
     """
     paint(picture)
     for k, detail in enumerate(details):

@@ -40,10 +40,10 @@ class Positions(NamedTuple):
         directrix: the stationary shape, a Region.
         generatrix: the moving shape, a Region.
         reference: the point of the moving shape that marks a position.
-        called: the names of the two shapes and of the free regions.
-        exterior: the loop around the positions of overlap, if drawn for a no-fit polygon.
-        free: the free regions inside.
-        exact_fits: the exact fits, as of a `NoFitPolygon`.
+        called: the names of both shapes and of the free regions.
+        exterior: the exterior of a no-fit polygon; None for an inner fit.
+        free: the free regions.
+        exact_fits: the exact fits.
         placed: further stationary shapes.
     """
 
@@ -77,12 +77,12 @@ class Positions(NamedTuple):
 
     @property
     def loops(self) -> list[Polygon]:
-        """All loops between positions of overlap and free positions."""
+        """All boundaries of positions of overlap."""
         regions = self.free if self.exterior is None else (self.exterior, *self.free)
         return [ring for region in regions for ring in (region.exterior, *region.holes)]
 
     def choose_positions(self) -> list[Point]:
-        """Choose positions to draw: one in each kind of exact fit, one free, one outside."""
+        """Choose positions to draw: in an exact fit of each kind, in a free region, and outside."""
         segments, points = part_fits(self.exact_fits)
         found = [inside for _, inside in segments[:1]] + points[:1]
         found += [region.vertices[0] for region in self.free[:1]]

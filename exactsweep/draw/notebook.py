@@ -1,4 +1,4 @@
-"""The view of a sweep, a no-fit polygon or an inner fit in a notebook: a picture and a table."""
+"""Pictures and tables of sweeps, no-fit polygons and inner fits for notebooks."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
-from exactsweep.canvas.svg import Shape, put_beside, write_svg
+from exactsweep.canvas.svg import Shape, add_table, write_svg
 from exactsweep.draw.no_fits import Positions
 from exactsweep.draw.sweeps import (
     Moving,
@@ -50,10 +50,9 @@ def draw_sweep(s: SweepAnswer) -> str:
 
 
 def _fit_shapes(fits: Iterable[Fit], s: Moving) -> list[Shape]:
-    """Make the shapes of exact fits."""
     segments, points = part_fits(fits)
     lines = [move_to_anchor(fit, s) for fit in segments]
-    # A line without length and with round ends is a dot.
+    # A line of length 0 with round ends is a dot.
     dots = [move_to_anchor((p, p), s) for p in points]
     return [
         Shape(lines, style.EXACT_FIT, closed=False),
@@ -104,7 +103,7 @@ def show_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
     else:
         rows.append(("regions", str(len(found.regions))))
     rows += [("exact fits", str(len(found.exact_fits))), ("area", abridge(found.area))]
-    return put_beside(draw_positions(found), rows)
+    return add_table(draw_positions(found), rows)
 
 
 def show_sweep(s: SweepAnswer) -> str:
@@ -128,4 +127,4 @@ def show_sweep(s: SweepAnswer) -> str:
         ("undercuts", str(len(s.undercuts))),
         ("exact fits", str(len(s.exact_fits))),
     ]
-    return put_beside(draw_sweep(s), rows)
+    return add_table(draw_sweep(s), rows)

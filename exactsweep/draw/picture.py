@@ -1,4 +1,4 @@
-"""Polygons and chains on the Axes of matplotlib, at one exact scale."""
+"""Polygons and chains on Axes of matplotlib, at an exact scale."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
 
-# In inches: the size of an entry, of all entries side by side, and the margin around the Axes.
+# In inches: the height of an entry of the legend, its width, and the margins of the Axes.
 _LEGEND_LINE, _LEGEND_WIDTH = 0.18, 2.0
 _LEFT, _RIGHT, _ABOVE, _BELOW = 0.75, 0.1, 0.35, 0.55
 _LEAST_WIDTH = 0.5
@@ -25,19 +25,17 @@ _STRETCHED_ASPECT = 0.6
 
 
 class Picture:
-    r"""An Axes on which shapes with exact coordinates are drawn.
+    r"""An Axes for shapes with exact coordinates.
 
     Args:
-        axes: an Axes of matplotlib; the class sets its aspect and its labels.
+        axes: an Axes of matplotlib; its aspect and labels are set.
         scale: a Scale that covers the shapes.
         y_down: whether Y points down, as in SVG.
         window: the lower left and the upper right corner of the visible part; by default the
             picture shows everything.
 
     Attributes:
-        axes: the Axes, for anything else.
-        scale: the Scale; `scale.place` returns the place of a point on the Axes.
-        y_down: see the argument.
+        axes, scale, y_down: as given; `scale.place` returns the place of a point on the Axes.
 
     Example:
         >>> from exactsweep import Polygon
@@ -69,13 +67,13 @@ class Picture:
         axes.set_ylabel(scale.y.label("y"))
         axes.ticklabel_format(useOffset=False, style="plain")
         if not scale.is_true:
-            note = "not to scale: each axis has a unit of its own"
+            note = "not to scale: the axes have different units"
             axes.set_title(note, loc="right", fontsize="small")
         if y_down:
             axes.yaxis.set_inverted(True)
 
     def area(self, loop: Iterable[Vertex], look: Look, label: str | None = None) -> None:
-        """Fill, hatch and outline a loop; equal labels share one entry of the legend."""
+        """Fill, hatch and outline a loop; equal labels share an entry of the legend."""
         self.shape([loop], look, label)
 
     def ring(
@@ -87,7 +85,7 @@ class Picture:
     def shape(
         self, rings: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
-        """Fill the inside of the first counter-clockwise loop except that of the others."""
+        """Fill the inside of the first loop minus those of the others, all counter-clockwise."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
@@ -98,7 +96,7 @@ class Picture:
         ]
         path = Path.make_compound_path(*paths)
         if self._window is not None:
-            # Clip points far outside: formats of single precision would misplace them.
+            # Single-precision formats misplace points far outside.
             path = path.clip_to_bbox(self._box(of=3))
             if not path.to_polygons():
                 return
@@ -119,13 +117,13 @@ class Picture:
     def lines(
         self, chains: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
-        """Draw several chains as one item."""
+        """Draw several chains as one item of the legend."""
         parted = [place for chain in chains for place in ((nan, nan), *self.scale.places(chain))]
         xs, ys = ([place[axis] for place in parted[1:]] for axis in (0, 1))
         self.axes.plot(xs, ys, label=self._once(label), **look.as_line)
 
     def text(self, at: Vertex, words: str, *, color: str = "black") -> None:
-        """Write a few words a little above and to the right of a point."""
+        """Write a text above and to the right of a point."""
         self.axes.annotate(
             words, self.scale.place(at), (4, 4), textcoords="offset points", color=color, zorder=8
         )
@@ -140,35 +138,35 @@ class Picture:
         return abs(high - low) / abs(right - left)
 
     def reserve(self, share: float) -> None:
-        """Reserve room below for details, as a share of the width."""
+        """Reserve space below for details, as a share of the width."""
         self._reserved = share
 
     def show_window(self) -> None:
-        """Show the window only, without numbers along the axes."""
+        """Show only the window, without tick labels."""
         box = self._box()
         self.axes.set_xlim(box.x0, box.x1)
         self.axes.set_ylim(*((box.y1, box.y0) if self.y_down else (box.y0, box.y1)))
         self.axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
 
     def legend(self) -> None:
-        """Put the legend beside the picture, or below if it is higher than the picture.
+        """Put the legend right of the picture, or below if it is higher than the picture.
 
-        If this picture is alone in a figure with a layout of matplotlib, the method lays out both.
+        A picture alone in a figure with a layout engine is laid out together with its legend.
         """
         if not self.scale.is_true:
             self.axes.set_box_aspect(_STRETCHED_ASPECT)
         entries = len(self.axes.get_legend_handles_labels()[1])
-        width, height = self._room()
+        width, height = self._space()
         # The ratio of height to width, with the details below.
         whole = self.aspect + self._reserved
         drawn = min(width - _LEGEND_WIDTH, height / whole)
-        is_beside = entries * _LEGEND_LINE <= drawn * whole
-        if not is_beside:
+        fits_right = entries * _LEGEND_LINE <= drawn * whole
+        if not fits_right:
             rows = ceil(entries / _LEGEND_COLUMNS) + 1
             drawn = min(width, (height - rows * _LEGEND_LINE) / whole)
         self._lay_out(max(drawn, _LEAST_WIDTH))
         place: dict[str, Any] = {"bbox_to_anchor": (1.01, 1.0)}
-        if not is_beside:
+        if not fits_right:
             shown = self.axes.get_position(original=True).width * self._figure_size()[0]
             low = -(_BELOW / shown + self._reserved) / self.aspect
             place = {"bbox_to_anchor": (0.0, low), "ncols": _LEGEND_COLUMNS}
@@ -188,13 +186,13 @@ class Picture:
         figure: Any = self.axes.figure
         return figure.bbox.width / figure.dpi, figure.bbox.height / figure.dpi
 
-    def _room(self) -> tuple[float, float]:
-        """Return the room for the Axes and the legend, in inches."""
+    def _space(self) -> tuple[float, float]:
+        """Return the space for the Axes and the legend, in inches."""
         width, height = self._figure_size()
         if self._alone():
             return width - _LEFT - _RIGHT, height - _ABOVE - _BELOW
-        room = self.axes.get_position(original=True)
-        return width * room.width, height * room.height
+        space = self.axes.get_position(original=True)
+        return width * space.width, height * space.height
 
     def _lay_out(self, drawn: float) -> None:
         """Place the Axes with a width in inches, if they are alone."""

@@ -1,4 +1,4 @@
-"""The picture of a sweep, and functions that draw its parts."""
+"""Pictures of sweeps and of their parts."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from exactsweep.canvas.style import Look
 from exactsweep.draw.features import Ends, Features
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.insets import draw_with_details, find_details
+from exactsweep.draw.intervals import cut_trajectory
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.stretches import cut_trajectory
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
@@ -33,7 +33,7 @@ _MANY = 60
 
 
 class Moving(Protocol):
-    """A pair of shapes of which G moves: a Sweep, or the shapes of a no-fit polygon."""
+    """A pair with a moving shape G: a Sweep, or the shapes of a no-fit polygon."""
 
     @property
     def generatrix(self) -> AnyPolygon:
@@ -56,7 +56,7 @@ def plot_sweep(
     positions: Iterable[Iterable[object]] | None = None,
     y_down: bool = False,
 ) -> Axes:
-    """Draw a sweep: both polygons, the loops, undercuts, exact fits, the trajectory by event.
+    """Draw a sweep: polygons, loops, undercuts, exact fits, and the trajectory by contact event.
 
     Args:
         s: a Sweep.
@@ -66,8 +66,8 @@ def plot_sweep(
         y_down: whether Y points down, as in viewers of SVG.
 
     Returns:
-        The Axes. If the reference point is far from G, the picture shows the path of the first
-        vertex of G instead, and the legend says so. Below it are the details of `find_details`.
+        The Axes. If the reference point is far from G, the picture and the legend have the path of
+        the first vertex of G instead. Enlarged details are below; see `find_details`.
 
     Raises:
         DrawError: matplotlib is not installed.
@@ -119,10 +119,10 @@ def read_positions(positions: Iterable[Iterable[object]]) -> list[Point]:
 
 
 def find_anchor(s: Moving) -> Point:
-    """Return the point of G whose path the picture shows: the reference point, or a vertex of G.
+    """Return the anchor, the point of G whose path is drawn: the reference point or a vertex.
 
-    The choice is a vertex if the distance of the reference point from G exceeds the sizes of G and
-    D together. The path of the reference point would be far away, and both polygons would be tiny.
+    It is a vertex if the distance of the reference point from G exceeds the sizes of G and D
+    together; else both polygons would be tiny in the picture.
 
     >>> from exactsweep import sweep
     >>> triangle, far = [(0, 0), (1, 0), (0, 1)], [(99, 0), (100, 0), (99, 1)]
@@ -131,14 +131,14 @@ def find_anchor(s: Moving) -> Point:
     """
     (left, bottom), (right, top) = s.generatrix.bounding_box
     low, high = s.directrix.bounding_box
-    room = max(right - left, top - bottom) + max(high.x - low.x, high.y - low.y)
+    reach = max(right - left, top - bottom) + max(high.x - low.x, high.y - low.y)
     x, y = s.reference
-    near = left - room <= x <= right + room and bottom - room <= y <= top + room
+    near = left - reach <= x <= right + reach and bottom - reach <= y <= top + reach
     return s.reference if near else s.generatrix.vertices[0]
 
 
 def name_anchor(s: Moving) -> str:
-    """Name the anchor in words."""
+    """Describe the anchor."""
     if find_anchor(s) == s.reference:
         return "reference point of G"
     return f"vertex {s.generatrix.vertex_index(0)} of G"
@@ -151,7 +151,7 @@ def find_shift(s: Moving) -> Point:
 
 
 def trace_anchor(s: SweepAnswer) -> Polygon:
-    """Return the trajectory of the anchor."""
+    """Return the path of the anchor."""
     return s.trajectory.translated(find_shift(s))
 
 
@@ -180,7 +180,7 @@ def choose_telling_positions(s: SweepAnswer) -> list[Point]:
 
 
 def _far_apart(points: Iterable[Point], others: Iterable[Point], most: int) -> list[Point]:
-    """Choose some points, each as far as possible from the others and from the earlier ones."""
+    """Choose points greedily, each as far as possible from the others and the earlier ones."""
     far = list(others)
     listed = list(dict.fromkeys(points))
     off = {p: min(_square(p, other) for other in far) for p in listed}
@@ -224,16 +224,16 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
 
 @tells_arguments
 def draw_trajectory(picture: Picture, s: SweepAnswer) -> None:
-    """Draw the path of the anchor, each stretch in the style of its contact event."""
+    """Draw the path of the anchor, each interval in the look of its contact event."""
     of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
     chains: dict[str, list[list[Point]]] = {}
     last = None
-    for stretch in cut_trajectory(s):
-        start, end = move_to_anchor((stretch.start, stretch.end), s)
-        if stretch.event != last:
-            chains.setdefault(stretch.event, []).append([start])
-        chains[stretch.event][-1].append(end)
-        last = stretch.event
+    for interval in cut_trajectory(s):
+        start, end = move_to_anchor((interval.start, interval.end), s)
+        if interval.event != last:
+            chains.setdefault(interval.event, []).append([start])
+        chains[interval.event][-1].append(end)
+        last = interval.event
     for event, look in style.EVENTS.items():
         if event in chains:
             picture.lines(chains[event], look, f"{of}, {event}")
@@ -247,8 +247,7 @@ def draw_exact_fits(
 ) -> None:
     """Mark exact fits as positions of the anchor, with hollow marks at ends on a loop.
 
-    If there are many segments, they are thin lines without marks, so that none hides another. A
-    single position is a star.
+    More than 60 segments become thin lines without marks. A single position is a star.
 
     Args:
         picture: a Picture.
@@ -289,7 +288,7 @@ def move_to_anchor(points: Iterable[Point], s: Moving) -> list[Point]:
 def draw_generatrix(
     picture: Picture, s: Moving, positions: Iterable[Point], label: str = "generatrix G"
 ) -> None:
-    """Draw G with its reference point at each of some positions, and dots at the anchor."""
+    """Draw G at positions of its reference point, with a dot at the anchor."""
     dots = []
     for position in positions:
         draw_shape(picture, place_generatrix(s, position), style.GENERATRIX, label)
@@ -300,12 +299,12 @@ def draw_generatrix(
 
 @tells_arguments
 def draw_contacts(picture: Picture, s: SweepAnswer, positions: Iterable[Point]) -> None:
-    """Mark where G touches D when its reference point is at each of some positions."""
+    """Mark the contacts of G and D at positions of the reference point."""
     draw_spots(picture, find_spots(s, positions))
 
 
 def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[Ends]]:
-    """Find where G touches D at each of some positions, by event."""
+    """Find the places of contact at positions of the reference point, by event."""
     features = Features(s)
     spots: dict[str, list[Ends]] = {}
     for position in positions:
@@ -315,7 +314,7 @@ def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[End
 
 
 def draw_spots(picture: Picture, spots: Mapping[str, list[Ends]]) -> None:
-    """Mark where G touches D, by event."""
+    """Mark places of contact, by event."""
     for event, look in style.CONTACTS.items():
         if event in spots:
             picture.lines(spots[event], look, f"contact, {event}")

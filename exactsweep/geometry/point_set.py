@@ -95,11 +95,11 @@ class PointSet:
         return draw_rings(self.rings, write_size(len(self.vertices), self.area))
 
     def _repr_html_(self) -> str:
-        from exactsweep.canvas.svg import put_beside
+        from exactsweep.canvas.svg import add_table
 
         low, high = map(write_pair, self.bounding_box)
         count = "vertices", str(len(self.vertices))
-        return put_beside(self._repr_svg_(), [count, *self._facts(), ("from", low), ("to", high)])
+        return add_table(self._repr_svg_(), [count, *self._facts(), ("from", low), ("to", high)])
 
     @tells_arguments
     def plot(self, axes: Axes | None = None, **style: Any) -> Axes:

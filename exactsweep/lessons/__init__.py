@@ -1,4 +1,4 @@
-"""Lessons: notebooks, which the tests run, stored with their output."""
+"""Lessons: notebooks with stored output."""
 
 from exactsweep.lessons.notebook import list_titles, read_notebook, run_notebook
 from exactsweep.lessons.page import render_lesson

@@ -1,4 +1,4 @@
-"""Functions that read, run and write notebooks, without Jupyter."""
+"""Reading, running and writing notebooks without Jupyter."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ FOLDER = Path(__file__).parent
 
 _NAMES = ("gallery", "tour", "sweeps", "paper", "judging", "layouts")
 
-# Longer outputs, such as the interactive page, are not stored; a new run makes them again.
+# Longer outputs, such as the interactive page, are not stored.
 _MOST_STORED = 60_000
 
 
 @tells_arguments
 def list_titles() -> dict[str, str]:
-    """Return the titles of the lessons, by file name without suffix.
+    """Return the titles of the lessons by name.
 
     Example:
         >>> list_titles()["judging"]
@@ -58,7 +58,7 @@ def read_notebook(name: str) -> Notebook:
 
 
 def write_notebook(path: Path, notebook: Notebook) -> None:
-    """Write a notebook with one element per line, as Jupyter does."""
+    """Write a notebook in the layout of Jupyter."""
     text = json.dumps(notebook, indent=1, ensure_ascii=False)
     path.write_text(f"{text}\n", encoding="utf-8", newline="\n")
 

@@ -1,9 +1,8 @@
-"""The data of the page: places as floats, scaled exactly, and the exact coordinates as text.
+"""Data of the page: places as floats, scaled exactly, and exact coordinates as text.
 
-A stop is a vertex of the trajectory, or a point of an edge where a contact begins or ends, two
-vertices meet, or G closes an undercut. From each stop to the next the same features touch. Large
-sweeps have no stops where two vertices meet. Holes of the no-fit polygon and exact fits have stops,
-too. Features that touch only at a stop are found by the page itself when G is there.
+A stop is a vertex of a track, or a point of an edge where a contact begins or ends, two vertices
+meet, or G closes an undercut. Contacts are constant between stops. Large pairs have no stops where
+two vertices meet. The page itself computes the contacts at a stop.
 """
 
 from __future__ import annotations
@@ -13,9 +12,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from exactsweep.draw import ContactStretch, DrawError, Scale
+from exactsweep.draw import ContactInterval, DrawError, Scale
+from exactsweep.draw.intervals import cut_loops
 from exactsweep.draw.no_fits import Positions
-from exactsweep.draw.stretches import cut_loops
 from exactsweep.draw.sweeps import Moving, find_anchor, move_to_anchor, name_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import SweepAnswer
@@ -32,11 +31,11 @@ if TYPE_CHECKING:
 
 
 class Track(NamedTuple):
-    """Positions along which G can be moved.
+    """A loop of positions along which G moves.
 
     Attributes:
         name: the name of the track.
-        corners: the vertices of a loop; for an exact fit the two ends, for the way there and back.
+        corners: the vertices of the loop; of an exact fit the two ends, there and back.
     """
 
     name: str
@@ -44,7 +43,7 @@ class Track(NamedTuple):
 
 
 class Stop(NamedTuple):
-    """A position of the reference point, and the stretch of a track that begins there."""
+    """A position of the reference point, with the contacts up to the next stop."""
 
     position: Point
     vertex: int | None
@@ -60,7 +59,7 @@ def list_tracks(s: SweepAnswer) -> list[Track]:
 def _name_tracks(
     loops: Sequence[Sequence[Point]], fits: Iterable[Fit], first: str = ""
 ) -> list[Track]:
-    """Name loops and exact fits; `first` is the name of a first loop around holes, if it is one."""
+    """Name loops and exact fits; `first` names a first loop that is an exterior."""
     found = [Track(first, loops[0])] if first else []
     word = "hole" if first else "loop"
     found += [Track(f"{word} {k}", loop) for k, loop in enumerate(loops[len(found) :])]
@@ -69,15 +68,14 @@ def _name_tracks(
 
 
 def track_stops(s: SweepAnswer, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
-    """Find all stops of tracks, each once around from its first vertex.
+    """Find all stops of tracks, from the first vertex once around.
 
     Returns:
-        A list of Stop for each track, and whether the stops include meetings of two vertices. The
-        `vertex` of a Stop is its number in the track, or None inside an edge. Its `contacts` last
-        from there to the next stop.
+        A list of Stop for each track, and whether meetings of two vertices are included. The
+        `vertex` of a Stop is its index in the track, or None inside an edge.
 
     Cost: that of `Sweep.contacts_along`, `undercuts`, `exact_fits` and `Meetings`, plus O(log u)
-    for each stretch, for u positions of undercuts and ends of exact fits.
+    for each interval, for u positions of undercuts and ends of exact fits.
     """
     meetings = find_meetings(s, sum(len(track.corners) for track in listed))
     loops = [track.corners for track in listed if len(track.corners) > 1]
@@ -86,20 +84,17 @@ def track_stops(s: SweepAnswer, listed: Sequence[Track]) -> tuple[list[list[Stop
 
 def _cut_tracks(
     listed: Iterable[Track],
-    stretches: Iterator[list[ContactStretch]],
+    intervals: Iterator[list[ContactInterval]],
     landmarks: Sequence[Point],
     meetings: Meetings | None,
 ) -> list[list[Stop]]:
-    """Find the stops of tracks; `stretches` has those of each track that is not a single position.
-
-    A stretch begins at a stop. It is cut at landmarks, and where vertices meet.
-    """
+    """Cut the intervals of tracks at landmarks and meetings; single positions have none."""
     found = []
     for _, corners in listed:
         if len(corners) == 1:
             found.append([Stop(corners[0], 0, ())])
             continue
-        pieces = _cut(next(stretches), landmarks)
+        pieces = _cut(next(intervals), landmarks)
         if meetings is not None:
             pieces = _cut(pieces, meetings.on_edges(corners))
         found.append(
@@ -124,11 +119,11 @@ def gather_page_data(
         s: a Sweep.
         names: the names of G and D.
         y_down: whether Y points down.
-        tell: a function that is called with a few words before each step that may take long.
+        tell: a function that gets the name of each long step before it begins.
 
     Returns:
         A dict. Places are flat lists x, y, x, y, ... of floats; those of G are relative to the
-        point whose path the page shows. "exact" has the coordinates as strings, in the same order.
+        anchor. "exact" has the coordinates as strings in the same order.
 
     Cost: that of `track_stops` and of the loops.
     """
@@ -177,8 +172,8 @@ def gather_positions(
 ) -> dict[str, Any]:
     """Collect the data of the page of a no-fit polygon or an inner fit as plain JSON data.
 
-    Stops are the vertices of its loops, the ends of exact fits on them, and where two vertices
-    meet. The page itself finds the contacts everywhere.
+    Stops are the vertices of loops, ends of exact fits on them, and meetings of two vertices, where
+    contacts begin and end.
 
     Args:
         found: a NoFitPolygon or an InnerFit.
@@ -203,9 +198,9 @@ def gather_positions(
     scale = Scale.of(shapes.directrix.vertices, paths)
     meetings = find_meetings(shapes, len(paths), shapes.placed, inside=not is_outside)
     edges = (enumerate(pairwise([*c, c[0]])) for _, c in listed if len(c) > 1)
-    stretches = ([ContactStretch(k, *edge, ()) for k, edge in around] for around in edges)
+    intervals = ([ContactInterval(k, *edge, ()) for k, edge in around] for around in edges)
     landmarks = sorted({end for fit in shapes.exact_fits for end in fit})
-    found_stops = _cut_tracks(listed, stretches, landmarks, meetings)
+    found_stops = _cut_tracks(listed, intervals, landmarks, meetings)
     stops = {track.name: on_track for track, on_track in zip(listed, found_stops, strict=True)}
     where, title = ("around", "No-fit polygon") if is_outside else ("in", "Inner fit")
     return {
@@ -231,7 +226,7 @@ def _gather_tracks(
     *,
     outside: int,
 ) -> dict[str, Any]:
-    """Collect the tracks by name, loops first, and the exact fits, which may hang on these."""
+    """Collect the tracks by name, loops first, and the exact fits with their ends on loops."""
     loops = len(stops) - len(fits)
     on_loops = {stop.position for on_track in [*stops.values()][:loops] for stop in on_track}
     return {
@@ -299,8 +294,8 @@ def _landmarks(s: SweepAnswer) -> list[Point]:
     return sorted(ends.union(*(undercut.positions for undercut in s.undercuts)))
 
 
-def _cut(pieces: list[ContactStretch], inside: Sequence[Point]) -> list[ContactStretch]:
-    """Cut stretches at the sorted positions that lie inside them."""
+def _cut(pieces: list[ContactInterval], inside: Sequence[Point]) -> list[ContactInterval]:
+    """Cut intervals at sorted positions inside them."""
     found = []
     for piece in pieces:
         low, high = sorted((piece.start, piece.end))
@@ -322,5 +317,5 @@ def _around_anchor(s: Moving, scale: Scale) -> dict[str, Any]:
 
 
 def _number(shape: AnyPolygon) -> dict[str, list[int]]:
-    """Return the numbers of the features, and the sizes of the rings."""
+    """Return the indices of the features, and the sizes of the rings."""
     return {**list_numbers(shape), "rings": [len(ring) for ring in shape.rings]}

@@ -12,14 +12,14 @@ if TYPE_CHECKING:
 
 
 class InlinePage:
-    """The page of a sweep, which a notebook shows at the end of a cell.
+    """The page of a sweep as the value of a notebook cell.
 
     Args:
         s: a Sweep.
         height: the height of its frame, in pixels.
 
     Attributes:
-        html: the page, as by `make_page`; write it to a file to open it alone.
+        html: the page, as by `make_page`.
 
     Cost: that of `make_page`.
 
@@ -39,7 +39,7 @@ class InlinePage:
         return f"<InlinePage: {self._title}>"
 
     def _repr_html_(self) -> str:
-        # The scripts run in a separate frame, without access to the notebook.
+        # Scripts in a sandboxed frame have no access to the notebook.
         return (
             f'<iframe title="{escape(self._title)}" sandbox="allow-scripts" '
             f'srcdoc="{escape(self.html)}" '

@@ -1,8 +1,7 @@
-"""Meetings of two vertices for an instant, which lasting contacts do not show.
+"""Positions at which two vertices meet, the only instantaneous contacts inside an edge of a loop.
 
-These are the only instant contacts inside an edge of a loop. Two features touch at the positions of
-a segment. The segment does not cross the loop. So inside an edge of the loop, only an end of the
-segment can touch the loop, and there two vertices meet.
+Two features touch at the positions of a segment, which does not cross the loop. So inside an edge
+of the loop, only an end of the segment can touch the loop, and there two vertices meet.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from exactsweep.geometry.region import AnyPolygon, share_lattice, to_region
 from exactsweep.geometry.vectors import cross, minus, turn
 from exactsweep.numbers.number import Point
 
-# The number of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
+# Numbers of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
 
 
@@ -59,7 +58,7 @@ class Meetings:
         self.translations = sorted(translations)
 
     def on_edges(self, loop: Sequence[Point]) -> list[Point]:
-        """Find where two vertices meet inside an edge of a loop of free positions, sorted.
+        """Find the meetings inside edges of a loop of free positions, sorted.
 
         Cost: O(t log p), plus O(1) for each edge and each position in its x-range.
 
@@ -84,7 +83,7 @@ class Meetings:
 def find_meetings(
     s: Moving, corners: int, others: Sequence[AnyPolygon] = (), *, inside: bool = False
 ) -> Meetings | None:
-    """Find where vertices meet, if the search takes at most a second; otherwise return None.
+    """Find the meetings of vertices; return None if the search would take more than a second.
 
     Args:
         s: as for `Meetings`.

@@ -1,4 +1,4 @@
-"""The page: one HTML file with its style, its scripts and the data of one sweep."""
+"""The page: one HTML file with style, scripts and data."""
 
 from __future__ import annotations
 
@@ -38,17 +38,17 @@ def make_page(
     y_down: bool = False,
     tell: Callable[[str], object] = str,
 ) -> str:
-    """Make a page on which G can be moved around D, or inside a container.
+    """Make an interactive HTML page on which G moves around D, or inside a container.
 
     Args:
         s: a Sweep, a NoFitPolygon or an InnerFit.
         names: the names of G and D, such as their files.
         y_down: whether Y points down, as in viewers of SVG.
-        tell: a function that is called with a few words before each step that may take long.
+        tell: a function that gets the name of each long step before it begins.
 
     Returns:
-        An HTML document that needs no network and no other file. Its policy allows its own scripts
-        only, and forbids the browser to load anything.
+        An HTML document that needs no network and no other file. Its content security policy allows
+        its own scripts only, and no loading.
 
     Cost: that of the loops, contacts and undercuts, and linear in the length of the result.
 
@@ -88,7 +88,7 @@ def _text(name: str) -> str:
 
 
 def embed_json(data: object) -> str:
-    """Write JSON that cannot end the script element around it."""
+    """Write JSON that cannot close the script element around it."""
     text = json.dumps(data, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 

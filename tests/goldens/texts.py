@@ -56,7 +56,7 @@ from exactsweep.draw import (
     plot_positions,
     plot_sweep,
 )
-from exactsweep.draw.stretches import cut_trajectory
+from exactsweep.draw.intervals import cut_trajectory
 from exactsweep.layout import Layout, judge_layout
 from exactsweep.layout.report import draw_layout, rank_faults
 from exactsweep.numbers.number import Vertex
@@ -173,7 +173,7 @@ def list_pictures() -> Iterator[str]:
     for name, s in SWEEPS.items():
         yield f"== {name}"
         yield from list_artists(plot_sweep(s, make_figure().axes[0]))
-        yield from (_write(stretch) for stretch in cut_trajectory(s))
+        yield from (_write(interval) for interval in cut_trajectory(s))
         yield from (write_places(s, columns) for columns in (1, 2))
     for name, found in POSITIONS.items():
         yield f"== {name}"

@@ -7,15 +7,15 @@ from strategies import pairs, points
 from tiers import examples
 
 from exactsweep import Point, Polygon, Sweep, sweep
-from exactsweep.draw import ContactStretch, cut_trajectory
+from exactsweep.draw import ContactInterval, cut_trajectory
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
 
 any_pair = pairs("CC") | pairs("CM") | pairs("MM")
 
 
-def middle(stretch: ContactStretch) -> Point:
-    (ax, ay), (bx, by) = stretch.start, stretch.end
+def middle(interval: ContactInterval) -> Point:
+    (ax, ay), (bx, by) = interval.start, interval.end
     return Point((ax + bx) / 2, (ay + by) / 2)
 
 
@@ -25,12 +25,12 @@ def swept(pair: tuple[Polygon, Polygon]) -> Sweep:
 
 @examples(60)
 @given(any_pair)
-def test_stretches_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) -> None:
+def test_intervals_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
     found = cut_trajectory(s)
     for before, after in zip(found, found[1:] + found[:1], strict=True):
         assert before.start != before.end == after.start
-    corners = {stretch.start: stretch.edge for stretch in reversed(found)}
+    corners = {interval.start: interval.edge for interval in reversed(found)}
     assert [corners[vertex] for vertex in s.trajectory.vertices] == list(range(len(s.trajectory)))
 
 
@@ -38,12 +38,12 @@ def test_stretches_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) 
 @given(any_pair)
 def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
-    for stretch in cut_trajectory(s):
-        touching = s.contacts_at(middle(stretch))
-        assert stretch.contacts
-        assert set(stretch.contacts) <= set(touching)
+    for interval in cut_trajectory(s):
+        touching = s.contacts_at(middle(interval))
+        assert interval.contacts
+        assert set(interval.contacts) <= set(touching)
         flat = {contact for contact in touching if contact.event == "EE"}
-        assert flat <= set(stretch.contacts)
+        assert flat <= set(interval.contacts)
 
 
 @examples(40)
@@ -51,9 +51,9 @@ def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Poly
 def test_edges_touch_in_a_segment_and_vertices_in_a_point(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
     features = Features(s)
-    for stretch in cut_trajectory(s)[:12]:
-        for contact in stretch.contacts:
-            low, high = features.spot(contact, middle(stretch))
+    for interval in cut_trajectory(s)[:12]:
+        for contact in interval.contacts:
+            low, high = features.spot(contact, middle(interval))
             assert (low < high) == (contact.event == "EE")
 
 
@@ -61,18 +61,18 @@ def test_an_edge_is_cut_where_its_contact_changes() -> None:
     # Over the gap, which is narrower than itself, the block lies on both sides of it for a while.
     block = [(0, 0), (3, 0), (3, 1), (0, 1)]
     gap = [(0, -3), (8, -3), (8, 0), (5, 0), (4, -1), (3, 0), (0, 0)]
-    over = [stretch for stretch in cut_trajectory(sweep(block, gap)) if stretch.edge == 2]
+    over = [interval for interval in cut_trajectory(sweep(block, gap)) if interval.edge == 2]
     right, left = Contact("EE", 0, 2), Contact("EE", 0, 5)
     a, b, c, d = points((8, 0), (3, 0), (2, 0), (-3, 0))
     assert over == [
-        ContactStretch(2, a, b, (right,)),
-        ContactStretch(2, b, c, (right, left)),
-        ContactStretch(2, c, d, (left,)),
+        ContactInterval(2, a, b, (right,)),
+        ContactInterval(2, b, c, (right, left)),
+        ContactInterval(2, c, d, (left,)),
     ]
 
 
 def test_contacts_of_several_events_at_once_say_so() -> None:
     at = Point(Fraction(0), Fraction(0))
     contacts = (Contact("EV", 0, 0), Contact("VE", 1, 1), Contact("EV", 1, 2))
-    assert ContactStretch(0, at, at, contacts).event == "several"
-    assert ContactStretch(0, at, at, contacts[::2]).event == "EV"
+    assert ContactInterval(0, at, at, contacts).event == "several"
+    assert ContactInterval(0, at, at, contacts[::2]).event == "EV"

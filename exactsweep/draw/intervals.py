@@ -1,4 +1,4 @@
-"""Stretches of loops of positions, each with the features that touch along it."""
+"""Intervals of constant contact along loops of positions."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import Point
 
 
-class ContactStretch(NamedTuple):
-    """A piece of an edge of a loop of positions along which the same contacts last.
+class ContactInterval(NamedTuple):
+    """A part of an edge of a loop of positions along which the contacts are constant.
 
     Attributes:
-        edge: the number of the edge, from that vertex of the loop to the next.
-        start, end: its ends in the order of travel, Points.
-        contacts: tuple of all Contacts that last from start to end.
+        edge: the index of the edge, from that vertex of the loop to the next.
+        start, end: the ends in the order of travel, Points.
+        contacts: tuple of all Contacts between start and end.
     """
 
     edge: int
@@ -35,35 +35,28 @@ class ContactStretch(NamedTuple):
 
 
 @tells_arguments
-def cut_trajectory(s: SweepAnswer) -> list[ContactStretch]:
+def cut_trajectory(s: SweepAnswer) -> list[ContactInterval]:
     """Cut the trajectory where a contact begins or ends.
 
     Args:
         s: a Sweep.
 
     Returns:
-        list of ContactStretch, once around from the first vertex of the trajectory.
+        list of ContactInterval, once around from the first vertex of the trajectory.
 
     Cost: that of `Sweep.contacts`, plus O(c log c) for each edge with c contacts, plus the output.
 
     Example:
         >>> from exactsweep import sweep
         >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-        >>> [stretch.event for stretch in cut_trajectory(s)]
+        >>> [interval.event for interval in cut_trajectory(s)]
         ['EE', 'EV', 'VE', 'EV', 'EE']
     """
     return _cut(Features(s), s.trajectory.vertices, s.contacts)
 
 
-def cut_loops(s: SweepAnswer, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
-    """Cut other loops of positions as `cut_trajectory` cuts the trajectory.
-
-    Args:
-        s: a Sweep.
-        loops: the loops of positions, as for `Sweep.contacts_along`.
-
-    Yields:
-        For each loop, list of ContactStretch.
+def cut_loops(s: SweepAnswer, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactInterval]]:
+    """Yield the intervals of each of some loops of positions, as `cut_trajectory` returns them.
 
     Cost: that of `Sweep.contacts_along`, and as for `cut_trajectory`.
     """
@@ -74,8 +67,8 @@ def cut_loops(s: SweepAnswer, loops: Sequence[Sequence[Point]]) -> Iterator[list
 
 def _cut(
     features: Features, corners: Sequence[Point], along: Sequence[Sequence[Contact]]
-) -> list[ContactStretch]:
-    found: list[ContactStretch] = []
+) -> list[ContactInterval]:
+    found: list[ContactInterval] = []
     for k, contacts in enumerate(along):
         start, end = corners[k], corners[(k + 1) % len(corners)]
         first, last = sorted((start, end))
@@ -88,7 +81,7 @@ def _cut(
             for i in range(*sorted(number[p] for p in span)):
                 lasting[i].append(contact)
         found += (
-            ContactStretch(k, a, b, tuple(now))
+            ContactInterval(k, a, b, tuple(now))
             for (a, b), now in zip(pairwise(cuts), lasting, strict=False)
         )
     return found
