@@ -35,6 +35,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from families import random_pair
 from layout_adversary import draw_layouts, is_true_layout, refill
+from rounded_pieces import claim_valid, draw_rounded, is_true_rounded
 from shape_families import random_shapes
 from tampering import get, put
 from weakened import weaken
@@ -250,6 +251,7 @@ def is_true(certificate: Certificate, known: list[Certificate]) -> bool:
 
 SHAPES = Family(draw, reroute, is_true)
 LAYOUTS = Family(draw_layouts, refill, is_true_layout)
+ROUNDED = Family(draw_rounded, claim_valid, is_true_rounded)
 
 
 def read_region(item: Any) -> Any:
@@ -286,6 +288,7 @@ def list_corpus() -> Iterator[Certificate]:
 @click.option("--changes", default=100, show_default=True, help="How many changes of each pair.")
 @click.option("--seed", default=1, show_default=True)
 @click.option("--layouts", is_flag=True, help="Certificates of layouts.")
+@click.option("--rounded", is_flag=True, help="Certificates of layouts of rounded pieces.")
 @click.option("--prove", "proved", is_flag=True, help="Prove certificates, unchanged, instead.")
 @click.option("--corpus", is_flag=True, help="Those of the corpus, with --prove.")
 @click.option("--weaken", "weakened", is_flag=True, help="Weaken lines of the checker instead.")
@@ -295,6 +298,7 @@ def main(
     changes: int,
     seed: int,
     layouts: bool,
+    rounded: bool,
     proved: bool,
     corpus: bool,
     weakened: bool,
@@ -314,7 +318,9 @@ def main(
             click.echo(f"{count - failed} of {count} proved", err=True)
         click.echo(f"{count - failed} of {count} proved")
         sys.exit(bool(failed))
-    tried, missed = falsify(rng, pairs, changes, LAYOUTS if layouts else SHAPES)
+    tried, missed = falsify(
+        rng, pairs, changes, LAYOUTS if layouts else ROUNDED if rounded else SHAPES
+    )
     for name, number in sorted(tried.items()):
         click.echo(f"{number:7}  {name}")
     click.echo(f"{tried.total()} tried, {len(missed)} false ones proved")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 
@@ -32,6 +33,7 @@ class Sums:
             grow([(self.grid.bound(ring), k) for k, ring in enumerate(shape)])
             for shape in (first, second)
         ]
+        self._parallel = [_by_direction(pieces) for pieces in self._pieces]
         left, right, low, high = zip(*(tree.box for tree in self._trees), strict=True)
         self.box: CellBox = sum(left), sum(right), sum(low), sum(high)
         self._sides: dict[int, list[DirectedSegment]] = {}
@@ -44,6 +46,13 @@ class Sums:
             i, j = divmod(k, self._columns)
             found = self._sides[k] = _add(self._pieces[0][i], self._pieces[1][j])
         return found
+
+    def find_parallel(self, near: Iterable[int], side: DirectedSegment) -> list[int]:
+        """Return the sums among some numbers that have a side parallel to a segment."""
+        direction, columns = _undirected(side), self._columns
+        rows, others = (of.get(direction, set()) for of in self._parallel)
+        numbers = (k for k in near if k < self.count)
+        return [k for k in numbers if k % columns in others or k // columns in rows]
 
     def measure(self, k: int) -> int:
         """Return twice the area of a sum, its corners rounded to the grid."""
@@ -59,6 +68,20 @@ class Sums:
         if boxes:
             for n, i, j in find_touching(grow(boxes), *self._trees):
                 yield n, i * self._columns + j
+
+
+def _undirected(side: DirectedSegment) -> tuple[int, int]:
+    dx, dy = side.direction
+    return max((dx, dy), (-dx, -dy))
+
+
+def _by_direction(pieces: list[list[DirectedSegment]]) -> dict[tuple[int, int], set[int]]:
+    """Return the numbers of the pieces by the directions of their sides."""
+    found: dict[tuple[int, int], set[int]] = defaultdict(set)
+    for k, sides in enumerate(pieces):
+        for side in sides:
+            found[_undirected(side)].add(k)
+    return found
 
 
 def _from_lowest(ring: Sequence[Node]) -> list[DirectedSegment]:

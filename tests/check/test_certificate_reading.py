@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import json
 from contextlib import suppress
 from random import Random
 from typing import Any
@@ -12,7 +13,7 @@ from certified import Certificate, certificates, two_ls
 from tampering import put
 
 from exactsweep.check import verify
-from exactsweep.check.standalone import Refused, number, prove
+from exactsweep.check.standalone import Refused, load, number, prove
 
 JUNK: list[Any] = [None, True, False, 0, -1, 10**5000, 1.5, float("nan"), "", "x", "0", "1/0", "-0"]
 JUNK += [
@@ -113,3 +114,10 @@ def test_the_work_is_bounded_by_the_size_or_by_the_caller() -> None:
     long = put(certificate, ("exterior", 0, 0), "1" * 9000)
     with pytest.raises(Refused):
         prove(long)
+
+
+def test_an_object_has_no_key_twice() -> None:
+    text = json.dumps(two_ls())
+    assert prove(load(text))
+    with pytest.raises(Refused, match="duplicate key"):
+        load(text.replace('"turns": [[', '"turns": [], "turns": [[', 1))

@@ -4,17 +4,26 @@ from random import Random
 from unittest.mock import patch
 
 import pytest
-from falsify import LAYOUTS, SHAPES, Family, falsify
+from falsify import LAYOUTS, ROUNDED, SHAPES, Family, falsify
+from rounded_pieces import draw_rounded, is_true_rounded
 from weakened import list_weakened
 
 from exactsweep.check import standalone
 
 
-@pytest.mark.parametrize("family", [SHAPES, LAYOUTS])
+@pytest.mark.parametrize("family", [SHAPES, LAYOUTS, ROUNDED])
 def test_falsified_certificates_are_refused(family: Family) -> None:
     tried, missed = falsify(Random(8), 4, 20, family)
     assert tried.total() == 80
     assert not missed
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_drawn_layouts_of_rounded_pieces_are_proved(seed: int) -> None:
+    for rng in map(Random, range(seed, 60, 3)):
+        for certificate in draw_rounded(rng):
+            assert is_true_rounded(certificate, None)
+            assert standalone.prove(certificate)
 
 
 def test_a_checker_of_layouts_that_believes_all_normals_is_convicted() -> None:

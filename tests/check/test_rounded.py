@@ -16,7 +16,6 @@ from tampering import put
 from exactsweep.check.standalone import Refused, prove
 
 DISC: Any = {"points": [["0", "0"]], "radius": "5"}
-ORIGIN = (Fraction(0), Fraction(0))
 
 
 def is_proved(certificate: Certificate) -> bool:

@@ -174,6 +174,15 @@ CONDITIONS = {
         ),
         "proof: no pieces",
     ),
+    "no pieces of the part": (
+        "inside",
+        lambda c: put(
+            put(c, ("part", "exterior"), [["0", "0"], ["1", "0"], ["2", "0"]]),
+            ("proof", "part"),
+            [],
+        ),
+        "proof: no pieces of the part",
+    ),
     "another area": ("SS", change("area", to=lambda a: str(Fraction(a) + 1)), "area: differs"),
     "inner and a further loop exchanged": (
         "unswept",

@@ -16,7 +16,7 @@ from exactsweep.check import standalone
 
 TESTS = tuple(
     f"tests/check/test_{name}.py"
-    for name in ("standalone", "standalone_layouts", "certificate_reading", "standalone_file")
+    for name in ("standalone_layouts", "rounded", "standalone", "certificate_reading")
 )
 
 
