@@ -57,6 +57,13 @@ class _Rules(NamedTuple):
     strict: bool
 
 
+class _Table(NamedTuple):
+    """The outlines of the parts of a table of placements, and the unit of angles."""
+
+    part: str | None
+    turns_in: str
+
+
 class _Wanted(NamedTuple):
     """The outputs that are asked for of a layout, and their files."""
 
@@ -75,6 +82,20 @@ class _Wanted(NamedTuple):
     "--instance",
     "The instance of a solution, with its parts, their number and their allowed turns; or a "
     "drawing, a file or a folder of parts, each to be placed once.",
+)
+@gather(
+    "table",
+    _Table,
+    takes_file(
+        "--part",
+        "The outlines of the parts of a table of placements: any file of polygons, or Layout JSON.",
+    ),
+    click.option(
+        "--turns-in",
+        type=click.Choice(["degrees", "radians"]),
+        default="degrees",
+        help="The unit of angles in tables and Layout JSON.",
+    ),
 )
 @gather(
     "container",
@@ -133,6 +154,7 @@ class _Wanted(NamedTuple):
 def layout_command(
     files: tuple[str, ...],
     instance: str | None,
+    table: _Table,
     container: str | Literal[False] | None,
     gaps: dict[str, str],
     rules: _Rules,
@@ -144,9 +166,10 @@ def layout_command(
 
     Each of FILES is a file, a folder of files, a pattern such as 'nests/*.json', or - for standard
     input: Layout JSON; solutions of sparrow, jagua-rs, spyrrow, packingsolver or CG:SHOP 2024 as
-    JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; or any drawing, such as SVG or DXF, with
-    the outlines in place. --instance adds rules that a file lacks. In a file with several sheets
-    each sheet is a layout; FILE#0 is the first.
+    JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; any drawing, such as SVG or DXF, with the
+    outlines in place; a table of placements, as CSV or JSON with columns part, x, y and angle, with
+    --part OUTLINE; or a table of discs with columns x, y and radius. --instance adds rules that a
+    file lacks. In a file with several sheets each sheet is a layout; FILE#0 is the first.
 
     A layout is valid if all parts are inside the container and clear of its defects, no two
     overlap, all distances are kept, and the number, the turns and the mirroring of parts obey the
@@ -165,6 +188,7 @@ def layout_command(
       exactsweep layout nest.dxf --ignore-layer engrave --accept 1e-6
       exactsweep layout final.json --spacing 0.5 --certificate proof.json
       exactsweep layout solution.json --instance instance.json
+      exactsweep layout trees.csv --part tree.json
       exactsweep layout nests 'more/*.svg' --workers 4
     """
     from exactsweep.formats.layouts import read_layouts
@@ -173,6 +197,7 @@ def layout_command(
     if "-" in found and len(found) > 1:
         raise click.UsageError("Standard input is read alone, without other files.")
     options = {"instance": instance, "container": container, **reading}
+    options |= {"part": table.part, "radians": table.turns_in == "radians"}
     layouts: list[FoundLayout] = []
     if len(found) == 1:
         layouts = read_layouts(found[0], **options)

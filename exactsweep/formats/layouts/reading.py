@@ -9,6 +9,7 @@ from functools import partial
 from glob import has_magic
 from typing import Any, Literal, Unpack
 
+from exactsweep.formats.curved.arc import to_degrees
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json
 from exactsweep.formats.files import read_text, show_path
@@ -22,12 +23,15 @@ from exactsweep.formats.layouts.found import (
 )
 from exactsweep.formats.layouts.instances import read_instance
 from exactsweep.formats.layouts.inventory import compare_inventory, read_inventory
+from exactsweep.formats.layouts.table import is_table, read_parts, read_table
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.number import to_fraction
 
 _Container = str | Literal[False] | None
 
@@ -39,8 +43,12 @@ class LayoutOptions(Options, total=False):
         instance: the instance that a solution answers.
         container: which outline of a drawing is the container; False for no container.
         tolerance: how far lines may be from curves.
+        part: the file of the parts of a table of placements.
+        radians: whether the angles of a table are in radians.
     """
 
+    part: str | None
+    radians: bool
     instance: str | None
     container: _Container
     tolerance: object
@@ -92,6 +100,8 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
         instance: the file of the instance that a solution answers; needed where the solution does
             not hold it. It says what is to be placed how often, and which turns are allowed. Or a
             drawing, a file of polygons or a folder of parts, each to be placed once.
+        part: the file of the parts of a table of placements; see `table`.
+        radians: whether the angles of such a table are in radians.
         container: which outline of a drawing is the container, by name, index or layer; False for
             no container; if left out, the command finds it.
         tolerance: as for `exactsweep.formats.parse_polygons`.
@@ -105,6 +115,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
 
     Cost: linear in the length of the text.
     """
+    part, radians = options.get("part"), options.get("radians", False)
     instance, container, reading = _take_options(**options)
     file, choice = split_choice(path)
     known, wanted = None, None
@@ -115,7 +126,12 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
         if known is None:
             wanted = read_inventory(instance, reading)
     with name_file(file):
-        found = _parse_each(read_text(file), known, container, reading)
+        text = read_text(file)
+        if part is not None or is_table(text):
+            found = _read_table(text, part, known, reading, radians=radians)
+        else:
+            found = _parse_each(text, known, container, reading)
+            found = [*map(_from_radians, found)] if radians else found
         if wanted is not None:
             if len(found) > 1:
                 raise FormatError(f"{len(found)} sheets; an instance of parts is for one sheet")
@@ -127,10 +143,43 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
         raise FormatError(f"no sheet has the number {quote(choice)}; there are {len(found)}")
 
 
+def _read_table(
+    text: str,
+    part: str | None,
+    known: NestingInstance | None,
+    reading: Reading,
+    *,
+    radians: bool,
+) -> list[FoundLayout]:
+    """Read a table of placements; an instance has its parts, and perhaps the only container."""
+    parts: Mapping[str, Data] = {} if known is None else known.parts
+    if part is not None:
+        parts = read_parts(part, reading)
+    found = read_table(text, parts, radians=radians)
+    if known is not None and len(known.containers) == 1:
+        (container,) = known.containers.values()
+        rest = {"container": container, **known.rest}
+        found = [one._replace(data={**one.data, **rest}) for one in found]
+    return found
+
+
+def _from_radians(found: FoundLayout) -> FoundLayout:
+    """Convert turns from radians to degrees."""
+    placements = [
+        {**one, "turn": format_fraction(to_degrees(to_fraction(one["turn"])))}
+        if isinstance(one, dict) and isinstance(one.get("turn", []), str)
+        else one
+        for one in found.data["placements"]
+    ]
+    return found._replace(data={**found.data, "placements": placements})
+
+
 def _take_options(
     instance: str | None = None,
     container: _Container = None,
     tolerance: object = None,
+    part: str | None = None,
+    radians: bool = False,
     **options: Unpack[Options],
 ) -> tuple[str | None, _Container, Reading]:
     for name, value in (("instance", instance), ("container", container or None)):

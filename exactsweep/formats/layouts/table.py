@@ -1,0 +1,258 @@
+"""Tables of placements: a row for each placed part, in CSV, TSV or a list of JSON objects.
+
+Columns have the usual names, in any order and case; `COLUMNS` lists them. Numbers may have letters
+before them, as in "s0.125", which some contests want. A column of groups, or ids such as 002_0 and
+002_1, gives one layout for each group. With a column of radii the parts are discs.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from io import StringIO
+from typing import NamedTuple
+
+from exactsweep.formats.curved.arc import to_degrees
+from exactsweep.formats.decimals import read_decimal
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.exact_json import parse_json
+from exactsweep.formats.folder import list_parts, make_unique
+from exactsweep.formats.layouts.found import FoundLayout, write_rings
+from exactsweep.formats.node import Data
+from exactsweep.formats.reading import Reading
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.words import count
+
+COLUMNS = {
+    "x": ("x", "tx", "dx", "pos_x", "x_pos", "center_x", "x_center", "cx"),
+    "y": ("y", "ty", "dy", "pos_y", "y_pos", "center_y", "y_center", "cy"),
+    "angle": ("angle", "deg", "degrees", "angle_deg", "rotation", "rot", "theta", "turn"),
+    "radians": ("rad", "radians", "angle_rad"),
+    "radius": ("r", "radius"),
+    "mirrored": ("mirrored", "mirror", "flipped", "flip"),
+    "part": ("part", "part_id", "name", "item", "item_id", "shape", "piece"),
+    "group": ("group", "layout", "sheet", "bin", "case", "puzzle", "board", "n"),
+    "id": ("id",),
+}
+"""The names of columns by their meaning."""
+
+_MEANINGS = {name: meaning for meaning, names in COLUMNS.items() for name in names}
+# With one of these, x and y are places.
+_PLACING = {"angle", "radians", "radius"}
+_NUMBERED = re.compile(r"(.+?)[_-]\d+")
+_PREFIX = re.compile(r"[A-Za-z_]+(?=[-+.]*\d)")
+_TRUE, _FALSE = {"1", "true", "yes"}, {"0", "false", "no", ""}
+
+
+class _Row(NamedTuple):
+    """A row: its place in the file, and its cells by meaning."""
+
+    place: str
+    cells: Mapping[str, str]
+
+    def read(self, meaning: str) -> Fraction:
+        """Read a number without the letters before it."""
+        text = _PREFIX.sub("", self.cells[meaning].strip(), count=1)
+        with name_refusals(f"{self.place}: {meaning}", FormatError):
+            return read_decimal(text)
+
+
+def is_table(text: str) -> bool:
+    """Decide whether a text is a table of placements, by the names of its columns.
+
+    >>> is_table("id,x,y,deg"), is_table("name,x,y"), is_table('[{"x": 1, "y": 2, "angle": 3}]')
+    (True, False, True)
+    """
+    if text.lstrip()[:1] in "{<":
+        return False
+    try:
+        found = _name_columns(_read_head(text))
+    except (FormatError, csv.Error):
+        return False
+    return {"x", "y"} <= found.keys() and not _PLACING.isdisjoint(found)
+
+
+def read_parts(path: str, reading: Reading) -> dict[str, Data]:
+    """Read the parts of a table: those of Layout JSON, or the polygons of a file or a folder.
+
+    Raises:
+        FormatError: there is none, or one cannot be read.
+    """
+    from exactsweep.formats.files import read_text
+    from exactsweep.formats.polygons import name_file
+
+    if path.lower().endswith(".json"):
+        with name_file(path):
+            data = parse_json(read_text(path))
+        if isinstance(data, dict) and isinstance(data.get("parts"), list):
+            return {str(part["id"]): _drop_rules(part) for part in data["parts"]}
+    listing = list_parts([path], reading.tolerance, **reading.options)
+    parts = [one for one in listing.parts if not one.candidate.ornament]
+    names = make_unique([one.name for one in parts])
+    if not parts:
+        raise FormatError(f"{path}: no part")
+    found: dict[str, Data] = {}
+    for name, one in zip(names, parts, strict=True):
+        found[name] = {"id": name, **write_rings(one.candidate)}
+    return found
+
+
+def _drop_rules(part: Data) -> Data:
+    return {key: part[key] for key in ("id", "exterior", "holes", "pieces", "error") if key in part}
+
+
+def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -> list[FoundLayout]:
+    r"""Read a table of placements.
+
+    Args:
+        text: the table.
+        parts: the parts by id, as in Layout JSON; none for a table of discs.
+        radians: whether angles are in radians; they are converted within a part in 10^100.
+
+    Returns:
+        A FoundLayout for each group, without container, in the order of the table.
+
+    Raises:
+        FormatError: a column is missing, a cell is not a number, or no part has the name of a row.
+            The message has the line.
+
+    Cost: linear.
+
+    Example:
+        >>> (found,) = read_table("id,x,y,r\na,0,0,1\nb,2,0,1\n", {})
+        >>> found.data["parts"]
+        [{'id': 'disc 1', 'pieces': [{'points': [['0', '0']], 'radius': '1'}]}]
+    """
+    rows = [*_list_rows(text)]
+    if not rows:
+        raise FormatError("a table without rows")
+    meanings = rows[0].cells.keys()
+    missing = [name for name in ("x", "y") if name not in meanings]
+    if missing:
+        raise FormatError(f"a table of placements without a column {' and '.join(missing)}")
+    if not parts and "radius" not in meanings:
+        raise FormatError("a table of placements; --part FILE has the outline of its parts")
+    groups: dict[str, list[_Row]] = {}
+    for name, row in zip(_name_groups(rows, parts), rows, strict=True):
+        groups.setdefault(name, []).append(row)
+    note = (
+        f"{count(len(rows), 'row')} of placements, angles in {'radians' if radians else 'degrees'}"
+    )
+    found = [_make_layout(name, group, parts, radians=radians) for name, group in groups.items()]
+    return [found[0]._replace(notes=(note,)), *found[1:]]
+
+
+def _make_layout(
+    name: str, rows: Sequence[_Row], parts: Mapping[str, Data], *, radians: bool
+) -> FoundLayout:
+    used: dict[str, Data] = {}
+    placements: list[Data] = []
+    for row in rows:
+        part = _find_part(row, parts)
+        used[part["id"]] = part
+        move = [format_fraction(row.read(axis)) for axis in ("x", "y")]
+        placed: Data = {"part": part["id"], "turn": _read_turn(row, radians=radians), "move": move}
+        flag = row.cells.get("mirrored", "").strip().lower()
+        if flag not in _TRUE | _FALSE:
+            raise FormatError(f"{row.place}: mirrored: {quote(flag)} is neither true nor false")
+        placements.append(placed | ({"mirrored": True} if flag in _TRUE else {}))
+    data = {"parts": [*used.values()], "placements": placements}
+    return FoundLayout(name, data, places=tuple(row.place for row in rows))
+
+
+def _find_part(row: _Row, parts: Mapping[str, Data]) -> Data:
+    """Return the part of a row: by name, the only one, or the disc of its radius."""
+    if not parts:
+        radius = format_fraction(row.read("radius"))
+        pieces = [{"points": [["0", "0"]], "radius": radius}]
+        return {"id": f"disc {radius}", "pieces": pieces}
+    name = row.cells.get("part", row.cells.get("id", "")).strip()
+    if name in parts:
+        return parts[name]
+    if len(parts) == 1 and "part" not in row.cells:
+        return next(iter(parts.values()))
+    known = ", ".join(quote(one) for one in [*parts][:4])
+    raise FormatError(f"{row.place}: no part has the name {quote(name)}; there are {known}")
+
+
+def _read_turn(row: _Row, *, radians: bool) -> str:
+    if "radians" in row.cells:
+        return format_fraction(to_degrees(row.read("radians")))
+    if "angle" not in row.cells:
+        return "0"
+    angle = row.read("angle")
+    return format_fraction(to_degrees(angle) if radians else angle)
+
+
+def _name_groups(rows: Sequence[_Row], parts: Mapping[str, Data]) -> list[str]:
+    """Name the group of each row: its column of groups, or the id without a number at its end."""
+    named = [row.cells["group"].strip() for row in rows if "group" in row.cells]
+    if named and (len({*named}) < len(rows) or len(rows) == 1):
+        return named if len({*named}) > 1 else [""] * len(rows)
+    ids = [row.cells["id"].strip() for row in rows if "id" in row.cells]
+    matches = [_NUMBERED.fullmatch(one) for one in ids if one not in parts]
+    groups = [match[1] for match in matches if match]
+    is_grouped = len(groups) == len(rows) and 1 < len({*groups}) < len(rows)
+    return groups if is_grouped else [""] * len(rows)
+
+
+def _list_rows(text: str) -> Iterator[_Row]:
+    if text.lstrip()[:1] in "[{":
+        for k, entry in enumerate(_list_objects(text)):
+            if not isinstance(entry, dict):
+                raise FormatError(f"entry {k}: not an object")
+            columns = _name_columns([*entry])
+            yield _Row(
+                f"entry {k}", {meaning: str(entry[name]) for meaning, name in columns.items()}
+            )
+        return
+    reader = _read_csv(text)
+    head = [cell.strip() for cell in next(reader, [])]
+    places = {meaning: head.index(name) for meaning, name in _name_columns(head).items()}
+    try:
+        for row in reader:
+            if any(map(str.strip, row)):
+                line = f"line {reader.line_num}"
+                if len(row) <= max(places.values(), default=0):
+                    raise FormatError(f"{line}: {count(len(row), 'cell')} of {len(head)}")
+                yield _Row(line, {meaning: row[k] for meaning, k in places.items()})
+    except csv.Error as error:
+        raise FormatError(f"line {reader.line_num}: {error}") from None
+
+
+def _read_csv(text: str) -> csv._reader:  # type: ignore[name-defined]
+    first = re.sub(r'"[^"]*+"', "", text.lstrip().partition("\n")[0])
+    separator = next((mark for mark in ";\t" if mark in first), ",")
+    return csv.reader(StringIO(text.lstrip(), newline=""), delimiter=separator)
+
+
+def _read_head(text: str) -> list[str]:
+    """Return the names of the columns; empty if a text is no table."""
+    if text.lstrip()[:1] not in "[{":
+        return [cell.strip() for cell in next(_read_csv(text[:2000]), [])]
+    entries = _list_objects(text)
+    return [*entries[0]] if entries and isinstance(entries[0], dict) else []
+
+
+def _list_objects(text: str) -> list[object]:
+    """Return the entries of a JSON list, or of the only list of an object; else none."""
+    data = parse_json(text)
+    lists = [data] if isinstance(data, list) else []
+    if isinstance(data, dict):
+        lists = [value for value in data.values() if isinstance(value, list)]
+    return lists[0] if len(lists) == 1 else []
+
+
+def _name_columns(head: Sequence[str]) -> dict[str, str]:
+    """Return the name of the column of each meaning; raise FormatError if there are two."""
+    found: dict[str, str] = {}
+    for name in head:
+        meaning = _MEANINGS.get(name.lower().replace(" ", "_"))
+        if meaning is not None and meaning in found:
+            raise FormatError(f"two columns for {meaning}: {quote(found[meaning])}, {quote(name)}")
+        if meaning is not None:
+            found[meaning] = name
+    return found
