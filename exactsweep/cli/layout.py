@@ -57,7 +57,7 @@ class _Rules(NamedTuple):
     strict: bool
 
 
-class _Table(NamedTuple):
+class _TableOptions(NamedTuple):
     """The outlines of the parts of a table of placements, and the unit of angles."""
 
     part: str | None
@@ -85,7 +85,7 @@ class _Wanted(NamedTuple):
 )
 @gather(
     "table",
-    _Table,
+    _TableOptions,
     takes_file(
         "--part",
         "The outlines of the parts of a table of placements: any file of polygons, or Layout JSON.",
@@ -154,7 +154,7 @@ class _Wanted(NamedTuple):
 def layout_command(
     files: tuple[str, ...],
     instance: str | None,
-    table: _Table,
+    table: _TableOptions,
     container: str | Literal[False] | None,
     gaps: dict[str, str],
     rules: _Rules,

@@ -18,7 +18,6 @@ from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board
 from exactsweep.layout.clearance import find_clearance, is_rounded, measure_gap
 from exactsweep.layout.fault import Fault
-from exactsweep.layout.layout import Layout
 from exactsweep.layout.misfit import drop_repeated, find_misfit
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
@@ -47,13 +46,10 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
     Raises:
         LayoutError: no fault has a proof, because all are undecided, or rings that only touch
-            themselves or each other; or a ring has fewer than three vertices; or the layout has
-            what certificates do not cover: defects with a distance of their own, turns of mirrored
-            placements.
+            themselves or each other; or a ring has fewer than three vertices.
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
-    _require_covered(board.layout)
     parts = (part for part in board.layout.parts if not part.pieces)
     rings = (ring for part in parts for ring in (part.exterior, *part.holes))
     if any(len(drop_repeated(ring)) < _LEAST for ring in rings):
@@ -76,14 +72,6 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
             "faults" if faults else "proof": found,
         }
     )
-
-
-def _require_covered(layout: Layout) -> None:
-    """Refuse a layout with rules that certificates of this version do not cover."""
-    if any(defect.spacing is not None for defect in layout.defects):
-        raise LayoutError("certificates do not cover defects with a spacing of their own")
-    if any(part.mirrored_turns is not None for part in layout.parts):
-        raise LayoutError("certificates do not cover turns of mirrored placements")
 
 
 def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
@@ -123,12 +111,12 @@ def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
     """Make an entry for each piece of an obstacle and each near piece of a placement."""
-    margin, names = board.layout.margin, _name_obstacles(board)
-    for k, defects in board.find_defects(margin).items():
+    names = _name_obstacles(board)
+    for k, defects in board.find_defects(board.greatest_margin).items():
         outside = () if board.is_open else (0,)
         for wall in (*outside, *defects):
             a, b = share_scale(board.around[wall], board.solid(k, bits))
-            distance = (margin + a.slack + b.slack) * a.scale
+            distance = (board.required(wall) + a.slack + b.slack) * a.scale
             name, first = names[wall]
             for i, h, found in _part_pieces(a, b, distance):
                 yield found and [name, first + i, k, h, *map(str, found)]
@@ -213,9 +201,8 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
     """Find a point inside both solids of a fault, or halfway between two that are too close."""
     a, b = fault.find_pair(bits)
     if fault.kind == "too close":
-        alone = len(fault.placements) == 1
-        gap = board.layout.margin if alone else board.layout.spacing
-        room = gap - a.slack - b.slack
+        assert fault.required is not None
+        room = fault.required - a.slack - b.slack
         if room <= 0:
             return None
         if is_rounded(a, b):

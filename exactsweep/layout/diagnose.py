@@ -17,6 +17,7 @@ from exactsweep.layout.board import Board
 from exactsweep.layout.judge import Judgement, judge_layout
 from exactsweep.layout.layout import Layout, LayoutPart, Placement
 from exactsweep.layout.repair import make_box
+from exactsweep.layout.rounded import RoundedPiece
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import ORIGIN, Point
 
@@ -49,11 +50,14 @@ def diagnose(judgement: Judgement) -> list[str]:
 
     Returns:
         list of sentences, beginning with the convention that leaves the fewest faults. The list is
-        empty if few placements have faults, or no convention explains them.
+        empty if few placements have faults, no convention explains them, or parts or the container
+        are rounded.
 
     Cost: that of `judge_layout` for each of some thirty conventions, if many are at fault.
     """
     layout, faults = judgement.layout, _count_faults(judgement)
+    if any(part.pieces for part in layout.parts) or isinstance(layout.container, RoundedPiece):
+        return []
     wrong = {k for f in judgement.faults if f.kind in _PLACED for k in f.placements}
     if len(wrong) < max(_FEW, len(layout.placements) / _SHARE) or len(wrong) > _MANY:
         return []

@@ -109,7 +109,7 @@ class Judgement:
     def box(self) -> tuple[Point, Point] | None:
         """The lower left and the upper right corner of the box of all placed parts.
 
-        It is None if nothing is placed. The sides may be off by the errors of turns and curves.
+        It is None if nothing is placed. The sides may be off by `box_error`.
         """
         boxes = [(solid.box, solid.scale) for solid in map(self._board.solid, self._board.placed)]
         if not boxes:
@@ -117,6 +117,12 @@ class Judgement:
         sides = [[Fraction(side) / scale for side in box] for box, scale in boxes]
         left, right, low, high = zip(*sides, strict=True)
         return Point(min(left), min(low)), Point(max(right), max(high))
+
+    @property
+    def box_error(self) -> Fraction:
+        """A bound on the error of each side of the `box`; 0 if turns and shapes are exact."""
+        slacks = (self._board.solid(k).slack for k in self._board.placed)
+        return max(slacks, default=Fraction(0))
 
     @cached_property
     def distance(self) -> NearestPair | None:

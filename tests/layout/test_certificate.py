@@ -264,17 +264,25 @@ def test_defects_that_cross_are_obstacles_of_their_own(
 
 
 @pytest.mark.parametrize(
-    "change",
+    ("change", "kinds"),
     [
-        {"defects": [{"exterior": square(0, 0, 1), "spacing": "1"}]},
-        {"parts": [{"id": "a", "exterior": square(0, 0, 2), "mirrored_turns": ["0"]}]},
+        ({"defects": [{"exterior": square(0, 0, 1), "spacing": "2"}]}, []),
+        ({"defects": [{"exterior": square(0, 0, 1), "spacing": "3"}]}, ["too close"]),
+        (
+            {"defects": [{"exterior": square(0, 0, 1), "spacing": "3"}], "margin": "1/2"},
+            ["too close"],
+        ),
+        ({"parts": [{"id": "a", "exterior": square(0, 0, 2), "mirrored_turns": ["0"]}]}, []),
     ],
 )
-def test_rules_that_certificates_do_not_cover_are_refused(change: dict[str, Any]) -> None:
+def test_rules_of_defects_and_mirrored_placements_are_proved(
+    change: dict[str, Any], kinds: list[str]
+) -> None:
     data = {
         "container": {"exterior": square(0, 0, 10)},
         "parts": [{"id": "a", "exterior": square(0, 0, 2)}],
-        "placements": [{"part": "a", "move": ["3", "3"]}],
+        "placements": [{"part": "a", "move": ["3", "1/2"]}],
     }
-    with pytest.raises(LayoutError, match="certificates do not cover"):
-        judge_layout(Layout.from_json(data | change)).certificate()
+    judgement = judge_layout(Layout.from_json(data | change))
+    assert [fault.kind for fault in judgement.faults] == kinds
+    assert standalone.prove(judgement.certificate())

@@ -125,10 +125,11 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
             known = _parse_instance(text, reading) if text.lstrip()[:1] == "{" else None
         if known is None:
             wanted = read_inventory(instance, reading)
+    parts = None if part is None else read_parts(part, reading)
     with name_file(file):
         text = read_text(file)
-        if part is not None or is_table(text):
-            found = _read_table(text, part, known, reading, radians=radians)
+        if parts is not None or is_table(text):
+            found = _read_table(text, parts, known, radians=radians)
         else:
             found = _parse_each(text, known, container, reading)
             found = [*map(_from_radians, found)] if radians else found
@@ -144,17 +145,11 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
 
 
 def _read_table(
-    text: str,
-    part: str | None,
-    known: NestingInstance | None,
-    reading: Reading,
-    *,
-    radians: bool,
+    text: str, parts: Mapping[str, Data] | None, known: NestingInstance | None, *, radians: bool
 ) -> list[FoundLayout]:
     """Read a table of placements; an instance has its parts, and perhaps the only container."""
-    parts: Mapping[str, Data] = {} if known is None else known.parts
-    if part is not None:
-        parts = read_parts(part, reading)
+    if parts is None:
+        parts = {} if known is None else known.parts
     found = read_table(text, parts, radians=radians)
     if known is not None and len(known.containers) == 1:
         (container,) = known.containers.values()

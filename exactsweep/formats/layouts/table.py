@@ -8,9 +8,11 @@ before them, as in "s0.125", which some contests want. A column of groups, or id
 from __future__ import annotations
 
 import csv
+import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from glob import has_magic
 from io import StringIO
 from typing import NamedTuple
 
@@ -18,9 +20,11 @@ from exactsweep.formats.curved.arc import to_degrees
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json
+from exactsweep.formats.files import read_text
 from exactsweep.formats.folder import list_parts, make_unique
 from exactsweep.formats.layouts.found import FoundLayout, write_rings
-from exactsweep.formats.node import Data
+from exactsweep.formats.node import Data, JsonNode
+from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import name_refusals, quote
@@ -81,23 +85,29 @@ def read_parts(path: str, reading: Reading) -> dict[str, Data]:
     Raises:
         FormatError: there is none, or one cannot be read.
     """
-    from exactsweep.formats.files import read_text
-    from exactsweep.formats.polygons import name_file
-
-    if path.lower().endswith(".json"):
+    text = "" if os.path.isdir(path) or has_magic(path) else read_text(split_choice(path)[0])
+    if text.lstrip()[:1] == "{":
         with name_file(path):
-            data = parse_json(read_text(path))
-        if isinstance(data, dict) and isinstance(data.get("parts"), list):
-            return {str(part["id"]): _drop_rules(part) for part in data["parts"]}
+            parts = parse_json(text)
+            if JsonNode(parts).has("parts"):
+                return {one.name: _drop_rules(part) for one, part in _list_parts(parts)}
     listing = list_parts([path], reading.tolerance, **reading.options)
-    parts = [one for one in listing.parts if not one.candidate.ornament]
-    names = make_unique([one.name for one in parts])
-    if not parts:
+    drawn = [one for one in listing.parts if not one.candidate.ornament]
+    names = make_unique([one.name for one in drawn])
+    if not drawn:
         raise FormatError(f"{path}: no part")
     found: dict[str, Data] = {}
-    for name, one in zip(names, parts, strict=True):
+    for name, one in zip(names, drawn, strict=True):
         found[name] = {"id": name, **write_rings(one.candidate)}
     return found
+
+
+def _list_parts(data: object) -> Iterator[tuple[JsonNode, Data]]:
+    """List the parts of Layout JSON, each with its id."""
+    for part in (JsonNode(data) / "parts").each():
+        name = part / "id"
+        if isinstance(part.value, dict):
+            yield name, part.value
 
 
 def _drop_rules(part: Data) -> Data:

@@ -100,7 +100,10 @@ def list_measures(
         width, height = high.x - low.x, high.y - low.y
         sides = f"{approximate(width)} x {context.add_unit(approximate(height))}"
         facts["container"] = "none: only the parts among themselves are judged"
-        facts["box"] = f"{sides}, in a square of {approximate(max(width, height))}"
+        square, length = approximate(max(width, height)), approximate(width)
+        facts["box"] = f"{sides}, in a square of {square}; used length {length}"
+        if error := judgement.box_error:
+            facts["box"] += f"; each side within {approximate(2 * error, up=True)}"
     if judgement.density is not None:
         rounded = approximate(judgement.density)
         exact = rounded if judgement.density_error else abridge(judgement.density)
@@ -262,7 +265,6 @@ def write_layout_json(
     """
     nearest = judgement.distance
     ranked = rank_faults(judgement, accepted=context.accepted) if ranked is None else ranked
-    box = judgement.box
     data: dict[str, Any] = {
         "valid": judgement.valid,
         "accepted": None if context.accepted is None else all(one.accepted for one in ranked),
@@ -274,7 +276,8 @@ def write_layout_json(
         "contacts": [list(pair) for pair in judgement.contacts],
         "density": judgement.density,
         **({"density_error": judgement.density_error} if judgement.density_error else {}),
-        "box": None if box is None else [list(map(format_fraction, corner)) for corner in box],
+        "container": "none" if judgement.layout.container is None else "given",
+        **_measure_box(judgement),
         "unit": context.unit or None,
         "distance_squared": None if nearest is None else format_fraction(nearest.square),
         "nearest": None if nearest is None else list(nearest.placements),
@@ -283,6 +286,20 @@ def write_layout_json(
     error = judgement.layout.greatest_error
     data |= {"error": error} if error else {}
     return write_object({name: write_json(value) for name, value in data.items()})
+
+
+def _measure_box(judgement: Judgement) -> dict[str, Any]:
+    """Return the box of the parts, its square and its width, and the bound on each corner."""
+    if judgement.box is None:
+        return {"box": None}
+    low, high = judgement.box
+    width, height = high.x - low.x, high.y - low.y
+    found = {
+        "box": [list(map(format_fraction, corner)) for corner in judgement.box],
+        "square": max(width, height),
+        "length": width,
+    }
+    return found | ({"box_error": judgement.box_error} if judgement.box_error else {})
 
 
 def _list_fault(
