@@ -238,7 +238,7 @@ def _draw_regions(
         raise FormatError(f"the fill rule {quote(found)} is neither nonzero nor evenodd")
 
     def fill_simply(rings: Sequence[Sequence[Point]]) -> Filled:
-        filled = fill(rings, rule, measured=bool(whole.error))
+        filled = fill(rings, rule)
         if filled.touching:
             raise PolygonError("subpaths cross or touch themselves or each other")
         return filled
