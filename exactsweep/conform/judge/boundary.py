@@ -135,10 +135,6 @@ def are_collinear(points: Sequence[Vertex]) -> bool:
 def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
     """Decide whether doubled segments connect points of a boundary, without free ends.
 
-    Args:
-        segments: the doubled segments off the exact fits.
-        solid: the boundary, and traced exact fits.
-
     Cost: linear if all ends are corners, else O(s + n) for each other end, of s segments and n
         corners.
     """
@@ -162,16 +158,7 @@ def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
 
 
 def trace_rings(boundary: RingBoundary) -> list[Loop]:
-    """Return a boundary as counter-clockwise rings, none of which visits a corner twice.
-
-    Cost: O(n log n).
-
-    Example:
-        >>> bow = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 2), (2, 0), (0, 2)]]
-        >>> crossed = [*bow[:1], Point(Fraction(1), Fraction(1)), *bow[1:3]]
-        >>> len(trace_rings(find_boundary([[*crossed, crossed[1], bow[3]]])))
-        2
-    """
+    """Return a boundary as counter-clockwise rings, none of which visits a corner twice."""
     passed = Counter(chain.from_iterable(boundary.through))
     corners = {*chain.from_iterable(boundary.solid), *(p for p in passed if passed[p] > 1)}
     near: dict[Point, list[Point]] = {}

@@ -37,11 +37,9 @@ _EDGE = _OpenInterval(Fraction(-1), Fraction(2))
 
 
 class _NearEdge(NamedTuple):
-    """The points closer than a bound to an edge: an open hexagon, the intersection of strips.
+    """The points closer than a bound to an edge: an open hexagon, and its bounding box.
 
-    Attributes:
-        left: the least x of its box, likewise right, bottom and top.
-        strips: (u, v, middle, half) for the points p with |u p.x + v p.y - middle| < half.
+    Its strips (u, v, middle, half) have the points p with |u p.x + v p.y - middle| < half.
     """
 
     left: Fraction

@@ -48,7 +48,7 @@ def judge_fits(
 
     Args:
         case: the case.
-        theirs: segments of positions of the reference point, in any order and direction.
+        theirs: segments of positions of the reference point.
         rounding: the bound that coordinate errors must stay below.
         whiskers: of the loop, on exact fits.
         name: NAME, or INSIDE for those of G inside D.

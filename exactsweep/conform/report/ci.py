@@ -18,15 +18,7 @@ _EXACT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT
 
 
 def write_badge(run: Run) -> str:
-    """Write how many answers are exact, as JSON of a badge endpoint.
-
-    Args:
-        run: a Run.
-
-    Returns:
-        An object with "schemaVersion", "label", "message", such as "1184 of 1197 exact", and
-        "color".
-    """
+    """Write a badge such as "1184 of 1197 exact", as JSON for a badge endpoint."""
     summary = run.summary
     message = f"{sum(map(summary.total, _EXACT))} of {summary.judged} exact"
     if within := summary.total(Verdict.WITHIN):
@@ -37,14 +29,9 @@ def write_badge(run: Run) -> str:
 
 
 def write_annotations(run: Run) -> str:
-    """Write the first failures as workflow commands of GitHub Actions.
+    """Write a workflow command of GitHub Actions for the smallest case of each fault.
 
-    Args:
-        run: a Run.
-
-    Returns:
-        A line for the smallest case of each fault, the worst first, and for each objection; at
-        most MOST_ANNOTATIONS.
+    The worst faults come first, objections last; there are at most MOST_ANNOTATIONS lines.
     """
     lines = [
         _annotate(f"{one.id} {one.verdict}", one, fault.count - 1)
@@ -68,6 +55,5 @@ def _write_command(title: str, words: str) -> str:
 
 
 def _escape(text: str, more: str = "") -> str:
-    """Write a text as a value of a workflow command."""
     text = replace_controls(text)
     return "".join(f"%{ord(c):02X}" if c in f"%\r\n{more}" else c for c in text)

@@ -1,8 +1,8 @@
-"""A run as one HTML page that needs nothing else.
+"""A run as a self-contained HTML page.
 
-The pictures of failures show the exact answer and theirs, one over the other, and the witness.
-Everything is scaled exactly and becomes a float last, so that the picture shows an error of 1 part
-in 10^15, too, in a panel that is zoomed in on the witness.
+The pictures of failures show the exact answer, the answered one, and the witness. Coordinates are
+scaled exactly before they become floats, so a panel zoomed in on the witness shows an error of one
+part in 10^15.
 """
 
 from __future__ import annotations
@@ -54,15 +54,9 @@ Layer = tuple[str, Sequence[Sequence[Point]], bool]
 
 
 def write_html(run: Run) -> str:
-    """Write a run as an HTML page, pictures and all within it.
+    """Write a run as an HTML page with pictures of the failures that it keeps in full.
 
-    Args:
-        run: a Run.
-
-    Returns:
-        The page. It holds the implementation's output as text, never as markup.
-
-    Cost: linear; only failures that the run keeps whole have pictures.
+    The output of the program is written as text, never as markup.
     """
     environment = make_environment()
     environment.filters |= {
@@ -102,7 +96,7 @@ def write_html(run: Run) -> str:
 
 
 def _draw(outcome: Outcome) -> list[Panel]:
-    """Draw an outcome, or nothing where that fails: it is not to cost the page."""
+    """Draw an outcome; a failure to draw must not cost the page."""
     try:
         return draw_panels(outcome) if outcome.case else []
     except (ArithmeticError, ValueError):
@@ -110,7 +104,7 @@ def _draw(outcome: Outcome) -> list[Panel]:
 
 
 def _write_unit_test(run: Run, outcome: Outcome) -> str:
-    """Write a failure for a unit test; "" where there is no loop to show."""
+    """Write a failure for a unit test; "" if there is no loop to show."""
     part, numbers = outcome.worst, run.hello.numbers
     if part is None or outcome.case is None or part["name"].endswith("fits"):
         return ""
@@ -135,7 +129,7 @@ def _about(value: Fraction) -> str:
 
 
 class SvgPath(NamedTuple):
-    """One thing to draw: a class of the style sheet, and the data of an SVG path."""
+    """A class of the style sheet, and the data of an SVG path."""
 
     name: str
     path: str
@@ -145,9 +139,9 @@ class Panel(NamedTuple):
     """A square picture, SIDE pixels wide.
 
     Attributes:
-        caption: what part is shown, and how large the window is.
+        caption: the part, and the size of the window.
         shapes: from back to front.
-        witness: where the witness is, in pixels; or None.
+        witness: the position of the witness in pixels, or None.
     """
 
     caption: str
@@ -156,31 +150,23 @@ class Panel(NamedTuple):
 
 
 class _Scene(NamedTuple):
-    """The layers of a picture by name, closed or not, in the coordinates of the case."""
+    """The layers of a picture, in the coordinates of the case."""
 
     layers: tuple[Layer, ...]
     witness: Point | None
     error: Fraction | None
 
     def points(self, *names: str) -> list[Point]:
-        """The vertices of some layers."""
         return [
             p for name, rings, _ in self.layers if name in names for ring in rings for p in ring
         ]
 
 
 def draw_panels(outcome: Outcome) -> list[Panel]:
-    """Draw the worst part of an outcome.
+    """Draw the worst part of an outcome with its case; without parts, the exact trajectory.
 
-    Args:
-        outcome: one that has its case.
-
-    Returns:
-        list of Panel: all of it; all but what is far off, if anything is; and the place of the
-        witness, if the error is too small to be seen before. Without a part, the exact trajectory
-        is shown.
-
-    Cost: linear in the vertices of the case and the answer.
+    Panels show everything; the surroundings of D, if the answer reaches far; and the surroundings
+    of the witness, if the error is too small to be visible.
     """
     name = outcome.worst["name"] if outcome.worst else "trajectory"
     scene = _scene(case_from_json(outcome.case), outcome, name)
@@ -222,7 +208,7 @@ def _scene(case: Case, outcome: Outcome, name: str) -> _Scene:
 
 
 def _rings(value: object) -> list[Sequence[Point]]:
-    """Read one ring or several, as far as they can be read."""
+    """Read one ring or several, without unreadable points."""
     if not isinstance(value, Sequence) or isinstance(value, str):
         return []
     first = value[0] if value else None
@@ -231,7 +217,6 @@ def _rings(value: object) -> list[Sequence[Point]]:
 
 
 def _ring(points: Iterable[object]) -> list[Point]:
-    """Read points, and leave out items that are none."""
     found = []
     for pair in points:
         if isinstance(pair, Sequence) and len(pair) == 2:
@@ -241,7 +226,7 @@ def _ring(points: Iterable[object]) -> list[Point]:
 
 
 def _window(scene: _Scene) -> Window:
-    """A window that shows everything, but not theirs where that is far off."""
+    """Return a window around everything, except an answer that reaches far."""
     own = scene.points("directrix", "generatrix", "exact", "faint")
     if scene.witness:
         own.append(scene.witness)

@@ -1,4 +1,4 @@
-"""A run as JUnit XML, which CI systems show."""
+"""A run as JUnit XML for CI systems."""
 
 from __future__ import annotations
 
@@ -17,21 +17,11 @@ _ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
 
 
 def write_junit(run: Run) -> str:
-    """Write a run as JUnit XML: a test case each, the class of its pair as the class name.
+    """Write a run as JUnit XML: a test case for each case, with its class as the class name.
 
-    Crashes, timeouts and too much memory are errors, other verdicts that are not accepted are
-    failures, and cases that were not judged are skipped. Any other reason for which a run fails is
-    a failing test case of its own, so that no run with exit code 1 is green. Properties give the
-    number of cases judged, the diagnosis of the answers that differ, and for each case its fault,
-    memory and rounding.
-
-    Args:
-        run: a Run.
-
-    Returns:
-        The document, with its XML declaration.
-
-    Cost: linear.
+    Crashes, timeouts and exceeded memory are errors, other rejected verdicts are failures, and
+    cases that were not judged are skipped. Each other objection to the run is a failing test case,
+    so that no run with exit code 1 is green.
     """
     summary, objections = run.summary, run.find_objections()
     errors = sum(summary.total(v) for v in _ERRORS if fails(v, run.accepted))
@@ -60,7 +50,7 @@ def write_junit(run: Run) -> str:
 def _add(
     parent: ElementTree.Element, tag: str, text: str = "", **attributes: object
 ) -> ElementTree.Element:
-    """Add an element, without characters that XML does not have."""
+    """Add an element without control characters, which XML forbids."""
     clean = {name: replace_controls(str(value)) for name, value in attributes.items()}
     element = ElementTree.SubElement(parent, tag, clean)
     element.text = replace_controls(text) or None

@@ -1,4 +1,4 @@
-"""A comparison, for people to read."""
+"""Comparisons and runs as text."""
 
 from __future__ import annotations
 
@@ -18,14 +18,9 @@ _MOST_LISTED = 20
 
 
 def describe(comparison: Comparison) -> str:
-    """Say what came of a comparison.
+    """Write a comparison: the verdict, and for each part its verdict, errors and witnesses.
 
-    Args:
-        comparison: a Comparison.
-
-    Returns:
-        Lines of text: the verdict; then, for each part, its verdict, how far it is off, and its
-        witnesses. Distances and areas are rounded to six digits, up for distances.
+    Distances and areas are rounded to six digits; distances are rounded up.
 
     Example:
         >>> from exactsweep.conform.judge.compare import compare
@@ -61,14 +56,7 @@ def _part(part: PartComparison) -> list[str]:
 
 
 def tell_witness(witness: Mapping[str, Any]) -> list[str]:
-    """Describe what a witness shows, with `classify`'s verdict in full, to repeat elsewhere.
-
-    Args:
-        witness: one of `list_witnesses`.
-
-    Returns:
-        One line or two.
-    """
+    """Describe one of `list_witnesses` in one line or two, with the exact verdict of `classify`."""
     lines = [witness["says"]]
     if witness["translation"] is not None:
         point = f", point ({','.join(witness['point'])})" if witness["point"] is not None else ""
@@ -78,14 +66,7 @@ def tell_witness(witness: Mapping[str, Any]) -> list[str]:
 
 
 def write_table(summary: Tally, terminal_width: int | None = None) -> str:
-    """Write how many cases of each class and flag got which verdict.
-
-    Args:
-        summary: of a run.
-        terminal_width: columns of the terminal to be filled; None for plain text.
-
-    Returns:
-        Lines of text; for a terminal also its control sequences.
+    """Write the counts of verdicts for each class and flag, with colors for a terminal.
 
     Example:
         >>> from exactsweep.conform.run.outcome import Outcome
@@ -108,15 +89,11 @@ def write_table(summary: Tally, terminal_width: int | None = None) -> str:
 
 
 def close(run: Run, *, is_timed: bool = False) -> str:
-    """Write the lines below the table: the failures, and the end of the run.
+    """Write the lines below the table: the diagnosis, the faults and the result of the run.
 
     Args:
         run: a Run.
-        is_timed: whether to name the answers that took the most time and memory, too.
-
-    Returns:
-        Lines of text: what all answers that differ are exact for; each fault with its smallest
-        case; what else was wrong; and how many cases were judged and failed.
+        is_timed: whether to name the answers that took most time and memory.
     """
     diagnosis = run.summary.diagnosis()
     lines = [] if diagnosis is None else [diagnosis]
@@ -148,7 +125,7 @@ def close(run: Run, *, is_timed: bool = False) -> str:
 
 
 def tell_costs(summary: Tally) -> list[str]:
-    """Say which answers took the most time and the most memory, as far as that is known."""
+    """Name the answers that took most time and most memory, if known."""
     (seconds, slowest), (memory, largest) = summary.slowest, summary.largest
     lines = [f"at most {seconds:.3g} s for an answer ({slowest})"] if slowest else []
     if memory:
@@ -157,5 +134,5 @@ def tell_costs(summary: Tally) -> list[str]:
 
 
 def write_counts(summary: Tally) -> str:
-    """Say how many cases got which verdict so far."""
+    """Write the counts of verdicts so far on one line."""
     return ", ".join(f"{summary.total(verdict)} {verdict}" for verdict in summary.verdicts())

@@ -16,7 +16,7 @@ class _Language(NamedTuple):
 
     Attributes:
         pattern: of a command or a name of a program in it.
-        line: of a constant, by its name and value.
+        line: the template of a constant.
         brackets: around a list.
         point: around a point.
         comment: before a remark.
@@ -55,7 +55,7 @@ _INTEGERS = {"Rust": "i64", "C++": "long long"}
 
 
 def guess_language(command: Sequence[str], name: str) -> str:
-    """Guess the language of a program by its command and its name; C++ if nothing shows.
+    """Guess the language of a program by its command and its name; C++ by default.
 
     >>> guess_language(["node", "mine.js"], "mine"), guess_language(["./mine"], "mine 1.0")
     ('JavaScript', 'C++')
@@ -71,13 +71,10 @@ def write_unit_test(
 
     Args:
         shapes: names, and rings.
-        language: as by `guess_language`.
-        numbers: what the program reads, as for `Hello`. Of binary64, numbers are the nearest
-            doubles; rationals are strings.
+        language: by `guess_language`.
+        numbers: as for `Hello`; binary64 gets the nearest doubles, followed by the exact vertices
+            if they differ, and rationals are strings.
         remark: for the first line.
-
-    Returns:
-        Lines of text. A shape with numbers that are no doubles is followed by its exact vertices.
 
     Example:
         >>> from exactsweep import Point

@@ -202,10 +202,7 @@ def list_reflected_rings(case: Case) -> tuple[Loop, ...]:
 
 
 def read_object(line: str) -> dict[str, Any]:
-    """Read a JSON object; raise ProtocolError for any other line, with the start of it.
-
-    Cost: linear; memory up to 30 times the line.
-    """
+    """Read a JSON object; raise ProtocolError for any other line, and quote its start."""
     try:
         found = parse_certificate(line)
     except FormatError as error:
