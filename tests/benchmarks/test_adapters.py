@@ -188,7 +188,7 @@ def test_a_program_is_asked_what_it_claims() -> None:
     holed = Case.of("holed", "", BOX, BOX, directrix_holes=[[(1, 1), (2, 1), (1, 2)]])
     outcome = judge_case(CallablePeer(adapter.answer, adapter.hello), holed)
     assert outcome.verdict is Verdict.UNSUPPORTED
-    assert outcome.reason == "not asked: it takes simple pairs, not any ones"
+    assert outcome.reason == "not asked: the program takes simple pairs only"
 
 
 def test_a_sum_of_boundaries_is_filled_where_the_polygons_fill_it() -> None:

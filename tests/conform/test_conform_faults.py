@@ -117,7 +117,7 @@ def test_the_correct_one_is_exact_where_it_is_asked(step: int) -> None:
         expected = Verdict.UNSUPPORTED if case.kind == "SS" else Verdict.EXACT
         assert outcome.verdict is expected, outcome
         if case.kind == "SS":
-            assert outcome.reason.startswith("not asked: it takes monotone pairs")
+            assert outcome.reason.startswith("not asked: the program takes monotone pairs")
 
 
 @few_or_all

@@ -29,7 +29,9 @@ def say(case: Case, name: str, rings: Rings) -> tuple[str, ...]:
 def test_the_sum_of_boundaries_alone_is_named() -> None:
     """The boundaries of G inside D, or of D inside G, do not meet: Clipper leaves that open."""
     small, large = [(0, 0), (1, 0), (0, 1)], [(0, 0), (9, 0), (9, 7), (0, 5)]
-    words = "the sum of the boundaries: where one polygon is inside the other is left open"
+    words = (
+        "the sum of the boundaries only: positions with one polygon inside the other are missing"
+    )
     for d, g in ((large, small), (small, large)):
         case = Case.of("inside", "", d, g, (2, 5))
         (around,) = list_exact_rings(case, "no_fit")
@@ -52,7 +54,7 @@ def test_lost_rings_are_counted() -> None:
         assert say(case, "no_fit", [*exact[:-1], away]) == (f"{n} of {n + 1} rings are exact",)
     several = next(c for c in cases() if c.inner_regions and len(c.inner_regions) == 2)
     exact = list(list_exact_rings(several, "inner_fit"))
-    assert say(several, "inner_fit", []) == ("says that G does not fit",)
+    assert say(several, "inner_fit", []) == ("reports that G does not fit",)
     for k, ring in enumerate(exact):
         lost = exact[:k] + exact[k + 1 :]
         assert say(several, "inner_fit", lost) == (f"lacks 1 of {len(exact)} rings",)
@@ -68,7 +70,7 @@ def test_on_symmetric_shapes_exchanged_roles_come_before_another_reference_point
     turned = [Point(Fraction(2, 3) - x, 4 - y) for x, y in ring]
     found = say(case, "no_fit", [turned])
     assert found[0] == "exact for exchanged roles, D around G"
-    assert any("all is moved by" in words for words in found)
+    assert any("translated by" in words for words in found)
     for (px, py), name in (((1, 1), "first"), ((3, 2), "rightmost")):
         turned = [Point(Fraction(1, 3) + px - x, 2 + py - y) for x, y in ring]
         first, *others = say(case, "no_fit", [turned])

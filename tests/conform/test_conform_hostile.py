@@ -23,7 +23,7 @@ MEGABYTES = 1024  # of ru_maxrss
 
 SURVIVED = {
     "endless-line": ("malformed", "a line of more than 16 MiB (max_mib)"),
-    "endless-lines": ("malformed", "'' is no JSON line"),
+    "endless-lines": ("malformed", "'' is not a line of JSON"),
     "gigabyte-line": ("malformed", "a line of more than 16 MiB (max_mib)"),
     "deep-json": ("malformed", "nested too deeply"),
     "long-int": ("malformed", "not JSON that can be read"),
@@ -33,7 +33,7 @@ SURVIVED = {
     "closes-output": ("crash", "closed its output"),
     "leaves-children": ("crash", "exited with code 0"),
     "leaves-children-in-silence": ("crash", "exited with code 0"),
-    "dies": ("crash", "was ended by signal 9, SIGKILL"),
+    "dies": ("crash", "was killed by signal 9, SIGKILL"),
 }
 if any(Path("/proc/self/task").glob("*/children")):
     SURVIVED["hides-a-child"] = ("timeout", "no answer within 0.5 s")
@@ -41,14 +41,14 @@ REFUSED = {
     "no-hello": "no hello within 0.5 s",
     "dies-at-once": "no hello: exited with code 1; it says: no licence",
     "endless-hello": "no hello: a line of more than 16 MiB (max_mib)",
-    "garbage-hello": "'Loading ...' is no JSON line",
+    "garbage-hello": "'Loading ...' is not a line of JSON",
     "deep-hello": "nested too deeply",
     "partial-hello": 'the hello has no "loops"',
 }
 AFTER_BYE = {
-    "never-ends": "did not end within 0.3 s after bye",
-    "lingers": "closed its output, but did not end within 0.3 s after bye",
-    "speaks-after-bye": "wrote on after bye: 'one thing more'",
+    "never-ends": "did not exit within 0.3 s after bye",
+    "lingers": "closed its output, but did not exit within 0.3 s after bye",
+    "speaks-after-bye": "kept writing after bye: 'one thing more'",
 }
 
 
@@ -106,7 +106,7 @@ def test_a_process_without_a_hello_is_refused(kind: str, mark: str) -> None:
 
 @pytest.mark.parametrize("command", ["no-such-program", "", "/", "\0"])
 def test_what_does_not_start_is_refused(command: str) -> None:
-    with pytest.raises(ProtocolError, match="does not start"):
+    with pytest.raises(ProtocolError, match="cannot run"):
         ProcessPeer(Terms([command]))
 
 
@@ -147,7 +147,5 @@ def test_another_hello_after_a_restart_is_no_answer(tmp_path: Path) -> None:
     )
     peer = ProcessPeer(Terms([sys.executable, str(program)]))
     assert judge_case(peer, CASE).reason == "exited with code 0"
-    assert (
-        judge_case(peer, CASE).reason == "did not start again: its hello is another one than before"
-    )
+    assert judge_case(peer, CASE).reason == "did not start again: its hello changed after a restart"
     peer.kill()

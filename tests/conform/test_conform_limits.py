@@ -57,7 +57,7 @@ FAULTS = {
     "crash: exited with code 1; IndexError: list index out of range; crashing.py line 10",
     "crash: exited with code 3; no memory for # cells",
     "crash: exited with code 4; no memory for # cells",
-    "crash: was ended by signal 6, SIGABRT",
+    "crash: was killed by signal 6, SIGABRT",
     "crash: says: row # is empty",
 }
 
@@ -190,7 +190,7 @@ def test_memory_is_limited_and_reported(tmp_path: Path) -> None:
 
 
 def test_a_hello_that_is_not_flushed_is_hinted_at() -> None:
-    with pytest.raises(ValueError, match=r"no hello within 0\.2 s; if it writes one, does it"):
+    with pytest.raises(ValueError, match=r"no hello within 0\.2 s; does the program"):
         ProcessPeer(Terms([*HOSTILE, "no-hello", "--"]), to_start=0.2)
 
 

@@ -201,7 +201,7 @@ def test_a_worker_that_is_killed_ends_the_run() -> None:
         outcomes = judges.judge(FEW)
         next(outcomes)
         os.kill(next(iter(judges._pool._executor._processes)), signal.SIGKILL)
-        with pytest.raises(JudgeError, match=r"^case '.*': the process that judges has ended$"):
+        with pytest.raises(JudgeError, match=r"^case '.*': a judging process ended$"):
             list(outcomes)
         with pytest.raises(JudgeError):
             judges.finish()
@@ -268,7 +268,7 @@ def test_a_journal_is_not_written_over(tmp_path: Path) -> None:
     before = (tmp_path / "journal").read_text()
     again = journal_of(tmp_path)
     assert (again.exit_code, again.stdout) == (1, "")
-    assert "is there already; go on with it by --resume, or remove it" in again.stderr
+    assert "already exists; continue with --resume, or delete it" in again.stderr
     assert (tmp_path / "journal").read_text() == before
     assert journal_of(tmp_path, "--resume").exit_code == 0
     assert (tmp_path / "journal").read_text() == before
@@ -281,7 +281,7 @@ def test_a_journal_has_one_run_at_a_time(tmp_path: Path) -> None:
         assert lock(file)
         second = journal_of(tmp_path, "--resume")
     assert (second.exit_code, second.stdout) == (1, "")
-    assert second.stderr.endswith("journal: another run is writing it\n")
+    assert second.stderr.endswith("journal: another run is writing to it\n")
     assert journal_of(tmp_path, "--resume").exit_code == 0
 
 
@@ -306,7 +306,7 @@ def write_journal(path: Path) -> None:
 
 def test_a_line_beyond_the_limit_is_not_read(tmp_path: Path) -> None:
     write_journal(tmp_path / "journal")
-    with limits(max_mib=2000 / 2**20), pytest.raises(JournalError, match="line 2: not of a"):
+    with limits(max_mib=2000 / 2**20), pytest.raises(JournalError, match="line 2: not a"):
         Journal(tmp_path / "journal", Terms([]), Hello("mine"), resume=True)
 
 
@@ -314,7 +314,7 @@ def test_a_line_beyond_the_limit_is_not_read(tmp_path: Path) -> None:
 def test_the_journal_of_another_run_is_refused(tmp_path: Path) -> None:
     journal_of(tmp_path)
     other = journal_of(tmp_path, "--resume", command=[*FAULTY, "reversed"])
-    assert "is the journal of another command" in other.stderr
+    assert "is the journal of a different command" in other.stderr
     assert "of another timeout" in journal_of(tmp_path, "--resume", "--timeout", "3").stderr
 
 

@@ -176,7 +176,7 @@ def test_a_full_disk_ends_in_one_line(tmp_path: Path, option: str, size: int) ->
     )
     assert done.returncode == 1
     # The processes that judge need a page of a file to meet at.
-    what = path if size == 4096 else "no process can be started"
+    what = path if size == 4096 else "cannot start a process"
     assert done.stderr == f"Error: {what}: File too large\n"
 
 

@@ -246,7 +246,7 @@ CASE = Case.of("odd", "", D, G, ("1/2", 7))
 def test_no_mistake_is_named_that_is_none() -> None:
     assert judge(CASE, [[0, 0], [1, 0], [0, 1]]).diagnosis == ()
     moved = [*CASE.trajectory.vertices[1:], Point(Fraction(-9), Fraction(5))]
-    assert judge(CASE, moved).diagnosis == ("one vertex is off, the others are exact",)
+    assert judge(CASE, moved).diagnosis == ("one vertex is wrong, the others are exact",)
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,7 @@ def test_a_point_that_g_cannot_reach_is_in_what_the_sweep_encloses(
     x, y = found.unsound.point or (0, 0)
     assert 1 < x < 9
     assert 1 < y < 9
-    assert found.unsound.says == f"({x},{y}) is in {place}; that is outside their outer loop"
+    assert found.unsound.says == f"({x},{y}) is in {place}; it is outside the answered outer loop"
 
 
 def test_a_position_in_a_hole_is_free_for_a_whole_no_fit_polygon() -> None:
@@ -41,5 +41,5 @@ def test_a_position_in_a_hole_is_free_for_a_whole_no_fit_polygon() -> None:
     around, _ = compare(case, {"no_fit": [box(11, -1)]}).parts
     assert around.conservative is not None
     assert around.conservative.says == (
-        "at (4,4) G does not touch D; that is inside their no-fit polygon"
+        "at (4,4) G does not touch D; it is inside the answered no-fit polygon"
     )

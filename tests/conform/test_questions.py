@@ -151,7 +151,7 @@ def test_the_old_hello_is_asked_what_it_was_asked() -> None:
     plate, notch = find_case("holes-room"), find_case("worked-roof")
     line = json.loads(write_case_line(notch, said))
     assert list(line) == ["id", "class", "directrix", "generatrix", "reference"]
-    with pytest.raises(ValueError, match=r"^not asked: it takes monotone pairs, not any ones$"):
+    with pytest.raises(ValueError, match=r"^not asked: the program takes monotone pairs only$"):
         adapt(plate, said)
 
 

@@ -109,7 +109,7 @@ def test_mistakes_are_named_in_terms_of_sums() -> None:
     wrong = {
         "exact for a + (-b), b reflected": [loop.vertices for loop in add([d], [g])],
         "exact for -(a + b)": [[(-x, -y) for x, y in ring] for ring in exact],
-        "exact for another reference point: all is moved by (1,-2)": [
+        "exact for another reference point: translated by (1,-2)": [
             [(x + 1, y - 2) for x, y in ring] for ring in exact
         ],
         "a itself": [d],
@@ -119,7 +119,7 @@ def test_mistakes_are_named_in_terms_of_sums() -> None:
     part = judge(case, [exact[0][:-1]])
     assert part.verdict == "unsound"
     assert " in a plus " in part.unsound.says
-    assert part.unsound.says.endswith("that is outside their Minkowski sum")
+    assert part.unsound.says.endswith("it is outside the answered Minkowski sum")
     larger = judge(case, [Polygon(exact[0]).scaled(2).vertices])
     assert "is not the sum of a point of a and a point of b" in larger.conservative.says
 

@@ -57,7 +57,7 @@ ANY = (*DIFFERS, *BROKEN)
 
 # The message on a wrong loop that happens to be exact for something else.
 OR_ELSE = "|exact for|itself|hull|bounding box"
-ONE_OFF = "one vertex is off"
+ONE_OFF = "one vertex is wrong"
 LACKS = f"lacks one vertex|lacks vertices{OR_ELSE}"
 LOST = "lacks|lacks the holes"
 

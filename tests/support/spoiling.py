@@ -324,7 +324,7 @@ REFERENCE: dict[str, Callable[[Case], Sequence[Any]]] = {
     "relative to the lower left corner of D's box": subtract(
         lambda c: c.generatrix.bounding_box[0], lambda c: c.directrix.bounding_box[0]
     ),
-    r"another reference point: all is moved by \(1001,-777\)": lambda c: (
+    r"another reference point: translated by \(1001,-777\)": lambda c: (
         c.reference.x + 1001,
         c.reference.y - 777,
     ),

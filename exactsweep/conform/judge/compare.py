@@ -110,14 +110,14 @@ def compare(
         >>> part.verdict.value, str(part.area), part.distance_squared
         ('conservative', '1/8', (Fraction(1, 80), Fraction(1, 80)))
         >>> part.conservative.says
-        'at (-1/2,13/12) G does not touch D; that is inside their trajectory'
+        'at (-1/2,13/12) G does not touch D; it is inside the answered trajectory'
     """
     if not isinstance(result, Mapping):
         return Comparison(
             case.id, Verdict.MALFORMED, f"the answer is {name_kind(result)}, not an object"
         )
     if "id" in result and result["id"] != case.id:
-        raise AnswerError(f"the answer is that of {quote(result['id'])}, not of {case.id!r}")
+        raise AnswerError(f"the answer has the id {quote(result['id'])}, not {case.id!r}")
     claim = None
     try:
         if rounding is None and "rounding" in result:
@@ -322,7 +322,7 @@ def _judge_difference(
     if fault is not None:
         return Verdict.MALFORMED, fault
     if lost and extra:
-        return Verdict.WRONG, f"neither holds the exact {loop_name} nor is held by it"
+        return Verdict.WRONG, f"neither contains the exact {loop_name} nor lies inside it"
     if not is_whole:
         rest = "too many edges cross for the rest to be compared"
         return Verdict.WRONG, f"not the exact {loop_name}, and {rest}"

@@ -27,6 +27,9 @@ from exactsweep.numbers.number import ORIGIN, Point, PointRings
 from exactsweep.sweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.words import write_pair
 
+_BOUNDARIES = (
+    "the sum of the boundaries only: positions with one polygon inside the other are missing"
+)
 _MOST_ROUNDED = 16
 _NEARLY = 4
 _POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")
@@ -69,7 +72,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     Cost: that of a sweep and of a few times `are_close`; linear if no bounding box fits.
     """
     if not any(map(find_doubled_area, rings)):
-        return () if rings else ("says that G does not fit",)
+        return () if rings else ("reports that G does not fit",)
     low, high = find_box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
         # Within so large a rounding, nearly everything equals everything.
@@ -89,7 +92,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     if name in _POSITIONS and exact and not found:
         found += [*spoilt, *_other_positions(theirs)]
     if name == "outer" and not found and theirs.are(_add(case, name)):
-        found.append("D + G, without the way there")
+        found.append("D + G instead of the trajectory + G")
     if not found:
         found += spoilt or _name_vertices(exact, rings)
     if not found and len(missing) < len(exact):
@@ -108,7 +111,7 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
         is_around = name in ("trajectory", "no_fit", SUM)
         inside = _find_inside(theirs.case, theirs.reference) if is_around else []
         if inside and left and are_close(inside, left, theirs.rounding):
-            yield "the sum of the boundaries: where one polygon is inside the other is left open"
+            yield _BOUNDARIES
         yield f"all exact rings, and {len(left)} more"
     elif not left and name != "inner_fit" and exact[0] not in missing:
         lost, holes = len(missing), len(exact) - 1
@@ -133,7 +136,7 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
     if not len(exact) == len(theirs) == 1 or len(missing) > len(points) // 2:
         return
     if len(missing) == len(added) == 1:
-        yield "one vertex is off, the others are exact"
+        yield "one vertex is wrong, the others are exact"
     elif not added:
         yield f"lacks {'one vertex' if len(missing) == 1 else 'vertices'}, the others are exact"
     elif not missing:
@@ -191,10 +194,10 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
         )
         if not points:
             by = write_pair(subtract(offset, theirs.reference))
-            found.append((4, f"exact for {joint}another reference point: all is moved by {by}"))
+            found.append((4, f"exact for {joint}another reference point: translated by {by}"))
     factor = _find_scale(theirs)
     if factor is not None:
-        found.append((5, f"exact for another scale: it is {abridge(factor)} times as large"))
+        found.append((5, f"exact for another scale: {abridge(factor)} times as large"))
     return [words for _, words in sorted(found, key=itemgetter(0))]
 
 
@@ -209,11 +212,11 @@ _GIVEN = "the reference point given"
 _USUAL = ("G's first vertex as reference", "G's origin as reference")
 _AXES = {
     "exchanged roles, D around G": (-1, 0, 0, -1),
-    "another orientation: y is negated": (1, 0, 0, -1),
-    "another orientation: x is negated": (-1, 0, 0, 1),
-    "another orientation: x and y are exchanged": (0, 1, 1, 0),
-    "another orientation: a quarter turn to the left": (0, -1, 1, 0),
-    "another orientation: a quarter turn to the right": (0, 1, -1, 0),
+    "other axes: y is negated": (1, 0, 0, -1),
+    "other axes: x is negated": (-1, 0, 0, 1),
+    "other axes: x and y are exchanged": (0, 1, 1, 0),
+    "other axes: a quarter turn to the left": (0, -1, 1, 0),
+    "other axes: a quarter turn to the right": (0, 1, -1, 0),
 }
 
 

@@ -90,11 +90,11 @@ def judge_fits(
     kind = ", ".join(differences)
     listed = ", ".join(f"{count(number, 'exact fit')} {how}" for how, number in differences.items())
     if false is not None:
-        false = replace(false, says=f"{false.says}; that is on an exact fit of theirs")
+        false = replace(false, says=f"{false.says}; it is on an answered exact fit")
         return PartComparison(
             name,
             Verdict.UNSOUND if overlap else Verdict.FALSE_EXACT_FITS,
-            f"an exact fit of theirs {'overlaps' if overlap else 'is none'}: {listed}",
+            f"an answered exact fit {'overlaps' if overlap else 'is none'}: {listed}",
             unsound=false if overlap else None,
             conservative=None if overlap else false,
             kind=kind,
@@ -102,7 +102,7 @@ def judge_fits(
     missed = None
     if missing:
         missed = at_position(case, find_middle(*missing[0]), inside=name == INSIDE)
-        says = f"{missed.says}; that is on an exact fit which is not among theirs"
+        says = f"{missed.says}; it is on a missing exact fit"
         missed = replace(missed, says=says)
     return PartComparison(
         name,

@@ -143,7 +143,7 @@ def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered
                 break
         work += len(inner) * len(active)
         if work > MAX_WORK:
-            raise RegionError("too many edges above each other, or crossings, to be measured")
+            raise RegionError("too many overlapping or crossing edges to measure")
         for a, b in pairwise([left, *sorted(inner), right]):
             yield a, b, _order(a, b, active) if inner else ordered
 

@@ -119,7 +119,9 @@ def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trap
     for point in cell.points():
         if is_inside(point, theirs) != cell.first and (found := show(case, point, cell.first)):
             side = "outside" if cell.first else "inside"
-            return replace(found, says=f"{found.says}; that is {side} their {LOOP_NAMES[name]}")
+            return replace(
+                found, says=f"{found.says}; it is {side} the answered {LOOP_NAMES[name]}"
+            )
     raise WitnessError(f"case {case.id}: its {name} is refuted near {write_pair(point)}")
 
 
@@ -174,7 +176,7 @@ def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
     if permitted and case.kind == "SS":
         if escapes and classify(positions, onto, (0, 0)).verdict == "OVERLAP":
             return None
-        return Witness(f"nowhere on its way G covers {write_pair(point)}", point=point)
+        return Witness(f"no position on the trajectory covers {write_pair(point)}", point=point)
     if not permitted:
         if not escapes:
             return None
@@ -199,7 +201,7 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
     for shape, name in (
         (case.directrix, "D"),
         (case.inner, "the inner loop"),
-        *((loop, "a loop that is left out inside") for loop in case.unswept),
+        *((loop, "an unswept hole") for loop in case.unswept),
     ):
         if locate_in_shape(point, shape.rings) >= 0:
             return Witness(f"{write_pair(point)} is in {name}", point=point)

@@ -31,7 +31,7 @@ def describe(comparison: Comparison) -> str:
         a: unsound
         trajectory: unsound, part of the exact trajectory is missing
           off by at most 0.894428, area 2
-          at (-1/2,1/2) G overlaps D; that is outside their trajectory
+          at (-1/2,1/2) G overlaps D; it is outside the answered trajectory
           translation (-1/2,1/2): OVERLAP, point (1/4,3/4)
         exact fits: exact
     """

@@ -133,17 +133,17 @@ class Channel:
         try:
             said = self.receive(seconds)
         except SilentError:
-            return f"did not end within {seconds:g} s after bye"
+            return f"did not exit within {seconds:g} s after bye"
         except LongLineError:
-            return "wrote on after bye"
+            return "kept writing after bye"
         except ClosedError:
             code = self._started.wait(seconds)
             if code is None:
-                return f"closed its output, but did not end within {seconds:g} s after bye"
+                return f"closed its output, but did not exit within {seconds:g} s after bye"
             return None if code == 0 else f"after bye, {tell_exit(code)}"
         finally:
             self.kill()
-        return f"wrote on after bye: {said[:40]!r}"
+        return f"kept writing after bye: {said[:40]!r}"
 
     def kill(self) -> None:
         """Kill the process and all its descendants."""
@@ -228,7 +228,7 @@ def tell_exit(code: int) -> str:
     """Describe how a process ended.
 
     >>> tell_exit(3), tell_exit(-11)
-    ('exited with code 3', 'was ended by signal 11, SIGSEGV')
+    ('exited with code 3', 'was killed by signal 11, SIGSEGV')
     """
     if code >= 0:
         return f"exited with code {code}"
@@ -236,4 +236,4 @@ def tell_exit(code: int) -> str:
         name = f", {signal.Signals(-code).name}"
     except ValueError:
         name = ""
-    return f"was ended by signal {-code}{name}"
+    return f"was killed by signal {-code}{name}"

@@ -16,7 +16,7 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.complaint import find_error, find_place
 from exactsweep.conform.run.peer import cut
 
-_ENDED = ("exited with code", "was ended by signal")
+_ENDED = ("exited with code", "was killed by signal")
 # A line of a source file is a place and stays; other numbers differ from case to case.
 _NUMBER = re.compile(
     r"(\bline \d+|[\w/\\-]+\.[A-Za-z]\w*:\d+)|0x[0-9a-fA-F]+|\d+(?:[./]\d+)*(?:[eE][+-]?\d+)?"
@@ -80,7 +80,7 @@ def _forget_values(text: str) -> str:
 def write_cause(text: str) -> str:
     """Write a diagnosis without numbers, as `name_fault` does.
 
-    >>> write_cause("all is moved by (3,-1/2)")
-    'all is moved by (#,-#)'
+    >>> write_cause("translated by (3,-1/2)")
+    'translated by (#,-#)'
     """
     return _NUMBER.sub(lambda found: found[1] or "#", cut(text))

@@ -58,9 +58,7 @@ class Journal:
             "memory": terms.most,
         }
         if path.exists() and not resume:
-            raise JournalError(
-                f"{self._name} is there already; go on with it by --resume, or remove it"
-            )
+            raise JournalError(f"{self._name} already exists; continue with --resume, or delete it")
         with name_failures(self._path, JournalError), ExitStack() as refused:
             self._file = refused.enter_context(path.open("a+b"))  # it writes at the end
             self._begin(head)
@@ -90,7 +88,7 @@ class Journal:
     def _begin(self, head: Mapping[str, Any]) -> None:
         """Write the head, or continue after the last complete line."""
         if not lock(self._file):
-            raise JournalError(f"{self._name}: another run is writing it")
+            raise JournalError(f"{self._name}: another run is writing to it")
         self._file.seek(0)
         whole = self._read(head)
         self._file.truncate(whole)
@@ -114,7 +112,7 @@ class Journal:
             except (ValueError, AttributeError) as error:
                 if isinstance(error, JournalError):
                     raise
-                raise JournalError(f"{self._name}, line {number}: not of a journal") from None
+                raise JournalError(f"{self._name}, line {number}: not a journal record") from None
             whole += len(line)
         return whole
 
@@ -122,7 +120,7 @@ class Journal:
         for name, value in head.items():
             if found.get(name) != value:
                 what = _WORDS.get(name, name)
-                raise JournalError(f"{self._name} is the journal of another {what}")
+                raise JournalError(f"{self._name} is the journal of a different {what}")
 
     def _write(self, data: Mapping[str, Any]) -> None:
         with name_failures(self._path, JournalError):

@@ -16,7 +16,7 @@ from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.numbers.limits import keep_limits, list_limits
 from exactsweep.processes import Pool
 
-_ENDED = "the process that judges has ended"
+_ENDED = "a judging process ended"
 
 # The id of a case, and what a process is to call for it.
 _Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
@@ -47,12 +47,12 @@ class Judges:
         try:
             self._pool = Pool(workers, keep_limits, list_limits())
         except OSError as error:
-            raise JudgeError(f"no process can be started: {error.strerror or error}") from None
+            raise JudgeError(f"cannot start a process: {error.strerror or error}") from None
         try:
             hellos: list[Hello] = self._call_in_each(_start, terms)
             self.hello = hellos[0]
             if any(hello != self.hello for hello in hellos):
-                raise ProtocolError("not all its processes say the same hello")
+                raise ProtocolError("its processes report different hellos")
         except BaseException:
             self.close()
             raise

@@ -117,23 +117,21 @@ class ProcessPeer:
             hello = self._start()
             if hello != self.hello:
                 self.kill()
-                raise ProtocolError("its hello is another one than before")
+                raise ProtocolError("its hello changed after a restart")
 
     def _start(self) -> Hello:
         try:
             channel = self._channel = Channel(self.terms.command, self.terms.most)
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or error
-            raise ProtocolError(
-                f"{quote(self.terms.command[0])} does not start: {reason}"
-            ) from None
+            raise ProtocolError(f"cannot run {quote(self.terms.command[0])}: {reason}") from None
         try:
             return read_hello(channel.receive(self._to_start))
         except (KeyboardInterrupt, SystemExit):
             self.kill()
             raise
         except SilentError as error:
-            reason = f"no hello {error}; if it writes one, does it flush it?"
+            reason = f"no hello {error}; does the program flush its output?"
         except ChannelError as error:
             reason = f"no hello: {error}"
         except ProtocolError as error:

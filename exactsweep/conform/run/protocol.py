@@ -156,7 +156,7 @@ def read_hello(line: str) -> Hello:
         Traceback (most recent call last):
         exactsweep.conform.run.protocol.ProtocolError: the hello has no "reference"
     """
-    with name_refusals("the first line is no hello"):
+    with name_refusals("the first line is not a hello"):
         found = read_object(line)
         if "hello" not in found:
             raise ProtocolError('it has no "hello"')
@@ -208,7 +208,7 @@ def read_object(line: str) -> dict[str, Any]:
     except FormatError as error:
         # The only line of the parser's input is no useful place.
         reason = str(error).removeprefix("line 1, ")
-        raise ProtocolError(f"{quote(line)} is no JSON line: {reason}") from None
+        raise ProtocolError(f"{quote(line)} is not a line of JSON: {reason}") from None
     if not isinstance(found, dict):
         raise ProtocolError(f"{quote(line)} is {describe_kind(found)}, not an object")
     return found
@@ -240,7 +240,7 @@ def adapt(case: Case, hello: Hello) -> Case:
         (0, 0) (1, 0) (0, 2) from (-2, 0)
     """
     if SHAPES.index(case.shapes) > SHAPES.index(hello.shapes):
-        raise UnsupportedError(f"not asked: it takes {hello.shapes} pairs, not {case.shapes} ones")
+        raise UnsupportedError(f"not asked: the program takes {hello.shapes} pairs only")
     if not hello.parts(case):
         raise UnsupportedError("not asked: the case is not one of an inner fit")
     if hello.reference != "given":

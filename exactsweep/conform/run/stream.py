@@ -33,7 +33,7 @@ class Stream:
         complaints: list of the first lines that are no answers, or could not be judged.
 
     Raises:
-        ProtocolError: the first line is no hello.
+        ProtocolError: the first line is not a hello.
     """
 
     def __init__(self, file: BinaryIO) -> None:
