@@ -43,7 +43,7 @@ from small_pairs import SmallPair, shares_direction, shrink
 from exactsweep.corpus import Case
 from exactsweep.corpus.case_json import case_to_line
 
-SHAPELESS_SHARE = 5  # one of so many
+SHAPELESS_SHARE = 5  # a fifth of the pairs
 TOGETHER = 100  # inputs that a process is given at once
 
 
@@ -85,13 +85,13 @@ class Compared(NamedTuple):
 
 
 class Strategy(NamedTuple):
-    """A way to draw inputs, and to compare the answers for them with the definition.
+    """Functions that draw inputs and compare the answers with the definition.
 
     Attributes:
         draw: draws an input.
-        deep: one input of so many is compared in all its answers.
-        compare: says what differs from the definition, or nothing.
-        name: names the class in which an input is counted.
+        deep: compares all answers of every `deep`-th input.
+        compare: describes a difference from the definition; "" if there is none.
+        name: names the class of an input, for the counts.
     """
 
     draw: Callable[[Random], Any]

@@ -132,7 +132,7 @@ def mix(one: Any, other: Any, rng: Random) -> Any:
 
 
 def reroute(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
-    """Move, leave out or add vertices of an answer through true sums, and find a proof anew."""
+    """Move, drop or add vertices of an answer through true sums, and find a new proof."""
     places = [p for p in list_places(certificate) if p and p[0] in (*ANSWERS, "regions")]
     loops = [p for p in places if is_loop(get(certificate, p))]
     points = [point for p in loops for point in get(certificate, p)]

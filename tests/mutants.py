@@ -1,6 +1,6 @@
-"""Try changes of rooms or modules that tests should notice: `python -m tests.mutants ROOM...`.
+"""Try mutants of packages or modules: `python -m tests.mutants PACKAGE...`.
 
-mutmut makes the mutants and runs the tests of the room in a copy of the project; whatever else
+mutmut makes the mutants and runs the tests of the package in a copy of the project; whatever else
 notices them is named by --tests. A line that may change unnoticed ends with
 `# pragma: no mutate`, and says why.
 """
@@ -34,30 +34,30 @@ pytest_add_cli_args=
 use_git_change_detection=False
 """
 ELSEWHERE = {"canvas": "tests/draw"}
-"""The folder of tests of each room that has none of its own."""
+"""The folder of tests of each package that has none of its own."""
 NOTICED = ("killed", "timeout", "segfault", "suspicious")
 
 
-def find_files(room: str) -> list[str]:
-    """The modules of a room, or the one module that is named."""
-    path = ROOT / "exactsweep" / room
+def find_files(package: str) -> list[str]:
+    """The modules of a package, or the one module that is named."""
+    path = ROOT / "exactsweep" / package
     found = sorted(path.rglob("*.py")) if path.is_dir() else [path.with_suffix(".py")]
     if not found or not found[0].exists():
-        raise click.BadParameter(f"exactsweep has no room and no module {room!r}")
+        raise click.BadParameter(f"exactsweep has no package and no module {package!r}")
     return [str(file.relative_to(ROOT)) for file in found]
 
 
-def find_tests(room: str) -> str:
-    """The folder of the tests of a room."""
-    name = room.split("/")[0].removesuffix(".py")
+def find_tests(package: str) -> str:
+    """The folder of the tests of a package."""
+    name = package.split("/")[0].removesuffix(".py")
     folder = ELSEWHERE.get(name, f"tests/{name}")
     return folder if (ROOT / folder).is_dir() else "tests"
 
 
-def write_settings(rooms: tuple[str, ...], tests: tuple[str, ...]) -> str:
-    """The settings of mutmut for rooms or modules."""
-    only = [file for room in rooms for file in find_files(room)]
-    selected = tests or tuple(dict.fromkeys(map(find_tests, rooms)))
+def write_settings(packages: tuple[str, ...], tests: tuple[str, ...]) -> str:
+    """The settings of mutmut for packages or modules."""
+    only = [file for package in packages for file in find_files(package)]
+    selected = tests or tuple(dict.fromkeys(map(find_tests, packages)))
     return SETTINGS.format(only="\n    ".join(only), tests="\n    ".join(selected))
 
 
@@ -80,16 +80,16 @@ def run_mutmut(folder: Path, *arguments: str) -> str:
 
 
 @click.command()
-@click.argument("rooms", nargs=-1, required=True)
-@click.option("--tests", multiple=True, help="Tests to run, in place of the room's own.")
+@click.argument("packages", nargs=-1, required=True)
+@click.option("--tests", multiple=True, help="Tests to run, in place of the package's own.")
 @click.option("--sample", type=int, help="How many mutants; else all.")
 @click.option("--seed", default=1, show_default=True, help="Of the sample.")
 @click.option("--workers", default=1, show_default=True, help="How many processes.")
 def main(
-    rooms: tuple[str, ...], tests: tuple[str, ...], sample: int | None, seed: int, workers: int
+    packages: tuple[str, ...], tests: tuple[str, ...], sample: int | None, seed: int, workers: int
 ) -> None:
-    """Print which changes of ROOMS no test notices, and how many there are."""
-    settings = write_settings(rooms, tests)
+    """Print which changes of PACKAGES no test notices, and how many there are."""
+    settings = write_settings(packages, tests)
     with TemporaryDirectory() as name:
         folder = Path(name)
         for part in COPIED:
@@ -113,7 +113,7 @@ def main(
                 click.echo(run_mutmut(folder, "show", mutant))
     noticed = sum(statuses[status] for status in NOTICED)
     click.echo(
-        f"{' '.join(rooms)}, seed {seed}: {noticed} of {len(chosen)} noticed, {dict(statuses)}"
+        f"{' '.join(packages)}, seed {seed}: {noticed} of {len(chosen)} noticed, {dict(statuses)}"
     )
 
 

@@ -19,7 +19,7 @@ HOUSE = tomllib.loads((Path(__file__).parent / "house.toml").read_text("utf-8"))
 
 
 def expand(names: Iterable[str]) -> set[str]:
-    """Resolve the names of groups of rooms."""
+    """Resolve the names of groups of packages."""
     groups = HOUSE["groups"]
     return {room for name in names for room in (expand(groups[name]) if name in groups else {name})}
 
@@ -118,7 +118,7 @@ def test_there_is_no_circle_of_modules() -> None:
     assert not found, " -> ".join(found)
 
 
-def test_there_is_no_circle_of_rooms() -> None:
+def test_packages_have_no_circle() -> None:
     graph: dict[str, set[str]] = {}
     for name, seen in arrows().items():
         room = rule_of(name)

@@ -5,7 +5,7 @@ import mutants
 import pytest
 
 
-def test_a_room_is_tried_with_its_tests() -> None:
+def test_a_package_is_tried_with_its_tests() -> None:
     settings = mutants.write_settings(("formats/rounding", "corpus/generator"), ())
     assert "only_mutate=\n    exactsweep/formats/rounding.py\n    exactsweep/corpus/" in settings
     assert "selection=\n    tests/formats\n    tests/corpus\npytest" in settings
@@ -16,8 +16,8 @@ def test_a_room_is_tried_with_its_tests() -> None:
     assert "selection=\n    tests/draw\npytest" in mutants.write_settings(("canvas",), ())
 
 
-def test_a_room_that_there_is_not_is_refused() -> None:
-    with pytest.raises(click.BadParameter, match="no room and no module 'cellar'"):
+def test_unknown_packages_are_rejected() -> None:
+    with pytest.raises(click.BadParameter, match="no package and no module 'cellar'"):
         mutants.write_settings(("cellar",), ())
 
 

@@ -18,7 +18,7 @@ ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 
 
-def test_programs_are_not_started_where_they_cannot_be_ended(
+def test_programs_need_process_groups(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.delattr(os, "killpg")
@@ -32,7 +32,7 @@ def test_without_alarms_nothing_is_stopped(monkeypatch: pytest.MonkeyPatch) -> N
         assert sum(range(10**5)) == 4999950000
 
 
-def test_benchmarks_begin_where_processes_that_ended_are_not_accounted_for(
+def test_benchmarks_start_without_accounting_of_ended_processes(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, "resource", None)

@@ -19,18 +19,18 @@ from tiers import mostly_long
 import exactsweep
 from exactsweep.draw import make_figure, plot_sweep, save
 
-ROOMS = [path for path in (ROOT / "exactsweep").rglob("README.md") if "vendor" not in path.parts]
+PAGES = [path for path in (ROOT / "exactsweep").rglob("README.md") if "vendor" not in path.parts]
 READMES = [
     ROOT / "README.md",
     *(ROOT / "benchmarks").rglob("README.md"),
     ROOT / "tests/README.md",
-    *ROOMS,
+    *PAGES,
 ]
 TEXTS = {
     str(path.relative_to(ROOT)): path.read_text(encoding="utf-8")
     for path in [*READMES, ROOT / "exactsweep/PROJECT.md"]
 }
-DOOR = TEXTS["README.md"]
+FIRST = TEXTS["README.md"]
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -45,20 +45,20 @@ def commands(text: str) -> list[tuple[str, str]]:
 )
 def test_console_blocks_run_as_shown(tmp_path: Path, name: str) -> None:
     # Two commands of the first README make the polygons that the others use.
-    polygons = [made for made in commands(DOOR) if made[0].startswith("echo")]
+    polygons = [made for made in commands(FIRST) if made[0].startswith("echo")]
     polygons = polygons[:2] if name != "README.md" else []
     for command, expected in polygons + commands(TEXTS[name]):
         done = shell(f"cd '{tmp_path}'; {{ {command}\n}} 2>&1")
         assert done.stdout == expected, command
 
 
-def test_the_first_readme_is_a_door() -> None:
-    assert len(DOOR.splitlines()) <= 200
+def test_the_first_readme_is_short() -> None:
+    assert len(FIRST.splitlines()) <= 200
     linked = re.findall(r"\]\((\S+README.md)\)", TEXTS["exactsweep/PROJECT.md"])
     assert {path.resolve() for path in READMES if path != ROOT / "README.md"} == {
         (ROOT / "exactsweep" / link).resolve() for link in linked
     }
-    assert "exactsweep/PROJECT.md" in DOOR
+    assert "exactsweep/PROJECT.md" in FIRST
 
 
 @pytest.mark.parametrize("name", sorted(TEXTS))
@@ -73,7 +73,7 @@ def test_names_of_modules_exist(name: str) -> None:
     assert set(re.findall(r"`(exactsweep\.[a-z_.]+)`", TEXTS[name])) <= known
 
 
-def test_what_is_imported_is_exported() -> None:
+def test_imported_names_are_exported() -> None:
     lines = re.findall(
         r"^(?:>>> )?from (exactsweep[\w.]*) import ([\w, ]+)$", "".join(TEXTS.values()), re.M
     )
@@ -111,22 +111,22 @@ def lines_drawn(path: Path) -> list[tuple[str, list[tuple[float, float]]]]:
     ]
 
 
-def test_the_picture_is_what_is_drawn(tmp_path: Path) -> None:
+def test_the_picture_of_the_readme_is_up_to_date(tmp_path: Path) -> None:
     # Not the bytes, which change with matplotlib's layout of the legend.
     figure = make_figure()
     plot_sweep(EXAMPLE, figure.axes[0])
     save(figure, str(tmp_path / "block.svg"))
     drawn = lines_drawn(tmp_path / "block.svg")
     assert len(drawn) > 8
-    name = re.findall(r"\]\((\S+\.svg)\)", DOOR)[0]
+    name = re.findall(r"\]\((\S+\.svg)\)", FIRST)[0]
     assert lines_drawn(ROOT / name) == drawn, "exactsweep draw -o " + name
 
 
-def test_the_picture_of_a_layout_is_what_is_drawn(tmp_path: Path) -> None:
+def test_the_picture_of_a_layout_is_up_to_date(tmp_path: Path) -> None:
     nest, picture = str(tmp_path / "nest.json"), tmp_path / "nest.svg"
     Path(nest).write_text(run("corpus", "layouts", "layouts-tangram-nudged").stdout)
     assert run("layout", nest, "--svg", str(picture)).exit_code == 1
-    name = re.findall(r"\]\((\S+\.svg)\)", DOOR)[1]
+    name = re.findall(r"\]\((\S+\.svg)\)", FIRST)[1]
     drawn, shown = (path.read_text(encoding="utf-8") for path in (picture, ROOT / name))
     # The title has the path.
     assert re.sub("<title>.*?</title>", "", drawn) == re.sub("<title>.*?</title>", "", shown)
@@ -134,7 +134,7 @@ def test_the_picture_of_a_layout_is_what_is_drawn(tmp_path: Path) -> None:
 
 @pytest.mark.long
 def test_the_counts_of_claims_and_cases_hold() -> None:
-    words = " ".join(DOOR.split())
+    words = " ".join(FIRST.split())
     statuses = re.findall(r": ([a-z ]+) \(.*\)$", run("reproduce", "--list").stdout, re.M)
     count = Counter(statuses)
     held = count["reproduced"] + count["sharpened"]

@@ -1,4 +1,4 @@
-"""The output of commands, word for word; `python -m tests.goldens` writes it anew."""
+"""The output of commands, word for word; `python -m tests.goldens` rewrites it."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ LONG = {"conform", "compare", "draw", "layouts"}
         for path in list_transcripts()
     ],
 )
-def test_commands_write_what_they_wrote(
+def test_transcripts_are_golden(
     path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)

@@ -88,8 +88,8 @@ WALKS: dict[str, Callable[[Path], object]] = {
 def tell_walks() -> dict[str, list[Step]]:
     """The steps of each walk in PROJECT.md: file and name."""
     text = (PACKAGE / "PROJECT.md").read_text(encoding="utf-8")
-    told = text.split("## Five walks through the code")[1].split("\n## ")[0]
-    parts = re.split(r"^### (.*)$", told, flags=re.M)[1:]
+    listed = text.split("## Five walks through the code")[1].split("\n## ")[0]
+    parts = re.split(r"^### (.*)$", listed, flags=re.M)[1:]
     return {
         title: re.findall(r"^\d+\. `([\w/.]+)`, `([\w.]+)`: ", body, flags=re.M)
         for title, body in zip(parts[::2], parts[1::2], strict=True)
@@ -114,13 +114,13 @@ def follow(walk: Callable[[Path], object], folder: Path) -> list[Step]:
     return list(seen)
 
 
-def find_misstep(told: list[Step], seen: list[Step]) -> Step | None:
+def find_misstep(listed: list[Step], seen: list[Step]) -> Step | None:
     """The first step that is not taken, or not after the one before it."""
     rest = iter(seen)
-    return next((step for step in told if step not in rest), None)
+    return next((step for step in listed if step not in rest), None)
 
 
-def test_walks_are_those_told() -> None:
+def test_walks_of_the_page_are_current() -> None:
     assert tell_walks().keys() == WALKS.keys()
     assert all(len(steps) > 6 for steps in tell_walks().values())
 

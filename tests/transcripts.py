@@ -1,4 +1,4 @@
-"""Transcripts of commands, with what they write; `python -m tests.goldens` writes them anew.
+"""Transcripts of commands, with what they write; `python -m tests.goldens` rewrites them.
 
 A transcript is a text file in a folder `transcripts`. A line of it that begins with "$ " is a
 command of a shell: exactsweep, cat, echo or python, perhaps with `<<< TEXT`, `< FILE` or `> FILE`.

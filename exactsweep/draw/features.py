@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 Ends = tuple[Point, Point]
 
 
-class Features:
+class SweepFeatures:
     """The features of both polygons of a Sweep, by their index in its contacts."""
 
     def __init__(self, s: SweepAnswer) -> None:
@@ -42,7 +42,7 @@ class Features:
         Example:
             >>> from exactsweep import sweep
             >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-            >>> Features(s).spot(Contact("EE", 2, 0), Point(2, -1)) == ((2, 0), (3, 0))
+            >>> SweepFeatures(s).spot(Contact("EE", 2, 0), Point(2, -1)) == ((2, 0), (3, 0))
             True
         """
         event, i, j = contact

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.draw.features import Features
+from exactsweep.draw.features import SweepFeatures
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.numbers.error import tells_arguments
@@ -52,7 +52,7 @@ def cut_trajectory(s: SweepAnswer) -> list[ContactInterval]:
         >>> [interval.event for interval in cut_trajectory(s)]
         ['EE', 'EV', 'VE', 'EV', 'EE']
     """
-    return _cut(Features(s), s.trajectory.vertices, s.contacts)
+    return _cut(SweepFeatures(s), s.trajectory.vertices, s.contacts)
 
 
 def cut_loops(s: SweepAnswer, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactInterval]]:
@@ -60,13 +60,13 @@ def cut_loops(s: SweepAnswer, loops: Sequence[Sequence[Point]]) -> Iterator[list
 
     Cost: that of `Sweep.contacts_along`, and as for `cut_trajectory`.
     """
-    features = Features(s)
+    features = SweepFeatures(s)
     for loop, contacts in zip(loops, s.contacts_along(loops), strict=True):
         yield _cut(features, loop, contacts)
 
 
 def _cut(
-    features: Features, corners: Sequence[Point], along: Sequence[Sequence[Contact]]
+    features: SweepFeatures, corners: Sequence[Point], along: Sequence[Sequence[Contact]]
 ) -> list[ContactInterval]:
     found: list[ContactInterval] = []
     for k, contacts in enumerate(along):

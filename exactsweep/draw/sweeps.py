@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
-from exactsweep.draw.features import Ends, Features
+from exactsweep.draw.features import Ends, SweepFeatures
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.insets import draw_with_details, find_details
 from exactsweep.draw.intervals import cut_trajectory
@@ -305,7 +305,7 @@ def draw_contacts(picture: Picture, s: SweepAnswer, positions: Iterable[Point]) 
 
 def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[Ends]]:
     """Find the places of contact at positions of the reference point, by event."""
-    features = Features(s)
+    features = SweepFeatures(s)
     spots: dict[str, list[Ends]] = {}
     for position in positions:
         for contact in s.contacts_at(position):

@@ -78,12 +78,12 @@ def test_bad_input_is_refused_in_one_line(tmp_path: Path, content: bytes, messag
         ("PYTHONIOENCODING=ascii exactsweep sweep >/dev/null", 0, ""),
     ],
 )
-def test_streams_in_trouble_end_in_one_line(command: str, code: int, message: str) -> None:
+def test_broken_streams_give_one_line_of_error(command: str, code: int, message: str) -> None:
     done = shell(command)
     assert (done.returncode, done.stdout, done.stderr) == (code, "", message)
 
 
-def test_memory_is_let_go_before_its_lack_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_memory_is_released_before_the_error_message(monkeypatch: pytest.MonkeyPatch) -> None:
     class Large:
         """An object of a failed function."""
 
@@ -114,7 +114,7 @@ def test_memory_is_let_go_before_its_lack_is_told(monkeypatch: pytest.MonkeyPatc
         ("from exactsweep.cli import main; main(['sweep'], standalone_mode=False)", set()),
     ],
 )
-def test_only_what_is_needed_is_imported(code: str, absent: set[str]) -> None:
+def test_commands_import_only_their_modules(code: str, absent: set[str]) -> None:
     absent |= {
         "sympy",
         "numpy",

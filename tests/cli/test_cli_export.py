@@ -70,7 +70,7 @@ def test_at_most_a_hundred_omissions_are_listed(
     assert lines[-1] == f"skipped: {last}"
 
 
-def test_a_limit_is_said_of_outputs_that_commands_read(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_large_outputs_name_the_limit_for_reading_them(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("exactsweep.cli.output.find_needed_mib", lambda size: size)
     sizes = []
     for options in (("--json",), ("--wkt",), ("--to", "csv"), ("--certificate",)):
@@ -85,7 +85,7 @@ def test_a_limit_is_said_of_outputs_that_commands_read(monkeypatch: pytest.Monke
 @pytest.mark.parametrize(
     ("side", "safe"), [("closest", "narrower wider"), ("outward", "wider"), ("inward", "narrower")]
 )
-def test_what_contains_the_exact_polygon_is_safe_outside(side: Side, safe: str) -> None:
+def test_supersets_are_safe_outward(side: Side, safe: str) -> None:
     exact = [NamedRegion(Region([(0, 0), (4, 0), (4, 4), (0, 4)]))]
     for name, reach in (("narrower", 3), ("wider", 5)):
         rounded = [NamedRegion(Region([(0, 0), (reach, 0), (reach, 4), (0, 4)]))]

@@ -86,7 +86,7 @@ def test_reports_fit_a_terminal_and_are_plain_in_files(
     assert sorted("".join(shown.split())) == sorted("".join(plain.split()))
 
 
-def test_there_is_no_bar_where_there_is_no_terminal(tmp_path: Path) -> None:
+def test_the_bar_needs_a_terminal(tmp_path: Path) -> None:
     parts = tmp_path / "parts.json"
     parts.write_text(format_polygons(part_list(4), "json"))
     done = run(
@@ -107,7 +107,7 @@ def test_there_is_no_bar_where_there_is_no_terminal(tmp_path: Path) -> None:
         (("verify", __file__.replace("test_cli_help.py", "options.txt")), "not JSON"),
     ],
 )
-def test_mistakes_of_usage_say_what_to_do(arguments: tuple[str, ...], words: str) -> None:
+def test_usage_errors_suggest_a_remedy(arguments: tuple[str, ...], words: str) -> None:
     done = run(*arguments)
     assert done.exit_code in (1, 2)
     assert words in done.stderr

@@ -42,14 +42,14 @@ def test_each_format_is_judged(nest: Path, name: str) -> None:
     )
 
 
-def test_notes_are_told(nest: Path) -> None:
+def test_notes_are_reported(nest: Path) -> None:
     done = run("layout", str(nest / "drawn.json"))
     assert done.stdout.endswith(
         "note: without the instance, items are judged as the solution draws them, rounded\n"
     )
 
 
-def test_notes_of_several_files_are_told(nest: Path) -> None:
+def test_notes_of_several_files_are_reported(nest: Path) -> None:
     files = [str(nest / name) for name in ("drawn.json", "svgnest.svg")]
     said = "without the instance, items are judged as the solution draws them, rounded"
     done = run("layout", *files, "--workers", "1")

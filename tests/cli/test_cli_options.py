@@ -1,4 +1,4 @@
-"""The options of all commands, with their types; `python -m tests.goldens` writes them anew."""
+"""The options of all commands, with their types; `python -m tests.goldens` rewrites them."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,18 +16,20 @@ def list_options() -> Iterator[str]:
         for one in command.params:
             kind = type(one.type).__name__
             facts = {fact: getattr(one.type, fact, None) for fact in _FACTS}
-            told = [
+            listed = [
                 f"{fact} {value}" for fact, value in facts.items() if value not in (None, False)
             ]
             marks = [
                 mark for mark in ("required", "multiple", "hidden") if getattr(one, mark, False)
             ]
             default = getattr(one, "default", None)
-            told += marks + [f"default {default}"] * isinstance(default, int | float | str | tuple)
+            listed += marks + [f"default {default}"] * isinstance(
+                default, int | float | str | tuple
+            )
             words = " ".join([*one.opts, *one.secondary_opts])
             help = getattr(one, "help", None) or ""
-            yield f"  {words} {one.metavar or ''} x{one.nargs} {kind} ({'; '.join(told)}) {help}"
+            yield f"  {words} {one.metavar or ''} x{one.nargs} {kind} ({'; '.join(listed)}) {help}"
 
 
-def test_commands_have_the_options_that_they_had() -> None:
+def test_options_are_golden() -> None:
     assert list(list_options()) == FILE.read_text(encoding="utf-8").splitlines()

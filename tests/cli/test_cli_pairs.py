@@ -39,7 +39,7 @@ def test_paths_come_in_many_forms(path: str, tmp_path: Path) -> None:
     assert (found["holes"], found["area"]) == ([], str(expected.area))
 
 
-def test_a_list_of_points_is_a_path_if_it_is_said_so(tmp_path: Path) -> None:
+def test_a_list_of_points_is_a_path_with_the_option(tmp_path: Path) -> None:
     points = "[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]"
     square, ring = save(tmp_path, square=WKT, ring=points)
     (filled,) = parse_regions(run("sum", square, ring, "--wkt").stdout)
@@ -78,9 +78,9 @@ def test_a_point_moves_the_polygon(tmp_path: Path) -> None:
 )
 def test_a_wrong_path_is_named(text: str, message: str, tmp_path: Path) -> None:
     square, line = save(tmp_path, square=WKT, line=text)
-    told = refusal(run("sum", square, line))
-    assert message in told
-    assert told.startswith(line)
+    message_shown = refusal(run("sum", square, line))
+    assert message in message_shown
+    assert message_shown.startswith(line)
 
 
 def test_one_pair_is_reported_in_full(tmp_path: Path) -> None:

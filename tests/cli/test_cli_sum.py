@@ -38,7 +38,7 @@ def closed(shape: Region) -> list[tuple[object, object]]:
     return [(x, y) for x, y in ring]
 
 
-def test_y_points_down_where_both_files_have_it_so(tmp_path: Path) -> None:
+def test_y_points_down_if_it_does_in_both_files(tmp_path: Path) -> None:
     shape = write(tmp_path, "a.svg", SVG.format('<path d="M0 0H1V2z"/>'))
     file = write(tmp_path, "p.svg", SVG.format(OPEN.format('fill="none"')))
     done = run("sum", shape, file, "--wkt")

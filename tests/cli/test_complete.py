@@ -55,7 +55,7 @@ def test_names_are_completed(words: tuple[str, ...], expected: list[str]) -> Non
 @pytest.mark.parametrize(
     ("words", "expected"), [(["compare"], ["file"]), (["corpus", "generate", "--family"], [])]
 )
-def test_a_file_is_offered_where_it_may_stand(words: list[str], expected: list[str]) -> None:
+def test_files_complete_arguments_that_may_be_files(words: list[str], expected: list[str]) -> None:
     items = ShellComplete(main, {}, "exactsweep", "_X").get_completions(words, "my-case.js")
     assert [item.type for item in items] == expected
 
@@ -71,7 +71,7 @@ def test_a_file_is_offered_where_it_may_stand(words: list[str], expected: list[s
         (list_claims, ("reproduce", "--list")),
     ],
 )
-def test_what_is_offered_is_taken(source: Source, arguments: tuple[str, ...]) -> None:
+def test_completions_are_accepted(source: Source, arguments: tuple[str, ...]) -> None:
     names = list(list_names(source))
     assert names
     for name in names[:: max(1, len(names) // 3)]:
@@ -89,7 +89,7 @@ def test_verdicts_and_filters_that_are_offered_are_taken() -> None:
 
 
 @pytest.mark.parametrize(("shell", "text"), [("bash", "Lemma\\ 5.3"), ("zsh", "Lemma 5.3")])
-def test_blanks_are_escaped_where_the_shell_does_not(shell: str, text: str) -> None:
+def test_blanks_are_escaped_for_bash_only(shell: str, text: str) -> None:
     environment = {
         **os.environ,
         "_EXACTSWEEP_COMPLETE": f"{shell}_complete",

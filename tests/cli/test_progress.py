@@ -52,7 +52,7 @@ def terminal(monkeypatch: pytest.MonkeyPatch, timer: type[Soon]) -> Iterator[Str
 
 
 @pytest.mark.parametrize("timer", [Soon, Later])
-def test_after_a_second_something_is_said(
+def test_a_status_appears_after_one_second(
     timer: type[Soon], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with terminal(monkeypatch, timer) as text, working.working("sweeping"):
@@ -81,7 +81,7 @@ def test_a_run_shows_its_verdicts_so_far(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 @pytest.mark.parametrize("terminal", [True, False, None])
-def test_only_a_terminal_is_told(terminal: bool | None, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_needs_a_terminal(terminal: bool | None, monkeypatch: pytest.MonkeyPatch) -> None:
     class Stream(StringIO):
         def isatty(self) -> bool:
             return bool(terminal)
@@ -112,7 +112,7 @@ PROVED = ("sweep", *PAIR, "--certificate", "-o", "proof.json")
     ],
     ids=lambda item: item[0],
 )
-def test_commands_say_what_they_do(
+def test_commands_show_their_progress(
     command: tuple[str, ...], words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)

@@ -24,7 +24,7 @@ def write(folder: Path, name: str, data: object) -> str:
     return str(path)
 
 
-def test_each_turn_beside_a_layout_has_a_line(tmp_path: Path) -> None:
+def test_each_turn_has_a_line(tmp_path: Path) -> None:
     files = write(tmp_path, "c.json", SHEET), write(tmp_path, "p.json", PART)
     nest = write(tmp_path, "nest.json", LAYOUT)
     options = "--turns", "0, 90", "--mirrored", "--placed", nest

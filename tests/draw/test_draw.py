@@ -73,7 +73,7 @@ def test_a_reference_point_is_far_beyond_both_sizes() -> None:
         assert find_anchor(sweep(triangle, triangle, reference=beyond)) == points((0, 0))[0]
 
 
-def test_plot_makes_a_figure_and_takes_axes() -> None:
+def test_plot_uses_given_axes_or_a_new_figure() -> None:
     axes = EXAMPLE.plot()
     assert pyplot.get_fignums() == [1]
     _, mine = pyplot.subplots()

@@ -93,7 +93,7 @@ def test_one_colour_has_one_meaning_for_all_eyes(palette: dict[str, str]) -> Non
     assert too_near({"D": "#5f5f5f", "VE": "#882255"})
 
 
-def test_what_is_judged_stands_apart_from_what_is_exact() -> None:
+def test_colours_of_judged_and_exact_things_differ() -> None:
     shown = {name: style.LIGHT[name] for name in ("directrix", "generatrix", "path")}
     assert too_near(shown | style.JUDGED) == []
     assert not set(style.JUDGED.values()) & set(style.LIGHT.values())
@@ -158,13 +158,13 @@ def require_lower_legend(axes: Axes) -> None:
     figure: Any = axes.figure
     figure.draw_without_rendering()
     legend: Any = axes.get_legend()
-    told, picture = legend.get_window_extent(), axes.get_window_extent()
+    box, picture = legend.get_window_extent(), axes.get_window_extent()
     bottom = min([picture.y0, *(child.get_window_extent().y0 for child in details(axes))])
-    if told.x0 >= picture.x1:
-        assert told.height <= picture.y1 - bottom + 1
+    if box.x0 >= picture.x1:
+        assert box.height <= picture.y1 - bottom + 1
     else:
         # Below, in several columns, where it hides nothing either.
-        assert told.y1 <= bottom
+        assert box.y1 <= bottom
         assert len(legend.get_texts()) > legend._ncols > 1
 
 

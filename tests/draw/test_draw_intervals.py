@@ -8,7 +8,7 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.draw import ContactInterval, cut_trajectory
-from exactsweep.draw.features import Features
+from exactsweep.draw.features import SweepFeatures
 from exactsweep.evidence.contact import Contact
 
 any_pair = pairs("CC") | pairs("CM") | pairs("MM")
@@ -36,7 +36,7 @@ def test_intervals_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) 
 
 @examples(40)
 @given(any_pair)
-def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Polygon]) -> None:
+def test_contacts_of_an_interval_hold_in_its_middle(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
     for interval in cut_trajectory(s):
         touching = s.contacts_at(middle(interval))
@@ -50,14 +50,14 @@ def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Poly
 @given(any_pair)
 def test_edges_touch_in_a_segment_and_vertices_in_a_point(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
-    features = Features(s)
+    features = SweepFeatures(s)
     for interval in cut_trajectory(s)[:12]:
         for contact in interval.contacts:
             low, high = features.spot(contact, middle(interval))
             assert (low < high) == (contact.event == "EE")
 
 
-def test_an_edge_is_cut_where_its_contact_changes() -> None:
+def test_edges_are_cut_at_changes_of_contact() -> None:
     # Over the gap, which is narrower than itself, the block lies on both sides of it for a while.
     block = [(0, 0), (3, 0), (3, 1), (0, 1)]
     gap = [(0, -3), (8, -3), (8, 0), (5, 0), (4, -1), (3, 0), (0, 0)]

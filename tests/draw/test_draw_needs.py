@@ -32,7 +32,7 @@ def read_dreams() -> None:
         ),
     ],
 )
-def test_what_is_missing_is_told_from_what_does_not_load(
+def test_missing_and_broken_libraries_are_distinguished(
     name: str,
     load: Callable[[], None],
     error: type[Exception],

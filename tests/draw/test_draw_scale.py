@@ -27,7 +27,7 @@ def test_places_are_near_one_and_rounded_once(polygon: Polygon) -> None:
 def test_enlarging_by_a_power_of_a_thousand_changes_units_only(
     polygon: Polygon, exponent: int
 ) -> None:
-    # Far from the sizes at which units are left out.
+    # Far from the sizes without units.
     first = Fraction(10) ** (99 if exponent > 0 else -99)
     small = [(x * first, y * first) for x, y in polygon.vertices]
     factor = Fraction(10) ** exponent
@@ -53,7 +53,7 @@ def test_digits_behind_a_long_head_are_seen() -> None:
     assert 0 <= ax < cx < 1000
 
 
-def test_each_axis_has_its_own_unit_only_where_one_would_show_a_line() -> None:
+def test_axes_have_different_units_only_for_flat_pictures() -> None:
     assert Scale.of([(0, 0), (12, 1)]).is_true
     stretched = Scale.of([(0, 0), (13 * BIG, BIG)])
     assert not stretched.is_true
@@ -95,7 +95,7 @@ def test_an_origin_far_off_is_a_round_number() -> None:
         assert scale.x.origin == scale.y.origin == origin
 
 
-def test_nothing_and_what_is_too_far_off_are_refused() -> None:
+def test_empty_and_distant_points_are_rejected() -> None:
     with pytest.raises(DrawError, match="there is nothing to draw"):
         Scale.of([], [])
     with pytest.raises(DrawError, match="a point is too far outside the picture"):

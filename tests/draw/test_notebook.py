@@ -93,7 +93,7 @@ def test_matplotlib_is_not_needed() -> None:
     assert run.stdout == "<svg <div\n"
 
 
-def test_the_page_stands_in_a_frame_of_its_own() -> None:
+def test_notebooks_show_the_page_in_a_frame() -> None:
     view = EXAMPLE.view(height=300)
     Balanced(view._repr_html_())
     (frame,) = re.findall(r"<iframe .*</iframe>", view._repr_html_(), re.S)

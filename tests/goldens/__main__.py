@@ -1,4 +1,4 @@
-"""Write the golden files anew: `python -m tests.goldens [PARTS]...`.
+"""Rewrite the golden files: `python -m tests.goldens [PARTS]...`.
 
 These are the texts of this folder, both golden.json, the reports of `conform`,
 the options of all commands, all transcripts and all refusals.txt; git shows the changes.
@@ -63,7 +63,7 @@ def replay_apart(path: Path) -> str:
 @click.command()
 @click.argument("parts", nargs=-1)
 def main(parts: tuple[str, ...]) -> None:
-    """Write the golden files anew, or those whose path has one of the PARTS in it."""
+    """Rewrite the golden files, or those whose path contains one of the PARTS."""
     for path, make in list_goldens():
         name = path.relative_to(TESTS).as_posix()
         if any(part in name for part in parts or ("",)):

@@ -12,7 +12,7 @@ from exactsweep.formats import format_polygons, read_polygon, read_text
 from exactsweep.numbers.error import ArgumentError, tells_arguments
 
 
-def test_an_argument_is_named_with_what_it_should_be() -> None:
+def test_errors_name_the_argument_and_its_type() -> None:
     with pytest.raises(ArgumentError, match=r"^polygons is None, not Iterable\[Polygon \| Region"):
         format_polygons(None, "wkt")  # type: ignore[arg-type]
     with pytest.raises(ArgumentError, match=r"^tries is 'a', not int$"):

@@ -41,7 +41,7 @@ from exactsweep.geometry.region import Region
 from exactsweep.layout import Layout, LayoutPart, Placement
 from exactsweep.numbers.limits import list_limits
 
-ROOMS = ("batch", "check", "conform", "corpus", "draw", "formats", "layout", "lessons", "view")
+PACKAGES = ("batch", "check", "conform", "corpus", "draw", "formats", "layout", "lessons", "view")
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 TEXT = "[[0, 0], [1, 0], [0, 1]]"
 PART = NamedRegion(Region(GENERATRIX), "a")
@@ -181,12 +181,12 @@ LONG = {
 
 def public() -> dict[str, Callable[..., Any]]:
     found: dict[str, Callable[..., Any]] = {}
-    for room in ("", *ROOMS):
-        module = importlib.import_module(f"exactsweep.{room}" if room else "exactsweep")
+    for package in ("", *PACKAGES):
+        module = importlib.import_module(f"exactsweep.{package}" if package else "exactsweep")
         for name in module.__all__:
             value = getattr(module, name)
             if inspect.isfunction(value):
-                found[f"{room}.{name}" if room else name] = value
+                found[f"{package}.{name}" if package else name] = value
     return found
 
 
@@ -256,9 +256,11 @@ def arguments_of(name: str) -> dict[str, Any]:
 
 
 @pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize("room", mostly_long(["", *ROOMS], ["", "corpus", "formats", "layout"]))
-def test_what_is_no_argument_is_refused_in_a_sentence(
-    room: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    "package", mostly_long(["", *PACKAGES], ["", "corpus", "formats", "layout"])
+)
+def test_wrong_arguments_of_functions_are_rejected(
+    package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
     mpl.use("Agg")
@@ -266,7 +268,7 @@ def test_what_is_no_argument_is_refused_in_a_sentence(
         Path(name).write_text(text)
     tried = refused = 0
     for name in PUBLIC:
-        if name.rpartition(".")[0] != room:
+        if name.rpartition(".")[0] != package:
             continue
         arguments = arguments_of(name)
         assert call(PUBLIC[name], arguments) is None, name
@@ -299,12 +301,12 @@ def test_every_public_method_is_tried() -> None:
 
 
 def test_every_class_that_reads_data_is_tried() -> None:
-    rooms = [importlib.import_module(f"exactsweep.{room}") for room in ROOMS]
+    modules = [importlib.import_module(f"exactsweep.{package}") for package in PACKAGES]
     kinds = {
         kind
-        for room in rooms
-        for name in room.__all__
-        if isinstance(kind := getattr(room, name), type)
+        for package in modules
+        for name in package.__all__
+        if isinstance(kind := getattr(package, name), type)
     }
     assert {kind for kind in kinds if {"from_json", "of"} & vars(kind).keys()} - {
         Scale
@@ -318,7 +320,7 @@ def enter_limits(**values: Any) -> None:
 
 @pytest.mark.long
 @pytest.mark.filterwarnings("ignore")
-def test_what_is_no_argument_of_a_method_or_a_shape_is_refused_in_a_sentence() -> None:
+def test_wrong_arguments_of_methods_and_shapes_are_rejected() -> None:
     mpl.use("Agg")
     calls: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         (Polygon, {"vertices": UNIT}),

@@ -68,7 +68,7 @@ def low_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("name", mostly_long(WRITERS, {*WRITERS} - {"s", "s.cert", "n"}))
 @pytest.mark.usefixtures("low_limit")
-def test_who_writes_beyond_the_limit_says_which_one_reads_it(name: str) -> None:
+def test_outputs_beyond_the_limit_name_a_sufficient_one(name: str) -> None:
     command, *how = WRITERS[name]
     pair = ["d.json", "g.json"] if command in ("nfp", "ifp") else ["g.json", "d.json"]
     more = ["--workers", "1"] if command == "batch" else []
@@ -93,9 +93,7 @@ def test_who_writes_beyond_the_limit_says_which_one_reads_it(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["b.jsonl", "s", "n.cert"])
 @pytest.mark.usefixtures("low_limit")
-def test_the_limit_that_is_named_is_no_higher_than_it_has_to_be(
-    name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_named_limit_is_tight(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     named: list[int] = []
     monkeypatch.setattr("exactsweep.cli.output.find_needed_mib", named.append)
     command, *how = WRITERS[name]

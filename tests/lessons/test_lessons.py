@@ -32,7 +32,7 @@ def without_windows() -> Iterator[None]:
     pyplot.close("all")
 
 
-def told(notebook: dict[str, Any]) -> list[Any]:
+def list_outputs(notebook: dict[str, Any]) -> list[Any]:
     """Return the output of the cells, with a mark for each picture."""
     found: list[Any] = []
     for cell in notebook["cells"]:
@@ -48,10 +48,10 @@ def code(notebook: dict[str, Any]) -> list[str]:
 
 
 @pytest.mark.parametrize("name", mostly_long(list_titles(), ["gallery", "tour", "layouts"]))
-def test_a_lesson_runs_and_shows_what_is_stored(name: str) -> None:
+def test_lessons_run_and_give_their_stored_output(name: str) -> None:
     stored = read_notebook(name)
     made = run_notebook(copy.deepcopy(stored))
-    assert told(made) == told(stored), f"python -m exactsweep.lessons ({name})"
+    assert list_outputs(made) == list_outputs(stored), f"python -m exactsweep.lessons ({name})"
     assert code(made) == code(stored)
     pictures = 0
     for cell in stored["cells"]:
@@ -76,9 +76,9 @@ def test_nothing_of_a_machine_is_stored() -> None:
 
 def test_a_notebook_that_shows_something_else_is_noticed(tmp_path: Any) -> None:
     stored = read_notebook("sweeps")
-    (cell,) = (c for c in stored["cells"] if told_by(c).startswith("swept 72"))
+    (cell,) = (c for c in stored["cells"] if list_prints(c).startswith("swept 72"))
     cell["outputs"][0]["text"] = ["swept 71\n"]
-    assert told(run_notebook(copy.deepcopy(stored))) != told(stored)
+    assert list_outputs(run_notebook(copy.deepcopy(stored))) != list_outputs(stored)
     path = tmp_path / "lesson.ipynb"
     write_notebook(path, stored)
     assert json.loads(path.read_text(encoding="utf-8")) == stored
@@ -98,7 +98,7 @@ def test_figures_of_others_stay_open_and_are_not_shown() -> None:
     assert pyplot.get_fignums() == [mine.number]
 
 
-def told_by(cell: dict[str, Any]) -> str:
+def list_prints(cell: dict[str, Any]) -> str:
     return "".join("".join(output.get("text", ())) for output in cell.get("outputs", ()))
 
 

@@ -35,7 +35,7 @@ def wait_for(condition: Callable[[], object], process: subprocess.Popen[str]) ->
 
 
 def children(pid: int) -> list[int]:
-    """The processes that a process started, by /proc; the helper of multiprocessing left out."""
+    """The processes that a process started, by /proc; without the helper of multiprocessing."""
     found = []
     for path in Path("/proc").glob("[0-9]*/stat"):
         with suppress(OSError):

@@ -130,15 +130,15 @@ def _classification(pair: SmallPair, answered: Any) -> Iterator[str]:
 
 
 def is_exact_fit(generatrix: Any, directrix: Any, fit: Fit) -> bool:
-    """Decide whether a segment touches at both ends and in the middle, and overlaps beside."""
+    """Decide whether a segment is in contact, with overlap on both sides, at three points."""
     (ax, ay), (bx, by) = fit
     x, y = (ax + bx) / 2, (ay + by) / 2
     dx, dy = (by - ay) / 10**40, (ax - bx) / 10**40
     touching = all(classify(directrix, generatrix, t).verdict == "CONTACT" for t in (*fit, (x, y)))
     if (ax, ay) == (bx, by):
         return touching
-    beside = ((x + dx, y + dy), (x - dx, y - dy))
-    return touching and all(classify(directrix, generatrix, t).verdict == "OVERLAP" for t in beside)
+    aside = ((x + dx, y + dy), (x - dx, y - dy))
+    return touching and all(classify(directrix, generatrix, t).verdict == "OVERLAP" for t in aside)
 
 
 def find_contacts(

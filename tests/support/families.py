@@ -67,7 +67,7 @@ def fan(rng: random.Random) -> IntRing:
 
 
 def jagged(rng: random.Random, walls: int = 0, cells: tuple[int, int] = (1, 6)) -> IntRing:
-    """Bottom and top on breakpoints of their own; so many times in eight with vertical edges."""
+    """Draw bottom and top on independent breakpoints; `walls` eighths have vertical edges."""
     grid = Grid(cells, rng.choice(WIDTHS), rng.choice([1, 2, 4, 9]), walls)
     return draw_monotone(_prng(rng), grid)
 
@@ -111,9 +111,9 @@ def mould(rng: random.Random, ring: IntRing) -> IntRing:
     bottom: IntRing = [(0, ground)]
     for _ in range(rng.randint(1, 2)):
         gap = rng.choice([1, 2, top[-1][0]])
-        stretch = rng.choice([1, 1, 1, 2])
+        factor = rng.choice([1, 1, 1, 2])
         x = bottom[-1][0] + gap
-        bottom += [(x, ground), *((x + stretch * px, py) for px, py in top)]
+        bottom += [(x, ground), *((x + factor * px, py) for px, py in top)]
         bottom.append((bottom[-1][0], ground))
     bottom.append((bottom[-1][0] + rng.randint(1, 2), ground))
     ceiling = max(y for _, y in bottom) + 1

@@ -14,9 +14,9 @@ from spoiling import (
     LOOPS,
     REFERENCE,
     Change,
+    add,
     add_generatrix,
     along,
-    beside,
     box,
     each,
     far,
@@ -25,6 +25,7 @@ from spoiling import (
     if_simple,
     inside,
     leave_open,
+    lengthen,
     lose,
     on,
     on_all,
@@ -33,7 +34,6 @@ from spoiling import (
     put,
     refer_to,
     scale,
-    stretch,
     to_float32,
     turn,
     where,
@@ -113,21 +113,21 @@ def list_of_positions(part: str) -> Iterator[tuple[str, Mistake]]:
     if not is_inner:
         yield row("D + G", add_generatrix(part), says="not reflected" + other)
     island = "more than the exact|all exact rings, and 1 more"
-    yield row("an island", beside(part, far((0, 0), (1, 0), (0, 1))), DIFFERS, island)
+    yield row("an island", add(part, far((0, 0), (1, 0), (0, 1))), DIFFERS, island)
     bow_tie = far((0, 0), (1, 1), (1, 0), (0, 1))
-    yield row("a bow tie besides", beside(part, bow_tie), BROKEN, "crosses itself")
-    yield row("a point besides", beside(part, far((0, 0))), BROKEN, "fewer than three")
+    yield row("a bow tie besides", add(part, bow_tie), BROKEN, "crosses itself")
+    yield row("a point besides", add(part, far((0, 0))), BROKEN, "fewer than three")
     line = far((0, 0), (1, 0), (2, 0))
-    yield row("a line besides", beside(part, line), BROKEN, "zero area")
+    yield row("a line besides", add(part, line), BROKEN, "zero area")
     yield row("the last ring twice", on_all(part, lambda r: [*r, r[-1]]), BROKEN, "overlap")
     spike = "touches|spike|cross|turns|fold|overlap|edge|vert"
     yield row("a spike", on_all(part, add_spike), BROKEN, spike)
-    yield row("a point far away", beside(fits, far((0, 0), (0, 0))), away(part), "invented")
-    yield row("a fit far away", beside(fits, far((0, 0), (1, 0))), away(part), "invented")
-    yield row("a fit on an edge", beside(fits, along(part)), FALSE, "invented|long")
+    yield row("a point far away", add(fits, far((0, 0), (0, 0))), away(part), "invented")
+    yield row("a fit far away", add(fits, far((0, 0), (1, 0))), away(part), "invented")
+    yield row("a fit on an edge", add(fits, along(part)), FALSE, "invented|long")
     if is_loop:
         return
-    yield row("a fit with play", beside(fits, within(part)), FALSE, "invented|long")
+    yield row("a fit with play", add(fits, within(part)), FALSE, "invented|long")
     for name, lost in (("last", without(-1)), ("second", without(1))):
         yield row(f"the {name} ring lost", on_all(part, lost), says=LOST)
     yield row("only the first ring", on_all(part, lambda rings: rings[:1]), says=LOST)
@@ -262,18 +262,18 @@ OTHERS: dict[str, tuple[Change, tuple[str, ...], str]] = {
     # Exact fits.
     "no exact fits": (on_all(FIT, lambda fits: []), FITS, "missing"),
     "one fit of several lost": (on_all(FIT, without(-1)), FITS, "missing"),
-    "fits too short": (on_all(FIT, stretch(Fraction(-1, 9))), FITS, "too short"),
-    "fits too long": (on_all(FIT, stretch(Fraction(1, 9))), (*FITS, "unsound"), "too long"),
+    "fits too short": (on_all(FIT, lengthen(Fraction(-1, 9))), FITS, "too short"),
+    "fits too long": (on_all(FIT, lengthen(Fraction(1, 9))), (*FITS, "unsound"), "too long"),
     "ends of fits only": (
         on_all(FIT, lambda fits: [(p, p) for fit in fits for p in fit]),
         FITS,
         "missing|too short|invented",
     ),
     "fits moved aside": (on_all(FIT, move_aside), (*FALSE, "unsound"), "missing, inv|too long"),
-    "a fit invented": (beside(FIT, lambda c: inside(c)[:2]), ("unsound",), "invented|too"),
+    "a fit invented": (add(FIT, lambda c: inside(c)[:2]), ("unsound",), "invented|too"),
     # Rings.
     "two vertices exchanged": (on(LOOP, exchange), ANY, "."),
-    "a hole": (beside(LOOP, inside), ("unsound",), "part of the exact"),
+    "a hole": (add(LOOP, inside), ("unsound",), "part of the exact"),
     "two vertices only": (on(LOOP, lambda loop: loop[:2]), BROKEN, "fewer than three"),
     "an empty loop": (on(LOOP, lambda loop: []), BROKEN, "is empty"),
     "not a number": (ring_of((math.nan, 0)), BROKEN, "nan"),

@@ -32,7 +32,7 @@ class Scene(NamedTuple):
 
 
 def draw_cells(rng: Random) -> list[Region]:
-    """Polyominoes: placed ones touch walls and each other, overlap them, and leave exact doors."""
+    """Polyominoes: placed ones touch walls and each other, overlap them, and leave exact gaps."""
     container = set(grow(rng.choices(range(60), k=rng.randint(20, 50))))
     left, low = min(x for x, _ in container), min(y for _, y in container)
     placed = [
@@ -53,8 +53,8 @@ def draw_jigsaw(rng: Random) -> list[Region]:
     while free:
         piece = {min(free)}
         for _ in range(rng.randint(0, 5)):
-            beside = sorted({(x + 1, y) for x, y in piece} | {(x, y + 1) for x, y in piece})
-            piece |= set(rng.sample(beside, 1)) & free
+            adjacent = sorted({(x + 1, y) for x, y in piece} | {(x, y + 1) for x, y in piece})
+            piece |= set(rng.sample(adjacent, 1)) & free
         free -= piece
         pieces.append(piece)
     rng.shuffle(pieces)
@@ -142,6 +142,6 @@ def compare(scene: Scene, rng: Random, deep: bool) -> str:
     found = free_positions(scene.container, scene.placed, scene.part)
     positions = list(list_positions(scene, found))
     for t in rng.sample(positions, min(MOST, len(positions))):
-        if (told := found.locate(t)) != (true := expected(scene, t)):
-            return f"{told} at {t}, not {true}"
+        if (answer := found.locate(t)) != (true := expected(scene, t)):
+            return f"{answer} at {t}, not {true}"
     return ""

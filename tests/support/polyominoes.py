@@ -60,12 +60,12 @@ def rings(cells: Cells) -> list[list[Cell]]:
 
 
 def free_cells(stationary: Cells, orbiting: Cells) -> tuple[set[Cell], set[Cell], set[Cell]]:
-    """The bounded free positions and the exact fits, square by square.
+    """Find bounded free positions and exact fits by unit squares.
 
     Returns:
-        Free unit squares of positions that cannot be left for the outside, by their lower left
-        corners; exact fits, in units of one half: middles of unit edges that are free between two
-        squares that are not; and points that are free with nothing free beside them.
+        Free unit squares enclosed by positions of overlap, by their lower left corners; exact fits
+        in units of one half: midpoints of free unit edges between two squares of overlap; and
+        isolated free points.
     """
     overlapped = {(dx - gx, dy - gy) for dx, dy in stationary for gx, gy in orbiting}
 

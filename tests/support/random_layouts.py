@@ -161,8 +161,8 @@ def put_around(rng: Random, data: dict[str, Any], scale: Fraction, margin: Fract
         box_of = bounds(by_id[one["part"]], one["turn"], mirrored=one["mirrored"])
         xs += [one["move"][0] + corner[0] for corner in box_of]
         ys += [one["move"][1] + corner[1] for corner in box_of]
-    rooms = [margin] * 9 + [margin + scale * TINY, margin - scale * TINY, 2 * scale]
-    room = [rng.choice(rooms) for _ in range(4)]
+    margins = [margin] * 9 + [margin + scale * TINY, margin - scale * TINY, 2 * scale]
+    room = [rng.choice(margins) for _ in range(4)]
     left, right = min(xs) - room[0], max(xs) + room[1]
     low, high = min(ys) - room[2], max(ys) + room[3]
     exterior: Ring = box(left, low, right, high)

@@ -1,6 +1,6 @@
-"""Refusals as transcripts: calls, each with the error that it raises indented below it.
+"""Errors as transcripts: calls, each with its error indented below.
 
-Dots stand for any text. `python -m tests.goldens` writes the errors anew.
+Dots stand for any text. `python -m tests.goldens` rewrites the errors.
 """
 
 import re
@@ -31,7 +31,7 @@ _REFUSAL = re.compile(r"^(\S.*)\n    (.*)$", re.M)
 
 
 def list_refusals(file: str) -> list[tuple[str, str]]:
-    """List the calls in refusals.txt beside a file, with their errors."""
+    """List the calls and errors of refusals.txt in the folder of a file."""
     text = Path(file).with_name("refusals.txt").read_text(encoding="utf-8")
     return _REFUSAL.findall(text)
 

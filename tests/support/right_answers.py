@@ -1,4 +1,4 @@
-"""Ways to write a right answer: of any order, orientation and number type, with doubled lines."""
+"""Spellings of a right answer: any order, orientation and number type, with doubled lines."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.layouts import parse_layouts
 from exactsweep.numbers.number import Point
 
-_WAYS = [(3, 4), (4, -3), (-3, 4), (7, 24), (1, 0), (0, 1)]
+_DIRECTIONS = [(3, 4), (4, -3), (-3, 4), (7, 24), (1, 0), (0, 1)]
 _TOLERANCES = [None, "1/2", "1/10", "1/100", "1/1000"]
 _PLACES = 12
 
@@ -71,7 +71,7 @@ def _draw_core(rng: Random) -> tuple[list[Point], Fraction]:
         case 0:
             corners = [(zero, zero)]
         case 1:
-            x, y = rng.choice(_WAYS)
+            x, y = rng.choice(_DIRECTIONS)
             times = rng.randint(1, 3)
             corners = [(zero, zero), (Fraction(x * times), Fraction(y * times))]
         case _:

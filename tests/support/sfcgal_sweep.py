@@ -1,16 +1,15 @@
-"""Answers by an independent exact program: Minkowski sums of SFCGAL, that is of CGAL.
+"""Answers by an independent exact library: Minkowski sums of SFCGAL, which uses CGAL.
 
-The no-fit polygon is P = D + I(G), with all its holes. Of the area swept along its exterior T the
-outer loop is that of T + G, T filled, and holes of it are left out; the inner loop and what else is
-left out inside are the holes of (a large box without T's inside) + G. (The positions inside a
-container could be found likewise; but there the program crashes often.)
+The no-fit polygon is P = D + I(G), with all its holes. For the area swept along its exterior T, the
+outer loop and further holes are those of T + G, T filled; the inner loop and the other holes are
+those of (a large box minus the inside of T) + G.
 
-The program takes holes of one polygon only. Where both have some, G lies in a hole of D, or D in
-one of G: so the holes are those of both sums, each with the holes of the other polygon filled.
+The library accepts holes of one polygon only. If both have holes, G lies in a hole of D, or D in
+one of G: the holes are those of both sums, each with the holes of the other polygon filled.
 
-`exactsweep corpus export | python tests/support/sfcgal_sweep.py` answers each case, a line each,
-with its id, and "differs" behind it where the loops do. It is a process of its own because it may
-crash. It says nothing of exact fits, nor of positions inside.
+`exactsweep corpus export | python tests/support/sfcgal_sweep.py` prints a line per case, its id,
+and "differs" if the loops differ. It runs in its own process because the library may crash. It
+covers neither exact fits nor inner fits.
 """
 
 import json
@@ -48,18 +47,18 @@ def differs(case: Case) -> list[str]:
     exterior, *holes = _sum(d, inverse[:1])
     if len(inverse) > 1:
         holes += _sum(inverse, d[:1])[1:]
-    # Where one polygon is all inside the other, or in a gap of it, it sees a hole, too.
+    # The library also reports a hole where one polygon lies in the other, or in a gap of it.
     holes = [hole for hole in holes if _is_hole(d, g, hole)]
-    # Its own collinear vertices, given back to it, crash the program.
+    # Its own collinear vertices crash the library.
     path = Polygon(exterior).vertices
-    outer, *beside = _sum([path], g) if len(g) == 1 else _sum(g, [path])
+    outer, *further = _sum([path], g) if len(g) == 1 else _sum(g, [path])
     inside = _inside(path, g[0])
     found = {
         "trajectory": (back([exterior], at_t), [case.trajectory]),
         "holes": (list(dict.fromkeys(back(holes, at_t))), list(case.holes)),
         "outer": (back([outer], on_d), [case.outer]),
         "unswept": (
-            back([*beside, *inside], on_d),
+            back([*further, *inside], on_d),
             sorted((case.inner, *case.unswept), key=lambda polygon: polygon.vertices),
         ),
     }

@@ -23,7 +23,7 @@ Draw = Callable[[Random], Shape]
 FARTHEST = 2**40  # from the origin, along either axis
 SMALL = 14
 TABLE = 3000  # shapes that are monotone to no direction
-STRETCH = 2**34  # beyond what the kernel rounds slopes and places to
+FACTOR = 2**34  # beyond what the kernel rounds slopes and places to
 
 
 class SmallPair(NamedTuple):
@@ -99,11 +99,11 @@ SHAPELESS = [
     (BENT, CONVEX + MONOTONE + BENT),
 ]
 TURNS = [(0, -1, 1, 0), (-1, 0, 0, -1), (0, 1, -1, 0), (1, 0, 0, -1)]
-STRETCHES = [
-    (1, 0, STRETCH, 1),
-    (STRETCH, 0, 0, 1),
-    (1, 0, 0, STRETCH),
-    (STRETCH, 1, -1, STRETCH),
+STRETCHED = [
+    (1, 0, FACTOR, 1),
+    (FACTOR, 0, 0, 1),
+    (1, 0, 0, FACTOR),
+    (FACTOR, 1, -1, FACTOR),
 ]
 
 
@@ -205,7 +205,7 @@ def _placed(rng: Random, pair: SmallPair) -> SmallPair:
     chance = rng.random()
     if chance < 0.5:
         return pair
-    matrix = rng.choice(TURNS if chance < 0.9 else STRETCHES)
+    matrix = rng.choice(TURNS if chance < 0.9 else STRETCHED)
     return SmallPair(*(_turned(shape, matrix) for shape in pair))
 
 

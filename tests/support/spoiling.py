@@ -1,4 +1,4 @@
-"""Ways to spoil an exact answer.
+"""Functions that spoil an exact answer.
 
 Each is a function of a case, as it is put to the program, and of its exact answer, rings by part.
 It gives the wrong answer, or None where it cannot be made.
@@ -37,7 +37,7 @@ def answer_exactly(case: Case, part: str) -> Answer:
     return {name: [list(ring) for ring in list_exact_rings(case, name)] for name in PARTS[part]}
 
 
-# Ways to change an answer.
+# Changes of an answer.
 
 
 def on(part: str, change: Callable[[Ring], Any]) -> Change:
@@ -55,7 +55,7 @@ def put(part: str, rings: Callable[[Case], Any]) -> Change:
     return lambda case, answer: {**answer, part: rings(case)}
 
 
-def beside(part: str, ring: Callable[[Case], Any]) -> Change:
+def add(part: str, ring: Callable[[Case], Any]) -> Change:
     """One ring more, or one exact fit."""
     return lambda case, answer: (found := ring(case)) and {**answer, part: [*answer[part], found]}
 
@@ -263,7 +263,7 @@ def within(part: str) -> Callable[[Case], Ring | None]:
     return find
 
 
-def stretch(share: Fraction) -> Callable[[list[Ring]], list[Ring]]:
+def lengthen(share: Fraction) -> Callable[[list[Ring]], list[Ring]]:
     """Move the second end of the first exact fit that is no point along it."""
 
     def change(fits: list[Ring]) -> list[Ring]:

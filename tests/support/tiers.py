@@ -8,11 +8,11 @@ from hypothesis import settings
 few_or_all = pytest.mark.parametrize(
     "step", [24, pytest.param(1, marks=pytest.mark.long)], ids=["few", "all"]
 )
-"""Every so many of a list, given as `step`."""
+"""Every `step`-th item of a list."""
 
 
 def examples(many: int) -> settings:
-    """So many with `--hypothesis-profile many`, as in the long run, a quarter else."""
+    """Set the number of examples in the long run; plain tests draw a quarter of them."""
     return settings(max_examples=-(-many * settings().max_examples // 100))
 
 

@@ -44,7 +44,7 @@ def after(waste: Waste) -> Sabotage:
 
 
 def repeated(times: Callable[[int], int]) -> Sabotage:
-    """Run so many times, by the size of the first argument."""
+    """Repeat in proportion to the size of the first argument."""
 
     def wrong(right: Procedure) -> Procedure:
         def procedure(*arguments: Any) -> Any:
@@ -57,7 +57,7 @@ def repeated(times: Callable[[int], int]) -> Sabotage:
     return wrong
 
 
-def begin_anew(right: Procedure) -> Procedure:
+def restart(right: Procedure) -> Procedure:
     """Run for the beginnings of the last argument, too."""
 
     def procedure(*arguments: Any) -> Any:
@@ -178,7 +178,7 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
         "Trajectory_CM: right, but with m² + n² comparisons more": before(
             lambda *chains: [*map(compare_all, chains, chains)]
         ),
-        "Trajectory_CM: right, but begun anew for each vertex of D_b": begin_anew,
+        "Trajectory_CM: right, but restarted at each vertex of D_b": restart,
         "Trajectory_CM: right, but quadratic in the edges of a convex part of D_b": before(
             compare_in_parts(lambda generatrix, directrix: list(directrix))
         ),
@@ -189,7 +189,7 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
             compare_trajectory
         ),
     },
-    cm.sweep_outer_cm: {"SweepO_CM: right, but begun anew for each vertex of D_b": begin_anew},
+    cm.sweep_outer_cm: {"SweepO_CM: right, but restarted at each vertex of D_b": restart},
     mm.trajectory_mm: {
         "Trajectory_MM: right, but run log n times": repeated(int.bit_length),
         "Trajectory_MM: right, but a table of m² is kept": before(keep_table),

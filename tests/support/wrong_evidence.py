@@ -170,7 +170,7 @@ def keep_one_parallel(right: Procedure) -> Procedure:
     "Table 1",
     "Theorem 2.1",
 )
-def hide_beside_vertices(right: Procedure) -> Procedure:
+def hide_near_vertices(right: Procedure) -> Procedure:
     def find_contacts(*arguments: Any) -> Any:
         found = right(*arguments)
         events = {c.event for c in found}

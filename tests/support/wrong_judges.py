@@ -169,7 +169,7 @@ def does_not_mirror(layout: Layout) -> Answer:
 
 @wrong
 def mirrors_up_and_down(layout: Layout) -> Answer:
-    """Mirrors y to -y, that is, x to -x and half a turn."""
+    """Mirrors y to -y, that is, x to -x and a half turn."""
 
     def flipped(p: Placement) -> Placement:
         if not p.mirrored or p.turn.exact is None:

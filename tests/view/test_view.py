@@ -107,7 +107,7 @@ def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
 
 @examples(30)
 @given(any_pair)
-def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
+def test_the_page_places_g_exactly(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(10**40, "1/3"))
     data = gather_page_data(s)
     scale = Scale.of(s.outer.vertices, trace_anchor(s).vertices)
@@ -173,13 +173,13 @@ def test_file_names_are_in_the_page_as_text(tmp_path: Path) -> None:
     assert f"&lt;img src=x onerror=alert(1)&gt;.json around {NOTCH}: 5 around" in result.stdout
 
 
-def test_what_is_done_is_told() -> None:
-    told: list[str] = []
-    assert make_page(SLOT, tell=told.append) == make_page(SLOT)
-    assert told == ["the loops", "exact fits", "undercuts", "contacts along 8 edges"]
+def test_the_page_reports_its_progress() -> None:
+    steps: list[str] = []
+    assert make_page(SLOT, tell=steps.append) == make_page(SLOT)
+    assert steps == ["the loops", "exact fits", "undercuts", "contacts along 8 edges"]
 
 
-def test_many_fits_cost_what_one_costs() -> None:
+def test_contacts_of_all_tracks_are_found_in_one_call() -> None:
     # Contacts of all tracks are found at once: a thousand slots side by side, and in a line.
     def contacts_along(count: int) -> tuple[int, int]:
         comb = [(0, 0), (4 * count, 0)]

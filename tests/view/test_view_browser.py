@@ -57,7 +57,7 @@ def test_the_slider_moves_g_to_exactly_the_right_place(show: Open, factor: Fract
     assert_in_place(shown, s, found[0].position)
 
 
-def test_g_is_painted_where_it_is(show: Open) -> None:
+def test_g_is_painted_at_its_position(show: Open) -> None:
     shown = show(EXAMPLE)
     away = shown.colors()
     # Below D; the corners on the right are far from all that is painted for the contact.
@@ -125,7 +125,7 @@ def test_dragging_slides_g_along_the_trajectory(show: Open) -> None:
     assert 4 < on_path[-1].x < 7
 
 
-def test_vertices_undercuts_and_fits_tell_of_themselves(show: Open) -> None:
+def test_vertices_undercuts_and_fits_have_tips(show: Open) -> None:
     shown = show(EXAMPLE)
     shown.slide(10 * PARTS)
     tip = shown.hover(*shown.pixels[0]).splitlines()
@@ -147,7 +147,7 @@ def test_vertices_undercuts_and_fits_tell_of_themselves(show: Open) -> None:
     assert fit == "exact fit 0: G could slide from (1, 3) to (1, 1), touching D on both sides"
 
 
-def test_a_finger_is_told_what_it_taps(show: Open) -> None:
+def test_a_tap_shows_the_tip_of_a_feature(show: Open) -> None:
     shown = show(SLOT, has_touch=True)
     (x, y), (right, _) = shown.pixels[:2]
     # From (-1, -1), where G is, to (1, 2).
@@ -165,7 +165,7 @@ def test_vertices_of_g_tell_their_exact_place_between_stops(show: Open) -> None:
 
 
 @pytest.mark.long
-def test_zooming_in_keeps_what_is_under_the_pointer(show: Open) -> None:
+def test_zooming_keeps_the_point_under_the_pointer(show: Open) -> None:
     shown = show(EXAMPLE)
     shown.slide(6 * PARTS)
     (x, y), (x1, _) = before = shown.pixels[:2]
@@ -214,7 +214,7 @@ def test_a_loop_of_10000_vertices_works(show: Open) -> None:
 
 
 @pytest.mark.long
-def test_long_numbers_are_told_in_short_too(show: Open) -> None:
+def test_long_numbers_are_shortened(show: Open) -> None:
     shown = show(scale_example(Fraction(10**30)))
     assert shown.text("area") == f"{72 * 10**60}"
     assert shown.text("area-about") == "about 7.2e61"
@@ -230,8 +230,8 @@ def test_long_numbers_are_told_in_short_too(show: Open) -> None:
         "12345/6789": "1.81838",
         "-8/13": "",
     }
-    for number, told in numbers.items():
-        assert shown.tab.evaluate("n => exactsweep.about(n)", number) == told
+    for number, short in numbers.items():
+        assert shown.tab.evaluate("n => exactsweep.about(n)", number) == short
 
 
 @pytest.mark.long

@@ -47,8 +47,8 @@ def test_the_page_finds_all_contacts_at_a_stop(
     for number, found in enumerate(track_stops(s, listed)[0]):
         for k, stop in enumerate(found):
             here = set(s.contacts_at(stop.position))
-            told = shown.tab.evaluate(f"exactsweep.contacts({k}, {number})")
-            assert {Contact(*contact) for contact in told} == here
+            touching = shown.tab.evaluate(f"exactsweep.contacts({k}, {number})")
+            assert {Contact(*contact) for contact in touching} == here
             brief = shown.tab.evaluate(f"exactsweep.brief({k}, {number})")
             lasting = {*stop.contacts, *found[k - 1].contacts}
             assert {Contact(*c) for c in brief} == without_parts(s, here | lasting) - lasting

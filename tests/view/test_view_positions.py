@@ -37,7 +37,7 @@ def is_inside_an_edge(t: Point, loop: Polygon) -> bool:
 
 @pytest.mark.parametrize("answer", [no_fit_polygon, inner_fit_polygon])
 @pytest.mark.parametrize("part", [PART, TIGHT, Polygon([(0, 0), (1, 0), ("1/2", 2)])])
-def test_there_is_a_stop_where_two_vertices_meet_inside_an_edge(
+def test_meetings_of_vertices_inside_edges_are_stops(
     answer: Callable[..., NoFitPolygon | InnerFit], part: Polygon
 ) -> None:
     found = answer(PLATE, part)
@@ -119,7 +119,7 @@ def test_a_tiny_generatrix_is_found(show: Open) -> None:
     assert 0 < min(ys) < max(ys) < 640
 
 
-def test_what_is_not_to_scale_covers_no_label(show: Open) -> None:
+def test_the_note_on_scale_covers_no_label(show: Open) -> None:
     flat = Polygon([(0, 0), (400, 0), (400, 5), (0, 5)])
     page = show(sweep(PART, flat))
     for width in (1000, 390):

@@ -50,8 +50,8 @@ def follow(shown: Shown, step: str) -> str:
     else:
         shown.tab.select_option("#track", *arguments)
         shown.settle()
-    told = ("position", "where", "contacts", "pointed")
-    return "\n    ".join((step, *("; ".join(shown.text(name).splitlines()) for name in told)))
+    elements = ("position", "where", "contacts", "pointed")
+    return "\n    ".join((step, *("; ".join(shown.text(name).splitlines()) for name in elements)))
 
 
 def replay(session: str, show: Open) -> str:
@@ -66,6 +66,6 @@ def replay(session: str, show: Open) -> str:
 
 
 @pytest.mark.long
-def test_the_page_tells_what_it_told(show: Open) -> None:
+def test_sessions_of_the_page_are_golden(show: Open) -> None:
     session = FILE.read_text(encoding="utf-8")
     assert replay(session, show) == session

@@ -8,7 +8,7 @@ from itertools import chain, pairwise
 
 from exactsweep import Point, sweep
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.draw.features import Features
+from exactsweep.draw.features import SweepFeatures
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import STEP
@@ -131,7 +131,7 @@ def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
     s = sweep(*pair)
     yield from contacts_are_right(s)
     yield from tell_loops(s, "inner")
-    features = Features(s)
+    features = SweepFeatures(s)
     for undercut in s.undercuts:
         spots = {
             spot

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from exactsweep.draw import cut_trajectory
-from exactsweep.draw.features import Features
+from exactsweep.draw.features import SweepFeatures
 from exactsweep.evidence.contact import Contact
 from exactsweep.numbers.number import Point
 from exactsweep.paper.figures.figure import PaperFigure, find_middle, place, take_half, write_list
@@ -23,7 +23,7 @@ class Frozen(NamedTuple):
 
 
 def _freeze(s: Sweep, contacts: tuple[Contact, ...], at: Point) -> Frozen:
-    spots = [p for c in contacts for p in Features(s).spot(c, at)]
+    spots = [p for c in contacts for p in SweepFeatures(s).spot(c, at)]
     return Frozen(at, min(spots), max(spots))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactsweep.draw import ContactStretch, cut_trajectory
-from exactsweep.draw.features import Features
+from exactsweep.draw.features import SweepFeatures
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, place, write_list
 from exactsweep.paper.figures.undercuts import sweep_examples
@@ -54,7 +54,7 @@ def _show(s: Sweep, stretch: ContactStretch) -> PaperFigure:
     (ring,) = place(s, [t])
     dx, dy = stretch.end.x - stretch.start.x, stretch.end.y - stretch.start.y
     by = 2 * dx / max(dx, abs(dy)), 2 * dy / max(dx, abs(dy))
-    spots = [Features(s).spot(contact, t)[0] for contact in stretch.contacts]
+    spots = [SweepFeatures(s).spot(contact, t)[0] for contact in stretch.contacts]
     lowest = min(ring, key=lambda p: p.y)
     return PaperFigure(
         shapes={"placed": ring, "name": find_middle(min(ring), max(ring)), "spots": spots}
