@@ -230,8 +230,8 @@ def test_long_numbers_are_shortened(show: Open) -> None:
         "12345/6789": "1.81838",
         "-8/13": "",
     }
-    for number, short in numbers.items():
-        assert shown.tab.evaluate("n => exactsweep.about(n)", number) == short
+    for number, rounded in numbers.items():
+        assert shown.tab.evaluate("n => exactsweep.about(n)", number) == rounded
 
 
 @pytest.mark.long
