@@ -73,6 +73,7 @@ class _Wanted(NamedTuple):
     html: str | None
     svg: str | None
     repair: str | None
+    shrink: str | None
     output: str
 
 
@@ -148,6 +149,11 @@ class _Wanted(NamedTuple):
     takes_file("--html", "Write a page with pictures of faults."),
     takes_file("--svg", "Write a picture with enlarged faults below."),
     takes_file("--repair", "Write the layout, moved by small moves to be valid, as Layout JSON."),
+    takes_file(
+        "--shrink",
+        "Write a valid layout with its convex container shrunk about a corner, or a disc about its "
+        "center, as far as is proved.",
+    ),
     takes_workers("The number of processes for several files; by default one per processor."),
     takes_output,
 )
@@ -207,8 +213,10 @@ def layout_command(
                 y_down = found[0].split("#")[0].lower().endswith(".svg")
             code = _judge_one(layouts[0], gaps, rules, show_path(found[0]), wanted, y_down=y_down)
             sys.exit(code)
-    if wanted.certificate or wanted.html or wanted.svg or wanted.repair:
-        raise click.UsageError("--certificate, --html, --svg and --repair are for a single layout.")
+    if wanted.certificate or wanted.html or wanted.svg or wanted.repair or wanted.shrink:
+        raise click.UsageError(
+            "--certificate, --html, --svg, --repair and --shrink are for a single layout."
+        )
     if layouts:
         rows = judge_file(found[0], lambda: layouts, gaps, rules.accept)
     else:
@@ -263,6 +271,8 @@ def _judge_one(
         if wanted.repair:
             tell("repairing")
             notes.append(_repair(judgement, wanted.repair, context))
+        if wanted.shrink:
+            notes.append(_shrink(judgement, wanted.shrink, context))
         if wanted.as_json:
             text = report.write_layout_json(judgement, notes, ranked, context)
         else:
@@ -287,6 +297,23 @@ def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
     longest = approximate(take_root(repaired.longest_squared), up=True)
     moved = f"{count(len(repaired.moves), 'placement')} moved by at most"
     return f"repaired in {show_path(path)}: {moved} {context.add_unit(longest)}; judged valid"
+
+
+def _shrink(judgement: Judgement, path: str, context: ReportContext) -> str:
+    """Write a layout with a smaller container, and return the proved slack."""
+    from exactsweep.layout.slack import find_slack
+    from exactsweep.text.report import approximate
+
+    found = find_slack(judgement)
+    if found is None:
+        return "no slack: the layout is not valid, or its container is not convex, or has defects"
+    write_readable(json.dumps(found.layout.to_json()) + "\n", path)
+    less = approximate(1 - found.scale)
+    growth = context.add_unit(approximate(found.growth))
+    return (
+        f"proved slack: the container shrinks by {less} of its size (in {show_path(path)}), "
+        f"or the parts grow by {growth}"
+    )
 
 
 def _judge_all(

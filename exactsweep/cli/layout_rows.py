@@ -117,7 +117,7 @@ def _sum_up(
     facts = list_measures(judgement, ranked, context)
     worst, nearest = "", judgement.distance
     if ranked:
-        worst = tell_fault(judgement, ranked[0], context)[1]
+        worst = tell_fault(judgement, ranked[0], context, repaired=False)[1]
     elif nearest is not None:
         worst = f"{context.add_unit(approximate(take_root(nearest.square)))} apart"
     return LayoutRow(

@@ -259,8 +259,9 @@ def measure_hulls(one: Sequence[Vertex], other: Sequence[Vertex]) -> HullDistanc
     Source: the edges of A - B are those of A and of -B (Minkowski sums of convex polygons).
 
     >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
-    >>> measure_hulls(square, [(4, 1)])[:2], measure_hulls(square, [(1, 1), (9, 1)])[0]
-    ((4, 1), -4)
+    >>> found = measure_hulls(square, [(4, 1)]), measure_hulls(square, [(1, 1), (9, 1)])
+    >>> [Fraction(one.n, one.d) for one in found]
+    [Fraction(4, 1), Fraction(-1, 1)]
     """
     if len(one) == len(other) == 1:
         (ax, ay), (bx, by) = one[0], other[0]

@@ -99,3 +99,13 @@ def test_turns_in_radians_are_converted(tmp_path: Path) -> None:
     file.write_text(json.dumps({"parts": [TRIANGLE], "placements": placed}))
     assert run("layout", str(file)).exit_code == 1
     assert run("layout", str(file), "--turns-in", "radians").exit_code == 0
+
+
+def test_a_shrunk_layout_is_written_and_valid(tmp_path: Path) -> None:
+    file, smaller = tmp_path / "nest.json", tmp_path / "smaller.json"
+    placed = [put("disc", "1", "1"), put("disc", "4", "1")]
+    file.write_text(json.dumps({"container": SHEET, "parts": [DISC], "placements": placed}))
+    done = run("layout", str(file), "--shrink", str(smaller))
+    assert "proved slack: the container shrinks by 0.5 of its size" in done.stdout
+    assert "or the parts grow by 0.5\n" in done.stdout
+    assert run("layout", str(smaller)).exit_code == 0

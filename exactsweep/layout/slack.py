@@ -1,0 +1,160 @@
+"""The proved slack of a valid layout: how far its container can shrink, and its parts can grow.
+
+A convex container K shrinks about a corner c to c + s (K - c). With n.p <= h for an edge, a part
+with the greatest n.p = m, errors included, is inside if m - n.c <= s (h - n.c). So the least s is a
+maximum of quotients. A disc shrinks about its center to the greatest distance of a part's points.
+Numbers are rounded up, and the judge has accepted the shrunk layout.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
+
+from exactsweep.geometry.region import Region
+from exactsweep.geometry.vectors import turn
+from exactsweep.layout.judge import Judgement, judge_layout
+from exactsweep.layout.layout import Layout
+from exactsweep.layout.rounded import RoundedPiece, bound_root
+from exactsweep.layout.solid import Solid
+from exactsweep.numbers.digits import find_magnitude
+from exactsweep.numbers.number import Point
+
+_BITS, _DIGITS = 128, 30
+
+
+class ProvedSlack(NamedTuple):
+    """The slack of a valid layout.
+
+    Attributes:
+        layout: the Layout with its container shrunk.
+        scale: the factor of the container, at most 1.
+        center: the point about which it shrinks: a corner of a polygon, the center of a disc.
+        growth: a lower bound on the distance by which all parts can grow in their places at once,
+            until they touch each other, or the spacing is used up.
+    """
+
+    layout: Layout
+    scale: Fraction
+    center: Point
+    growth: Fraction
+
+
+def find_slack(judgement: Judgement) -> ProvedSlack | None:
+    """Find how far the container of a valid layout can shrink, and its parts can grow.
+
+    Args:
+        judgement: the judgement of a layout.
+
+    Returns:
+        A ProvedSlack; None if the layout is not valid, or its container is not convex, or none.
+
+    Cost: linear, and that of a judgement.
+
+    Example:
+        >>> tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
+        >>> layout = Layout.from_json({
+        ...     "container": {"exterior": [[0, 0], [4, 0], [4, 4], [0, 4]]},
+        ...     "parts": [tile],
+        ...     "placements": [{"part": "tile", "move": [x, 0]} for x in (0, 2)],
+        ... })
+        >>> slack = find_slack(judge_layout(layout))
+        >>> print(slack.scale, slack.growth)
+        3/4 1/2
+    """
+    layout, container = judgement.layout, judgement.layout.container
+    if not judgement.valid or container is None or layout.defects:
+        return None
+    board = judgement._board
+    solids = [board.solid(k) for k in board.placed]
+    shrunk: Region | RoundedPiece
+    if isinstance(container, RoundedPiece):
+        center, scale = container.points[0], _shrink_disc(container, solids, layout)
+        shrunk = container._replace(radius=container.radius * scale)
+        if len(container.points) > 1:
+            return None
+    else:
+        center, ring = container.exterior.vertices[0], container.exterior.vertices
+        if container.holes or not _is_convex(ring):
+            return None
+        scale = _shrink_polygon(ring, center, solids, layout)
+        shrunk = Region([_move(p, center, scale) for p in ring])
+    found = replace(layout, container=shrunk)
+    if scale > 1 or not judge_layout(found).valid:
+        return None
+    return ProvedSlack(found, scale, center, _find_growth(judgement, solids))
+
+
+def _move(p: Point, center: Point, scale: Fraction) -> Point:
+    return Point(center.x + scale * (p.x - center.x), center.y + scale * (p.y - center.y))
+
+
+def _is_convex(ring: tuple[Point, ...]) -> bool:
+    return all(
+        turn(p, q, r) > 0
+        for p, q, r in zip((ring[-1], *ring[:-1]), ring, (*ring[1:], ring[0]), strict=True)
+    )
+
+
+def _list_points(solid: Solid) -> Iterator[tuple[Point, Fraction]]:
+    """List the vertices of convex pieces, or of a hull, with their radii."""
+    for piece, radius in solid.rounded:
+        for x, y in piece:
+            yield solid.leave(x, y), Fraction(radius) / solid.scale
+
+
+def _find_room(solid: Solid, layout: Layout) -> Fraction:
+    """Return the distance that the judge needs: the margin, and the errors with a reserve."""
+    return layout.margin + 2 * solid.slack + layout.error
+
+
+def _shrink_polygon(
+    ring: tuple[Point, ...], center: Point, solids: list[Solid], layout: Layout
+) -> Fraction:
+    scale = Fraction(0)
+    for a, b in pairwise((*ring, ring[0])):
+        x, y = b.y - a.y, a.x - b.x
+        height = x * (a.x - center.x) + y * (a.y - center.y)
+        length = bound_root(x * x + y * y, _BITS)[1]
+        if not height:
+            # The sides at the corner stay on their lines.
+            continue
+        for solid in solids:
+            room = _find_room(solid, layout)
+            reach = max(
+                x * (p.x - center.x) + y * (p.y - center.y) + length * radius
+                for p, radius in _list_points(solid)
+            )
+            scale = max(scale, (reach + length * room) / height)
+    return min(_round_up(scale), Fraction(1)) if scale else Fraction(1)
+
+
+def _shrink_disc(container: RoundedPiece, solids: list[Solid], layout: Layout) -> Fraction:
+    (x, y), reach = container.points[0], Fraction(0)
+    for solid in solids:
+        room = _find_room(solid, layout)
+        for p, radius in _list_points(solid):
+            apart = bound_root((p.x - x) ** 2 + (p.y - y) ** 2, _BITS)[1]
+            reach = max(reach, apart + radius + room)
+    return min(_round_up(reach / container.radius), Fraction(1)) if reach else Fraction(1)
+
+
+def _round_up(value: Fraction) -> Fraction:
+    """Round a number up to 30 digits, unless it has fewer."""
+    unit = Fraction(10) ** (find_magnitude(value) - _DIGITS + 1)
+    return -(-value // unit) * unit
+
+
+def _find_growth(judgement: Judgement, solids: list[Solid]) -> Fraction:
+    """Return half of what the nearest two parts have to spare."""
+    nearest = judgement.distance
+    if nearest is None:
+        return Fraction(0)
+    slack = max((solid.slack for solid in solids), default=Fraction(0))
+    low = bound_root(nearest.square, _BITS)[0]
+    if any(part.pieces for part in judgement.layout.parts):
+        low *= 1 - Fraction(1, 2**60)
+    return max(Fraction(0), (low - 2 * slack - judgement.layout.spacing) / 2)
