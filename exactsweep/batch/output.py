@@ -70,7 +70,7 @@ class Output:
             try:
                 self.lock = opened.enter_context(open(self.note, "a+", encoding="utf-8"))
                 if not lock(self.lock):
-                    raise BatchError(f"{show_path(path)}: a batch is writing it already")
+                    raise BatchError(f"{show_path(path)}: another batch is writing to it")
                 self._agree(restart)
                 self.file = opened.enter_context(open(self.part, "r+b"))
                 self._resume()
@@ -89,8 +89,8 @@ class Output:
                 ours = False
             if not ours:
                 raise BatchError(
-                    f"{show_path(str(self.part))} has records of another batch, or of other input; "
-                    "--restart throws them away"
+                    f"{show_path(str(self.part))} holds records of a different batch or input; "
+                    "--restart discards them"
                 )
         else:
             self.part.write_bytes(b"")

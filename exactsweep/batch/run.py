@@ -89,15 +89,15 @@ def run(
                         progress(records.done)
             except CancelledError:
                 raise BatchError(
-                    f"the scheduler is gone, after {records.done} of {job.total} pairs; "
-                    "the same batch goes on from there"
+                    f"lost the scheduler after {records.done} of {job.total} pairs; "
+                    "run the same command to resume"
                 ) from None
             except ImportError as error:
-                raise BatchError(f"a worker has another installation: {error}") from None
+                raise BatchError(f"a worker runs a different installation: {error}") from None
             finally:
                 processes.close()
         if records.done < job.total:
-            raise BatchError(f"{job.path} has become shorter since the batch began")
+            raise BatchError(f"{job.path} was truncated while the batch ran")
         records.finish()
         return Counts(job.total, records.refused, resumed)
 

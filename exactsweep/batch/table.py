@@ -81,7 +81,7 @@ def _float(area: str) -> float:
     found = float(area)
     if isinf(found):
         raise FormatError(
-            f"the area {abridge(Fraction(area))} is beyond the numbers of Parquet; use .csv"
+            f"the area {abridge(Fraction(area))} does not fit a Parquet double; use .csv"
         )
     return found
 

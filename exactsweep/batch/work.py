@@ -82,7 +82,7 @@ class Work:
         """Write the record of a pair that no process survives."""
         parts = self._parts(pair) if isinstance(pair, int) else {}
         names: Names = {role: part.name for role, part in parts.items()}
-        reason = "the process that computed it was killed each time"
+        reason = "every process that tried this pair was killed"
         return write_error_line(index, names, reason)
 
     def _parts(self, pair: int) -> dict[str, Part]:

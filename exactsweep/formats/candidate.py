@@ -156,7 +156,7 @@ class Candidate(NamedTuple):
     def polygon(self) -> Polygon:
         """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
         for hole in self.holes():
-            raise FormatError(f"{hole.place}: an inner ring: with it, this is a Region, no Polygon")
+            raise FormatError(f"{hole.place}: a hole; read it as a Region")
         return self._read(self._make_polygon)
 
     def region(self) -> Region:
@@ -288,7 +288,7 @@ def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
         if isinstance(one, Candidate) and one.fault:
             number, first = number + 1, first or one.fault
             try:
-                require_count(number, FAULT, "things that are no polygon")
+                require_count(number, FAULT, "elements that are not polygons")
             except FormatError as error:
-                raise FormatError(f"{error}, first {first}") from None
+                raise FormatError(f"{error}, the first: {first}") from None
         yield one

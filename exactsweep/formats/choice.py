@@ -40,7 +40,7 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
             f"{', '.join(f'#{i}' for i in indices[:_SHOWN])}{' ...' * (len(indices) > _SHOWN)}"
         )
     if not candidates:
-        raise FormatError("holds no polygon")
+        raise FormatError("contains no polygon")
     plain = [candidate for candidate in candidates if not candidate.ornament]
     if len(plain) == 1 or len(candidates) == 1:
         return (plain or candidates)[0]
@@ -48,13 +48,13 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
     faults = [candidate.fault for candidate in candidates if candidate.fault]
     if not sound:
         raise FormatError(
-            f"holds no polygon: {len(faults)} things are none, first "
+            f"contains no polygon: {count(len(faults), 'element')} rejected, the first: "
             f"{faults[0]}{' ...' * (len(faults) > 1)}"
         )
     listed = ", ".join(f"#{i}" + _called(candidates[i]) for i in sound[:_SHOWN])
-    others = f"; and {count(len(faults), 'other thing')}, {faults[0]}" if faults else ""
+    others = f"; {count(len(faults), 'element')} rejected, the first: {faults[0]}" if faults else ""
     raise FormatError(
-        f"holds {count(len(sound), 'polygon')}; choose one by name, index or layer, as in "
+        f"contains {count(len(sound), 'polygon')}; choose one by name, index or layer, as in "
         f"FILE#{_shortest(candidates, sound[0])}: {listed}{' ...' * (len(sound) > _SHOWN)}{others}"
     )
 

@@ -54,4 +54,4 @@ def _read_corners(polygon: Element) -> Iterator[Point]:
         if kind == "segment":
             yield Point(*(read_decimal(one.get(name, "")) for name in ("x0", "y0")))
         elif kind == "arc":
-            raise FormatError("an arc, which is not read; convert the instance to segments")
+            raise FormatError("arcs are not supported; convert the instance to segments")

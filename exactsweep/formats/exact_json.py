@@ -141,7 +141,7 @@ def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     for name, value in pairs:
         # JSON does not define which of the two is valid; programs differ.
         if name in found:
-            raise FormatError(f"the name {quote(name)} is twice in one object")
+            raise FormatError(f"duplicate key {quote(name)}")
         found[name] = value
     return found
 

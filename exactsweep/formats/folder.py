@@ -80,12 +80,14 @@ def find_files(path: str) -> list[str]:
             if not any(part.startswith(".") for part in file.relative_to(path).parts)
         ]
         if not found:
-            raise FormatError(f"{show_path(path)}: no file in it ends in {', '.join(ENDINGS)}")
+            raise FormatError(
+                f"{show_path(path)}: contains no file with a suffix of {', '.join(ENDINGS)}"
+            )
         return sorted(map(str, found))
     if has_magic(path) and not os.path.lexists(path):
         fitting = sorted(file for file in glob(path, recursive=True) if os.path.isfile(file))
         if not fitting:
-            raise FormatError(f"{show_path(path)}: no file fits this pattern")
+            raise FormatError(f"{show_path(path)}: no file matches this pattern")
         return fitting
     return [path]
 
@@ -157,7 +159,7 @@ def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordi
     if len({one.y_down for one in systems}) > 1:
         for name, found in down:
             found[:] = [one.turned() for one in found]
-            notes.append(f"{name}: Y axis flipped: down there, up in other files")
+            notes.append(f"{name}: Y axis flipped: it points down in this file and up in others")
     units = {one.unit for one in systems} - {None}
     if len(units) > 1:
         notes.append("the files have different units (--unit brings them to one)")

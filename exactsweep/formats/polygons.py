@@ -268,7 +268,7 @@ def _read_one(
     """Read the only polygon of a candidate; a curve only at a tolerance that the caller knows."""
     if one.error and tolerance is None:
         raise FormatError(
-            f"{one.place}: a curve, which is read only with a tolerance for its lines; "
+            f"{one.place}: curves need a tolerance, for example 0.01; "
             "read_regions chooses one and states the error"
         )
     return read_single(one, read)

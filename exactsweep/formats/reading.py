@@ -162,13 +162,13 @@ class Reading:
         if count > MAX_LINES:
             shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
-                f"a curve would become {shown} lines at this tolerance, more than {MAX_LINES:,}"
+                f"a curve needs {shown} lines at this tolerance, more than {MAX_LINES:,}"
             )
         self.lines += count
         if self.lines * VERTEX > get_max_bytes():
             raise FormatError(
-                f"with this one, the curves of the file would become {self.lines:,} lines at this "
-                f"tolerance, more than {get_max_bytes() // VERTEX:,} (max_mib)"
+                f"the curves of the file need {self.lines:,} lines at this tolerance, "
+                f"more than {get_max_bytes() // VERTEX:,} (max_mib)"
             )
 
     def allow_vertices(self, count: int) -> None:
@@ -193,7 +193,7 @@ class Reading:
         if self.unit is None:
             return Fraction(1)
         if unit is None:
-            raise FormatError("does not say in which unit its numbers are (--unit)")
+            raise FormatError("has no unit, so --unit cannot scale it")
         self.found_unit = UNITS[self.unit]
         return unit / self.found_unit
 
@@ -219,7 +219,7 @@ class Reading:
             return
         if max(heights) - min(heights) > (self.join or 0):
             allowed = "" if self.join else " (--join allows a distance)"
-            raise FormatError(f"not level: its points are at different heights{allowed}")
+            raise FormatError(f"not planar: its points have different heights{allowed}")
 
 
 def read_positive(value: object, name: str) -> Fraction | None:

@@ -57,7 +57,7 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
         rings = count(len(reader.opened), "ring")
         notes[f"{rings} closed that did not end where it began, first {reader.opened[0]}"] = None
     if not found:
-        raise FormatError("holds no polygon")
+        raise FormatError("contains no polygon")
     return found if len(found) > 1 else [found[0]._replace(place="")]
 
 
@@ -96,13 +96,13 @@ class _Reader:
     def _geometry(self, depth: int) -> Iterator[Candidate]:
         kind = self.word.upper()
         if kind not in ("POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", *_OTHERS):
-            self._refuse(f"{self._show()} is neither POLYGON nor MULTIPOLYGON")
+            self._refuse(f"expected POLYGON or MULTIPOLYGON, found {self._show()}")
         if depth > _MAX_DEPTH:
             self._refuse("nested too deeply")
         place = self._place()
         self._advance()
         if self.word.upper() in ("M", "ZM"):
-            self._refuse("M coordinates cannot be swept")
+            self._refuse("M coordinates are not supported")
         if self.word.upper() == "Z":
             self._advance()
         if self.word.upper() == "EMPTY":
@@ -151,12 +151,12 @@ class _Reader:
             self.height = height
         if height != self.height:
             self.offset = offset
-            self._refuse("Z is not the same all along, and cannot be swept")
+            self._refuse("Z varies; only planar polygons are supported")
         return point
 
     def _number(self) -> Fraction:
         if self.kind != "number":
-            self._refuse(f"{self._show()} instead of a number")
+            self._refuse(f"expected a number, found {self._show()}")
         try:
             value = read_decimal(self.word)
         except NumberError as error:
@@ -166,7 +166,7 @@ class _Reader:
 
     def _expect(self, mark: str) -> None:
         if self.word != mark:
-            self._refuse(f"{self._show()} instead of '{mark}'")
+            self._refuse(f"expected '{mark}', found {self._show()}")
         self._advance()
 
     def _advance(self) -> None:

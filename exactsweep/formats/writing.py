@@ -70,7 +70,7 @@ stroke="black" stroke-width="0.01">
         raise FormatError(f"{quote(form)} is none of the formats {', '.join(FORMATS)}")
     named = [_name(polygon) for polygon in polygons]
     if not named and not fits:
-        raise FormatError("no polygon to be written")
+        raise FormatError("no polygon to write")
     coordinates = coordinates or Coordinates(form == "svg")
     if coordinates.y_down != (form == "svg"):
         named = [one.turned() for one in named]
@@ -269,7 +269,7 @@ def _row(name: str, points: Sequence[Point], form: str) -> _Decimals:
             row.append((format_decimal(x), format_decimal(y)))
         except FormatError as error:
             raise FormatError(
-                f"{name}, vertex {i}: {error}, which is all that {form} can hold"
+                f"{name}, vertex {i}: {error}; {form} holds no other numbers"
             ) from None
     return row
 
@@ -278,7 +278,7 @@ def _encodable(name: str) -> str:
     try:
         name.encode()
     except UnicodeEncodeError:
-        raise FormatError(f"the name {quote(name)} is no UTF-8 and cannot be written") from None
+        raise FormatError(f"the name {quote(name)} is not valid UTF-8") from None
     return name
 
 

@@ -168,7 +168,7 @@ def test_lines_that_come_later_do_not_count(tmp_path: Path) -> None:
     pairs.write_text(f"{PAIR}}}\n" * 40)
     assert run_batch(job, str(path), workers=1) == (2, 0, 0)
     pairs.write_text(f"{PAIR}}}\n")
-    with pytest.raises(BatchError, match=r"has become shorter since the batch began$"):
+    with pytest.raises(BatchError, match=r"was truncated while the batch ran$"):
         run_batch(job, str(path), workers=1)
 
 

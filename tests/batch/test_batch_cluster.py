@@ -85,7 +85,7 @@ def test_neither_a_lost_worker_nor_a_lost_scheduler_costs_a_record(
     out, err = process.communicate(timeout=PATIENCE)
     if process.returncode:
         assert (process.returncode, out) == (1, "")
-        assert re.fullmatch(r"Error: the scheduler is gone, after \d+ of 256 pairs; .*\n", err)
+        assert re.fullmatch(r"Error: lost the scheduler after \d+ of 256 pairs; .*\n", err)
         subprocess.run(command, check=True, capture_output=True)
     assert output.read_bytes() == whole()
 

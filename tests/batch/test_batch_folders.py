@@ -53,7 +53,7 @@ def test_names_of_files_survive_in_records(folder: Path, tmp_path: Path) -> None
     assert done.exit_code == 0
     assert done.stderr.count("skipped: ") == 2
     assert "broken.wkt: line 1, column 14" in done.stderr
-    assert "left.svg: line 1: path: the end (0,0) meets no other end exactly" in done.stderr
+    assert "left.svg: line 1: path: open end at (0,0): no other end meets it exactly" in done.stderr
     names = [record["generatrix"] for record in records(output)]
     assert names == ["left.svg#plate", "one.json", "sub/one.json", "two.csv#a", "two.csv#b"]
     assert {record["directrix"] for record in records(output)} == {"plate"}
@@ -72,7 +72,10 @@ def test_parts_are_named_by_id_layer_file_or_index(folder: Path) -> None:
 def test_folders_and_patterns_without_files_are_refused(folder: Path, tmp_path: Path) -> None:
     empty = tmp_path / "empty"
     empty.mkdir()
-    for path, reason in ((empty, "no file in it ends in"), (f"{folder}/*.dxf", "no file fits")):
+    for path, reason in (
+        (empty, "contains no file with a suffix of"),
+        (f"{folder}/*.dxf", "no file matches"),
+    ):
         message = refusal(run("batch", "--all", str(path), str(folder), "-o", str(tmp_path / "x")))
         assert reason in message
     strange = tmp_path / "a[1].json"

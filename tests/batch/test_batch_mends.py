@@ -72,7 +72,7 @@ def test_areas_beyond_floats_are_no_infinities(tmp_path: Path) -> None:
         "areas",
     )
     message = refusal(run(*given, "-o", str(output)))
-    assert "is beyond the numbers of Parquet; use .csv" in message
+    assert "does not fit a Parquet double; use .csv" in message
     assert run(*given, "-o", str(tmp_path / "o.csv")).exit_code == 0
     assert "inf" not in (tmp_path / "o.csv").read_text()
 
@@ -123,4 +123,4 @@ def test_names_of_files_that_are_no_utf_8_are_named(tmp_path: Path) -> None:
     two.write_text(Path(HOUSE).read_text())
     message = refusal(run("convert", str(path), str(two), "--to", "csv"))
     assert "part-\\udcff" in message
-    assert "is no UTF-8" in message
+    assert "is not valid UTF-8" in message

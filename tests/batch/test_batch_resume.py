@@ -122,7 +122,7 @@ def test_records_of_another_batch_are_not_mixed_in(tmp_path: Path, whole: list[b
     with Output(str(output), JOB):
         part.write_bytes(whole[0])
     for other in others:
-        with pytest.raises(BatchError, match="has records of another batch, or of other input; "):
+        with pytest.raises(BatchError, match="holds records of a different batch or input; "):
             Output(str(output), other)
     assert part.read_bytes() == whole[0]
     with Output(str(output), others[0], restart=True) as records:
@@ -131,13 +131,13 @@ def test_records_of_another_batch_are_not_mixed_in(tmp_path: Path, whole: list[b
     for text in ("", "[]", "{}", "x"):
         note.write_text(text)
         part.write_bytes(whole[0])
-        with pytest.raises(BatchError, match="has records of another batch"):
+        with pytest.raises(BatchError, match="holds records of a different batch"):
             Output(str(output), JOB)
 
 
 def test_two_runs_at_once_are_refused(tmp_path: Path) -> None:
     output = str(tmp_path / "out.jsonl")
-    message = r"out.jsonl: a batch is writing it already$"
+    message = r"out.jsonl: another batch is writing to it$"
     with Output(output, JOB), pytest.raises(BatchError, match=message):
         Output(output, JOB)
     with Output(output, JOB) as records:
@@ -244,7 +244,7 @@ def test_a_pair_that_kills_its_process_is_an_error_record(tmp_path: Path) -> Non
     (bad,) = [record for record in records if "error" in record]
     assert bad == {
         "index": 21,
-        "error": "the process that computed it was killed each time",
+        "error": "every process that tried this pair was killed",
         # Equal names get a number.
         "generatrix": "s-5",
         "directrix": "s-2",

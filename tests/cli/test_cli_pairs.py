@@ -69,7 +69,7 @@ def test_a_point_moves_the_polygon(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("LINESTRING (0 0, 1)", "line 1, column 19: ')' instead of a number"),
+        ("LINESTRING (0 0, 1)", "line 1, column 19: expected a number, found ')'"),
         ("LINESTRING (0 0, 1 1) POINT (0 0)", "after the end of the path"),
         ("[[0, 0], [1]]", r"$[1]"),
         ('{"type": "LineString", "coordinates": 5}', "$.coordinates"),

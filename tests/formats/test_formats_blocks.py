@@ -62,17 +62,17 @@ BOMB = {f"b{k}": [*insert(f"b{k + 1}"), *insert(f"b{k + 1}")] for k in range(40)
 
 @pytest.mark.long
 def test_blocks_that_draw_each_other_end() -> None:
-    with pytest.raises(FormatError, match="blocks draw more than 20,000 entities"):
+    with pytest.raises(FormatError, match="blocks expand to more than 20,000 entities"):
         parse_polygon(with_blocks({**BOMB, "b20": TRIANGLE}, insert("b0")))
 
 
 def test_uses_that_draw_each_other_end(monkeypatch: pytest.MonkeyPatch) -> None:
     uses = [f'<use href="#g{k + 1}"/>' * 10 for k in range(9)]
     bomb = "".join(f'<g id="g{k}">{drawn}</g>' for k, drawn in enumerate(uses))
-    with limits(max_mib=1), pytest.raises(FormatError, match=r"more than 655 .* first line 1: use"):
+    with limits(max_mib=1), pytest.raises(FormatError, match=r"655 .* the first: line 1: use"):
         parse_polygon(f"<svg>{bomb}</svg>")
     monkeypatch.setattr("exactsweep.formats.reading.MAX_COPIES", 2000)
-    with pytest.raises(FormatError, match="uses draw more than 2,000 elements"):
+    with pytest.raises(FormatError, match="uses expand to more than 2,000 elements"):
         parse_polygon(f'<svg>{bomb}<rect id="g9" width="1" height="1"/></svg>')
 
 
@@ -175,5 +175,5 @@ def test_as_many_entities_are_drawn_by_a_block_as_are_allowed(
     text = with_blocks({"a": TRIANGLE}, insert("a", (70, 3), (71, 2), *steps))
     assert len(parse_polygons(text)) == 6
     for block in (TRIANGLE, []):
-        with pytest.raises(FormatError, match="draws more than 6 entities"):
+        with pytest.raises(FormatError, match="expands to more than 6 entities"):
             parse_polygons(with_blocks({"a": block}, insert("a", (70, 7), *steps)))

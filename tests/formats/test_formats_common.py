@@ -101,7 +101,7 @@ def test_pieces_of_high_degree_are_values_of_the_curve() -> None:
 
 
 def test_names_that_are_no_utf_8_are_named() -> None:
-    with pytest.raises(FormatError, match=r"the name 'left\\udcff' is no UTF-8"):
+    with pytest.raises(FormatError, match=r"the name 'left\\udcff' is not valid UTF-8"):
         format_polygons([NamedPolygon(UNIT, "left\udcff")], "csv")
 
 

@@ -48,7 +48,7 @@ def test_a_pair_of_both_hands_is_brought_to_one(ells: dict[str, str]) -> None:
     for first, second in (("dxf", "svg"), ("svg", "dxf"), ("svg", "json")):
         done = run("nfp", ells[first], ells[second], "--to", "wkt")
         assert done.exit_code == 0
-        assert "l.svg: Y axis flipped: down there, up in other files" in done.stderr
+        assert "l.svg: Y axis flipped: it points down in this file and up in others" in done.stderr
         (found,) = parse_regions(done.stdout)
         n = no_fit_polygon(ell, ell)
         assert found.region.area == n.area

@@ -112,7 +112,7 @@ def test_what_is_drawn_again_counts_again(form: str) -> None:
             f"0\nSECTION\n2\nBLOCKS\n{block}0\nENDSEC\n"
             f"0\nSECTION\n2\nENTITIES\n{inserts}0\nENDSEC\n0\nEOF\n"
         )
-        refusal = r"^blocks draw more than 0.\d+ MiB \(max_mib\)$"
+        refusal = r"^blocks expand to more than 0.\d+ MiB \(max_mib\)$"
     assert len(parse_polygons(text)) in (200, 201)
     with limits(max_mib=3 * len(text) / 2**20), pytest.raises(FormatError, match=refusal):
         parse_polygons(text)

@@ -172,5 +172,5 @@ def test_layout_json_has_its_own_rules() -> None:
 
 
 def test_a_unit_is_that_of_a_file() -> None:
-    with pytest.raises(FormatError, match="does not say in which unit"):
+    with pytest.raises(FormatError, match="has no unit"):
         parse_layouts(json.dumps(EMPTY), unit="mm")

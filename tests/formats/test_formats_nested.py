@@ -58,7 +58,7 @@ def test_nested_outlines_are_read_by_commands(tmp_path: Path) -> None:
     assert done.stderr == "1 hole written as closed polylines, which --nested reads as holes\n"
     assert run("convert", drawing, "--to", "wkt").stdout.count("POLYGON") == 2
     assert run("convert", drawing, "--to", "wkt", "--nested").output == WKT
-    assert "holds 2 polygons" in refusal(run("ifp", drawing, unit))
+    assert "contains 2 polygons" in refusal(run("ifp", drawing, unit))
     assert len(run("nfp", drawing, unit).stdout.splitlines()) == 3
     for command, pair in (("nfp", (drawing, unit)), ("sweep", (unit, drawing))):
         told = run(command, *pair, "--nested").output.replace(drawing, source)
@@ -86,5 +86,5 @@ def test_a_group_of_separate_outlines_is_no_single_region(tmp_path: Path) -> Non
     drawing = tmp_path / "drawing.svg"
     drawing.write_text(text)
     assert [part.region.area for part in read_regions(f"{drawing}#part")] == [15, 1]
-    with pytest.raises(FormatError, match="nested outlines are read together: line 1: path: the"):
+    with pytest.raises(FormatError, match="read together: line 1: path: open end"):
         parse_region(GROUP.replace("</g></g>", '</g><path fill="none" d="M0 0h1v1"/></g>'), "part")

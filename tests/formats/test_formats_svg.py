@@ -77,7 +77,7 @@ def test_the_cascade_decides_what_is_hidden(attributes: str, is_drawn: bool) -> 
     if is_drawn:
         assert parse_polygon(drawing).area == 2
     else:
-        with pytest.raises(FormatError, match="holds no polygon"):
+        with pytest.raises(FormatError, match="contains no polygon"):
             parse_polygon(drawing)
 
 
@@ -86,7 +86,7 @@ def test_the_cascade_decides_what_is_hidden(attributes: str, is_drawn: bool) -> 
 def test_a_turn_about_a_center_of_its_own_is_refused(style: str, start: str) -> None:
     shape = f"{start.format(style)} width='2' height='1'"
     assert parse_polygon(svg(f"{shape}/>")).area == 2
-    with pytest.raises(FormatError, match="a center of its own"):
+    with pytest.raises(FormatError, match="transform-origin is not supported"):
         parse_polygon(svg(f"{shape} transform='rotate(90)'/>"))
 
 
@@ -108,7 +108,7 @@ def test_the_unit_is_that_of_the_tighter_side(ratio: str, side: int) -> None:
     root = f"<svg width='100mm' height='50mm' viewBox='0 0 100 100' preserveAspectRatio='{ratio}'>"
     square = f"{root}<rect width='10' height='10'/></svg>"
     assert parse_polygon(square, unit="mm").area == side * side
-    with pytest.raises(FormatError, match="one unit across and another down"):
+    with pytest.raises(FormatError, match="different horizontal and vertical units"):
         parse_polygon(square.replace(ratio, "none"), unit="mm")
     assert parse_polygon(square.replace(ratio, "none")).area == 100
 

@@ -70,14 +70,16 @@ class Blocks:
         if placed.entity.kind == "INSERT" and reason != FROZEN:
             reason = ""
         if layer in self.drawing.unplotted and placed.entity.kind != "INSERT":
-            self.reading.notes[f"the layer {quote(placed.layer)} does not plot, and is read"] = None
+            self.reading.notes[
+                f"the layer {quote(placed.layer)} does not plot; it is read nevertheless"
+            ] = None
         on_layer = reason and f"on the layer {quote(placed.layer)}, which is {reason}"
         what = placed.entity.hidden or on_layer
         return bool(what) and self.reading.hides(f"{placed.entity.kind} {what}")
 
     def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
-            self.reading.allow_copies(1, placed.entity.size, "blocks draw", "entities")
+            self.reading.allow_copies(1, placed.entity.size, "blocks expand to", "entities")
         if placed.entity.kind in _NOTES or self._is_hidden(placed):
             return
         if placed.entity.kind != "INSERT":
@@ -102,7 +104,7 @@ class Blocks:
         if name not in self.blocks:
             raise FormatError(f"there is no block {quote(insert.name)}")
         if name in around:
-            raise FormatError(f"the block {quote(insert.name)} draws itself")
+            raise FormatError(f"block {quote(insert.name)} refers to itself")
         if len(around) == MAX_DEPTH:
             raise FormatError(f"nested in more than {MAX_DEPTH} blocks")
         if insert.line not in self._maps:
@@ -114,7 +116,7 @@ class Blocks:
         # Copies of an empty block would be maps without end.
         drawn = len(block) - 1 or 1
         if columns * rows * drawn > MAX_COPIES:
-            raise FormatError(f"draws more than {MAX_COPIES:,} entities")
+            raise FormatError(f"expands to more than {MAX_COPIES:,} entities")
         turn = make_rotation(insert.number(50, "0"))
         position, base = insert.point(10), block[0].point(10)
         scale = make_scaling(insert.number(41, "1"), insert.number(42, "1"))

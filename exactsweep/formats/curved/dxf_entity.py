@@ -116,7 +116,7 @@ class Entity:
         normal = [self.number(code, default) for code, default in _NORMAL.items()]
         if normal[:2] == [0, 0] and normal[2]:
             return IDENTITY if normal[2] > 0 else _MIRRORED
-        raise FormatError("drawn in a plane of its own (groups 210 to 230)")
+        raise FormatError("not drawn in the XY plane (groups 210 to 230)")
 
     @property
     def name(self) -> str:

@@ -139,7 +139,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
     passed = {joint for line in found.values() for joint in line.joints}
     for joint, short in lost.items():
         order, start, _ = short[0]
-        vanished = f"{count(len(short), 'line')} vanished, shorter than ends may be apart"
+        vanished = f"dropped {count(len(short), 'line')} shorter than the --join distance"
         reason = f"{start.place}: {vanished}"
         ends_of = Counter(end for one in short for end in one.line.ends)
         if joint not in passed or not any(number % 2 for number in ends_of.values()):
@@ -272,7 +272,7 @@ def _outlines(
         name = next((line.name for line in joined if line.name is not None), None)
         if fault and len(joined) == 1 and start.rule and start.path:
             path = start.path.closed()
-            reading.notes[f"{start.place}: an open path, which its filling closes"] = None
+            reading.notes[f"{start.place}: open path, closed by its fill"] = None
             yield order, draw_outline(path, start, reading)
         elif fault:
             alone = len(joined) == 1 and not start.path
@@ -286,11 +286,10 @@ def _outlines(
 
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
-    meets = f"is one of {count} that meet"
-    if count == 1:
-        exactly = "" if reading.join else " exactly; --join DISTANCE closes small gaps"
-        meets = f"meets no other end{exactly}"
-    return f"{line.place}: the end {show_point(end)} {meets}"
+    if count > 1:
+        return f"{line.place}: {count} ends meet at {show_point(end)}"
+    exactly = "" if reading.join else " exactly; --join DISTANCE closes small gaps"
+    return f"{line.place}: open end at {show_point(end)}: no other end meets it{exactly}"
 
 
 def _walk(

@@ -202,7 +202,7 @@ class Path:
         grid = find_grid(tolerance / (1000 if fine else 1))
         places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
         if self.off * 16 > tolerance:
-            raise FormatError("numbers too large to be turned by an irrational angle")
+            raise FormatError("numbers too large for an irrational rotation")
         for before, after in self._corners():
             self._part(before, after, places, tolerance)
         points = self.points

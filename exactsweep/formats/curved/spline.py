@@ -53,7 +53,7 @@ class Spline(NamedTuple):
         """
         points = [p for p, _ in groupby(points)]
         if len(points) < 2:
-            raise FormatError("neither control points nor two points that it runs through")
+            raise FormatError("neither control points nor two fit points")
         try:
             places = [(float(x), float(y)) for x, y in points]
             lengths = [dist(p, q) for p, q in pairwise(places)]
@@ -87,7 +87,7 @@ class Spline(NamedTuple):
         if self.knots[self.degree] == self.knots[size]:
             raise FormatError("all knots are equal")
         if self.weights and (len(self.weights) != size or min(self.weights) <= 0):
-            raise FormatError("the weights are not one for each control point, all positive")
+            raise FormatError("expected one positive weight for each control point")
 
     def pieces(self) -> Iterator[tuple[list[Point], list[Fraction]]]:
         """Yield the Bezier curves that it consists of: control points, and weights if it has any.

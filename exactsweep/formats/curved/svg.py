@@ -139,7 +139,7 @@ class Document:
             return
         if depth:
             size = sum(map(len, element.attrib.values()))
-            self.reading.allow_copies(1, size, "uses draw", "elements")
+            self.reading.allow_copies(1, size, "uses expand to", "elements")
         if name in _GROUPS:
             yield from self.shapes(placed, depth)
         elif name == "switch":
@@ -240,14 +240,14 @@ def _draw_regions(
     def fill_simply(rings: Sequence[Sequence[Point]]) -> Filled:
         filled = fill(rings, rule)
         if filled.touching:
-            raise PolygonError("subpaths cross or touch themselves or each other")
+            raise PolygonError("subpaths intersect")
         return filled
 
     rings, filled = flatten_together(closed, reading, fill_simply)
     pieces = whole.take_filled(filled or fill(rings, rule, measured=bool(whole.error)))
     if filled is None:
         number = count(len(pieces), "polygon")
-        crossing = "its subpaths cross or touch themselves or each other"
+        crossing = "its subpaths intersect"
         reading.notes[f"{place}: {crossing}: {number} by its fill rule"] = None
     return [
         piece._replace(finer=partial(_draw_finer, closed, shape, reading, k))
@@ -304,7 +304,7 @@ def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[P
 
 def _require_room(width: Fraction, height: Fraction) -> None:
     if not width or not height:
-        raise OrnamentError("without width or height, which is not drawn")
+        raise OrnamentError("no width or height, so nothing is drawn")
 
 
 def _read_radii(shape: PlacedElement) -> tuple[Fraction, Fraction]:
@@ -356,7 +356,7 @@ def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Pat
 
 
 def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
-    raise FormatError("draws nothing that is in the file, or itself")
+    raise FormatError("refers to itself or to a missing element")
 
 
 SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[Path]]] = {

@@ -80,9 +80,11 @@ class _PathData:
                 self.place += 1
                 self.command = letter
                 if letter.upper() not in _ARGUMENTS:
-                    self._refuse(f"{quote(letter)} is no command", start)
+                    self._refuse(f"{quote(letter)} is not a path command", start)
             elif self.command in ("", *"Zz"):
-                self._refuse(f"{quote(self.data[start : start + 20])} instead of a command", start)
+                self._refuse(
+                    f"expected a command, found {quote(self.data[start : start + 20])}", start
+                )
             kind = self.command.upper()
             if kind == "M":
                 self._begin()
@@ -204,7 +206,7 @@ class _PathData:
         match = pattern.match(self.data, self.place)
         if match is None:
             shown = "the end" if self._at_end() else quote(self.data[self.place : self.place + 20])
-            self._refuse(f"{shown} instead of {what}", self.place)
+            self._refuse(f"expected {what}, found {shown}", self.place)
         self.place = match.end()
         return match[1], match.start(1)
 

@@ -87,10 +87,10 @@ class PlacedElement:
         """The attribute of that name; raises FormatError where a style moves the element, too."""
         found: str = self.element.get("transform", "")
         if any(map(self.styled.get, _STYLED)):
-            raise FormatError("a transformation in a style cannot be read")
+            raise FormatError("transformations in a style are not supported")
         center, box = self.style("transform-origin"), self.style("transform-box")
         if found and not (_ORIGIN.fullmatch(center or "0 0") and box in _BOXES):
-            raise FormatError("a transformation with a center of its own cannot be read")
+            raise FormatError("transform-origin is not supported")
         return found
 
     @cached_property
@@ -132,7 +132,7 @@ class PlacedElement:
         if text is None:
             raise FormatError(f"{name} is missing")
         if self.parent and self.styled.get(name):
-            raise FormatError(f"{name} is in a style, where it cannot be read")
+            raise FormatError(f"{name} is in a style, which is not supported there")
         number, unit = _split(text.strip())
         with name_refusals(name, FormatError):
             return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
@@ -143,7 +143,7 @@ class PlacedElement:
         across = name in ("x", "x1", "x2", "cx", "rx", "width")
         found = width if across or width == height else None if name == "r" else height
         if found is None:
-            raise FormatError("a percentage of what is not given, or irrational")
+            raise FormatError("percentage of an unknown or irrational length")
         return found
 
     @cached_property
@@ -231,7 +231,7 @@ class PlacedElement:
             down = self.size("height") / height
         fitted, _ = self._fit([across, down])
         if fitted[0] != fitted[1]:
-            raise FormatError("has one unit across and another down")
+            raise FormatError("has different horizontal and vertical units")
         return fitted[0]
 
     def _extent(self, name: str) -> Fraction:

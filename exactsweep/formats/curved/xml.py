@@ -84,13 +84,13 @@ def parse_xml(text: str) -> Element:
         parser.feed(text)
         root: Element = parser.close()
     except UnicodeEncodeError:
-        raise FormatError("not XML: half of a character beyond the first 65,536") from None
+        raise FormatError("not XML: lone surrogate") from None
     except ParseError as error:
         number, column = error.position
         reason = str(error).partition(":")[0]
         raise FormatError(f"line {number}, column {column + 1}: not XML: {reason}") from None
     except EntitiesForbidden as error:
-        raise FormatError(f"declares the entity {error.name!a}, which is not expanded") from None
+        raise FormatError(f"declares the entity {error.name!a}, which is not allowed") from None
     except DefusedXmlException as error:
         raise FormatError(f"refers to something outside of it: {error}") from None
     # Where a document type is declared elsewhere, the parser passes over what it might declare.
