@@ -1,4 +1,4 @@
-"""Certificates: answers with their proofs, as `check/CERTIFICATES.md` describes them.
+"""Claims of certificates, which `check/CERTIFICATES.md` describes.
 
 A claim is a question and its answer, still in Fractions; `proof.add_proof` makes a certificate of
 it. Positions are translations of the polygon that moves.
@@ -30,7 +30,7 @@ def claim_no_fit(
     holes: Iterable[Polygon],
     exact_fits: Iterable[Fit],
 ) -> dict[str, Any]:
-    """Claim a no-fit polygon. Cost: linear."""
+    """Claim a no-fit polygon."""
     return {
         **HEADER,
         "claim": "no_fit",
@@ -49,7 +49,7 @@ def claim_sweep(
     unswept: Iterable[Polygon],
     area: Fraction,
 ) -> dict[str, Any]:
-    """Claim a swept area, given the claim of the no-fit polygon. Cost: linear."""
+    """Claim a swept area, given the claim of the no-fit polygon."""
     return {
         **no_fit,
         "claim": "sweep",
@@ -63,7 +63,7 @@ def claim_sweep(
 def claim_inner_fit(
     container: Region, part: Region, regions: Iterable[Region], exact_fits: Iterable[Fit]
 ) -> dict[str, Any]:
-    """Claim an inner fit. Cost: linear."""
+    """Claim an inner fit."""
     return {
         **HEADER,
         "claim": "inner_fit",

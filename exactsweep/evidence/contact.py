@@ -2,9 +2,8 @@
 
 An edge of the trajectory is a piece of a segment of translations at which two features touch: EV
 (edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
-edges): d - e. All of the trajectory is free of overlap. So two features are in contact along the
-edge if their segment shares a piece with it. A look-up of their line decides that for each pair,
-without regard to how the trajectory was computed.
+edges): d - e. The trajectory is free of overlap, so two features are in contact along the edge if
+their segment shares a piece with it, however the trajectory was computed.
 """
 
 from __future__ import annotations
@@ -42,14 +41,7 @@ class Contact(NamedTuple):
 
 
 def number_as_given(shape: AnyPolygon, outline: Outline, k: int, *, of_edge: bool) -> int:
-    """Return the index in the caller's input of feature k of an outline.
-
-    Args:
-        shape: a shape.
-        outline: the features of the shape, with holes clockwise.
-        k: the number of a vertex or of an edge.
-        of_edge: whether k is an edge.
-    """
+    """Return the index in the caller's input of feature k, an edge or a vertex, of an outline."""
     if k >= len(shape.exterior):
         # Vertex 0 of a hole is the same in both orientations; its edge k ends where the input edge
         # starts.
@@ -75,12 +67,11 @@ def find_edge_contacts(
         directrix: the features of D.
 
     Returns:
-        For each edge, the sorted contacts that last along a piece of positive length. The list
-        omits an EV or VE contact that is part of an EE contact.
+        For each edge, the sorted contacts that last along a piece of positive length, without EV
+        and VE contacts that are part of an EE contact.
 
     Cost: O(t + m + n) for each direction of the edges, and a look-up for each pair of a feature of
-    G and an edge of D, or the other way round, that are parallel to it: O(m n) in all if few edges
-    of one shape are parallel.
+    one shape and a parallel edge of the other; O(m n) if few edges of one shape are parallel.
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[int, Segment]]] = defaultdict(list)
     for k, piece in enumerate(map(make_segment, edges)):
@@ -130,16 +121,11 @@ def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contac
 def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Contact]:
     """Find all contacts of G + t with D, VV among them.
 
-    Args:
-        generatrix: the features of G.
-        directrix: the features of D.
-        t: a translation.
-
     Returns:
         Sorted contacts: VV of equal vertices; EV and VE of a vertex inside an edge; EE of edges
-        that overlap in positive length.
+            that overlap in positive length.
 
-    Cost: O((m + n) log(m + n)) where few edges are near each vertex, O(m n) at worst.
+    Cost: O((m + n) log(m + n)) if few edges are near each vertex, O(m n) at worst.
     """
     # On a lattice with the translation all numbers are ints, which is ten times as fast.
     scale = lcm(t[0].denominator, t[1].denominator)

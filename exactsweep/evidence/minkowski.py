@@ -1,8 +1,7 @@
 """Minkowski sums of two shapes, or of a shape and a path.
 
 A + B is the no-fit polygon of A and -B, as a closed set: its exact fits are limits of positions of
-overlap, so they belong to the sum. The sum of a shape and a path is the set that the shape covers
-when its origin follows the path.
+overlap, so they belong to the sum.
 """
 
 from __future__ import annotations

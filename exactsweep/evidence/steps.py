@@ -1,18 +1,17 @@
 """The sweep step by step: the contacts of each step, and the reason for its end.
 
 A step is an edge of the trajectory. G travels counter-clockwise, with D on the left. At the end of
-a step G turns left or right, and the turn shows the reason:
+a step G turns left or right:
 
 - left, at a corner: a vertex of G is on a vertex of D. Straight on, G would lose contact. G turns
   onto the next edge of D or of G by slope, as in Lemma 3.1.
-- right, at a stop: straight on, G would overlap D at one or several new contacts. They are new
-  because the contacts of the step let G slide on.
+- right, at a stop: straight on, G would overlap D at one or several new contacts.
 - right, without a stop: straight on leads into an exact fit.
 
 A contact stops G if every move of G through it, however short, overlaps. Near a contact both
 polygons are cones; at the inside of an edge the cone is a half-plane. After a short step G overlaps
-D there if and only if the step lies in the sum of D's open cone and of G's, turned by half a turn.
-A step along an edge in contact is on the boundary of that sum, so it is allowed.
+D there if and only if the step lies in the sum of D's open cone and the reflection of G's. A step
+along an edge in contact is on the boundary of that sum, so it is allowed.
 """
 
 from __future__ import annotations
@@ -46,12 +45,12 @@ class Touch(NamedTuple):
 
 
 class Landmark(NamedTuple):
-    """Something that G passes on its way.
+    """An undercut or an exact fit that G passes.
 
     Attributes:
         mark: "undercut" if G closes all of an undercut in this position; "undercut opens" and
-            "undercut closes" at the first and the last of several positions; "exact fit" at the
-            end of an exact fit.
+            "undercut closes" at the first and the last of several positions; "exact fit" at the end
+            of an exact fit.
         number: index in `Sweep.undercuts` or `Sweep.exact_fits`.
         position: a Point on the step, its start excluded.
     """
@@ -68,8 +67,8 @@ class Step(NamedTuple):
         start: the first position of the reference point, a Point.
         end: the last position, likewise.
         direction: the primitive integer vector from start to end.
-        half: "lower" for the sweep (G_t, D_b), "upper" for (G_b, D_t), and "right" or "left" for
-            a wall between the two, if the shared direction points to the right.
+        half: "lower" for the sweep (G_t, D_b), "upper" for (G_b, D_t), and "right" or "left" for a
+            vertical edge between the two, if the shared direction points to the right.
         touches: tuple of Touch, by their start.
         landmarks: tuple of Landmark in the order of travel.
         ending: "corner", "stop" or "exact fit": the reason for the end of the step.
@@ -255,8 +254,6 @@ def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outli
         step: the direction of the move, a vector.
         generatrix: the features of G.
         directrix: the features of D.
-
-    Cost: O(1).
 
     Example:
         >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])

@@ -38,15 +38,12 @@ Solution = MonotoneSolution | ShapeSolution
 
 
 def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | None) -> Solution:
-    """Choose the Solution that computes a pair.
+    """Choose the Solution that computes a pair, on first access.
 
     Args:
         generatrix: G.
         directrix: D.
         direction: a direction to which both are monotone; None if there is none.
-
-    Returns:
-        The Solution. It computes its results later, on first access.
     """
     if direction is None:
         return ShapeSolution(Region(generatrix), Region(directrix))
@@ -146,7 +143,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def _route(self) -> Outline:
-        """The trajectory of G's origin in the frame, for look-ups of points on it."""
+        """The trajectory of G's origin in the frame, for look-ups of points."""
         return Outline([self._enter(self.solution.trajectory)])
 
     def _enter(self, points: Iterable[Point]) -> list[Vertex]:

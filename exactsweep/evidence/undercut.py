@@ -1,8 +1,8 @@
 """Undercuts: the regions between D and the inner loop, out of G's reach (Section 4, Figure 7).
 
-A piece of D bounds an undercut on one side. Its bottom chain, a piece of the inner loop, bounds it
-on the other. The two meet in the extreme contact points. For a convex G the bottom chain is a piece
-of G in one position (Figure 7a), or a piece of one edge of G that can slide along itself while it
+A piece of D bounds an undercut on one side; its bottom chain, a piece of the inner loop, bounds it
+on the other. They meet in the extreme contact points. For a convex G the bottom chain is a piece of
+G in one position (Figure 7a), or a piece of one edge of G that can slide along itself while it
 touches both points (Figure 7b). A monotone G may need several positions.
 
 G draws the bottom chain as it moves along the trajectory T. An edge of the chain is a piece of an
@@ -40,7 +40,7 @@ class Undercut(NamedTuple):
     Attributes:
         polygon: the region.
         extremes: the two extreme contact points, the ends of the bottom chain.
-        bottom: the bottom chain, a tuple of Point; the region lies left of it as it runs.
+        bottom: the bottom chain, a tuple of Point; the region lies left of it.
         intersection: "segment" if one edge of G touches both extreme points while it slides along
             itself, so that the subtrajectories share a segment; else "point".
         positions: tuple of Point on the trajectory, at which G closes the undercut: one for a point
@@ -72,12 +72,7 @@ class TracedPiece(NamedTuple):
 
 
 class Tracer:
-    """The features of G and of T by lines, for look-ups of those that draw an edge.
-
-    Args:
-        path: the trajectory of G's origin.
-        generatrix: the features of G.
-    """
+    """The features of G and of T by lines, for look-ups of those that draw an edge."""
 
     def __init__(self, path: Outline, generatrix: Outline) -> None:
         self.path, self.generatrix = path, generatrix
@@ -93,8 +88,8 @@ class Tracer:
     def find_slide(self, whole: Segment) -> list[Vertex]:
         """Find where on an edge of T an edge of G covers an edge of the chain.
 
-        Returns the two ends of the first piece of positive length; if there is none, the first
-        single position, if any.
+        Returns the two ends of the first piece of positive length, else the first single position,
+        if any.
         """
         single: list[Vertex] = []
         for _, own in self._edges[whole.direction]:

@@ -1,4 +1,4 @@
-"""Conversion of a closed line to a canonical ring, its area and centroid; or a refusal."""
+"""Canonical rings: conversion of closed lines, or rejection; area and centroid."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -19,8 +19,8 @@ class PolygonError(ExactSweepError):
 class CanonicalRing(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
-    `vertex_index` and `edge_index` map its vertices and edges to those of the input. `convex` says
-    whether all turns are left turns, `monotone` whether the ring is monotone to the X axis.
+    `vertex_index` and `edge_index` map its vertices and edges to those of the input; `monotone`
+    refers to the X axis.
     """
 
     points: tuple[Vertex, ...]
@@ -33,12 +33,8 @@ class CanonicalRing(NamedTuple):
 def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """Bring a closed line of lattice points into canonical form.
 
-    Args:
-        points: the points, in either orientation. Neighbours may be equal, also the last and the
-            first, and vertices may lie inside straight edges.
-
-    Returns:
-        The same polygon as a CanonicalRing.
+    The orientation is free. Neighbours may be equal, also the last and the first, and vertices may
+    lie inside straight edges.
 
     Raises:
         PolygonError: fewer than three distinct points, collinear points only, a spike, or a line
@@ -112,9 +108,6 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
         convex: whether all turns are left turns. Then monotonicity suffices: such a boundary winds
             around once for each run to the right.
 
-    Returns:
-        True if the ring is both. A ring that is not monotone may still be simple.
-
     Cost: O(n), two products a vertex; for a convex ring comparisons of x alone.
 
     Example:
@@ -151,7 +144,7 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
 def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
     """Decide whether x never decreases to the greatest vertex and never increases on the way back.
 
-    The walk begins at the first vertex, which is the least. Cost: O(n).
+    The ring begins at its least vertex. Cost: O(n).
     """
     right = ring.index(max(ring))
     xs = [x for x, _ in ring]
@@ -176,7 +169,7 @@ def _join_equal(
 
 
 def find_turns(ring: Sequence[Vertex]) -> list[int | Fraction]:
-    """Return at each vertex the cross product of the edges before and after it. Cost: O(n)."""
+    """Return at each vertex the cross product of the edges before and after it."""
     turns = []
     (ax, ay), (bx, by) = ring[-2], ring[-1]
     ux, uy = bx - ax, by - ay
@@ -230,7 +223,7 @@ def _refuse_conflicts(
 def find_least(points: Sequence[Point]) -> int:
     """Return the index of the lexicographically least point, the first of equal ones.
 
-    Cost: O(n). Fractions are compared only if their floors are equal, which is rare.
+    Fractions are compared only if their floors are equal, which is rare.
 
     Example:
         >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
@@ -262,8 +255,6 @@ def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
 
 def find_centroid(ring: Sequence[Point]) -> Point:
     """Find the center of mass of the area in a ring; the first point of a ring without area.
-
-    Cost: O(n).
 
     Example:
         >>> from exactsweep import Polygon

@@ -89,15 +89,9 @@ def _find_box(a: IntVertex, b: IntVertex) -> tuple[int, int, int, int]:
 
 
 def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
-    """Cut a shape into convex pieces.
+    """Cut a shape into convex pieces with its vertices; rings may touch in points.
 
-    Args:
-        rings: the boundary, the interior on the left. Rings may touch in points.
-
-    Returns:
-        Pieces with the vertices of the rings.
-
-    Cost: for each concave vertex that of the vertices and the edges around it, O(n) at worst, times
+    Cost: for each reflex vertex that of the vertices and the edges around it, O(n) at worst, times
     the number of tried diagonals.
 
     >>> len(cut_to_convex([[(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]]))
@@ -133,7 +127,7 @@ def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex,
 def _find_diagonal(
     p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], plan: _Plan
 ) -> IntVertex:
-    """Find a diagonal into a wide cone, not far off, that leaves few wide cones; return its end."""
+    """Find the end of a short diagonal into a wide cone that leaves few wide cones."""
     reach = 1
     while True:
         for q in _list_ends(p, wide, cones, plan.find_around(p, reach)):

@@ -1,9 +1,9 @@
 """Directions to which polygons are monotone.
 
-A polygon is monotone to u if every line perpendicular to u meets it in one piece. Then one run of
-its edges goes forward along u, and the other run goes backward. The polygon is strictly monotone if
-no edge is perpendicular to u. Monotonicity changes only at directions u that are perpendicular to
-an edge. So one turn of u finds all directions.
+A polygon is monotone to u if every line perpendicular to u meets it in one piece: one run of its
+edges goes forward along u, the other one backward. It is strictly monotone if no edge is
+perpendicular to u. Monotonicity changes only at directions u that are perpendicular to an edge. So
+one rotation of u finds all directions.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Directions:
             from -90 degrees, exclusive, to 90 degrees.
         at: whether the polygons are monotone, at least weakly, to critical direction k.
         after: whether they are strictly monotone to the directions between critical directions k
-            and k + 1. After the last k comes the first direction, turned by half a turn.
+            and k + 1. After the last k comes the first direction, after a half turn.
 
     Example:
         >>> print(find_monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
@@ -86,8 +86,8 @@ class Directions:
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal arcs as pairs (first, last), counter-clockwise, both included.
 
-        A single direction is an arc from itself to itself. A convex polygon is monotone to all
-        directions; its arc runs from the first critical direction around to the same one.
+        A single direction is an arc from itself to itself, and so is the full arc of a convex
+        polygon.
         """
         n = len(self.critical)
         if all(self.after):
@@ -105,11 +105,8 @@ class Directions:
     def simplest(self) -> Vector:
         """Choose the X axis if it is included, else the smallest strict direction, else any.
 
-        Returns a primitive integer vector; the smallest vector has the least sum of squares.
-
-        Raises DirectionError if there is no direction.
-
-        Cost: O(n log c) for components up to c.
+        Returns a primitive integer vector; the smallest one has the least sum of squares. Raises
+        DirectionError if there is no direction. Cost: O(n log c) for components up to c.
 
         >>> find_monotone_directions(Polygon([(0, 0), (1, 2), (0, 4), (3, 4), (3, 0)])).simplest()
         (1, -1)
@@ -179,12 +176,10 @@ def read_direction(direction: Iterable[object]) -> Vector:
 
 
 def find_monotone_directions(polygon: Polygon) -> Directions:
-    """Find all directions to which a polygon is monotone.
+    """Find all directions to which a polygon is monotone; cached by the polygon.
 
-    The algorithm turns u through a full turn and counts the sign changes of the edges along the
-    boundary. The polygon is monotone where there are two.
-
-    Cost: O(n log n), and O(1) for a polygon whose directions are cached.
+    The algorithm rotates u through a full turn and counts the sign changes of the edges along the
+    boundary. The polygon is monotone where there are two. Cost: O(n log n).
 
     Example:
         >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
@@ -198,7 +193,6 @@ def find_monotone_directions(polygon: Polygon) -> Directions:
 
 
 def _turn_through(edges: Sequence[Vertex]) -> Directions:
-    """The directions, from the edges of a polygon as vectors."""
     n = len(edges)
     # Start just past -90 degrees: u = (e, -1) with an infinitesimal e > 0.
     forward = [dy < 0 or (dy == 0 and dx > 0) for dx, dy in edges]
@@ -251,7 +245,7 @@ angle_key = cmp_to_key(_turn)
 
 
 def _find_simplest_between(u: Vector, v: Vector) -> Vector:
-    """Find the simplest direction strictly between u and v, v less than half a turn after u."""
+    """Find the simplest direction strictly between u and v, v less than a half turn after u."""
     if u[0] > 0 > v[0]:
         return Y_AXIS
     if u == Y_AXIS:

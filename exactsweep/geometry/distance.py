@@ -1,14 +1,13 @@
 """The squared distance of two shapes, with two nearest points.
 
 (1) Shapes meet if and only if their boundaries meet, or a vertex of one exterior lies in the other
-    shape. If the boundaries do not meet, either one shape lies inside the other, or the shapes are
-    disjoint, one of them perhaps in a hole of the other.
+    shape.
 (2) Shapes that do not meet are nearest in their boundaries, and two segments that do not meet are
     nearest at an end of one of them. So the squared distance is the quotient of a squared cross
     product and a squared length: rational.
-(3) The edges of each boundary are the leaves of a binary tree of boxes. The distance of two boxes
-    is at most that of their contents. The search opens pairs of boxes in the order of their
-    distances, so it ends at the first pair that is no nearer than the best edges so far.
+(3) The edges of each boundary are the leaves of a binary tree of boxes. The search opens pairs of
+    boxes in the order of their distances, so it ends at the first pair that is no nearer than the
+    best edges so far.
 """
 
 from __future__ import annotations
@@ -31,8 +30,8 @@ class SquaredDistance(NamedTuple):
     """The squared distance of two shapes.
 
     Attributes:
-        value: the square, 0 if and only if the shapes have a point in common.
-        points: a point of the first shape and one of the second that have this distance.
+        value: the square, 0 if and only if the shapes have a common point.
+        points: a nearest point of the first shape and one of the second.
     """
 
     value: Fraction
@@ -41,21 +40,21 @@ class SquaredDistance(NamedTuple):
 
 @tells_arguments
 def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDistance:
-    """Find the squared distance of two shapes, and two points that have it.
+    """Find the squared distance of two shapes, and two nearest points.
 
     Args:
         a: a Polygon, a Region or the vertices of a polygon, as a closed set with its interior.
         b: likewise.
 
     Returns:
-        The square, 0 if the shapes meet, and two nearest points, one of each shape. If several
-        pairs are nearest, the result is one of them.
+        The square, 0 if the shapes meet, and two nearest points, one of each shape; any if there
+        are several.
 
     Raises:
         PolygonError: a polygon is not simple. The message begins with "a" or "b".
-        NumberError: a coordinate is not an exact number. The message begins likewise.
+        NumberError: a coordinate is not an exact number; likewise.
 
-    Cost: O((m + n) log(m + n)) where few edges are nearly nearest; O(m n log(m n)) at worst.
+    Cost: O((m + n) log(m + n)) if few edges are nearly nearest; O(m n log(m n)) at worst.
 
     Example:
         >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(3, 0), (3, 3), (0, 3)]
@@ -77,10 +76,8 @@ class EdgeTree:
         rings: the rings of a bounded shape, its interior on the left, the exterior first.
 
     Attributes:
-        levels: lists of boxes (left, right, low, high). The first has the boxes of the edges. Each
-            box of a later level encloses two neighbours of the level before. The last has one box.
-
-    Cost: O(n).
+        levels: lists of boxes (left, right, low, high), first those of the edges. Each box of a
+            later level encloses two neighbours of the level before; the last level has one box.
     """
 
     def __init__(self, rings: Rings) -> None:
@@ -101,16 +98,15 @@ class EdgeTree:
 def find_nearest(
     first: EdgeTree, second: EdgeTree, below: Rational | None = None
 ) -> SquaredDistance | None:
-    """Find two nearest points of two shapes.
+    """Find two nearest points of two shapes on one lattice.
 
     Args:
         first: a shape.
-        second: another one, on the same lattice.
+        second: another one.
         below: an upper bound on the square; the search ends if the square is not below it.
 
     Returns:
-        The squared distance and the points, on the lattice of the shapes or between; None if the
-        square is not below the bound.
+        The squared distance and the points; None if the square is not below the bound.
 
     Cost: as for `distance_squared`.
 
@@ -205,8 +201,8 @@ def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
     """Find which end of two segments that do not meet is nearest to the other segment.
 
     Returns:
-        The squared distance as n and d, for n / d; the end, the other segment, and whether the end
-        is one of the first segment.
+        The squared distance n / d as n and d; the end, the other segment, and whether the end is
+        one of the first segment.
 
     >>> measure_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
     (4, 4, (1, 1), ((0, 0), (2, 0)), False)

@@ -28,8 +28,7 @@ MANY_EDGES = 64
 class EdgeIndex:
     """The boundary of a shape or of a path, for searches of the edges near a place.
 
-    Args:
-        rings: the rings, with the interior on the left.
+    The interior is on the left of the rings.
     """
 
     def __init__(self, rings: Rings) -> None:
@@ -66,10 +65,7 @@ class EdgeIndex:
         return BoxRows([edge[:4] for edge in self.edges])
 
     def near(self, box: Bounds) -> list[BoxedEdge]:
-        """Return the edges whose boxes meet a box, by their left ends.
-
-        Cost: that of `BoxRows.find`.
-        """
+        """Return the edges whose boxes meet a box, by their left ends. Cost: that of `BoxRows.find`."""
         edges = self.edges
         if len(edges) > MANY_EDGES:
             return [edges[k] for k in sorted(self._rows.find(box))]
@@ -106,16 +102,8 @@ class EdgeIndex:
 def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
     """Return the ends of the common part of edges a b and p q, or None if their left sides meet.
 
-    Args:
-        a: start of an edge, the interior of its shape on the left.
-        b: its end.
-        p: start of the other edge.
-        q: its end.
-
     Returns:
         No point, one or two; None if the edges cross, or run along each other in one direction.
-
-    Cost: O(1).
 
     >>> touch((0, 0), (2, 0), (1, 0), (1, 2)), touch((0, 0), (2, 0), (3, 0), (1, 0))
     ([(1, 0)], [(1, 0), (2, 0)])
@@ -153,9 +141,9 @@ def find_points_between(
 ) -> Iterator[Vertex]:
     """Yield a point, times two, of each piece of the rings between places, or one vertex.
 
-    The rings are first enlarged by the scale and then moved by the shift. The places are on the
-    moved rings. Pieces on edges without places belong to pieces on edges with places, so the
-    function examines the latter only. Without places it yields a vertex.
+    The rings are first enlarged by the scale and then moved by the shift; the places are on the
+    moved rings. Pieces on edges without places belong to pieces on edges with places, so only the
+    latter are examined. Without places the result is a vertex.
 
     Cost: O(p log p + r) for p places and r rings.
     """

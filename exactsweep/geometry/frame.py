@@ -1,4 +1,4 @@
-"""The shared direction of a pair, and the coordinates of its sweep: one lattice, turned to it.
+"""The shared direction of a pair, and the frame of its sweep: one lattice, rotated to it.
 
 Section 2 assumes that the shared direction is the X axis "without loss of generality". A sweep
 commutes with every invertible linear map. The integer matrix [u; u_perp] maps u to the X axis
@@ -61,10 +61,7 @@ def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
 
 
 def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | None:
-    """Choose a direction as `choose_direction` does, but return None if there is none.
-
-    Cost: as for `choose_direction`; O(1) if the cache shows that a polygon has no direction.
-    """
+    """Choose a direction as `choose_direction` does, but return None if there is none."""
     if generatrix.is_x_monotone and directrix.is_x_monotone:
         return X_AXIS
     for polygon in (generatrix, directrix):
@@ -83,7 +80,7 @@ def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | N
 
 
 def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
-    """Refuse a polygon that is not monotone to the direction that the caller requested."""
+    """Raise DirectionError if a polygon is not monotone to the requested direction."""
     if not is_monotone(polygon, direction):
         raise DirectionError(
             f"the {name} is not monotone to {write_vector(direction)}, "
@@ -93,20 +90,16 @@ def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
 
 
 class Frame(NamedTuple):
-    """The common integer lattice of a pair, turned so that the shared direction is the X axis.
+    """The common integer lattice of a pair, rotated so that the shared direction u is the X axis.
 
-    A point v has the coordinates (u . v, u_perp . v) * scale, where u_perp is u turned by 90
-    degrees.
+    A point v has the coordinates (u . v, u_perp . v) * scale; u_perp is u rotated by 90 degrees.
     """
 
     direction: Vector
     scale: int
 
     def enter(self, scale: int, points: Sequence[Vertex]) -> list[Vertex]:
-        """Convert points from a lattice of another scale, as of `Polygon.lattice`, to the frame.
-
-        Cost: O(n).
-        """
+        """Convert points from a lattice of another scale, as of `Polygon.lattice`, to the frame."""
         k = self.scale // scale
         p, q = self.direction
         if k == 1 and (p, q) == X_AXIS:
@@ -124,7 +117,7 @@ class Frame(NamedTuple):
         return ratio(p * x + q * y, b * d), ratio(p * y - q * x, b * d)
 
     def leave(self, points: Sequence[Vertex], shift: Point = ORIGIN) -> list[Point]:
-        """Convert points of the frame to the plane, moved by a vector. Cost: O(n)."""
+        """Convert points of the frame to the plane, moved by a vector."""
         p, q = self.direction
         scale = self.scale * (p * p + q * q)
         if (p, q) == X_AXIS:

@@ -26,8 +26,6 @@ class BoxRows:
     Args:
         boxes: the boxes, on one lattice.
         reach: the distance to the right and upwards by which the boxes are enlarged.
-
-    Cost: O(n log n).
     """
 
     def __init__(self, boxes: Sequence[Bounds], reach: int = 0) -> None:
@@ -104,10 +102,6 @@ class BoxRows:
 
 def find_near(boxes: Sequence[Bounds], reach: int = 0) -> Iterator[tuple[int, int]]:
     """Find the pairs of boxes that meet, or are within reach in both coordinates.
-
-    Args:
-        boxes: the boxes, on one lattice.
-        reach: the greatest distance between the x-ranges, and between the y-ranges, of a pair.
 
     Yields:
         Pairs of numbers, the lesser one first; each pair once.

@@ -18,15 +18,12 @@ class Outline:
 
     Edge k runs from vertex k to the next vertex of its ring.
 
-    Args:
-        rings: loops, not closed.
-
     Attributes:
         vertices: the vertices of all rings, one ring after another.
         after: for each vertex, the number of the next vertex of its ring.
         before: for each vertex, the number of the vertex before.
         starts: for each ring, the number of its first vertex.
-        numbers: dict from a vertex to its number, the last one if several vertices are equal.
+        numbers: dict from a vertex to its number, the last one of equal vertices.
 
     >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
     >>> square.edge(3), square.numbers[1, 1]
@@ -69,19 +66,13 @@ class Outline:
         return found
 
     def vertices_at(self, point: Vertex, scale: int = 1) -> Sequence[int]:
-        """Find the numbers of the vertices at a point, multiplied by a scale.
-
-        There are several if rings touch there. Cost: O(1), and O(n) the first time.
-        """
+        """Find the numbers of the vertices at a point, multiplied by a scale; several if rings touch."""
         if scale != 1:
             point = ratio(point[0], scale), ratio(point[1], scale)
         return self._all_numbers.get(point, ())
 
     def edges_through(self, point: Vertex, scale: int = 1) -> Iterator[int]:
-        """Find the numbers of the edges with a point, multiplied by a scale, in their interior.
-
-        Cost: that of `EdgeIndex.near`, and O(n log n) the first time.
-        """
+        """Find the numbers of the edges with a point, multiplied by a scale, in their interior."""
         x, y = point
         box = x // scale, -(-x // scale), y // scale, -(-y // scale)
         for _, _, _, _, ax, ay, bx, by, ring, k in self._index.near(box):
@@ -116,8 +107,6 @@ def number_features(
 
     Returns:
         The vertices by number, and for each edge by number the numbers of its two ends.
-
-    Cost: O(n).
 
     Example:
         >>> from exactsweep import Polygon

@@ -6,13 +6,13 @@ counter-clockwise. Where several rings touch, the shape is the intersection of t
 
 (1) Interiors meet if two edges cross; or if both shapes have a direction at a common point of the
     boundaries: a ray of one shape lies inside all cones of the other, or two edges run along each
-    other in one direction. Otherwise, let the boundaries have a common point, on a ring R of G.
-    Then D stays on that side of R on which it touches R, and the interiors are disjoint.
+        other in one direction. Otherwise, let the boundaries have a common point, on a ring R of G.
+        Then D stays on that side of R on which it touches R, and the interiors are disjoint.
 (2) If the boundaries are disjoint, interiors meet if and only if a ring of one shape lies inside
     the other shape. One vertex of the ring decides that.
 
-A path is a ring that runs forth and back, or two such rings. Its cones are empty, because each of
-its rays leaves and arrives; its interior is the path itself.
+A path is a ring that runs forth and back, or two such rings. Its cones are empty, because each ray
+leaves and arrives; its interior is the path itself.
 """
 
 from __future__ import annotations
@@ -42,12 +42,7 @@ class Relation(Enum):
 
 
 class MovedPair:
-    """Two shapes, the second one moved.
-
-    Args:
-        shape: a shape with a connected interior, or a path.
-        part: another one; not both are paths.
-    """
+    """Two shapes or paths, the second one moved; not both are paths."""
 
     def __init__(self, shape: EdgeIndex, part: EdgeIndex) -> None:
         self._shape, self._part = shape, part
@@ -58,8 +53,8 @@ class MovedPair:
     def relate(self, x: Rational, y: Rational, scale: int = 1) -> Relation:
         """Find the relation of the shapes, the second one moved by (x / scale, y / scale).
 
-        All common points of the boundaries lie in the intersection of the two boxes. So only the
-        edges that meet it are examined.
+        All common points of the boundaries lie in the intersection of the two boxes, so only edges
+        that meet it are examined.
 
         Cost: that of `EdgeIndex.near`, and of a search for the pairs of edges that meet; O(1) if
         the edges that crossed last time cross again.
@@ -103,8 +98,7 @@ class MovedPair:
     ) -> Mapping[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]] | None:
         """Find the cones of both shapes at the common points of their boundaries.
 
-        Returns:
-            The cones by points; None if edges cross, or run along each other in one direction.
+        Returns None if edges cross, or run along each other in one direction.
         """
         cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
         cones = defaultdict(lambda: (set(), set()))

@@ -1,9 +1,8 @@
-"""The methods that Polygons and Regions share as sets of points: locate, move, turn, show.
+"""The methods that Polygons and Regions share as sets of points: locate, move, rotate, show.
 
-All maps here are affine with rational coefficients, so nothing is rounded. A turn is rational if
-and only if its angle is that of a vector of rational coordinates *and* rational length: quarter
-turns, and turns by Pythagorean triples such as (3, 4). For other angles, `turn` finds a rational
-turn that is as near as requested.
+All maps are affine with rational coefficients, so nothing is rounded. A rotation is rational if and
+only if its angle is that of a vector of rational coordinates *and* rational length: quarter turns,
+and rotations by Pythagorean triples such as (3, 4).
 """
 
 from __future__ import annotations

@@ -92,10 +92,7 @@ class Polygon(PointSet):
 
     @classmethod
     def _trust(cls, points: Sequence[Vertex], scale: int | None = None) -> Self:
-        """Trust that the points, each divided by the scale, are canonical.
-
-        Without a scale, they are vertices.
-        """
+        """Make a Polygon of canonical points, each divided by the scale if there is one, unchecked."""
         polygon = cls.__new__(cls)
         polygon._vertices = polygon._lattice = None
         if scale is None:
@@ -134,9 +131,9 @@ class Polygon(PointSet):
         """Return the polygon on the coarsest integer lattice that holds it.
 
         Returns:
-            `(scale, points)`: the least positive int and a tuple of pairs of ints, such that each
-            vertex is its pair divided by the scale. If that int has more than 8192 bits, the scale
-            is 1 and the pairs are the vertices.
+            `(scale, points)`: the least positive int, and pairs of ints that are the vertices times
+            the scale. If that int has more than 8192 bits, the scale is 1 and the pairs are the
+            vertices.
 
         Example:
             >>> Polygon([(0, 0), ("1/2", 0), (0, "1/3")]).lattice()
@@ -162,8 +159,8 @@ class Polygon(PointSet):
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of canonical edge k, from vertex k to k + 1.
 
-        For several collinear input edges, the result is the first in the order of the input. Input
-        edge i runs from input vertex i to the next.
+        Of several collinear input edges, it is the first. Input edge i runs from input vertex i to
+        the next.
 
         Raises:
             PolygonError: there is no edge k. As in a list, negative k count from the end.
@@ -179,7 +176,7 @@ class Polygon(PointSet):
             raise refuse_number(k, "edge", len(self)) from None
 
     def _scaled(self) -> tuple[int, Sequence[Vertex]]:
-        """Return the lattice and the points on it, if they are known, or else the vertices."""
+        """Return the lattice points if known, or else the vertices, with their scale."""
         return self._lattice or (1, self.vertices)
 
     @property
@@ -232,8 +229,8 @@ class Polygon(PointSet):
     def to_sympy(self) -> "sympy.Polygon":
         """Return the polygon as a `sympy.geometry.Polygon`.
 
-        sympy looks for collinear vertices in floating point. The method raises PolygonError if the
-        vertices are so close together that sympy would make another figure.
+        sympy detects collinear vertices in floating point. Raises PolygonError if the vertices are
+        so close together that sympy would make a different figure.
         """
         import sympy
 
@@ -291,7 +288,7 @@ class Polygon(PointSet):
         vertex_index: Sequence[int],
         edge_index: Sequence[int],
     ) -> "Polygon":
-        """Make a copy that keeps the numbers of the input, without a new check."""
+        """Restore a copy with the numbers of the input, without validation."""
         polygon = cls._trust(points, scale)
         polygon._vertex_index, polygon._edge_index = vertex_index, edge_index
         return polygon

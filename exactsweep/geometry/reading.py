@@ -58,11 +58,8 @@ def read_interface(shape: object) -> list[Pairs] | None:
 
     Z coordinates are dropped, with a warning.
 
-    Args:
-        shape: any object; a dict of GeoJSON counts as its own interface.
-
     Returns:
-        The exterior and the holes; None if the object has no such attribute.
+        The exterior and the holes; None if the object has no such attribute and is no GeoJSON dict.
 
     Raises:
         PolygonError: the attribute is not one polygon, or the polygon is empty.
@@ -121,10 +118,7 @@ def drop_heights(ring: list[Any]) -> list[Any]:
 
 
 def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
-    """Read the vertices of a polygon, and put them on their lattice.
-
-    Args:
-        vertices: pairs of numbers, or an object with a `__geo_interface__`.
+    """Read the vertices of a polygon, pairs of numbers or an object with a `__geo_interface__`.
 
     Returns:
         As `to_lattice`.
@@ -166,8 +160,8 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
 def _read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
     """Read all first coordinates, then all second ones, if all vertices are tuples or lists of two.
 
-    Returns None if some vertex is anything else, or some number is refused. The caller then reads
-    the vertices one by one, to name the error.
+    Returns None if a vertex is anything else, or a number is rejected. The caller then reads the
+    vertices one by one, to name the error.
     """
     kinds = set(map(type, vertices))
     if not kinds <= {tuple, list, Point} or set(map(len, vertices)) != {2}:  # type: ignore[arg-type]
@@ -187,10 +181,6 @@ def _read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
 
 def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
     """Put points on the coarsest integer lattice that holds them.
-
-    Args:
-        xs: the first coordinates.
-        ys: the second coordinates, as many.
 
     Returns:
         The scale, which is the least common denominator, and the points times the scale, as pairs
@@ -218,11 +208,7 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
 
 
 def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[Vertex, ...]]:
-    """Divide a scale and its points by their common divisor. Cost: O(n).
-
-    >>> reduce_lattice(6, ((2, 4), (4, 0)))
-    (3, ((1, 2), (2, 0)))
-    """
+    """Divide a scale and its points by their common divisor."""
     # With a scale above one all coordinates are ints.
     common = scale
     for coordinate in chain.from_iterable(points):

@@ -106,8 +106,8 @@ class Region(PointSet):
         """Return the region on the coarsest integer lattice that holds it.
 
         Returns:
-            `(scale, rings)`: the exterior counter-clockwise and the holes clockwise, so that the
-            interior is on the left. Each point is a vertex times the scale. The scale is as for
+            `(scale, rings)`: the vertices times the scale, the exterior counter-clockwise and the
+            holes clockwise, so that the interior is on the left. The scale is as for
             `Polygon.lattice`.
 
         Example:
@@ -133,7 +133,7 @@ class Region(PointSet):
     def vertex_index(self, k: int) -> int:
         """Return the index in the caller's input of vertex k, counted through all `rings`.
 
-        The count of the input also begins with the exterior; the holes follow in the order given.
+        In the input, too, the count begins with the exterior; the holes follow in the given order.
 
         Raises:
             PolygonError: there is no vertex k. As in a list, negative k count from the end.
@@ -192,14 +192,13 @@ class Region(PointSet):
 
 
 def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:
-    """Make a copy that keeps the numbers of the input, without a new check."""
+    """Restore a copy with the numbers of the input, without validation."""
     region = Region.__new__(Region)
     region._set(rings, firsts)
     return region
 
 
 def _count_given(ring: Polygon) -> int:
-    """Count the vertices of a ring in the caller's input."""
     return 1 + max(map(ring.edge_index, range(len(ring))))
 
 
@@ -210,9 +209,7 @@ AnyPolygon = Polygon | Region
 def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
     """Read a Polygon, a Region or the vertices of a polygon: a Region if there are holes.
 
-    Raises:
-        PolygonError: the polygon is not simple. The message begins with the name.
-        NumberError: a coordinate is not an exact number. The message begins likewise.
+    Raises PolygonError or NumberError; the message begins with the name.
     """
     if isinstance(shape, Region):
         return shape if shape.holes else shape.exterior
@@ -240,7 +237,7 @@ _WIDE, _LONG = 64, 1024
 def common_lattice(
     polygons: Sequence[Polygon],
 ) -> tuple[int, list[tuple[Vertex, ...]]]:
-    """Put polygons on one lattice, the coarsest that holds them all.
+    """Put polygons on the coarsest lattice that holds them all.
 
     Returns:
         The scale, and the vertices of each polygon times the scale. If the scale had more than 8192
@@ -262,8 +259,7 @@ def share_lattice(
 
     Args:
         regions: any number of Regions.
-        scale: the scale of a lattice with most vertices, as a substitute if the common scale is
-            long.
+        scale: the scale of a lattice with most vertices, a substitute if the common scale is long.
 
     Returns:
         The scale, and the rings of each region times the scale, with the interior on the left.
@@ -298,7 +294,7 @@ def _read_named(ring: Vertices, name: str) -> Polygon:
 
 
 def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
-    """Refuse rings that are not the boundary of one region."""
+    """Reject rings that are not the boundary of one region."""
     polygons = [exterior, *holes]
     names = ["the exterior", *(f"hole {k}" for k in range(len(holes)))]
     scale, rings = common_lattice(polygons)
@@ -336,7 +332,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
 def _refuse_parted(
     rings: int, touching: dict[Vertex, set[int]], names: Sequence[str], scale: int
 ) -> None:
-    """Refuse rings whose touching points disconnect the interior.
+    """Reject rings whose touching points disconnect the interior.
 
     The interior is disconnected if and only if the graph of rings and touching points has a cycle.
     """

@@ -1,8 +1,8 @@
 """Segments by the keys of their lines, for finding those that share a piece.
 
-Two segments share a piece of positive length only if they lie on one line. The key of a line has
-its primitive integer direction (a, b), with a > 0 or (0, 1), and the value a * y - b * x. So a
-dictionary finds segments on the same line.
+The key of a line has its primitive integer direction (a, b), with a > 0 or (0, 1), and the value a
+* y - b * x. Two segments share a piece of positive length only if they lie on one line, so a
+dictionary finds them.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-"""Turns of the plane: exact turns, and rational turns arbitrarily near an angle.
+"""Rotations of the plane: exact ones, and rational ones arbitrarily near an angle.
 
 (1) The cosine and the sine of a rational number of degrees are both rational for multiples of 90
-    only (Niven). Every other rational turn is given by its cosine and sine.
+    only (Niven). Every other rational rotation is given by its cosine and sine.
 (2) With t = tan(a/2), ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2)) is the point of the unit circle at
     the angle a. A step of t moves this point by at most twice the step. So an interval for the
-    tangent, which interval arithmetic proves, bounds the error of a rational turn.
-(3) A turn that is off by e on the unit circle moves a point at distance r from the origin to a
-    place at most e r from where the true turn moves it.
+    tangent, which interval arithmetic proves, bounds the error of a rational rotation.
+(3) A rotation with error e on the unit circle moves a point at distance r from the origin to within
+    e r of its true image.
 """
 
 from __future__ import annotations
@@ -34,12 +34,13 @@ _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
 
 
 class RationalTurn(NamedTuple):
-    """The cosine and the sine of a turn, and the distance from the requested turn.
+    """A rational rotation, and its distance from the requested one.
 
     Attributes:
         cosine: a Fraction.
         sine: a Fraction; both squares add up to 1.
-        error: a bound on the distance from the true point of the unit circle, 0 for an exact turn.
+        error: a bound on the distance from the true point of the unit circle, 0 for an exact
+            rotation.
     """
 
     cosine: Fraction
@@ -49,10 +50,11 @@ class RationalTurn(NamedTuple):
 
 @dataclass(frozen=True)
 class Turn:
-    """A counter-clockwise turn about the origin.
+    """A counter-clockwise rotation about the origin.
 
     Attributes:
-        degrees: at least 0 and less than 360; None for a turn that only its cosine and sine give.
+        degrees: at least 0 and less than 360; None for a rotation that only its cosine and sine
+            give.
         exact: the cosine and the sine, if these are rational, else None.
     """
 
@@ -60,11 +62,11 @@ class Turn:
     exact: tuple[Fraction, Fraction] | None
 
     def near(self, bits: int = TURN_BITS) -> RationalTurn:
-        """Return a rational turn off by at most 2**-bits; the turn itself, if it is rational.
+        """Return a rational rotation off by at most 2**-bits; the rotation itself, if it is rational.
 
         Raises NumberError for bits below 1 or above MAX_TURN_BITS.
 
-        Cost: O(bits^2); computed once for each number of bits.
+        Cost: O(bits^2); cached for each number of bits.
 
         >>> read_turn(180).near(1)
         RationalTurn(cosine=Fraction(-1, 1), sine=Fraction(0, 1), error=Fraction(0, 1))
@@ -98,14 +100,14 @@ class Turn:
 
 
 def read_turn(by: object) -> Turn:
-    """Read a turn.
+    """Read a rotation.
 
     Args:
-        by: degrees; or a pair of numbers, the direction to which the X axis is turned, of rational
-            length, such as (3, 4) or, the same, ("3/5", "4/5").
+        by: degrees; or a pair of numbers, the image of the X axis, a direction of rational length,
+            such as (3, 4) or, the same, ("3/5", "4/5").
 
     Returns:
-        A Turn. Turns are equal if they are the same turn, in whatever form they are given.
+        A Turn. Turns are equal if they are the same rotation, in whatever form they are given.
 
     Raises:
         NumberError: a direction of irrational length, or not a number.
@@ -136,14 +138,11 @@ def _turn_by(degrees: Fraction) -> Turn:
 
 @lru_cache(maxsize=1024)
 def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
-    """Find a rational turn of few digits that is off by at most 2**-bits, by (2).
+    """Find a rational rotation of few digits that is off by at most 2**-bits, by (2).
 
     Args:
         degrees: any angle.
         bits: at least 1.
-
-    Returns:
-        A RationalTurn; exact for multiples of 90.
 
     Example:
         >>> find_rational_turn(Fraction(270), 9)
@@ -168,9 +167,6 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
     Args:
         degrees: the angle.
         allowed: the greatest distance from the point at exactly that angle.
-
-    Returns:
-        A Point of the circle.
 
     Example:
         >>> find_unit_point(Fraction(270), Fraction(1))
@@ -205,9 +201,6 @@ def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction
     Args:
         degrees: an angle from 0 to 90.
         bits: the precision; the bounds differ by less than 2**-bits.
-
-    Returns:
-        The lower and the upper bound.
 
     >>> low, high = bound_half_tangent(Fraction(60), 9)
     >>> 3 * low**2 < 1 < 3 * high**2, high - low < Fraction(1, 512)

@@ -1,4 +1,4 @@
-"""Differences, cross products and turns of vectors, points on segments, and convex hulls."""
+"""Differences and cross products of vectors, angles, points on segments, and convex hulls."""
 
 from collections.abc import Iterable
 from functools import cmp_to_key
@@ -63,9 +63,6 @@ def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
 
 def find_hull(points: Iterable[P]) -> list[P]:
     """Find the convex hull of points (Andrew's monotone chain).
-
-    Args:
-        points: pairs of numbers; some may be equal.
 
     Returns:
         The corners, counter-clockwise from the least one; two if the points are collinear, and none

@@ -2,8 +2,8 @@
 
 G travels along the loop T, the exterior of the no-fit polygon, and covers S = T + G. A point p is
 not covered if and only if I(G) + p does not meet T, and so lies inside or outside T. The positions
-p with I(G) + p inside T are an inner fit of I(G) in T. Those with I(G) + p outside are the free
-positions of I(G) around T. So `positions` solves one problem for each side of S.
+p with I(G) + p inside T are an inner fit of I(G) in T; those with I(G) + p outside are the free
+positions of I(G) around T.
 """
 
 from __future__ import annotations
@@ -22,12 +22,7 @@ from exactsweep.procedures.walk import Free
 
 
 class ShapeSolution:
-    """The loops and exact fits of a pair of any shape, in the form of `MonotoneSolution`.
-
-    Args:
-        generatrix: G.
-        directrix: D.
-    """
+    """The loops and exact fits of a pair of any shape, in the form of `MonotoneSolution`."""
 
     kind: Kind = "SS"
 
@@ -40,7 +35,7 @@ class ShapeSolution:
 
     @cached_property
     def frame(self) -> Frame:
-        """The lattice of the pair, not turned."""
+        """The lattice of the pair, not rotated."""
         return Frame(X_AXIS, self._lattice[0])
 
     @cached_property
@@ -74,7 +69,7 @@ class ShapeSolution:
 
     @cached_property
     def _path(self) -> list[list[Vertex]]:
-        """T's inside. A lattice with its vertices, which are crossings, would be huge."""
+        """T. A lattice with its vertices, which are crossings, would be huge."""
         return [[self.frame.enter_point(vertex) for vertex in self.trajectory]]
 
     @cached_property

@@ -4,8 +4,8 @@ Lemma 3.1: the trajectory T(G_t, D_b) consists of the edges of reversed G_t and 
 slope. Lemma 3.2: the inner boundary is D_b, the outer one the edges of reversed G_t, of G_b and of
 D_b in order of slope. Time and space O(m + n) (Corollary 3.4).
 
-The generatrix is given as reversed G_t (Definition 3.1), its edges laid end to end: the inverse of
-G_t, from left to right. Parallel edges, which the paper leaves out, become one edge (EE, Table 1).
+Reversed G_t (Definition 3.1) is passed with its edges laid end to end: the inverse of G_t, from
+left to right. Parallel edges, which the paper excludes, become one edge (EE, Table 1).
 """
 
 from __future__ import annotations
@@ -22,9 +22,6 @@ def trajectory_cc(generatrix: Chain, directrix: Chain) -> Chain:
     Args:
         generatrix: reversed G_t, without vertical edges.
         directrix: D_b, likewise.
-
-    Returns:
-        The path of G's origin.
 
     Cost: O(m + n).
 
@@ -50,15 +47,8 @@ def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
 def sweep_outer_cc(generatrix: Chain, bottom: Chain, directrix: Chain) -> Chain:
     """Outer boundary of the sweep of a convex G along a convex D_b (Lemma 3.2).
 
-    Procedure SweepO_CC: merge the lists of edges of reversed G_t, G_b and D_b by slope, from
-    v_l of D + (v_l - v_r of G).
-
-    Args:
-        generatrix: reversed G_t, without vertical edges.
-        bottom: G_b, likewise.
-        directrix: D_b, likewise.
-
-    Cost: O(m + n).
+    Procedure SweepO_CC: merge the lists of edges of reversed G_t, G_b and D_b by slope, from v_l of
+    D + (v_l - v_r of G). Arguments as for `trajectory_cc`; `bottom` is G_b. Cost: O(m + n).
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
     >>> sweep_outer_cc(lid, Chain.of([(0, 0), (1, 0)]), valley).points
@@ -69,9 +59,6 @@ def sweep_outer_cc(generatrix: Chain, bottom: Chain, directrix: Chain) -> Chain:
 
 def merge_by_slope(*chains: Chain) -> Chain:
     """Lay the edges of convex chains end to end by slope, from the sum of their left ends.
-
-    Args:
-        chains: convex chains without vertical edges.
 
     Cost: O(n) for n edges, which `sorted` merges as sorted lists.
 

@@ -1,4 +1,4 @@
-"""A pruning step of the MM sweep: leave out subtrajectories that are above the envelope.
+"""A pruning step of the MM sweep: skip subtrajectories above the envelope.
 
 The x-range is cut into strips. The ceiling is an upper bound of the envelope over each strip, at
 first infinity. The parts of each chain are ranked by their lowest points, and pairs of parts come
@@ -9,9 +9,9 @@ in order of the sum of their ranks: low pairs first, without a sort of all pairs
          heights at both borders bound it.
     (3)  A subtrajectory that is below the ceiling of no strip is dropped, too.
 
-All is decided in ints, rounded to the safe side. A dropped sum is nowhere below the
-envelope. Without this step (see the import in `mm`) the trajectories of two zigzags
-of 64 vertices take 2 times as long, of 256 vertices 5 times.
+Heights are ints, rounded to the safe side, so a dropped sum is nowhere below the envelope. Without
+this step (see the import in `mm`) trajectories of two zigzags take 2 times (64 vertices) or 5 times
+(256 vertices) as long.
 """
 
 from __future__ import annotations
@@ -39,12 +39,7 @@ def subtrajectories(
     directrix_parts: Sequence[ConvexPart],
     ranges: Ranges | None = None,
 ) -> list[tuple[int, int, Graph]]:
-    """Return those of `plain.subtrajectories` that may be on the envelope.
-
-    Args:
-        generatrix_parts: the convex parts of reversed G_t.
-        directrix_parts: those of D_b.
-        ranges: the x-ranges in which the envelope is needed; by default all.
+    """Return those of `graph.subtrajectories` that may be on the envelope; arguments likewise.
 
     Cost: O(strips crossed) for each pair of parts, O(1) on average; memory O(parts + result).
     """
@@ -77,9 +72,9 @@ def subtrajectories(
 def bound_all(
     parts: Sequence[ConvexPart],
 ) -> list[tuple[Rational, Rational, Rational, int, ConvexPart]]:
-    """Return the least y, x-range and number of each part, from the lowest part to the highest.
+    """Return (least y, left, right, number, part) of each part, the lowest first.
 
-    The least y and the x-range are rounded outwards to ints. The part itself comes last.
+    The bounds are rounded outwards to ints.
     """
     bounds = []
     for k, part in enumerate(parts):
@@ -118,8 +113,8 @@ class Ceiling:
     def lower(self, graph: Graph) -> bool:
         """Lower the ceiling by a convex graph; return whether the graph is below it anywhere.
 
-        The walk keeps the height at the last border, or at the left end of the graph, and the least
-        height right of it.
+        The walk keeps the height at the last border, or at the left end, and the least height
+        since.
         """
         (x, y, w), _, _ = graph.pieces[0][3]
         heights, width = self.heights, self.width

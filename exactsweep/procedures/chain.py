@@ -2,14 +2,13 @@
 
 A polygon that is monotone to the X axis has a bottom chain and a top chain (Figure 2). The inverse
 of a top chain is a bottom chain. So every `Chain` runs from left to right and bounds a region above
-it. Vertical edges may stand anywhere (weak monotonicity).
+it. Vertical edges may stand anywhere (weak monotonicity). Numbers are ints, unless the common
+denominator of a polygon is too long (`Polygon.lattice`); homogeneous coordinates keep crossings in
+ints, too.
 
-All numbers are ints, unless the common denominator of a polygon is too long (`Polygon.lattice`).
-Homogeneous coordinates and undivided breaks keep crossings in ints, too.
-
-Errata. The paper calls a chain convex if a straight edge closes it to a convex polygon. This holds
-for chains that bulge to either side, but Lemma 3.1 needs one side. Here a convex chain turns left
-at every vertex. The paper measures slopes "clockwise" and means counter-clockwise.
+Errata. The paper calls a chain convex if a straight edge closes it to a convex polygon. Lemma 3.1
+needs one side: here a convex chain turns left at every vertex. The paper measures slopes
+"clockwise" and means counter-clockwise.
 """
 
 from __future__ import annotations
@@ -51,8 +50,7 @@ class Chain:
 
     Attributes:
         vertices: the vertices, in homogeneous coordinates.
-        lines: item k is the line of edge k, from vertex k to vertex k + 1; None if the edge is
-            vertical.
+        lines: item k is the line of edge k, from vertex k to the next; None if vertical.
 
     Example:
         >>> list(Chain.of([(0, 0), (1, -1), (2, 0)]).turn())
@@ -86,7 +84,7 @@ class Chain:
 
     @property
     def lines(self) -> list[Line | None]:
-        """The lines of the edges, computed on first access if the maker left them out."""
+        """The lines of the edges, computed on first access if missing."""
         if self._lines is None:
             self._lines = [_join(p, q) for p, q in pairwise(self.vertices)]
         return self._lines
@@ -116,7 +114,7 @@ def _join(p: Homogeneous, q: Homogeneous) -> Line | None:
 def inverse(points: Iterable[Vertex]) -> list[Vertex]:
     """Mirror points about the origin, in the same order (Definition 5.1). Cost: O(n).
 
-    The bottom chain of a polygon becomes the top chain of its inverse, and the other way round.
+    The bottom chain of a polygon becomes the top chain of its inverse, and vice versa.
 
     >>> inverse([(2, 0), (1, 3), (0, 0)])
     [(-2, 0), (-1, -3), (0, 0)]
@@ -138,10 +136,7 @@ def reverse(edges: Iterable[tuple[T, T]]) -> list[tuple[T, T]]:
 
 
 def complement(points: Sequence[T]) -> list[T]:
-    """Return the same chain as the boundary of the other side (Definition 5.2). Cost: O(n).
-
-    The interior of a polygon lies left of its boundary; that of its complement lies left of the
-    boundary traversed backwards.
+    """Return a chain traversed backwards: the boundary of the other side (Definition 5.2).
 
     >>> complement([(0, 0), (1, -1), (2, 0)])
     [(2, 0), (1, -1), (0, 0)]
@@ -152,10 +147,8 @@ def complement(points: Sequence[T]) -> list[T]:
 def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
     """Split an X-monotone polygon into its bottom and its top chain (Section 2, Figure 2).
 
-    Vertical edges at the left and at the right extreme belong to neither chain.
-
-    Args:
-        loop: vertices, counter-clockwise, not closed, starting anywhere.
+    Vertical edges at the left and at the right extreme belong to neither chain. The loop is
+    counter-clockwise and may start anywhere.
 
     Returns:
         (bottom, left to right; top, right to left).
@@ -197,7 +190,7 @@ def find_point(line: Line, at: Break) -> Homogeneous:
 
 
 def take_corners(vertices: Iterable[Homogeneous]) -> list[Homogeneous]:
-    """Drop repeated vertices, and vertices on the segment between their neighbours. Cost: O(n).
+    """Drop repeated vertices, and vertices between collinear neighbours. Cost: O(n).
 
     >>> take_corners([(0, 0, 1), (1, 1, 1), (1, 1, 1), (5, 5, 2), (3, 0, 1)])
     [(0, 0, 1), (5, 5, 2), (3, 0, 1)]
@@ -219,9 +212,9 @@ class ConvexPart(NamedTuple):
     """A convex part of a chain, between two reflex vertices, vertical edges or ends of the chain.
 
     If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of D_b only
-    edges of G with slopes between those of the part are relevant, and the other way round. At an
-    end of the chain, and at a vertical edge to a higher neighbour, G may leave the part: there all
-    slopes beyond those of the part are relevant, too.
+    edges of G with slopes between those of the part are relevant, and vice versa. At an end of the
+    chain, and at a vertical edge to a higher neighbour, G may leave the part: there all slopes
+    beyond those of the part are relevant, too.
 
     Attributes:
         vertices: the vertices of the whole chain.
@@ -239,11 +232,11 @@ class ConvexPart(NamedTuple):
 
 
 def measure_unit(*chains: Chain) -> Rational:
-    """Return the number of units in slope 1 that tells all slopes of some chains apart.
+    """Return the number of units in slope 1 that distinguishes all slopes of some chains.
 
-    Slopes of edges of width at most w differ by at least 1 / w^2. So slopes that are rounded down
-    to multiples of a unit of at most 1 / w^2 keep their order, and equal ints are equal slopes. If
-    coordinates are Fractions, there is no such number: 0, for exact slopes.
+    Slopes of edges of width at most w differ by at least 1 / w^2. So slopes rounded down to
+    multiples of a unit of at most 1 / w^2 keep their order, and equal ints are equal slopes. For
+    Fractions there is no such number: 0, for exact slopes.
     """
     ends = [(chain.vertices[0], chain.vertices[-1]) for chain in chains]
     if not all(isinstance(left, int) for (left, _, _), _ in ends):
@@ -253,10 +246,7 @@ def measure_unit(*chains: Chain) -> Rational:
 
 
 def partition(generatrix: Chain, directrix: Chain) -> tuple[list[ConvexPart], list[ConvexPart]]:
-    """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM).
-
-    Cost: O(m + n).
-    """
+    """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM)."""
     unit = measure_unit(generatrix, directrix)
     return find_convex_parts(generatrix, 1, unit), find_convex_parts(directrix, 0, unit)
 
@@ -266,10 +256,8 @@ def find_convex_parts(
 ) -> list[ConvexPart]:
     """Cut a chain at its reflex vertices and vertical edges into convex parts. Cost: O(n).
 
-    The chain caches them, for nesting sweeps each polygon around many others.
-
     Args:
-        chain: the chain.
+        chain: the chain, which caches its parts: nesting sweeps each polygon around many others.
         whose: the second item of each `SlopedEdge`.
         unit: that of the slopes; by default that of the chain alone.
 

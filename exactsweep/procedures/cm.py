@@ -5,10 +5,10 @@ trajectory and the outer boundary are the lower envelopes of the results (Lemma 
 boundary is D_b with its undercuts closed (Figure 7). Time and space are O(m n), which is optimal
 (Corollaries 4.5 and 4.6).
 
-Lemma A.3, one crossing at most, also holds for degenerate input. T(G_t, D_i) is the minimum over a
-in D_i of D_b(a) + h(x - a) for one convex h. For convex h, the difference of two subtrajectories,
-the left one minus the right one, never decreases along x. This holds for every D_b, with jumps and
-parallel edges. So the difference is zero in one point, on one segment, or nowhere.
+Lemma A.3, at most one crossing, also holds for degenerate input. T(G_t, D_i) is the minimum over a
+in D_i of D_b(a) + h(x - a) for one convex h. So the difference of two subtrajectories, the left one
+minus the right one, never decreases along x, for every D_b, with jumps and parallel edges. It is
+zero in one point, on one segment, or nowhere.
 """
 
 from __future__ import annotations
@@ -60,14 +60,8 @@ def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
     """Outer boundary of the sweep of a convex G along a monotone D_b.
 
     Procedure SweepO_CM: as Trajectory_CM, with SweepO_CC in the place of Trajectory_CC. A sub-outer
-    chain is a subtrajectory of the merged edges of reversed G_t and G_b.
-
-    Args:
-        generatrix: reversed G_t, convex.
-        bottom: G_b, convex.
-        directrix: D_b.
-
-    Cost: O(m n).
+    chain is a subtrajectory of the merged edges of reversed G_t and G_b. Arguments as for
+    `trajectory_cm`; `bottom` is G_b, convex. Cost: O(m n).
 
     >>> bar, lid = Chain.of([(0, 0), (1, 0)]), Chain.of([(-1, 0), (0, 0)])
     >>> list(sweep_outer_cm(lid, bar, Chain.of([(0, 0), (2, 2), (4, 0)])))
@@ -82,15 +76,12 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
     Procedure SweepI_CM. Where two subtrajectories meet, G touches D_b in two places. The part of
     G_t between them is the bottom chain of an undercut (Figure 7a). Where the subtrajectories share
     a segment, both places are on one edge of G_t (Figure 7b), and all points of the segment give
-    the same bottom chain. At a step of the trajectory the higher position closes the undercut.
+    the same bottom chain. At a jump of the trajectory the higher position closes the undercut.
 
     Args:
         generatrix: reversed G_t, convex.
         directrix: D_b.
-        trajectory: the result of `trajectory_cm`, if the caller has it.
-
-    Returns:
-        The boundary, vertical edges included, no three vertices collinear.
+        trajectory: the result of `trajectory_cm`, if known.
 
     Cost: O(m n).
 
@@ -129,7 +120,7 @@ class Closing(NamedTuple):
         left: the left end of the range.
         after: a piece along which G touches D_b at `right`.
         right: the right end.
-        bottom: the vertices of the inner boundary between both ends: the bottom chain.
+        bottom: the vertices of the bottom chain between both ends.
     """
 
     before: Piece

@@ -38,9 +38,6 @@ def leave_out_covered(
         obstacles: the rings of each of them.
         moving: the rings of H.
 
-    Returns:
-        Segments on the same lines, in their order.
-
     Cost: O(1) for each column that a segment meets, and the sum of squares.
     """
     if len(segments) < _FEW:
@@ -64,7 +61,7 @@ def leave_out_covered(
 
 
 def _find_extent(rings: Rings) -> int:
-    """Return the width or the height of a shape, whichever is greater, rounded down."""
+    """Return the greater of the width and the height of a shape, rounded down."""
     columns = zip(*chain.from_iterable(rings), strict=True)
     return int(max(max(values) - min(values) for values in columns))
 
@@ -91,7 +88,7 @@ def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, 
 def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int]]:
     """Return the first column and row, the squares that edges meet, and the squares inside.
 
-    Squares are closed. Those that edges meet may be among the squares inside or not.
+    Squares are closed. Those that edges meet may count as inside or not.
     """
     xs, ys = zip(*chain.from_iterable(rings), strict=True)
     left, low = int(min(xs) // side) - 1, int(min(ys) // side) - 1

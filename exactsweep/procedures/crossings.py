@@ -46,7 +46,7 @@ class Pieces(NamedTuple):
 
 
 def cut(segments: Sequence[ContactSegment]) -> Pieces:
-    """Cut segments at their crossings, and leave out pieces in O, by (1).
+    """Cut segments at their crossings, and drop pieces in O, by (1).
 
     Cost: that of `find_near`, and O(c log c) for c crossings.
     """
@@ -84,12 +84,7 @@ def measure_keys(segments: Sequence[ContactSegment]) -> int:
 def cross(first: ContactSegment, second: ContactSegment, bits: int) -> None:
     """Record in two segments where they cross, and on which sides overlap passes there.
 
-    Args:
-        first: a segment.
-        second: another one. Parallel segments do not cross.
-        bits: the bits of keys, as `measure_keys` returns them.
-
-    Cost: O(1).
+    Parallel segments do not cross. Cost: O(1).
     """
     (adx, ady, ac), (bdx, bdy, bc) = first.line, second.line
     d = adx * bdy - ady * bdx

@@ -6,9 +6,9 @@ Definition 1.1 requires only contact and disjoint interiors. From below, at x0, 
 
     max(T(x0-), T(x0+))  <  y  <=  least limit of D_b(a) - G_t(a - x0) over the open common x-range.
 
-D holds G from both sides only if two pairs of discontinuities coincide in x0. Each pair has one
-discontinuity of D and one of G: a vertical edge, or an end of the polygon. All fits of monotone
-pairs are segments of positive length.
+D holds G from both sides only if two pairs of discontinuities coincide in x0, one of D and one of G
+each: a vertical edge, or an end of the polygon. All fits of monotone pairs are segments of positive
+length.
 """
 
 from __future__ import annotations
@@ -60,11 +60,7 @@ def find_exact_fits(
 
 
 def list_edges(chain: Sequence[Vertex]) -> list[Edge]:
-    """List the edges of a chain that are not vertical. Cost: O(n).
-
-    >>> list_edges([(0, 0), (1, 0), (1, 2), (2, 2)])
-    [((0, 0), (1, 0)), ((1, 2), (2, 2))]
-    """
+    """List the edges of a chain that are not vertical."""
     return [(p, q) for p, q in pairwise(chain) if p[0] != q[0]]
 
 
@@ -89,10 +85,7 @@ def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
 
 
 def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
-    """Return the least limit of D_b(a) - G_t(a - shift) over the open common x-range.
-
-    Cost: O(log m + log n), and the edges of both over each other.
-    """
+    """Return the least limit of D_b(a) - G_t(a - shift) over the open common x-range."""
     heights: list[Rational] = []
     i = bisect_right(top, bottom[0][0][0] - shift, key=_right)
     j = bisect_right(bottom, top[0][0][0] + shift, key=_right)

@@ -1,15 +1,13 @@
-"""Piecewise linear functions of x: sums of two convex parts (Lemma 3.1), and lower envelopes.
+"""Piecewise linear functions of x: sums of two convex parts, and lower envelopes.
 
-Section 5.1 and the Appendix define the envelopes.
+Lemma 3.1 gives the sums, Section 5.1 and the Appendix the envelopes. Lemma A.3 lets the partial
+trajectory and the next subtrajectory meet in a point or in a segment. With vertical edges in D_b
+they may also pass each other without meeting, where one of them ends: the envelope then jumps.
 
-Lemma A.3 lets the partial trajectory and the next subtrajectory meet in a point or in a segment.
-With vertical edges in D_b they may also pass each other without meeting, where one of them ends:
-the envelope then jumps, and its chain has a vertical edge there.
-
-Erratum. Section 5.1 claims that the envelope of N segments has O(N) pieces. It can have order
-N alpha(N) pieces, alpha the inverse Ackermann function: A. Wiernik and M. Sharir, "Planar
+Erratum. Section 5.1 claims that the envelope of N segments has O(N) pieces. It can have order N
+alpha(N) pieces, alpha the inverse Ackermann function (A. Wiernik and M. Sharir, "Planar
 realizations of nonlinear Davenport-Schinzel sequences by segments", Discrete & Computational
-Geometry 3 (1988). One merge takes linear time, but its result can be larger than its input.
+Geometry 3, 1988). One merge takes linear time, but its result can be larger than its input.
 """
 
 from __future__ import annotations
@@ -121,8 +119,8 @@ def find_crossing(a: Rational, b: Rational) -> Break:
 def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph | None:
     """Merge the relevant edges of two convex parts by slope; None if there are none.
 
-    The edges lie end to end from the first contact on, as `merge_by_slope` lays those of convex
-    chains. Parallel edges become one edge (EE).
+    This is Trajectory_CC with the events of Table 1. The edges lie end to end from the first
+    contact on; parallel edges become one edge (EE).
 
     Args:
         generatrix: a part of reversed G_t, its vertices with w = 1.
@@ -212,12 +210,9 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
     is appended. It may also end first: then the walk begins at its end.
 
     Args:
-        partial: the envelope so far; it is changed in place.
+        partial: the envelope so far; changed in place and returned.
         piece: the next subtrajectory; it crosses the partial trajectory at most once, and is lower
             on the right (Lemma A.3).
-
-    Returns:
-        The graph `partial`.
 
     Cost: O(edges of the piece + edges trimmed off), and O(log n) if the piece ends first.
     """
@@ -293,10 +288,7 @@ def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
 
 
 def merge(first: Graph, second: Graph) -> Graph:
-    """Return the lower envelope of two graphs, by a walk along both in vertical sync.
-
-    Cost: O(size of first + size of second).
-    """
+    """Return the lower envelope of two graphs, by a walk along both in vertical sync."""
     if precedes(second.breaks[0], first.breaks[0]):
         first, second = second, first
     breaks, pieces, ends, others = first.breaks, first.pieces, second.breaks, second.pieces

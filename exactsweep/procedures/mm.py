@@ -5,16 +5,15 @@ envelope of the results (Lemma 5.1). Both loops are trajectories of the inverse 
 the two sides of the first trajectory (Lemma 5.3).
 
 Errata. Lemma 5.3: along the inner side, I(G) must stay inside T, and the x-range of I(G) within
-that of T. So the boundary extends over D's x-range only. Lemma 5.2: the size is O(m n
-alpha(min(m, n))), alpha the inverse Ackermann function (E. Oks and M. Sharir, "Minkowski sums of
-monotone and general simple polygons", Discrete & Computational Geometry 35, 2006), since the
-envelope of N segments can have more than a constant times N pieces (see `graph`). Lemma 5.5: the
+that of T. So the boundary extends over D's x-range only. Lemma 5.2: the size is O(m n alpha(min(m,
+n))), alpha the inverse Ackermann function (E. Oks and M. Sharir, "Minkowski sums of monotone and
+general simple polygons", Discrete & Computational Geometry 35, 2006; see `graph`). Lemma 5.5: the
 inner boundary can have order m n^2 edges, not O(m n): near a needle of D_b it has a corner for
 every pair of a peak and a valley of G_t.
 
 The inner boundary R(x) = max over u of T(u) + G_t(x - u) (Lemma 5.3) is nowhere above D_b, since
-T(u) <= D_b(x) - G_t(x - u). It equals D_b(x) where this holds with equality, that is, where G
-touches D_b. So only the undercuts need a computation of R.
+T(u) <= D_b(x) - G_t(x - u), with equality where G touches D_b. So only the undercuts need a
+computation of R.
 """
 
 from __future__ import annotations
@@ -83,10 +82,7 @@ def sweep_mm(
         generatrix: reversed G_t.
         bottom: G_b.
         directrix: D_b.
-        trajectory: the result of `trajectory_mm`, if the caller has it.
-
-    Returns:
-        (inner, outer), vertical edges included, no three vertices collinear.
+        trajectory: the result of `trajectory_mm`, if known.
 
     Cost: O(m n^2 log n).
 
@@ -106,11 +102,7 @@ def sweep_mm(
 def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
     """Outer boundary T(I(G), T): I(G) slides along the outside of T (Lemma 5.3).
 
-    Args:
-        bottom: G_b, which is reversed the top chain of I(G).
-        path: T(G_t, D_b).
-
-    Cost: O(t n log n) for t edges of T.
+    `bottom`, G_b, is reversed the top chain of I(G). Cost: O(t n log n) for t edges of T.
     """
     return trajectory_mm(bottom, path)
 
@@ -128,10 +120,10 @@ def sweep_inner_mm(
         generatrix: reversed G_t.
         directrix: D_b.
         trajectory: T(G_t, D_b).
-        path: the same as a chain, if the caller has it.
+        path: the same as a chain, if known.
 
-    Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' edges of T along which G
-    is over an undercut; all t of them at worst.
+    Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' edges of T along which G is
+    over an undercut; all t of them at worst.
     """
     undercuts = find_untouched(generatrix, directrix, trajectory)
     if not undercuts:
@@ -148,12 +140,8 @@ def find_untouched(
 ) -> list[tuple[Piece, Break, Piece, Break]]:
     """Find x-ranges of D_b that hold all that G does not touch, from left to right.
 
-    They are the undercuts, and what G touches only while another piece of T hides it.
-
-    Returns:
-        The first four items of a `Closing` for each.
-
-    Cost: O(t log t) for t pieces of T.
+    They are the undercuts, and what G touches only while another piece of T hides it. The result
+    has the first four items of a `Closing` for each. Cost: O(t log t) for t pieces of T.
     """
     touched = [
         (*find_touched(generatrix, directrix, piece, start, end), piece)

@@ -136,8 +136,7 @@ def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
 class MonotoneSolution:
     """The loops and exact fits of a monotone pair, by the paper's procedures.
 
-    Each is computed when it is first read. Positions are those of G's origin. Loops are canonical:
-    counter-clockwise, corners only, the least vertex first, not closed.
+    Each is computed on first access. Positions are those of G's origin. Loops are canonical.
 
     Args:
         generatrix: G.
@@ -146,8 +145,8 @@ class MonotoneSolution:
 
     Attributes:
         kind: the class of the pair.
-        holes: the loops around free positions inside the trajectory; none.
-        unswept: the holes of the swept area beside the inner loop; none.
+        holes: the holes of the no-fit polygon; none.
+        unswept: the unswept holes; none.
     """
 
     holes: Sequence[list[Point]] = ()

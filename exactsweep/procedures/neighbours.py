@@ -9,7 +9,7 @@ any edge q of H, O holds the inside of the parallelogram p + q: there p crosses 
     of b + c holds the first part of a + v.
 
 The edges before v and after a serve likewise. Ends are rounded outwards to ints, so numbers stay
-short. For thin spikes across thin spikes this leaves little more than the answer.
+short.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _FEW = 250
 def leave_out_overlapped(
     edges: Sequence[EdgeFeature], ring: Sequence[Vertex], k: int
 ) -> Sequence[EdgeFeature]:
-    """Return the edges that vertex k of a ring faces, without the parts that (1) and (2) leave out.
+    """Return the edges that vertex k of a ring faces, without the parts in O by (1), (2).
 
     Cost: O(1) for each edge.
     """

@@ -1,9 +1,9 @@
 """No-fit polygons, inner fits, free positions and sums with paths, for shapes of any kind.
 
-The paper does not treat this case (kind "SS"), but its sets carry over. All of these are the free
-positions of a part among obstacles: contact segments (`segments`), without what the two pruning
-steps leave out (`neighbours`, `cover`), cut where they cross (`crossings`), joined to loops and
-exact fits (`walk`) by an exact test whether two shapes overlap (`geometry.overlap`).
+The paper does not treat this case (kind "SS"). All of these are the free positions of a part among
+obstacles: contact segments (`segments`), without what the two pruning steps drop (`neighbours`,
+`cover`), cut where they cross (`crossings`), joined to loops and exact fits (`walk`) by an exact
+overlap test (`geometry.overlap`).
 
 With several obstacles, O is the union of their open sets O_k = int D_k + int H. The numbered
 statements of the modules hold for such a union:
@@ -58,7 +58,7 @@ def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
         scale: the divisor of the positions when they leave the lattice of the rings.
 
     Returns:
-        Positions of G's origin: one loop around all overlap, the loops within it, the exact fits.
+        Positions of G's origin.
 
     Cost: O(k log k + c + q m n) for k contact segments, c crossings, and q overlap tests of loops
     and exact fits. k <= 2 m n and c <= k^2; real outlines have few of both.
@@ -73,16 +73,12 @@ def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
 def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> Free:
     """Find the boundary of the sum of two shapes, or of a shape and a path.
 
+    The exact fits are positions in the closed sum, but not in the sum of the interiors.
+
     Args:
         stationary: the rings of D, or those of a path, as `path_rings` returns them.
         moving: the rings of H, or those of a path. Not both are paths.
-        scale: as for `find_no_fit`.
-
-    Returns:
-        One loop around the sum, the loops around its holes, and the exact fits: positions that the
-        closed sum contains, but not the sum of the interiors.
-
-    Cost: as for `find_no_fit`.
+        scale: as for `find_no_fit`, like the cost.
 
     >>> square, path = [[(0, 0), (1, 0), (1, 1), (0, 1)]], path_rings([(0, 0), (2, 1)])
     >>> [(int(x), int(y)) for x, y in find_sum(square, path).around[0]]
@@ -156,11 +152,7 @@ def path_rings(points: Sequence[Vertex], *, closed: bool = False) -> list[list[V
 
 
 def reflect(rings: Rings) -> list[list[Vertex]]:
-    """Return I(G), a shape after half a turn.
-
-    >>> reflect([[(0, 0), (1, 0), (0, 1)]])
-    [[(0, 0), (-1, 0), (0, -1)]]
-    """
+    """Return I(G)."""
     return [inverse(ring) for ring in rings]
 
 
@@ -194,5 +186,4 @@ def _enter(x: Rational, y: Rational) -> HomogeneousPoint:
 
 
 def _meets(box: tuple[Rational, ...], other: tuple[Rational, ...]) -> bool:
-    """Decide whether two boxes meet."""
     return box[0] <= other[1] and box[1] >= other[0] and box[2] <= other[3] and box[3] >= other[2]

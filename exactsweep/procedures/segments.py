@@ -7,16 +7,16 @@ the edge lies between the directions of the two edges at the vertex, or equals o
 
 (1) A free position with contact lies on a contact segment. Where the shapes touch, a line along an
     edge separates their cones, and the vertex of the cone beyond that line is convex. If rings of
-    one shape touch there, it has several cones; the cones of the other shape lie in one gap between
-    them, because connected interiors cannot pass each other, and the vertex of that gap counts.
+    one shape touch there, the cones of the other shape lie in one gap between its cones, because
+    connected interiors cannot pass each other, and the vertex of that gap counts.
 (2) Just to the left of each inner point of a contact segment, the positions overlap: the vertex has
     crossed the edge there.
 
-A path may take the place of H or D. It is one ring that runs forth and back, or two rings if it is
-closed. At its ends the direction reverses, which counts as convex. Its interior is the path itself.
+A path may replace H or D: one ring that runs forth and back, or two rings if it is closed. At its
+ends the direction reverses, which counts as convex. Its interior is the path itself.
 
-Reference: the reduced convolution of Behar and Lien, "Fast and robust 2D Minkowski sum using
-reduced convolution", IROS 2011, which excludes the ends of the ranges of directions.
+Source: the reduced convolution of Behar and Lien, "Fast and robust 2D Minkowski sum using reduced
+convolution", IROS 2011, which excludes the ends of the ranges of directions.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class ContactSegment:
         low, high: the parameters of the ends.
         sides: the sides of the line with overlap, by (2).
         low_sides, high_sides: the sides on which overlap passes through the ends.
-        covered: whether the segment was cut at its low end, and at its high end, with overlap just
+        covered: whether the segment was cut at its low end, and at its high end, with overlap
             inside.
         cuts: the crossings with other segments; see `crossings`.
         keys: the keys of the ends; see `crossings`.
@@ -130,11 +130,8 @@ def find_contact_segments(
 
     Args:
         stationary: the rings of D.
-        moving: the rings of H = I(G), the orbiting shape after half a turn.
+        moving: the rings of H = I(G).
         leave_out: returns the parts of facing edges that may bound a free region.
-
-    Returns:
-        Segments in the order in which their lines are found.
 
     Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
 
@@ -205,7 +202,6 @@ def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
 
 
 def _scale(bx: Rational, by: Rational, ax: Rational, ay: Rational) -> Beside:
-    """Return two vectors as ints, times a unit, and the unit."""
     if type(bx) is type(by) is type(ax) is type(ay) is int:
         return bx, by, ax, ay, 1
     unit = lcm(bx.denominator, by.denominator, ax.denominator, ay.denominator)

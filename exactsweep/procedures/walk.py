@@ -28,15 +28,13 @@ Test = Callable[[HomogeneousPoint], bool]
 
 
 class Free(NamedTuple):
-    """The boundary of the free positions, and the exact fits.
+    """The boundary of the free positions, and the exact fits; loops are canonical.
 
     Attributes:
         around: the loops around overlap.
         within: the loops around free regions, except for the unbounded one, sorted.
         fits: the exact fits, sorted: segments, or points as segments with two equal ends. If only
             one end lies on a loop, it comes first; otherwise the lesser end.
-
-    Loops are canonical: counter-clockwise, corners only, the least vertex first, not closed.
     """
 
     around: list[list[Point]]
@@ -53,10 +51,10 @@ def find_free(
         pieces: the pieces of contact segments.
         overlaps: decides whether a position is in O.
         scale: the divisor of all coordinates.
-        least: the least point of the closure of O, if it is bounded.
+        least: the least point of the closure of O, if bounded.
 
     Cost: O(k) for k pieces, and one test for each closed walk, for each piece with overlap on both
-    sides, and for each meeting. Few closed walks are not free.
+    sides, and for each meeting.
     """
     overlaps = cache(overlaps)
     rings = list(_walk_rings(pieces.one_way, overlaps, least))
@@ -193,6 +191,5 @@ def _find_middle(p: HomogeneousPoint, q: HomogeneousPoint) -> HomogeneousPoint:
 
 
 def _divide(point: HomogeneousPoint, scale: int) -> Point:
-    """Return a point divided by a scale."""
     x, y, w = point
     return Point(divide_exactly(x, w * scale), divide_exactly(y, w * scale))
