@@ -65,7 +65,7 @@ class EdgeIndex:
         return BoxRows([edge[:4] for edge in self.edges])
 
     def near(self, box: Bounds) -> list[BoxedEdge]:
-        """Return the edges whose boxes meet a box, by their left ends. Cost: that of `BoxRows.find`."""
+        """Return the edges whose boxes meet a box, by their left ends."""
         edges = self.edges
         if len(edges) > MANY_EDGES:
             return [edges[k] for k in sorted(self._rows.find(box))]

@@ -66,7 +66,7 @@ class Outline:
         return found
 
     def vertices_at(self, point: Vertex, scale: int = 1) -> Sequence[int]:
-        """Find the numbers of the vertices at a point, multiplied by a scale; several if rings touch."""
+        """Find the vertices at a point, multiplied by a scale; several if rings touch."""
         if scale != 1:
             point = ratio(point[0], scale), ratio(point[1], scale)
         return self._all_numbers.get(point, ())

@@ -92,7 +92,7 @@ class Polygon(PointSet):
 
     @classmethod
     def _trust(cls, points: Sequence[Vertex], scale: int | None = None) -> Self:
-        """Make a Polygon of canonical points, each divided by the scale if there is one, unchecked."""
+        """Make a Polygon of canonical points, divided by the scale if there is one, unchecked."""
         polygon = cls.__new__(cls)
         polygon._vertices = polygon._lattice = None
         if scale is None:

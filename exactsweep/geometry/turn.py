@@ -62,7 +62,7 @@ class Turn:
     exact: tuple[Fraction, Fraction] | None
 
     def near(self, bits: int = TURN_BITS) -> RationalTurn:
-        """Return a rational rotation off by at most 2**-bits; the rotation itself, if it is rational.
+        """Return a rational rotation with an error of at most 2**-bits; 0 if possible.
 
         Raises NumberError for bits below 1 or above MAX_TURN_BITS.
 

@@ -1,8 +1,8 @@
 """Claims of the paper, findings of checks, and comparisons of the two.
 
-A check looks for counterexamples twice: to the statement as it stands in the paper, and to the
-statement as the ledger has it. The first kind makes a row "with a condition" or "refuted"; one
-of the second kind, or the lack of an announced one of the first, makes the row fail.
+A check looks for counterexamples to the statement as printed, and to the statement as the ledger
+has it. The first kind makes a row "with a condition" or "refuted"; one of the second kind, or the
+lack of an announced one of the first, makes the row fail.
 """
 
 from __future__ import annotations
@@ -40,9 +40,9 @@ class Counterexample(NamedTuple):
     """A case in which a statement fails.
 
     Attributes:
-        text: what goes wrong there.
+        text: the fault.
         how: how it was found, and in which sense it is the smallest.
-        generatrix: vertices of G, empty where the case is not a pair.
+        generatrix: vertices of G, empty if the case is not a pair.
         directrix: vertices of D, likewise.
     """
 
@@ -65,13 +65,13 @@ class Evidence:
     """The findings of a check.
 
     Attributes:
-        tried: the cases that were tried, and their number.
+        tried: the cases and their number, as text.
         failure: a counterexample to the statement as corrected; empty if there is none.
         cases: counterexamples to the statement as printed, or to parts of it.
         tables: measured numbers.
         growth: counted operations or vertices over doubling sizes.
-        sampled: how many random pairs each law was tried on, at least.
-        searched: how many cases of finite sets were tried.
+        sampled: the least number of random pairs for each law.
+        searched: the number of cases of finite sets.
     """
 
     tried: str = ""
@@ -169,11 +169,7 @@ class Finding(NamedTuple):
 
 
 def find_first_failure(failures: Iterable[str]) -> str:
-    """Return the first text that is not empty, or the empty one.
-
-    >>> find_first_failure(["", "wrong", "worse"])
-    'wrong'
-    """
+    """Return the first text that is not empty, or the empty one."""
     return next(filter(None, failures), "")
 
 
@@ -211,10 +207,10 @@ def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
 
     Args:
         claims: rows of the ledger.
-        effort: the seed, and how much is tried.
+        effort: the seed, and the number of trials.
 
     Yields:
-        A Finding for each claim. A check that breaks off counts as one that fails.
+        A Finding for each claim. A check that raises counts as one that fails.
 
     Example:
         >>> from exactsweep.paper.ledger import find

@@ -1,11 +1,11 @@
-"""Contact segments: where a translate can touch a shape, a vertex of one on an edge of the other.
+"""Contact segments: positions at which a translate can touch a shape, vertex on edge.
 
-With H = -G they are sums of a vertex of D or of H and an edge of the other. Left out are segments
-along which D and G + t overlap beside the contact itself, for an angle at the vertex reaches to the
-right of the edge. Where two vertices meet, the position is an end of a segment that is left in: of
-two angles without a common direction, one lies beyond a side of the other. But where rings touch
-there are several angles at a vertex. Such positions are points of their own: two links of a chain
-may hold each other by such vertices and nothing else.
+With H = -G they are sums of a vertex of D or of H and an edge of the other. Segments along which D
+and G + t overlap next to the contact are dropped: an angle at the vertex reaches to the right of
+the edge. Where two vertices meet, the position is an end of a remaining segment: of two angles
+without a common direction, one lies beyond a side of the other. Where rings touch there are several
+angles at a vertex. Such positions are points of their own: two links of a chain may hold each other
+by such vertices and nothing else.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ _Angles = dict[Vertex, Cones]
 
 
 def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
-    """Translations t at which a vertex of D or G + t is on an edge, or a vertex, of the other.
+    """Find translations t at which a vertex of D or G + t is on an edge, or a vertex, of the other.
 
     Args:
         d: the rings of D, its interior on their left.
-        h: those of H, G turned by half a turn.
+        h: those of H = -G.
 
     Returns:
         Segments and points that hold all positions of contact without overlap.

@@ -1,8 +1,8 @@
-"""The costs that the paper claims for each procedure, and the counts and measurements beside them.
+"""The costs that the paper claims for each procedure, with counts and measurements.
 
 Operations and bytes are counted at small sizes, the same on every run; seconds are measured at
-larger ones, and only where a run is not to be quick. Each bound is tried with m and n doubled
-together, m alone and n alone: of m = n, a term m² where mn is claimed does not show.
+larger ones, in full runs only. Each bound is tried with m and n doubled together, m alone and n
+alone: with m = n, a term m² in place of mn does not show.
 """
 
 from __future__ import annotations
@@ -36,19 +36,19 @@ Procedure = Callable[[Chains], Iterable[Any]]
 
 @dataclass(frozen=True)
 class Cost:
-    """A procedure of the paper on a family, one size or both being doubled.
+    """A procedure of the paper on a family, with one size or both doubled.
 
     Attributes:
         procedure: its name.
         run: calls it.
         letter: the same to the letter.
-        row: the row of the ledger whose bound it is.
+        row: the row of the ledger with the bound.
         bound: that of the paper.
         family: the pairs.
         varied: "m", "n" or "mn".
         first: the first size that is doubled, for operations and bytes.
         timed: the same for seconds.
-        fixed: the size that is not.
+        fixed: the other size.
         limit: of operations, see `Growth`.
         slack: the same of bytes.
     """
@@ -84,10 +84,10 @@ class Cost:
         return grow(what, self.family, self.bound, sizes, count, limit)
 
     def compare(self) -> Iterator[str]:
-        """Say where the output at the three least sizes is not that of Sweep_MM to the letter.
+        """Report where the output at the three least sizes differs from Sweep_MM to the letter.
 
-        Sweep_MM takes pairs of any class: a convex chain is one part. A count is worth nothing
-        where what comes out is wrong.
+        Sweep_MM accepts pairs of any class: a convex chain is one part. Counts of wrong outputs are
+        worthless.
         """
         for m, n in self.sizes(self.first, 2):
             chains = SweepPair(*self.family(m, n)).chains
@@ -142,13 +142,10 @@ COSTS = tuple(_list_costs())
 
 
 def tabulate(growth: Iterable[Growth]) -> Table:
-    """Claimed and found exponents, a line for each procedure, family and size that is doubled.
+    """Tabulate claimed and found exponents, a line for each procedure, family and doubled size.
 
-    Args:
-        growth: series of operations, bytes and seconds, in any order.
-
-    Returns:
-        A Table; its last column is "within", or "beyond" if any series is beyond its bound.
+    The last column is "within", or "beyond" if any of the series of operations, bytes and seconds
+    is beyond its bound.
     """
     lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
     for series in growth:

@@ -1,7 +1,7 @@
-"""Integers that count operations on them, so that the kernel need not count.
+"""Integers that count the operations on them, so that the kernel need not count.
 
-The kernel takes any exact rationals. Fed with these, it multiplies, divides and compares
-coordinates as always, and the counts are the same on every run and every machine.
+The kernel accepts any exact rationals. With these, it multiplies, divides and compares coordinates
+as always, and the counts are the same on every run and every machine.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _tally = OperationCount()
 
 
 class Counted(int):
-    """An int whose results are counted ints again, through Fractions too.
+    """An int whose results are counted ints again, also through Fractions.
 
     Divisions count as multiplications, subtractions as additions; changes of sign are free.
     """
@@ -209,14 +209,14 @@ def grow(
     limit: float = 1.08,
     side: str = "upper",
 ) -> Growth:
-    """Count or measure something of the pairs of a family beside a bound.
+    """Count or measure a quantity of the pairs of a family, for comparison with a bound.
 
     Args:
-        what: the counted quantity.
+        what: the quantity.
         family: the pairs.
         bound: the bound; its name alone if it depends on more than m and n.
         sizes: pairs (m, n), each about twice the one before.
-        count: returns what was counted of a pair; with the bound, if that has a name alone.
+        count: returns the count of a pair; with the bound, if that has a name alone.
         limit: see `Growth`.
         side: likewise.
 

@@ -1,11 +1,7 @@
 """The findings of a run as data: ledger.json, tables as CSV, counterexamples as files.
 
-The files go beside the report. ledger.schema.json says what ledger.json holds; a file of
-`counterexamples` has the polygons G and D by name, so that
-
-    exactsweep sweep lemma-5-3.json#G lemma-5-3.json#D
-
-sweeps it.
+ledger.schema.json describes ledger.json; a file of `counterexamples` has the polygons G and D by
+name, for `exactsweep sweep lemma-5-3.json#G lemma-5-3.json#D`.
 """
 
 from __future__ import annotations
@@ -38,7 +34,7 @@ PACKAGES = ("sympy", "matplotlib", "jinja2")
 
 
 def make_slug(text: str) -> str:
-    """A name for a file.
+    """Make a name for a file.
 
     >>> make_slug("Figure 10's count")
     'figure-10-s-count'
@@ -137,11 +133,7 @@ def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample
 def write_data(folder: Path, rows: Sequence[Finding], effort: Effort) -> Path:
     """Write ledger.json, the CSV files and the counterexamples into a folder.
 
-    Returns:
-        The path of ledger.json.
-
-    Raises:
-        OSError: a file cannot be written.
+    Returns the path of ledger.json; raises OSError if a file cannot be written.
     """
     for name in ("tables", "counterexamples"):
         (folder / name).mkdir(parents=True, exist_ok=True)

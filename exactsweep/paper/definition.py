@@ -1,15 +1,15 @@
-"""The sweep by its definition: minima and maxima taken straight from the input.
+"""The sweep by its definition: minima and maxima straight from the input.
 
-In a frame whose x-axis is the direction of monotonicity, with D_b the bottom of D and G_b, G_t
-the bottom and top of G as functions of x, the lower halves of the three loops are
+In a frame whose x-axis is the direction of monotonicity, with D_b the bottom of D and G_b, G_t the
+bottom and top of G as functions of x, the lower halves of the three loops are
 
     trajectory   T(x) = min over a of D_b(a) - G_t(a - x)
     outer loop   S(x) = min over u of T(u) + G_b(x - u)
     inner loop   R(x) = max over u of T(u) + G_t(x - u), for x in D's x-range only
 
 (Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds); the upper halves are
-their mirror images. Here they are evaluated on every open interval between sums of breakpoints,
-to hold the procedures of the paper against.
+their mirror images. Here they are evaluated on every open interval between sums of breakpoints, as
+a reference for the procedures of the paper.
 """
 
 from __future__ import annotations
@@ -62,13 +62,12 @@ def reference_loops(
         direction: a pair of rationals, not both zero, to which both are weakly monotone.
 
     Returns:
-        ReferenceLoops of tuples of Point, counter-clockwise, not closed, canonical.
+        ReferenceLoops of canonical tuples of Point.
 
     Raises:
         ValueError: a polygon is not monotone to the direction, or the direction is zero.
 
     Cost: mn intervals of m + n candidates for a trajectory of k edges, then km of k + m.
-    Source: Definitions 1.1 to 1.3.
 
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> [(str(x), str(y)) for x, y in reference_loops(square, square).trajectory]
@@ -86,30 +85,23 @@ def reference_loops(
 def reference_exact_fits(
     generatrix: Any, directrix: Any, direction: tuple[Any, Any] = (1, 0)
 ) -> tuple[Fit, ...]:
-    """List the exact fits of the sweep (G, D): contact without overlap, hemmed in on both sides.
+    """List the exact fits of the sweep (G, D) from Definition 1.1: contact, disjoint interiors.
 
     At a difference x0 of vertex abscissas, G slides up from the lower trajectory as far as D_b
-    stays above G_t on the open interval of x that D and G + (x0, 0) share; what lies beyond both
-    one-sided limits of T there is a fit. Fits seen from above are the mirror image.
+    stays above G_t on the open common x-range of D and G + (x0, 0); all beyond both one-sided
+    limits of T there is a fit. Fits seen from above are the mirror image.
 
-    Every fit is a segment of positive length, never a lone point: if interiors are disjoint over
-    a shared open interval, then G lies either below D on all of it or above D on all of it (the
-    cross-sections left and right of any x have a common interior point in each polygon, so the
-    order cannot change there), and from below the set of heights is half-open, (T, limit].
+    Every fit is a segment of positive length. If interiors are disjoint over a shared open
+    interval, then G lies either below D or above D on all of it, since the cross-sections left and
+    right of any x have a common interior point in each polygon. From below the set of heights is
+    half-open, (T, limit].
 
-    Args:
-        generatrix: as for `reference_loops`.
-        directrix: likewise.
-        direction: likewise.
+    Arguments and errors are those of `reference_loops`.
 
     Returns:
         tuple of pairs of Point, sorted: the end that hangs on the trajectory, the inner end.
 
-    Raises:
-        ValueError: as by `reference_loops`.
-
     Cost: mn abscissas of m + n + k steps each, k the edges of the trajectory.
-    Source: Definition 1.1, which asks for contact and for disjoint interiors.
 
     >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]

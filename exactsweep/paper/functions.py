@@ -32,7 +32,7 @@ def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
 
 
 def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
-    """The height of a chain that runs from left to right over an x at which it does not jump.
+    """Evaluate a chain, from left to right, over an x at which it does not jump.
 
     >>> str(evaluate([(0, 0), (3, 1)], Fraction(1)))
     '1/3'
@@ -112,7 +112,7 @@ def tell_loops(s: Sweep, *names: str) -> Iterator[str]:
 def tell_difference(
     name: str, found: Iterable[Vertex], expected: Iterable[Vertex], by: str = "by the definition"
 ) -> str:
-    """Say that two chains differ; empty if they do not.
+    """Report that two chains differ; empty if they do not.
 
     >>> tell_difference("T", [(0, 0), (1, 1)], [(0, 0), (1, 2)])
     'T is (0, 0) (1, 1), and (0, 0) (1, 2) by the definition'
@@ -167,7 +167,7 @@ def show_fits(fits: Iterable[Fit]) -> str:
 
 
 def list_edges(corners: Iterable[P]) -> list[tuple[P, P]]:
-    """The edges of a polygon.
+    """List the edges of a polygon.
 
     >>> list_edges([(0, 0), (1, 0), (0, 1)])[-1]
     ((0, 1), (0, 0))

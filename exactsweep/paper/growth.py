@@ -1,8 +1,8 @@
-"""Something counted or measured over doubling sizes, beside a claimed bound.
+"""Counts or measurements over doubling sizes, compared with a claimed bound.
 
-A bound on a count is confirmed where the count divided by it stays flat or falls, and refuted as a
-bound where it keeps rising. Times and bytes are not the same on every run: theirs is confirmed
-where their exponent over the last sizes is not above that of the bound.
+A bound on a count is confirmed if the count divided by it stays flat or falls, and refuted if it
+keeps rising. Times and bytes are not the same on every run: theirs is confirmed if their exponent
+over the last sizes is not above that of the bound.
 """
 
 from __future__ import annotations
@@ -70,10 +70,10 @@ class Growth:
         family: the pairs.
         bound: the bound as text.
         points: one for each size.
-        limit: the greatest factor by which the ratio may rise at the last doubling; or, if it is
-            below 1, the most that the exponent over all sizes may exceed that of the bound.
-            `LIMITS` has the limits for measured growths without their own.
-        side: what the bound is: "upper", "lower" or "both".
+        limit: the greatest factor by which the ratio may rise at the last doubling; or, if below 1,
+            the most that the exponent over all sizes may exceed that of the bound. `LIMITS` has the
+            limits for measured growths without their own.
+        side: "upper", "lower" or "both", the kind of the bound.
     """
 
     what: str
@@ -136,7 +136,7 @@ class Growth:
     def is_flat(self) -> bool:
         """Decide whether the count is in proportion to the bound, or below.
 
-        Over a doubling a factor log n too little in the bound shows as 1.1 or more.
+        A missing factor log n in the bound shows as 1.1 or more over a doubling.
         """
         if self.limit < 1 or self.unit in LIMITS:
             margin = self.limit if self.limit < 1 else LIMITS[self.unit]
@@ -171,7 +171,7 @@ class Growth:
 
 
 def write_power(exponent: float) -> str:
-    """An exponent with two decimals, without a sign where it rounds to 0.
+    """Write an exponent with two decimals, 0 without a sign.
 
     >>> write_power(-0.004), write_power(1.996)
     ('0.00', '2.00')
@@ -180,7 +180,7 @@ def write_power(exponent: float) -> str:
 
 
 def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
-    """The slope of the least squares line through the logarithms.
+    """Return the slope of the least squares line through the logarithms.
 
     >>> round(fit_exponent([2, 4, 8], [3, 12, 48]), 9)
     2.0
@@ -190,7 +190,7 @@ def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
 
 
 def double(first: int, doublings: int) -> list[tuple[int, int]]:
-    """Sizes m = n from a first one on.
+    """List sizes m = n from a first one on, each twice the one before.
 
     >>> double(8, 2)
     [(8, 8), (16, 16), (32, 32)]

@@ -23,7 +23,7 @@ Law = Callable[[SweepPair], Iterable[str]]
 
 
 def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
-    """Say with which pair a law breaks, made smaller, and how; empty if it holds for all.
+    """Report the pair with which a law breaks, made smaller; empty if it holds for all.
 
     >>> law = lambda pair: ["" if len(pair.directrix) < 4 else "four corners"]
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
@@ -63,7 +63,7 @@ def _smaller(pair: SweepPair) -> Iterator[SweepPair]:
 
 
 def is_x_monotone(ring: Ring) -> bool:
-    """Decide whether a canonical ring falls apart into two X-monotone chains.
+    """Decide whether a canonical ring consists of two X-monotone chains.
 
     >>> is_x_monotone([(0, 0), (2, 1), (3, 3)]), is_x_monotone([(0, 0), (4, 1), (1, 2), (3, 3)])
     (True, False)
@@ -86,12 +86,12 @@ def _smaller_rings(ring: Ring) -> Iterator[Ring]:
 def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
     """Try laws on random pairs of several classes, up to the first failure.
 
-    All laws of a run meet the same pairs, whose loops by the definition are kept.
+    All laws of a run meet the same pairs, whose loops by the definition are cached.
 
     Args:
         laws: each with how many pairs of which class, such as "100 CC, 60 MM weak, 4 MM large". Its
-            docstring's first line says what holds.
-        effort: the seed, and how much is tried.
+            docstring's first line states the law.
+        effort: the seed, and the number of trials.
     """
     tried: dict[str, list[str]] = {}
     sampled, failure = [], ""

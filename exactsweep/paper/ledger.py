@@ -1,4 +1,4 @@
-"""All rows of the ledger, in the order of the paper, and how to find one by its name.
+"""All rows of the ledger, in the order of the paper, and look-up by name.
 
 ledger.toml has the statements of the paper. The functions that check them are in `checks` and
 `figures`, and are loaded when they run.
@@ -91,7 +91,7 @@ _BY_NAME = {claim.name: claim for claim in CLAIMS}
 
 
 def find(name: str) -> Claim:
-    """Return the claim of a name, upper and lower case being the same.
+    """Return the claim of a name, in upper or lower case.
 
     Raises:
         UnknownClaimError: there is none; the message suggests others.

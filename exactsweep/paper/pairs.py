@@ -1,10 +1,10 @@
 """Seeded random pairs for the checks: small integer grids, where features meet often.
 
-"CC", "CM" and "MM" are the paper's classes, each letter being a polygon's; "S" is one of any shape,
-monotone to no direction as a rule. Strict polygons have no vertical edge, as the paper
-takes for granted; weak ones have vertical edges, at the ends and inside their chains. Large ones
-have so many vertices that the kernel's batches, ceilings and bounds come into play; far ones have
-coordinates of 30 digits; in resting ones a long edge of G lies on several teeth, pointed or flat.
+"CC", "CM" and "MM" are the paper's classes, one letter for each polygon; "S" is one of any shape,
+usually monotone to no direction. Strict polygons have no vertical edge, as the paper assumes; weak
+ones have vertical edges, at the ends and inside their chains. Large ones have so many vertices that
+the kernel prunes; far ones have coordinates of 30 digits; in resting ones a long edge of G lies on
+several teeth, pointed or flat.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator
     Args:
         effort: the seed of the run.
         kind: two letters, G's and D's.
-        count: how many.
+        count: the number of pairs.
         how: "weak", "large", "far", "resting" or nothing.
     """
     for number in range(count):

@@ -60,12 +60,12 @@ def list_ends(function: Iterable[LinearPiece]) -> set[tuple[Rational, Rational]]
 def take_least_sum(
     f: PiecewiseLinear, g: PiecewiseLinear, within: tuple[Rational, Rational] | None = None
 ) -> PiecewiseLinear:
-    """Take the function x -> min over u of f(u) + g(x - u), all of it or between two cuts.
+    """Compute the function x -> min over u of f(u) + g(x - u), all of it or between two cuts.
 
-    For x strictly between two consecutive sums of breakpoints, no breakpoint of f meets one of
-    g, so the minimum is attained at a breakpoint of one inside a piece of the other, in the limit
-    from one side: it is the lower envelope of g's pieces moved by f's breakpoints, and of f's
-    moved by g's. The units of length are chosen so that breakpoints, slopes and values are ints.
+    For x strictly between two consecutive sums of breakpoints, no breakpoint of f meets one of g,
+    so the minimum is attained at a breakpoint of one inside a piece of the other, in the limit from
+    one side: it is the lower envelope of g's pieces moved by f's breakpoints, and of f's moved by
+    g's. The units of length are chosen so that breakpoints, slopes and values are ints.
     """
     unit = lcm(*(c.denominator for function in (f, g) for piece in function for c in piece))
     scaled = [[[int(c * unit) for c in piece] for piece in function] for function in (f, g)]

@@ -1,7 +1,6 @@
-"""Plots of counts divided by claimed bounds; for these matplotlib is needed.
+"""Plots of counts divided by claimed bounds, drawn with matplotlib.
 
-Colours are those of all pictures (`exactsweep.canvas.style`). Seven series differ in colour and in
-marker, and the next seven in dashes, too.
+Seven series differ in color and in marker, and the next seven in dashes, too.
 """
 
 from __future__ import annotations

@@ -36,15 +36,10 @@ GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the
 
 
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
-    """Write report.html, report.md with the pictures that it shows, and ledger.json into a folder.
+    """Write report.html, report.md with its pictures, and ledger.json into a folder.
 
-    The same seed, effort and versions give the same bytes, except for measurements.
-
-    Returns:
-        The paths of the three.
-
-    Raises:
-        OSError: the folder cannot be written to.
+    The same seed, effort and versions give the same bytes, except for measurements. Returns the
+    three paths; raises OSError if the folder cannot be written to.
     """
     folder.mkdir(parents=True, exist_ok=True)
     drawn = _plots(rows)
@@ -80,7 +75,7 @@ def render(
 
 
 def title_section(section: str) -> str:
-    """The heading of a section of the paper.
+    """Return the heading of a section of the paper.
 
     >>> title_section("5.1"), title_section("Appendix")
     ('Section 5.1', 'Appendix')
@@ -129,7 +124,7 @@ def _environment(*, html: bool) -> Environment:
 
 
 def set_formula(text: str) -> Markup:
-    """Text as HTML, its indices, signs and Greek letter set as in mathematics.
+    """Return text as HTML, its indices, signs and Greek letter set as in mathematics.
 
     >>> print(set_formula("m_b < n_t, T(u) <= -G_P - 1"))
     m<sub>b</sub> &lt; n<sub>t</sub>, T(u) ≤ −G<sub>P</sub> − 1
@@ -172,7 +167,7 @@ def split_proof(text: str) -> tuple[str, list[str]]:
 
 
 def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
-    """For each column of a table its class in HTML: "number" where nothing else is in it.
+    """Return the HTML class of each column of a table: "number" if it has nothing else.
 
     >>> find_alignments([["edges", "12"], ["mn", "1,024"]])
     ['text', 'number']
@@ -220,11 +215,7 @@ def draw_case(case: Counterexample) -> Markup:
 
 
 def write_citation(folder: Path) -> list[Path]:
-    """Write CITATION.cff, and references.bib for the paper and the works that bear on it.
-
-    Raises:
-        OSError: the folder cannot be written to.
-    """
+    """Write CITATION.cff, and references.bib for the paper and related works; may raise OSError."""
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
     for name in ("CITATION.cff", "references.bib"):
@@ -235,7 +226,7 @@ def write_citation(folder: Path) -> list[Path]:
 
 
 def cite(key: str) -> str:
-    """A work of references.bib in one line.
+    """Return a work of references.bib in one line.
 
     >>> cite("oks2006minkowski")
     'Oks and Sharir 2006, Minkowski sums of monotone and general simple polygons, \
@@ -256,7 +247,7 @@ def read_bibtex() -> str:
 
 
 def pair_svg(pair: SweepPair) -> str:
-    """An SVG with D, G at one end of its path, and the path of its origin; names stand below.
+    """Draw D, G at one end of its path, and the path of its origin as SVG; names stand below.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
     >>> pair_svg(SweepPair(triangle, triangle)).count("<path")
@@ -276,15 +267,10 @@ def pair_svg(pair: SweepPair) -> str:
 
 
 def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
-    """Draw the figures that are among some rows into a folder, as figure-1.svg and figure-1.pdf.
+    """Draw the figures among some rows into a folder, as figure-1.svg and figure-1.pdf.
 
-    A figure whose evidence fails is not drawn, nor is any without matplotlib.
-
-    Returns:
-        The SVG of each figure that is drawn, by the name of its row.
-
-    Raises:
-        OSError: a file cannot be written.
+    A figure whose evidence fails is not drawn, nor is any without matplotlib. Returns the SVG of
+    each drawn figure by the name of its row; raises OSError if a file cannot be written.
     """
     if not plots.available():
         return {}

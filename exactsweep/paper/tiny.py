@@ -23,7 +23,7 @@ from exactsweep.procedures.chain import split
 
 @cache
 def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
-    """All strictly X-monotone polygons with a number of corners on a grid, moved to (0, 0).
+    """List all strictly X-monotone polygons with k corners on a grid, moved to (0, 0).
 
     >>> list_polygons(2, 3)[0]
     ((0, 0), (1, 0), (2, 1))
@@ -81,17 +81,17 @@ def search_grid(
     directrix: str,
     fails: Law,
 ) -> Evidence:
-    """Look for the first pair on a grid with which a statement fails.
+    """Look for the first pair on a grid for which a statement fails.
 
     Args:
-        side: of the grid, whose coordinates are 0, ..., side.
-        most: vertices of both polygons together.
-        generatrix: a key of SHAPES: which polygons are tried for G.
+        side: the greatest coordinate; the least is 0.
+        most: the maximum number of vertices of both polygons together.
+        generatrix: a key of SHAPES: the polygons that are tried for G.
         directrix: the same for D.
-        fails: yields what goes wrong with a pair.
+        fails: yields the faults of a pair.
 
     Returns:
-        Evidence with what was tried and a counterexample, if there is one.
+        Evidence with the trials and a counterexample, if there is one.
 
     Example:
         >>> def four_corners(pair):
@@ -105,10 +105,7 @@ def search_grid(
 
 
 def search(pairs: Iterable[SweepPair], fails: Law, where: str) -> Evidence:
-    """Look for the first of some pairs with which a statement fails; `where` says which they are.
-
-    Returns Evidence as `search_grid` does.
-    """
+    """Look for the first of some pairs for which a statement fails; `where` names them."""
     number = 0
     for number, pair in enumerate(pairs, 1):
         if text := find_first_failure(fails(pair)):

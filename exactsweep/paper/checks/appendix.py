@@ -96,7 +96,7 @@ def _parallel_edges(pair: SweepPair) -> Iterator[str]:
 
 
 def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
-    """Find where G at t touches D_b: all x of vertices there, and the first and the last.
+    """Find all x of vertices at which G at t touches D_b; return the first and the last.
 
     G_t and D_b are compared as functions of x, without the procedures.
     """
@@ -138,7 +138,7 @@ def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
 def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
     """Describe how two chains meet over their common x-range: "" if in a point or one segment.
 
-    Returns also whether they meet at all.
+    Also returns whether they meet at all.
     """
     gaps = list_gaps(first, second)
     zeros = [x for x, gap in gaps if gap == 0]

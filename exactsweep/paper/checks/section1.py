@@ -104,8 +104,8 @@ def fits_are_whole(pair: SweepPair) -> Iterator[str]:
 def swept_by_contact(s: Sweep, p: Point) -> bool:
     """Decide whether some position on the trajectory puts G over a point, by `classify` alone.
 
-    That is so when the inverse of G, placed at the point, meets the trajectory: it neither lies
-    outside of it nor wholly inside, which is outside of a frame around it.
+    That holds if the inverse of G, placed at the point, meets the trajectory: it lies neither
+    outside of it nor wholly inside.
     """
     inverse, path = s.generatrix.reflected(), s.trajectory
     shapes = path, frame_around(path, inverse)

@@ -37,7 +37,7 @@ def returns(
 
     Args:
         words: the law, if it says more than that.
-        fails: what else is wrong with a chain that a procedure returns.
+        fails: further faults of a chain that a procedure returns.
         procedures: a key of RUNS for each loop, whose bottom chain is the boundary.
     """
 

@@ -1,9 +1,9 @@
-"""Envelopes of segments inside a trajectory: why Lemma 5.2 needs one more factor.
+"""Envelopes of segments inside a trajectory: the reason why Lemma 5.2 needs one more factor.
 
 The lower envelope of s lines has at most s pieces, that of s half-lines 2 s - 1; that of s segments
-can have more than any constant times s (Wiernik and Sharir 1988), though only s times the inverse
-Ackermann function. Laid out one beside the other in D_b, twice over, and combed by s equal peaks
-of G_t as far apart, they make windows: in s + 1 of these all segments lie over one another. So if
+can have more than any constant times s (Wiernik and Sharir 1988), but at most s times the inverse
+Ackermann function. Laid out side by side in D_b, twice, and combed by s equal peaks of G_t at the
+same distance, they make windows: in s + 1 of these all segments lie over one another. So if
 envelopes of segments are not of linear size, trajectories are not of size O(mn).
 """
 
@@ -34,7 +34,7 @@ RECORDS = tuple(map(read_pair, _DATA["records"]))
 
 
 def count_pieces(segments: Sequence[Stroke]) -> int:
-    """Pieces of the lower envelope of some segments, holes not counted.
+    """Count the pieces of the lower envelope of some segments, without holes.
 
     >>> count_pieces([(0, 0, 4, 0), (1, -1, 2, -1)])
     3
@@ -56,9 +56,9 @@ def count_pieces(segments: Sequence[Stroke]) -> int:
 
 
 def build_windows(segments: Sequence[Stroke]) -> SweepPair:
-    """A pair whose trajectory has the envelope of all s segments s + 1 times.
+    """Build a pair whose trajectory has the envelope of all s segments s + 1 times.
 
-    Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
+    Left and right of these are the envelopes of the first and of the last 1, ..., s - 1 of them.
     """
     count = len(segments)
     directrix, width, high = _beside_one_another(segments, 2)
@@ -68,9 +68,9 @@ def build_windows(segments: Sequence[Stroke]) -> SweepPair:
 
 
 def build_windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
-    """A pair whose outer boundary has the envelope of all s segments s^2 - s + 1 times.
+    """Build a pair whose outer boundary has the envelope of all s segments s^2 - s + 1 times.
 
-    Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
+    Left and right of these are the envelopes of the first and of the last 1, ..., s - 1 of them.
     """
     count = len(segments)
     directrix, width, high = _beside_one_another(segments, 1)
@@ -86,9 +86,9 @@ def build_windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
 def _beside_one_another(
     segments: Sequence[Stroke], copies: int
 ) -> tuple[list[tuple[int, int]], int, int]:
-    """D of segments between walls, how far apart they are, and half the height of the walls.
+    """Return D of segments between walls, their distance, and half the height of the walls.
 
-    Walls are one unit wide, where the segments' units are `FINE` of these.
+    Walls are one unit wide; a unit of the segments is `FINE` of these.
     """
     left, low = min(s[0] for s in segments), min(min(s[1], s[3]) for s in segments)
     moved = [(x0 - left, y0 - low, x1 - left, y1 - low) for x0, y0, x1, y1 in segments]

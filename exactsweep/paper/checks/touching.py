@@ -49,7 +49,7 @@ def lasts(t: Point, start: Point, end: Point) -> bool:
 
 
 def list_moments(s: Sweep, start: Point, end: Point) -> list[Point]:
-    """Positions along an edge of the trajectory, one between each two that may differ in contact.
+    """List positions along an edge of the trajectory, with all kinds of contact.
 
     A contact begins or ends only where a vertex of G is on one of D.
     """

@@ -3,8 +3,7 @@
 A panel lists instructions, each a method of `PanelDrawer` with its arguments. A shape is a name,
 such as "outer", "outer.3" for its vertex 3, or "outer/3" for the middle of its edge 3; or it is a
 point or a chain, written out. A name in panel a means the figure's shape "a_name", if there is one.
-Words that begin with "=" name computed words. A look is an entry of `looks`, or a name of the
-style.
+"=" starts the name of computed words. A look is an entry of `looks`, or a name of the style.
 """
 
 from __future__ import annotations
@@ -54,11 +53,7 @@ def find_look(name: str) -> Look:
 
 
 def draw_figure(name: str, figure: PaperFigure) -> Figure:
-    """Draw a figure by its entry in drawings.toml.
-
-    Raises:
-        DrawError: matplotlib is not installed.
-    """
+    """Draw a figure by its entry in drawings.toml; raise DrawError if matplotlib is missing."""
     plan = _load()[name]
     panels = [
         PanelDrawer(
@@ -78,13 +73,7 @@ def draw_figure(name: str, figure: PaperFigure) -> Figure:
 
 
 class PanelDrawer:
-    """A panel of a figure; its methods are the instructions.
-
-    Args:
-        letter: its letter.
-        figure: the computed figure.
-        instructions: names of methods with their arguments.
-    """
+    """A panel of a figure; its methods are the instructions."""
 
     picture: Picture
 
@@ -153,12 +142,13 @@ class PanelDrawer:
         dy: float = 0,
         how: Mapping[str, Any] | None = None,
     ) -> None:
-        """Write words some points away from one place or several.
+        """Write words at some distance from one place or several.
 
         Args:
             at: the places.
             words: the same for each place; with "=", those of the figure.
-            dx: the distance to the right, or the name of a shape with a vector for each place.
+            dx: the distance to the right in points, or the name of a shape with a vector for each
+                place.
             dy: the distance upwards.
             how: "ha" and "va", the alignment; "leader", whether a thin line leads to the place;
                 "small", whether letters are small.

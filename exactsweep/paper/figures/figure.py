@@ -1,7 +1,6 @@
 """A figure of the paper as a value: its statements, its laws, and the shapes that it shows.
 
-Each module of a figure has a function `compute`, which returns a PaperFigure. `drawings.toml` says
-how the shapes are drawn and where labels stand; `drawing` draws every figure by it.
+Each module of a figure has a function `compute`, which returns a PaperFigure.
 """
 
 from __future__ import annotations
@@ -26,11 +25,11 @@ class PaperFigure(NamedTuple):
 
     Attributes:
         facts: the figure's statements, pairs of a name and a value.
-        laws: triples of a name, a value, and the value that the definition or another way gives.
-        shapes: points, chains and lists of chains by name; "a_name" belongs to panel a alone.
-            Those of `sweeps` need not be named.
+        laws: triples of a name, a value, and the value by the definition or another method.
+        shapes: points, chains and lists of chains by name; "a_name" belongs to panel a alone. Those
+            of `sweeps` need not be named.
         words: computed words of titles and labels, likewise.
-        sweeps: the sweeps drawn, each with the positions in which G is drawn.
+        sweeps: the drawn sweeps, each with the positions in which G is drawn.
     """
 
     facts: Sequence[tuple[str, object]] = ()
@@ -111,27 +110,15 @@ def place(s: Sweep, positions: Iterable[Point]) -> list[Loop]:
 
 
 def write_list(values: Iterable[object]) -> str:
-    """Values on one line.
-
-    >>> write_list([1, 2])
-    '1, 2'
-    """
+    """Write values on one line."""
     return ", ".join(map(str, values))
 
 
 def find_middle(p: Vertex, q: Vertex, *, share: Fraction = Fraction(1, 2)) -> Point:
-    """A point of the segment p q, the middle unless another share is named.
-
-    >>> find_middle((0, 0), (2, 4)) == (1, 2)
-    True
-    """
+    """Find a point of the segment p q, by default the middle."""
     return Point(p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]))
 
 
 def shift(points: Iterable[Vertex], by: Vertex) -> list[Vertex]:
-    """Points moved by a vector.
-
-    >>> shift([(0, 0)], (1, 2))
-    [(1, 2)]
-    """
+    """Move points by a vector."""
     return [(x + by[0], y + by[1]) for x, y in points]

@@ -25,10 +25,10 @@ class Widths(NamedTuple):
     """The edge e of the trajectory, a point of it, and the distances of Figure 9.
 
     Attributes:
-        sweep: whose trajectory it is.
+        sweep: the sweep with that trajectory.
         length: the length of e.
         direction: the unit vector of e.
-        at: where I(G) touches e from both sides.
+        at: the place where I(G) touches e from both sides.
         inside: I(g) when I(G) is on the inner side of e.
         outside: I(g) on the outer side.
         inner, outer: their distances from e, d' and d''.
@@ -63,7 +63,7 @@ class Widths(NamedTuple):
 def _measure(s: Sweep) -> Iterator[Widths]:
     """Measure at the middles of the edges of the lower half that have a rational length.
 
-    An edge is left out where no vertex of I(G) is on a loop, from the inside or the outside.
+    An edge is skipped if no vertex of I(G) is on a loop, from the inside or the outside.
     """
     turned = invert_generatrix(s).vertices
     for p, q in pairwise(s.trajectory.vertices):

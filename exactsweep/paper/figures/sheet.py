@@ -63,11 +63,8 @@ def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, li
         rows: the frames of the panels, row by row.
         inches: the width of the figure.
 
-    Returns:
-        The Figure of matplotlib, and a Picture for each frame, in order.
-
-    Raises:
-        DrawError: matplotlib is not installed.
+    Returns the Figure of matplotlib, and a Picture for each frame, in order; raises DrawError if
+    matplotlib is missing.
     """
     require_matplotlib()
     from matplotlib.figure import Figure
