@@ -107,7 +107,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def unswept(self) -> tuple[Polygon, ...]:
-        """The holes of the swept area beside the inner loop, sorted; only of kind "SS"."""
+        """The holes of the swept area other than the inner loop, sorted; only of kind "SS"."""
         return tuple(map(place_loop, self.solution.unswept))
 
     @cached_property
@@ -176,8 +176,8 @@ class SweepAnswer(Certified):
     ) -> Iterator[tuple[tuple[Contact, ...], ...]]:
         """Find the contacts along the edges of loops of free positions, in the form of `contacts`.
 
-        A loop of two positions is the way from one to the other and back. If both are equal, it has
-        no contacts.
+        A loop of two positions is the path from one to the other and back; it has no contacts if
+        both are equal.
 
         Cost: that of one call of `contacts`, for all loops together.
         """
@@ -186,8 +186,8 @@ class SweepAnswer(Certified):
             list_edges([enter(read_point(point, "position"), reference) for point in loop])
             for loop in loops
         ]
-        ways = [(p, q) for p, q in chain.from_iterable(edges) if p != q]
-        found = iter(find_edge_contacts(ways, *self._boundaries))
+        moves = [(p, q) for p, q in chain.from_iterable(edges) if p != q]
+        found = iter(find_edge_contacts(moves, *self._boundaries))
         return (
             tuple(tuple(map(self._as_given, next(found))) if p != q else () for p, q in of_loop)
             for of_loop in edges

@@ -3,7 +3,7 @@
 (1) Near a vertex the interior consists of open *cones*. Each runs counter-clockwise from an edge
     that starts there to an edge that ends there. A diagonal runs from a vertex to a vertex through
     the interior, and halves a cone at both.
-(2) Every cone wider than half a turn has a diagonal into it. If no cone is that wide, every face is
+(2) Every cone wider than a half turn has a diagonal into it. If no cone is that wide, every face is
     convex: a hole in a face would have such a cone at one of its corners.
 (3) So the edges of the pieces are those of the shape, and the diagonals once in each direction. If
     two of them continue each other on one line, a piece has one edge for both.
@@ -110,12 +110,12 @@ def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
 
 def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex, list[_Corner]]:
     """Find the cones at each vertex, by (1): from an edge that starts to the next that ends."""
-    ways: defaultdict[IntVertex, list[tuple[IntVertex, bool]]] = defaultdict(list)
+    directions: defaultdict[IntVertex, list[tuple[IntVertex, bool]]] = defaultdict(list)
     for a, b in edges:
-        ways[a].append((minus(b, a), True))
-        ways[b].append((minus(a, b), False))
+        directions[a].append((minus(b, a), True))
+        directions[b].append((minus(a, b), False))
     cones: dict[IntVertex, list[_Corner]] = {}
-    for p, found in ways.items():
+    for p, found in directions.items():
         if len(found) > 2:
             found.sort(key=lambda way: way_key(way[0]))
         starts = next(k for k, (_, is_start) in enumerate(found) if is_start)

@@ -130,7 +130,7 @@ class PointSet:
 
             axes = pyplot.figure().subplots()
         exterior, *holes = self.rings
-        # Holes run clockwise, so that they are left out.
+        # Holes run clockwise, so that they are excluded.
         rings = [exterior, *(hole[::-1] for hole in holes)]
         paths = [Path([*map(_to_floats, (*ring, ring[0]))], closed=True) for ring in rings]
         path = Path.make_compound_path(*paths)
@@ -220,7 +220,7 @@ class PointSet:
         return self._image(AffineMap(across, _ZERO, _ZERO, up).about(center))
 
     def reflected(self, center: Iterable[object] = (0, 0)) -> Self:
-        """Return the shape turned by half a turn, the point reflection I of the paper.
+        """Return the shape after a half turn, the point reflection I of the paper.
 
         Args:
             center: a pair of numbers, the fixed point.
@@ -241,7 +241,7 @@ class PointSet:
         """Return the mirror image in a line.
 
         Args:
-            along: a pair of numbers, the direction of the line, not (0, 0); upright if left out.
+            along: a pair of numbers, the direction of the line, not (0, 0); upright by default.
             center: a pair of numbers, a point of the line.
 
         Returns:

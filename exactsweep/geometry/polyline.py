@@ -92,15 +92,15 @@ class Polyline:
 
 def _read_path(points: Iterable[Iterable[object]]) -> Iterable[Iterable[object]]:
     """Return the coordinates of an object with a `__geo_interface__`, or the points themselves."""
-    told = getattr(points, "__geo_interface__", None)
-    if isinstance(told, Mapping) and told.get("type") == "Feature":
-        told = told.get("geometry")
-    if not isinstance(told, Mapping):
+    interface = getattr(points, "__geo_interface__", None)
+    if isinstance(interface, Mapping) and interface.get("type") == "Feature":
+        interface = interface.get("geometry")
+    if not isinstance(interface, Mapping):
         return points
-    if told.get("type") not in _KINDS:
-        raise PolygonError(f"a {told.get('type')} is not a path")
-    coordinates: Iterable[Iterable[object]] = told["coordinates"]
-    found = [coordinates] if told["type"] == "Point" else [*coordinates]
+    if interface.get("type") not in _KINDS:
+        raise PolygonError(f"a {interface.get('type')} is not a path")
+    coordinates: Iterable[Iterable[object]] = interface["coordinates"]
+    found = [coordinates] if interface["type"] == "Point" else [*coordinates]
     return drop_heights(found) if has_heights(found) else found
 
 

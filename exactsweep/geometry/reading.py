@@ -69,15 +69,15 @@ def read_interface(shape: object) -> list[Pairs] | None:
         >>> read_interface(shapely.box(0, 0, 2, 1))
         [[(2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0)]]
     """
-    told: Any = shape if _is_geojson(shape) else getattr(shape, "__geo_interface__", None)
-    if isinstance(told, Mapping) and told.get("type") == "Feature":
-        told = told.get("geometry")
-    if told is None:
+    interface: Any = shape if _is_geojson(shape) else getattr(shape, "__geo_interface__", None)
+    if isinstance(interface, Mapping) and interface.get("type") == "Feature":
+        interface = interface.get("geometry")
+    if interface is None:
         return None
-    kind = told.get("type") if isinstance(told, Mapping) else type(told).__name__
+    kind = interface.get("type") if isinstance(interface, Mapping) else type(interface).__name__
     if kind not in ("Polygon", "LinearRing"):
         raise PolygonError(f"a {kind} is not a polygon{_HINTS.get(str(kind), '')}")
-    coordinates = told.get("coordinates")
+    coordinates = interface.get("coordinates")
     rings = coordinates if kind == "Polygon" else [coordinates]
     if not isinstance(rings, Sequence) or not all(isinstance(ring, Iterable) for ring in rings):
         raise PolygonError(f"a {kind} without rings is not a polygon")

@@ -66,8 +66,8 @@ class Region(PointSet):
             inner += [exterior.holes[k] for k in order]
             exterior = exterior.exterior
         elif not isinstance(exterior, Polygon):
-            exterior, *told = read_interface(exterior) or [exterior]
-            inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(told)]
+            exterior, *others = read_interface(exterior) or [exterior]
+            inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(others)]
         outer = _read_named(exterior, "exterior")
         try:
             given = list(holes)

@@ -107,7 +107,7 @@ class Effort:
         return max(1, count // 10) if self.quick else 3 * count
 
     def sizes(self, first: int = 16, quick: int = 2, full: int = 4) -> list[tuple[int, int]]:
-        """Return the sizes (m, n) at which to count: from the first on, so many times doubled."""
+        """Return the sizes (m, n) at which to count: the first one and its doubles."""
         return double(first, quick if self.quick else full)
 
 

@@ -50,13 +50,13 @@ def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Ver
 
 def _list_sums(angles: _Angles, walls: LatticeShape) -> Iterator[Edge]:
     """List the sums of vertices and edges at whose right no angle reaches."""
-    ways = sorted((by_turn(subtract(b, a)), (a, b)) for a, b in list_edges(walls))
-    turns = [turn for turn, _ in ways]
+    directions = sorted((by_turn(subtract(b, a)), (a, b)) for a, b in list_edges(walls))
+    turns = [turn for turn, _ in directions]
     for v, (cone, *others) in angles.items():
         if not cone.is_wide:
             start, end = by_turn(_back(cone.end)), by_turn(cone.start)
             k, j = bisect_left(turns, start), bisect_right(turns, end)
-            for _, (a, b) in ways[k:j] if start <= end else ways[k:] + ways[:j]:
+            for _, (a, b) in directions[k:j] if start <= end else directions[k:] + directions[:j]:
                 right = [Cone(subtract(a, b), subtract(b, a))] if others else []
                 if not find_common_direction(others, right):
                     yield _add(v, a), _add(v, b)

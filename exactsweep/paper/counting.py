@@ -174,7 +174,7 @@ def seconds(run: Callable[[Chains], Any], chains: Chains) -> float:
 
 
 def peak(run: Callable[[Chains], Any], chains: Chains) -> float:
-    """Measure the peak of the memory that a procedure takes beside its input, in bytes."""
+    """Measure the peak of the memory that a procedure uses in addition to its input, in bytes."""
     # A full collection empties the lists of free objects, which are not traced when reused; it
     # need not look at what is there already.
     gc.freeze()

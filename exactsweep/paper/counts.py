@@ -1,4 +1,4 @@
-"""Counts over doubling sizes beside bounds, as counts.toml lists them by rows of the ledger."""
+"""Counts over doubling sizes and their bounds, as counts.toml lists them by rows of the ledger."""
 
 from __future__ import annotations
 

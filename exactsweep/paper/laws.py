@@ -104,5 +104,5 @@ def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
             drawn = f"{numbers[-1]} {kind}{KINDS_OF_PAIRS[''.join(how)]}"
             tried.setdefault(text, []).append(drawn)
         sampled.append(sum(numbers))
-    told = " ".join(f"{text} Pairs: {', '.join(drawn)}." for text, drawn in tried.items())
-    return Evidence(told, failure, sampled=min(sampled, default=0))
+    summary = " ".join(f"{text} Pairs: {', '.join(drawn)}." for text, drawn in tried.items())
+    return Evidence(summary, failure, sampled=min(sampled, default=0))

@@ -2,8 +2,8 @@
 
 "CC", "CM" and "MM" are the paper's classes, one letter for each polygon; "S" is one of any shape,
 usually monotone to no direction. Strict polygons have no vertical edge, as the paper assumes; weak
-ones have vertical edges, at the ends and inside their chains. Large ones have so many vertices that
-the kernel prunes; far ones have coordinates of 30 digits; in resting ones a long edge of G lies on
+ones have vertical edges, at the ends and inside their chains. Large ones are so large that the
+kernel prunes; far ones have coordinates of 30 digits; in resting ones a long edge of G lies on
 several teeth, pointed or flat.
 """
 

@@ -131,7 +131,7 @@ def set_formula(text: str) -> Markup:
     >>> print(set_formula("T_(i-1) >= -1, D_1, Trajectory_CC, non-convex"))
     T<sub>i−1</sub> ≥ −1, D<sub>1</sub>, Trajectory_CC, non-convex
     """  # noqa: RUF002
-    # A sign stands beside a number, a letter of its own or a parenthesis; a hyphen inside a word.
+    # A sign stands next to a number, a letter of its own or a parenthesis; a hyphen inside a word.
     sign = r"(?<![\w)])-(?=[\d(]|[A-Za-z](?:_|\b))|(?<=[\w)]) - (?=[\w(])"
     signed = re.sub(sign, lambda m: m[0].replace("-", MINUS), text)
     signed = signed.replace("<=", "≤").replace(">=", "≥")

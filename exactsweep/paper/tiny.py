@@ -59,7 +59,7 @@ SHAPES: dict[str, Callable[[Ring], bool]] = {
 
 
 def list_tiny_pairs(side: int, most: int, generatrix: str, directrix: str) -> Iterator[SweepPair]:
-    """All pairs on a grid with no more than so many vertices in all, smallest first."""
+    """List all pairs on a grid up to a number of vertices, smallest first."""
     for total in range(6, most + 1):
         pairs = []
         for n in range(3, total - 2):

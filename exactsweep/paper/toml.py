@@ -1,4 +1,4 @@
-"""The data of the checks, figures and reports, which lie beside the modules that use them."""
+"""The data of the checks, figures and reports, next to the modules that use them."""
 
 from __future__ import annotations
 

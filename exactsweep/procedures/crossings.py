@@ -6,9 +6,9 @@
 (2) Each piece that is left bounds a free region on its right; or it is an exact fit, if it has
     overlap on both sides; or it is in O after all.
 (3) A single free position has overlap in all directions. So every direction lies left of some
-    contact segment through it: there are three lines or more, or two with segments both ways.
+    contact segment through it: three lines or more, or two with segments in both directions.
 
-The *key* of a parameter n / d is (n << bits) // d, with so many bits that different parameters of
+The *key* of a parameter n / d is (n << bits) // d, with enough bits that different parameters of
 one line have different keys. So keys are in the order of the parameters.
 """
 

@@ -43,10 +43,10 @@ def leave_out_overlapped(
     after, before = (*minus(q, v), *minus(r, v)), (*minus(p, v), *minus(o, v))
     left: list[EdgeFeature] = []
     for edge in edges:
-        dx, dy, offset, low, high, ahead, beside = edge
+        dx, dy, offset, low, high, ahead, adjacent = edge
         ux, uy = (dx, dy) if ahead else (-dx, -dy)
         start, end = low, high
-        bx, by, ax, ay, beside_unit = beside
+        bx, by, ax, ay, next_unit = adjacent
         sides: tuple[tuple[_Vectors, Vertex, bool, bool], ...] = (
             (after, (bx, by), bx * uy < by * ux, True),
             (before, (ax, ay), ux * ay < uy * ax, False),
@@ -63,12 +63,12 @@ def leave_out_overlapped(
             turn = px * ny - py * nx
             if is_reflex and past and turn > 0:
                 across = unit * (dx * ny - dy * nx)
-                across = max(past * beside_unit, across, -across)
+                across = max(past * next_unit, across, -across)
                 reach = -(-turn * abs(dx or dy) // across) - 1
                 if is_first == ahead:
                     start = max(start, low // 1 + reach)
                 else:
                     end = min(end, -(-high // 1) - reach)
         if start < end:
-            left.append((dx, dy, offset, start, end, ahead, beside))
+            left.append((dx, dy, offset, start, end, ahead, adjacent))
     return left

@@ -49,12 +49,12 @@ Cut = tuple[int, int, int, bool, bool, Sides]
 on the side of the other segment before it, and after it; the sides of the other segment."""
 
 
-Beside = tuple[int, int, int, int, int]
+Adjacent = tuple[int, int, int, int, int]
 """The vectors of the edges before and after an edge, times a unit, and the unit."""
 
-EdgeFeature = tuple[int, int, int, Rational, Rational, bool, Beside]
+EdgeFeature = tuple[int, int, int, Rational, Rational, bool, Adjacent]
 """An edge: its line; its least and its greatest parameter; whether it runs along the direction of
-the line; the edges beside it."""
+the line; the adjacent edges."""
 
 LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[EdgeFeature]]
 """A pruning step: of the edges that vertex k of a ring faces, it returns the parts to keep."""
@@ -195,13 +195,13 @@ def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
         if type(offset) is not int:
             offset, unit = offset.as_integer_ratio()
             dx, dy = unit * dx, unit * dy
-        beside = _scale(px - ox, py - oy, rx - qx, ry - qy)
-        edges.append((dx, dy, offset, low, high, ahead, beside))
+        adjacent = _scale(px - ox, py - oy, rx - qx, ry - qy)
+        edges.append((dx, dy, offset, low, high, ahead, adjacent))
         ox, oy, px, py = px, py, qx, qy
     return edges
 
 
-def _scale(bx: Rational, by: Rational, ax: Rational, ay: Rational) -> Beside:
+def _scale(bx: Rational, by: Rational, ax: Rational, ay: Rational) -> Adjacent:
     if type(bx) is type(by) is type(ax) is type(ay) is int:
         return bx, by, ax, ay, 1
     unit = lcm(bx.denominator, by.denominator, ax.denominator, ay.denominator)

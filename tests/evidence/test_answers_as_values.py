@@ -42,10 +42,10 @@ COPIES: list[Callable[[Any], Any]] = [
 ]
 
 
-def all_that_is_told(answer: Any) -> list[Any]:
-    told = [answer.certificate(), str(answer), repr(answer)]
+def list_values(answer: Any) -> list[Any]:
+    values = [answer.certificate(), str(answer), repr(answer)]
     names = ("contacts", "vertex_contacts", "undercuts", "area", "kind", "unswept")
-    return told + [getattr(answer, name, None) for name in names]
+    return values + [getattr(answer, name, None) for name in names]
 
 
 @pytest.mark.parametrize("directrix", [SQUARE, NOTCH, HOLLOW])
@@ -56,12 +56,12 @@ def test_a_copy_tells_the_same(
 ) -> None:
     answer = ask(SQUARE, directrix, reference=(1, 0))
     fresh = duplicate(answer)
-    told = all_that_is_told(answer)
+    values = list_values(answer)
     for twin in (fresh, duplicate(answer)):
         assert type(twin) is type(answer)
         assert twin == answer
         assert hash(twin) == hash(answer)
-        assert all_that_is_told(twin) == told
+        assert list_values(twin) == values
 
 
 @examples(20)

@@ -43,7 +43,7 @@ def test_fits_are_those_of_the_definition_in_any_direction(
 
 
 def test_fits_of_many_rectilinear_pairs_are_fits() -> None:
-    """Ends and midpoint touch, what is just beside overlaps; and fits are frequent enough."""
+    """Ends and midpoint touch, positions next to them overlap; and fits are frequent enough."""
     found = 0
     for number in range(150):
         rng = random.Random(f"fits:{number}")

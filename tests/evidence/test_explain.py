@@ -122,7 +122,7 @@ def test_touches_are_the_contacts_and_last_as_said(s: Sweep) -> None:
         reached = Fraction(0)
         for contact, start, end in step.touches:
             low, high = share(step, start), share(step, end)
-            # Somebody is always touching.
+            # Some features always touch.
             assert 0 <= low <= reached
             assert low < high <= 1
             reached = max(reached, high)
@@ -184,9 +184,9 @@ def test_straight_on_into_an_exact_fit_there_is_one(s: Sweep) -> None:
     for step in explain(s):
         if step.ending == "exact fit":
             fits = [mark for mark in step.landmarks if mark.mark == "exact fit"]
-            ways = [vector(*s.exact_fits[f.number]) for f in fits if f.position == step.end]
+            along = [vector(*s.exact_fits[f.number]) for f in fits if f.position == step.end]
             u = vector(step.start, step.end)
-            assert any(u[0] * y == u[1] * x and u[0] * x + u[1] * y > 0 for x, y in ways)
+            assert any(u[0] * y == u[1] * x and u[0] * x + u[1] * y > 0 for x, y in along)
 
 
 @patient
@@ -282,9 +282,9 @@ def test_the_halves_follow_each_other(s: Sweep) -> None:
         assert along == 0 or (along > 0) == (step.half == "lower")
         assert along == 0 or step.half in ("lower", "upper")
         if step.half in ("left", "right"):
-            ways = [x * p + y * q for x, y in s.trajectory.vertices]
+            along = [x * p + y * q for x, y in s.trajectory.vertices]
             here = step.start.x * p + step.start.y * q
-            assert here == (min if step.half == "left" else max)(ways)
+            assert here == (min if step.half == "left" else max)(along)
 
 
 @patient
@@ -324,9 +324,9 @@ def test_the_story_tells_every_step_undercut_and_fit(s: Sweep) -> None:
         assert text.count(f"undercut {k}, of area") == 1
     for k in range(len(s.exact_fits)):
         assert text.count(f"exact fit {k} begins") == 1
-    told = [line.split(":")[0].strip() for line in lines if line.startswith("  ")]
-    assert told.count("Stop") == sum(step.ending == "stop" for step in explain(s))
-    assert told.count("Corner") == sum(step.ending == "corner" for step in explain(s))
+    words = [line.split(":")[0].strip() for line in lines if line.startswith("  ")]
+    assert words.count("Stop") == sum(step.ending == "stop" for step in explain(s))
+    assert words.count("Corner") == sum(step.ending == "corner" for step in explain(s))
 
 
 def test_an_exact_fit_in_a_hole_is_not_passed() -> None:

@@ -21,7 +21,7 @@ from exactsweep.paper.kernel import sweep_mm, trajectory_mm
 Corners = list[tuple[Any, Any]]
 
 # The undercut, the chain that closes it, how, and the positions of G where it does; the last two
-# are left out where paths close it.
+# are missing where paths close it.
 UNDERCUTS: dict[str, tuple[Corners, Corners, str, Corners]] = {
     "worked-roof": (
         [("3/2", "3/2"), ("5/2", "3/2"), (2, 2)],

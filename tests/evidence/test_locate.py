@@ -1,4 +1,4 @@
-"""`locate` beside the definition, at each of many positions."""
+"""`locate` against the definition, at many positions."""
 
 from fractions import Fraction
 from itertools import pairwise
@@ -17,7 +17,7 @@ HALF = Fraction(1, 2)
 
 
 def check_positions(directrix: AnyPolygon, generatrix: AnyPolygon, aside: Point) -> None:
-    """At the vertices of loops, the middles of edges and of exact fits, and beside them."""
+    """At the vertices of loops, the middles of edges and of exact fits, and next to them."""
     n = no_fit_polygon(directrix, generatrix, reference=(1, 0))
     corners = [vertex for loop in (n.exterior, *n.holes) for vertex in loop]
     ends = list(pairwise(corners)) + list(n.exact_fits)

@@ -33,7 +33,7 @@ def read(s: Sweep) -> list[object]:
     return [getattr(s, name) for name in NAMES]
 
 
-def test_loops_are_told_apart_by_value() -> None:
+def test_loops_are_compared_by_value() -> None:
     """Once the inner loop counted as unswept if it was computed twice: a negative area."""
     s, again = sweep(HOOK, comb(12)), sweep(HOOK, comb(12))
     again.solution.__dict__["inner"] = [*again.solution.inner]

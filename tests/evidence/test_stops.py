@@ -1,4 +1,4 @@
-"""Stops of G at a contact: every pair of corners on a small grid, every way to go."""
+"""Stops of G at a contact: every pair of corners on a small grid, every direction to go."""
 
 from fractions import Fraction
 from itertools import product
@@ -13,7 +13,7 @@ from exactsweep.geometry.outline import Outline
 from exactsweep.numbers.number import Vertex
 
 COMPASS: list[Vertex] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)]
-WAYS: list[Vertex] = [*COMPASS, (2, 1), (-1, 2), (-2, -1), (1, -2)]
+DIRECTIONS: list[Vertex] = [*COMPASS, (2, 1), (-1, 2), (-2, -1), (1, -2)]
 
 
 def corner(forward: int, back: int) -> list[Vertex]:
@@ -40,9 +40,9 @@ def test_two_corners_let_each_other_pass_as_the_definition_says(
         if overlaps(d, g, (0, 0)):
             continue
         one, other = (Outline([[(size * x, size * y) for x, y in ring]]) for ring in (g, d))
-        for way in WAYS:
-            stopped = blocks(Contact("VV", 0, 0), way, one, other)
-            assert stopped == overlaps(d, g, way), (d, g, way)
+        for direction in DIRECTIONS:
+            stopped = blocks(Contact("VV", 0, 0), direction, one, other)
+            assert stopped == overlaps(d, g, direction), (d, g, direction)
             tried += 1
     assert tried > 500
 
@@ -51,7 +51,7 @@ def test_two_corners_let_each_other_pass_as_the_definition_says(
 def test_a_corner_on_an_edge_lets_g_pass_along_and_away(size: Fraction | int) -> None:
     """A corner of the one on the left edge of the other, which runs straight down."""
     square = Outline([[(0, 0), (size, 0), (size, size), (0, size)]])
-    for way in WAYS:
-        on_directrix = blocks(Contact("VE", 2, 3), way, square, square)
-        on_generatrix = blocks(Contact("EV", 3, 2), way, square, square)
-        assert (on_directrix, on_generatrix) == (way[0] > 0, way[0] < 0)
+    for direction in DIRECTIONS:
+        on_directrix = blocks(Contact("VE", 2, 3), direction, square, square)
+        on_generatrix = blocks(Contact("EV", 3, 2), direction, square, square)
+        assert (on_directrix, on_generatrix) == (direction[0] > 0, direction[0] < 0)

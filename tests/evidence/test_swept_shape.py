@@ -150,7 +150,7 @@ def test_threads_may_share_a_sweep() -> None:
 
 
 def test_the_inner_loop_is_known_by_its_value() -> None:
-    """Another thread may have made the loop anew: it is equal, and not the same object."""
+    """Another thread may have made the loop again: it is equal, and not the same object."""
     frame_ = Region([(-2, -2), (7, -2), (7, 7), (-2, 7)], [[(0, 0), (4, 0), (4, 3), (0, 3)]])
     s = shape_sweep(Region(UNIT), frame_)
     assert isinstance(s.solution, ShapeSolution)

@@ -33,7 +33,7 @@ def test_all_features_at_a_shared_vertex_touch() -> None:
     assert list(s.contacts_at((2, 2))) == expected
     (at,) = [k for k, vertex in enumerate(s.trajectory) if vertex == point(2, 2)]
     assert list(s.vertex_contacts[at]) == expected
-    # There the ways on the top and up the side meet: G stops at the side, not at the hole.
+    # There the paths on the top and up the side meet: G stops at the side, not at the hole.
     (step,) = [step for step in explain(s) if step.end == s.trajectory[at]]
     assert step.ending == "stop"
     assert ("VV", 0, 8) not in step.reasons

@@ -89,7 +89,7 @@ def covers(generatrix: Polygon, position: Point, undercut: Undercut) -> bool:
 
 @given(any_pair)
 @often
-def test_generatrix_closes_undercuts_where_it_is_said_to(pair: Pair) -> None:
+def test_generatrix_closes_undercuts_at_their_positions(pair: Pair) -> None:
     s = sweep(*pair)
     for undercut in s.undercuts:
         assert undercut.positions

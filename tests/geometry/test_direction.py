@@ -122,7 +122,7 @@ def test_arcs_hold_the_directions_and_no_others(polygon: Polygon) -> None:
 
 
 def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
-    """Decide whether u or -u lies on an arc of at most half a turn, counter-clockwise."""
+    """Decide whether u or -u lies on an arc of at most a half turn, counter-clockwise."""
 
     def cross(a: Vector, b: Vector) -> int:
         return a[0] * b[1] - a[1] * b[0]

@@ -130,7 +130,7 @@ def test_a_refusal_names_the_argument() -> None:
 
 
 def test_distant_edges_are_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
-    # Two combs beside each other: 400 edges each, of which few are opened.
+    # Two adjacent combs: 400 edges each, of which few are opened.
     from exactsweep.geometry import distance
 
     def comb(left: int, right: int) -> list[tuple[int, int]]:

@@ -57,7 +57,7 @@ def test_tips_of_holes_touch_the_middles_of_all_edges() -> None:
 def test_interiors_meet_where_the_definition_says(
     few: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """At vertices on vertices and on the middles of edges, beside these, and one in the other."""
+    """At vertices on vertices and on the middles of edges, next to these, and one in the other."""
     monkeypatch.setattr(overlap, "MANY_EDGES", few)
     monkeypatch.setattr(edges, "MANY_EDGES", few)
     rng = Random(5 + few)
@@ -72,8 +72,8 @@ def test_interiors_meet_where_the_definition_says(
         for _ in range(10):
             (v, _), (p, q) = (edge_of(rng, shape) for shape in pair)
             share = Fraction(rng.randint(0, 2), 2)
-            beside = rng.choice([Fraction(0), Fraction(0), Fraction(1, 3)])
-            t = Point(*(b + share * (c - b) - a + beside for a, b, c in zip(v, p, q, strict=True)))
+            shift = rng.choice([Fraction(0), Fraction(0), Fraction(1, 3)])
+            t = Point(*(b + share * (c - b) - a + shift for a, b, c in zip(v, p, q, strict=True)))
             there = classify(d, g, t).verdict == "OVERLAP"
             assert overlaps(test, Point(t.x + aside, t.y)) == there, (pair, t, aside)
             found[there] += 1

@@ -46,7 +46,7 @@ def given_features(shape: AnyPolygon) -> dict[tuple[str, int], set[Point]]:
 
 
 def affine(*places: list[Point]) -> Callable[[Point], Point]:
-    """The map told by where three points go that are on no line: they, and then their images."""
+    """The affine map defined by three points on no line and their images."""
     (p,), (q,), (r,), (a,), (b,), (c,) = places
     ux, uy, vx, vy = q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y
     area = ux * vy - uy * vx
@@ -78,10 +78,10 @@ def test_a_shape_contains_what_the_definition_locates_in_it(
 ) -> None:
     k = data.draw(st.integers(0, len(shape.rings[0]) - 1))
     (ax, ay), (bx, by) = shape.rings[0][k - 1], shape.rings[0][k]
-    beside = ((ax + bx) / 2, (ay + by) / 2)
+    aside = ((ax + bx) / 2, (ay + by) / 2)
     low, high = shape.bounding_box
     middle = ((low.x + high.x) / 2, (low.y + high.y) / 2)
-    for asked in (point, beside, middle, (ax, by)):
+    for asked in (point, aside, middle, (ax, by)):
         where = point_in_polygon(asked, shape)
         assert shape.contains(asked) == (asked in shape) == (where >= 0)
         assert shape.contains(asked, strictly=True) == (where > 0)
@@ -124,7 +124,7 @@ def test_turns_and_mirror_images_undo_each_other(
     assert shape.mirrored((1, 0)).mirrored((0, 1)) == shape.reflected()
 
 
-def test_maps_are_about_the_origin_unless_told() -> None:
+def test_maps_are_about_the_origin_by_default() -> None:
     corners = [(1, 1), (3, 1), (1, 2)]
     triangle = Polygon(corners)
     for image, expected in [
@@ -158,13 +158,13 @@ def test_unrelated_denominators_are_mapped_exactly() -> None:
 
 @given(SHAPES)
 def test_the_interface_of_other_libraries_loses_nothing(shape: AnyPolygon) -> None:
-    told: Any = SimpleNamespace(__geo_interface__=shape.__geo_interface__)
+    source: Any = SimpleNamespace(__geo_interface__=shape.__geo_interface__)
     feature: Any = SimpleNamespace(
         __geo_interface__={"type": "Feature", "geometry": shape.__geo_interface__}
     )
-    assert Region(told) == Region(feature) == Region(shape)
+    assert Region(source) == Region(feature) == Region(shape)
     if isinstance(shape, Polygon):
-        assert Polygon(told) == shape
+        assert Polygon(source) == shape
     rings = shape.__geo_interface__["coordinates"]
     assert all(ring[0] == ring[-1] for ring in rings)
 
@@ -193,10 +193,10 @@ def test_shapely_reads_a_shape_and_is_read() -> None:
         (PLATE, "it has holes: make a Region of it"),
         *(
             (
-                SimpleNamespace(__geo_interface__={"type": "Polygon", "coordinates": told}),
+                SimpleNamespace(__geo_interface__={"type": "Polygon", "coordinates": source}),
                 "a Polygon without rings is not a polygon",
             )
-            for told in (None, 5, [5], [[(0, 0), (1, 0), (0, 1)], None], {0: [(0, 0)]})
+            for source in (None, 5, [5], [[(0, 0), (1, 0), (0, 1)], None], {0: [(0, 0)]})
         ),
     ],
 )

@@ -211,7 +211,7 @@ def test_a_notebook_tells_whether_it_is_convex(last: tuple[int, int], convex: st
 
 @pytest.mark.parametrize("factor", [1, Fraction(1, 7), 1 + Fraction(1, 3**5200)])
 @pytest.mark.parametrize("kind", [tuple, list])
-def test_vertices_inside_straight_edges_are_left_out(factor: Fraction, kind: Any) -> None:
+def test_vertices_inside_straight_edges_are_dropped(factor: Fraction, kind: Any) -> None:
     ring = [(0, 0), (1, 0), (2, 0), (2, 2), (1, 1)]
     polygon = Polygon([kind((factor * x, factor * y)) for x, y in ring])
     assert polygon.vertices == tuple(

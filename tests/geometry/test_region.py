@@ -72,7 +72,7 @@ def refusal(*holes: list[Vertex]) -> str:
 
 
 def turned(ring: list[Vertex], turns: int, width: int) -> list[Vertex]:
-    """Turned by so many quarters about the middle of a square of that width."""
+    """Rotated by k quarters about the middle of a square of that width."""
     for _ in range(turns):
         ring = [(width - y, x) for x, y in ring]
     return ring
@@ -115,7 +115,7 @@ def test_a_hole_that_leaves_another_through_two_points(turns: int) -> None:
             )
 
 
-def test_where_rings_touch_is_told_in_their_own_coordinates() -> None:
+def test_where_rings_touch_is_reported_in_their_own_coordinates() -> None:
     half = Fraction(1, 2)
     assert refusal([(4, 4), (half, 0), (4, 1), (9 - half, 0)]) in {
         f"the interior falls apart: the exterior and hole 0 touch at ({x},0) "
@@ -129,7 +129,7 @@ def test_where_rings_touch_is_told_in_their_own_coordinates() -> None:
     }
 
 
-def test_rings_that_touch_are_told_in_order() -> None:
+def test_rings_that_touch_are_reported_in_order() -> None:
     """The first of eight holes and the last one."""
     tiny: list[list[Vertex]] = [[(k, 7), (k + 1, 7), (k + 1, 8)] for k in range(1, 7)]
     first: list[Vertex] = [(1, 1), (5, 1), (3, 3)]

@@ -36,7 +36,7 @@ def test_a_cover_has_as_few_pieces_as_there_can_be() -> None:
     assert 100 < some < 300
 
 
-def test_of_pieces_that_reach_equally_far_the_first_is_taken() -> None:
+def test_of_pieces_that_reach_equally_far_the_first_is_chosen() -> None:
     whole = Segment(X_AXIS, 0, 0, 3)
     ends = [(0, 3, 4), (-1, 3, 7), (-1, 2, 5), (1, 3, 6)]
     pieces = [(Segment(X_AXIS, 0, low, high), k) for low, high, k in ends]

@@ -98,7 +98,7 @@ def test_sweep_agrees_with_all_pairs_on_random_rings(side: int) -> None:
 
 @pytest.mark.parametrize("side", [4, 8])
 def test_sweep_agrees_with_all_pairs_on_nearly_simple_rings(side: int) -> None:
-    """Rings made simple by reversing crossed stretches, then one vertex moved."""
+    """Rings made simple by reversing crossed segments, then one vertex moved."""
     rng = random.Random(side)
     simple = 0
     for _ in range(500):
@@ -144,7 +144,7 @@ def random_monotone_ring(rng: random.Random, width: int, height: int) -> list[Ve
 
 
 @pytest.mark.parametrize(("width", "height"), [(3, 3), (4, 5), (8, 5)])
-def test_monotone_rings_are_told_without_a_sweep(
+def test_monotone_rings_are_recognized_without_a_sweep(
     width: int, height: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A ring of two chains from left to right is refused exactly where the definition refuses it.
@@ -183,7 +183,7 @@ def test_chains_that_meet_at_walls_are_refused(ring: list[Vertex]) -> None:
 
 
 @pytest.mark.parametrize("scale", [1, 10**40, Fraction(1, 10**4), Fraction(7, 10**9 + 7)])
-def test_rings_in_all_units_are_told_alike(scale: int | Fraction) -> None:
+def test_the_unit_does_not_matter(scale: int | Fraction) -> None:
     """Convex, monotone, simple or not, also where all turns are below 1 and one vertex has ints."""
     rng, kinds = random.Random(9), set()
     for _ in range(300):

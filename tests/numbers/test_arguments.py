@@ -116,12 +116,12 @@ def test_annotations_admit_what_they_say(
         assert found.endswith(f", not {name}"), found
 
 
-def test_so_many_things_are_looked_at() -> None:
+def test_only_the_first_items_are_examined() -> None:
     assert tell([0] * 99 + ["a"], list[int]) is not None
     assert tell([0] * 100 + ["a"], list[int]) is None
 
 
-def test_the_first_of_several_is_told() -> None:
+def test_the_first_of_several_is_reported() -> None:
     @tells_arguments
     def join(first: int, *many: int, last: int = 0, **named: int) -> int:
         return first.bit_length() + sum(many) + last + sum(named.values())

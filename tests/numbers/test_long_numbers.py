@@ -87,7 +87,7 @@ def test_intervals_hold_their_numbers(factor: Fraction) -> None:
                 assert (found > 0, found == 0) == (value > 0, value == 0)
 
 
-def test_numbers_as_long_as_their_intervals_are_told_apart() -> None:
+def test_numbers_as_long_as_their_intervals_are_distinguished() -> None:
     for bits in range(252, 260):
         large, third = Fraction(2**bits), Fraction(1, 3)
         ((x, y), (u, v)) = lazy_number.lazy_points([(large, third), (large + third, third)])

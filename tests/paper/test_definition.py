@@ -55,7 +55,7 @@ STAIR = [(0, 0), (4, 0), (4, 1), (2, 1), (2, 3), (0, 3)]
         pytest.param(
             UNIT,
             VALLEY,
-            # The square comes to rest on two corners, half-way between the walls.
+            # The square rests on two corners, half-way between the walls.
             [(-1, -1), (4, -1), (4, 3), (3, 3), (3 * half, 3 * half), (0, 3), (-1, 3)],
             [(0, 0), (4, 0), (4, 3), (5 * half, 3 * half), (3 * half, 3 * half), (0, 3)],
             # Its top follows the higher corner: a valley of one point, one unit up.
@@ -171,7 +171,7 @@ def test_fork_in_two_slots_fits_with_both_prongs() -> None:
     comb = [(0, 0), (5, 0), (5, 3), (4, 3), (4, 1), (3, 1), (3, 3), (2, 3), (2, 1), (1, 1)]
     comb += [(1, 3), (0, 3)]
     # With its left prong at x = -1 and its right one in the left slot, or the mirror image, the
-    # fork's bridge comes to rest on an outer wall.
+    # fork's bridge rests on an outer wall.
     expected: tuple[Any, ...] = (((-1, 3), (-1, 2)), ((1, 3), (1, 2)), ((3, 3), (3, 2)))
     assert reference_exact_fits(fork, comb) == expected
 
@@ -235,8 +235,8 @@ def test_trajectory_and_fits_divide_the_plane_as_classify_does(
         assert point_in_polygon((x, hanging), trajectory) == 0
         assert classify(d, g, (x, inner)).verdict == "CONTACT"
         assert classify(d, g, (x, middle)).verdict == "CONTACT"
-        for beside in ((x, beyond), (x - little, middle), (x + little, middle)):
-            assert classify(d, g, beside).verdict == "OVERLAP"
+        for aside in ((x, beyond), (x - little, middle), (x + little, middle)):
+            assert classify(d, g, aside).verdict == "OVERLAP"
 
 
 @examples(24)

@@ -42,7 +42,7 @@ TEETH = SweepPair(
 
 
 def bow(edges: int) -> list[Vertex]:
-    """A convex chain of so many edges."""
+    """A convex chain of n edges."""
     return [(x, x * x) for x in range(edges + 1)]
 
 
@@ -212,26 +212,26 @@ def test_counts_are_compared_with_what_they_say() -> None:
 
 
 @pytest.mark.parametrize(("place", "kind"), [((0, 1), "tops"), ((0, 0), "bottoms"), ((0, 3), "")])
-def test_like_chains_that_touch_are_told_at_the_top_and_at_the_bottom(
+def test_like_chains_that_touch_are_reported_at_the_top_and_at_the_bottom(
     place: tuple[int, int], kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A bar of height 1 lies along the top, or the bottom, of one of height 2."""
     low, high = ([(0, 0), (4, 0), (5, y), (4, y), (0, y), (-1, y)] for y in (1, 2))
     planted = SimpleNamespace(trajectory=Polygon([place, (9, 9), (-9, 9)]))
     monkeypatch.setattr(section2, "look_up", lambda pair: planted)
-    told = [*section2.like_chains_stay_apart(SweepPair(low, high))]
-    assert any(text.startswith(f"at {place} two like chains") for text in told) == bool(kind)
+    reported = [*section2.like_chains_stay_apart(SweepPair(low, high))]
+    assert any(text.startswith(f"at {place} two like chains") for text in reported) == bool(kind)
 
 
 @pytest.mark.parametrize(("is_swept", "words"), [(False, "is between"), (True, "is not between")])
-def test_points_are_told_to_be_between_the_loops_if_they_are(
+def test_points_are_reported_between_the_loops_if_they_are(
     is_swept: bool, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(section1, "swept_by_contact", lambda s, p: is_swept)
     square = [(0, 0), (4, 0), (4, 4), (0, 4)]
-    told = [*section1.area_is_covered(SweepPair(square, square))]
-    assert told
-    assert all(f") {words} the loops" in text for text in told)
+    reported = [*section1.area_is_covered(SweepPair(square, square))]
+    assert reported
+    assert all(f") {words} the loops" in text for text in reported)
 
 
 @pytest.mark.parametrize(("each", "runs"), [(1, 3), (0.05, 4), (0.001, 50)])
@@ -269,7 +269,7 @@ def test_slots_of_a_list_are_counted() -> None:
 
 
 @pytest.mark.parametrize("quick", [False, True])
-def test_seconds_are_left_out_of_a_quick_run(quick: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_quick_run_skips_seconds(quick: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Cost, "grow", lambda self, unit, *_: unit)
     monkeypatch.setattr(Cost, "time", lambda self: "seconds")
     measured: list[Any] = [*COSTS[0].measure(Effort(quick=quick))]

@@ -56,7 +56,7 @@ from exactsweep.paper.laws import break_law
 from exactsweep.paper.pairs import SweepPair, draw_pair
 from exactsweep.procedures.graph import merge
 
-# Davenport-Schinzel sequences of order 3 of s symbols have at most so many members.
+# Davenport-Schinzel sequences of order 3 of s symbols have at most this number of members.
 LONGEST = {1: 1, 2: 4, 3: 8, 4: 12, 5: 17, 6: 22}
 
 
@@ -211,10 +211,10 @@ def test_chains_at_a_wall_cross_once_without_meeting(name: str) -> None:
     assert not [*filter(None, cross(appendix.AT_A_WALL))]
 
 
-@pytest.mark.parametrize(("x", "is_told"), [(1, True), (0, True), (2, False)])
-def test_a_chain_that_stands_still_or_turns_back_is_told(x: int, is_told: bool) -> None:
-    told = [*is_monotone("T", [(0, 0), (1, 1), (x, 5), (3, 3)])]
-    assert told == ["T is not strictly X-monotone at x = 1"] * is_told
+@pytest.mark.parametrize(("x", "is_reported"), [(1, True), (0, True), (2, False)])
+def test_a_chain_that_stands_still_or_turns_back_is_reported(x: int, is_reported: bool) -> None:
+    reported = [*is_monotone("T", [(0, 0), (1, 1), (x, 5), (3, 3)])]
+    assert reported == ["T is not strictly X-monotone at x = 1"] * is_reported
 
 
 def test_a_counterexample_is_made_smaller() -> None:
@@ -222,12 +222,12 @@ def test_a_counterexample_is_made_smaller() -> None:
         return ["a corner"] if (0, 0) in pair.directrix else []
 
     large = [(0, 0), (4, 0), (6, 2), (6, 6), (4, 8), (0, 8)]
-    told = break_law(has_corner, [SweepPair([(x, y) for x, y in large], large)])
-    text, g, d = re.split("; G = |, D = ", told)
+    reported = break_law(has_corner, [SweepPair([(x, y) for x, y in large], large)])
+    text, g, d = re.split("; G = |, D = ", reported)
     assert (text, g.count("("), d.count("(")) == ("a corner", 3, 3)
 
 
-@pytest.mark.parametrize(("last", "is_told"), [(0, False), (-1, True), (1, False)])
-def test_a_chain_that_falls_from_above_to_below_is_told(last: int, is_told: bool) -> None:
+@pytest.mark.parametrize(("last", "is_reported"), [(0, False), (-1, True), (1, False)])
+def test_a_chain_that_falls_from_above_to_below_is_reported(last: int, is_reported: bool) -> None:
     first: list[Vertex] = [(0, 0), (1, 1), (2, 0), (4, last)]
-    assert any(appendix.crosses_once(first, [(0, 0), (4, 0)])) == is_told
+    assert any(appendix.crosses_once(first, [(0, 0), (4, 0)])) == is_reported

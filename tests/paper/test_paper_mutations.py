@@ -11,7 +11,7 @@ COUNTED = [mutation for mutation in MUTATIONS if not mutation.timed]
 ELSEWHERE = [m for m in COUNTED if m.fault.split(":")[0] in ("contacts", "undercuts", "exact fits")]
 
 
-def test_many_procedures_are_broken_in_many_ways() -> None:
+def test_many_procedures_are_broken_by_many_faults() -> None:
     assert {mutation.wrong.__module__ for mutation in MUTATIONS} == {s.__name__ for s in SABOTAGES}
     assert len({mutation.procedure for mutation in MUTATIONS}) >= 25
     assert len({mutation.fault for mutation in MUTATIONS}) == len(MUTATIONS) >= 50

@@ -23,7 +23,7 @@ def _copy(s: Any, *names: str, **planted: Any) -> Any:
     return SimpleNamespace(**{name: getattr(s, name) for name in names} | planted)
 
 
-def test_a_loop_that_is_not_that_of_the_definition_is_told() -> None:
+def test_a_loop_that_is_not_that_of_the_definition_is_reported() -> None:
     s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (3, 0), (3, 3), (0, 3)])
     names = "generatrix", "directrix", "reference", "trajectory", "outer"
     wrong = _copy(s, *names, inner=s.outer)
@@ -32,7 +32,7 @@ def test_a_loop_that_is_not_that_of_the_definition_is_told() -> None:
         assert [*tell_loops(wrong, *asked)] == ["the inner loop is not that of the definition"]
 
 
-def test_a_fit_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_fit_that_is_cut_short_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
     pair = SweepPair([(0, 0), (1, 0), (1, 1), (0, 1)], slot)
     s = sweep(*pair)
@@ -51,7 +51,7 @@ def test_a_fit_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> Non
     assert found[2] == [f"the exact fit from ({x}, {y}) hangs on nothing"]
 
 
-def test_a_slide_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_slide_that_is_cut_short_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     directrix = [(-1, 5), (2, 0), (10, 2), (11, 6), (7, 3), (5, 5), (0, 4)]
     pair = SweepPair([(5, 0), (17, 2), (9, 4)], directrix)
     s = sweep(*pair)
@@ -62,18 +62,18 @@ def test_a_slide_that_is_cut_short_is_told(monkeypatch: pytest.MonkeyPatch) -> N
     middle = Point((p.x + q.x) / 2, (p.y + q.y) / 2)
     for ends, is_whole in (((p, q), True), ((p, middle), False), ((middle, q), False)):
         wrong.undercuts = slide._replace(positions=ends), other
-        told = [text.partition(":")[0] for text in section4.bottom_chains_have_two_forms(pair)]
-        assert told == ([] if is_whole else ["not there"])
+        reported = [text.partition(":")[0] for text in section4.bottom_chains_have_two_forms(pair)]
+        assert reported == ([] if is_whole else ["not there"])
     # As if it were along another line, or along two edges.
     first, last = slide.bottom
     for bottom in ((first, slide.polygon.vertices[1]), (first, last, other.bottom[1])):
         wrong.undercuts = slide._replace(bottom=bottom), other
-        told = [text.partition(":")[0] for text in section4.bottom_chains_have_two_forms(pair)]
-        assert told[:1] == ["not one edge"]
+        reported = [text.partition(":")[0] for text in section4.bottom_chains_have_two_forms(pair)]
+        assert reported[:1] == ["not one edge"]
 
 
 @pytest.mark.parametrize(("i", "k", "chain"), [(1, 2, "bottom"), (2, 1, "bottom"), (4, 5, "top")])
-def test_a_contact_of_two_like_chains_is_told(
+def test_a_contact_of_two_like_chains_is_reported(
     i: int, k: int, chain: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ring = [(0, 0), (2, -1), (4, -1), (6, 0), (4, 1), (2, 1)]
@@ -90,7 +90,7 @@ def test_a_contact_of_two_like_chains_is_told(
         ]
 
 
-def test_a_path_that_is_the_directrix_moved_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_path_that_is_the_directrix_moved_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not [*section1.path_is_not_the_directrix(SQUARES)]
     d = sweep(*SQUARES).directrix
     wrong = SimpleNamespace(directrix=d, trajectory=d.translated((2, 7)))
@@ -98,7 +98,9 @@ def test_a_path_that_is_the_directrix_moved_is_told(monkeypatch: pytest.MonkeyPa
     assert [*section1.path_is_not_the_directrix(SQUARES)] == ["the trajectory is D moved"]
 
 
-def test_a_sweep_that_starts_and_stops_elsewhere_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_sweep_that_starts_elsewhere_is_reported(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     assert not [*section2.starts_and_stops_at_the_ends(SQUARES)]
     moved = SimpleNamespace(trajectory=sweep(*SQUARES).trajectory.translated((2, 7)))
     monkeypatch.setattr(section2, "sweep", lambda *_: moved)
@@ -108,22 +110,22 @@ def test_a_sweep_that_starts_and_stops_elsewhere_is_told(monkeypatch: pytest.Mon
     ]
 
 
-def test_contacts_of_two_edges_at_a_time_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_contacts_of_two_edges_at_a_time_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not [*appendix.one_edge_at_a_time(SQUARES)]
     step = appendix.list_lower_steps(sweep(*SQUARES))[0]
     middle = Point((step.start.x + step.end.x) / 2, (step.start.y + step.end.y) / 2)
     contacts = Contact("EV", 0, 1), Contact("EV", 1, 2)
     monkeypatch.setattr(appendix, "touches_are_right", lambda *_: ())
-    for ends, is_told in ((step.end, step.start), True), ((middle, middle), False):
+    for ends, is_reported in ((step.end, step.start), True), ((middle, middle), False):
         spans = (step.start, ends[0]), (ends[1], step.end)
         touches = tuple(Touch(c, *span) for c, span in zip(contacts, spans, strict=True))
         planted = step._replace(touches=touches)
         monkeypatch.setattr(appendix, "list_lower_steps", lambda _, step=planted: [step])
-        told = {text.partition(": ")[2] for text in appendix.one_edge_at_a_time(SQUARES)}
-        assert told == ({"EV of 0 and 1, EV of 1 and 2"} if is_told else set())
+        reported = {text.partition(": ")[2] for text in appendix.one_edge_at_a_time(SQUARES)}
+        assert reported == ({"EV of 0 and 1, EV of 1 and 2"} if is_reported else set())
 
 
-def test_a_contact_that_moves_left_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_contact_that_moves_left_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not [*appendix.contact_moves_right(SQUARES)]
     places = count(9, -1)
     monkeypatch.setattr(
@@ -135,12 +137,12 @@ def test_a_contact_that_moves_left_is_told(monkeypatch: pytest.MonkeyPatch) -> N
     )
 
 
-@pytest.mark.parametrize(("shift", "is_told"), [(0, True), (1, True), (2, False)])
-def test_holes_that_overlap_are_told(
-    shift: int, is_told: bool, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(("shift", "is_reported"), [(0, True), (1, True), (2, False)])
+def test_holes_that_overlap_are_reported(
+    shift: int, is_reported: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     outer, hole = (Polygon([(0, 0), (s, 0), (s, s), (0, s)]) for s in (9, 2))
     found = SimpleNamespace(exterior=outer, holes=(hole, hole.translated((shift, 0))))
     monkeypatch.setattr(beyond, "no_fit_polygon", lambda *_: found)
     monkeypatch.setattr(beyond, "no_fit_is_the_definition", lambda _: ())
-    assert [*beyond.loops_are_simple(SQUARES)] == ["two holes overlap"] * is_told
+    assert [*beyond.loops_are_simple(SQUARES)] == ["two holes overlap"] * is_reported

@@ -202,7 +202,7 @@ def test_the_ledger_is_written_as_data_that_its_schema_describes(tmp_path: Path)
     assert (tmp_path / "tables" / "exponents.csv").is_file()
 
 
-def test_the_totals_are_told() -> None:
+def test_the_totals_are_reported() -> None:
     rows = [row("Slope"), row("Lemma 3.1")]
     assert count_verdicts(rows).startswith("2 rows: 1 reproduced, 1 misprint; all borne out; ")
     with mutated(MUTATIONS[0]):

@@ -145,14 +145,14 @@ def nearly_parallel(draw: st.DrawFn) -> list[Vertex]:
 @given(nearly_parallel(), nearly_parallel())
 @example([(0, 0), (1, 0)], [(0, 0), (1, -1), (41, 0)])
 @usually
-def test_slopes_however_close_are_told_apart(one: list[Vertex], other: list[Vertex]) -> None:
+def test_slopes_however_close_are_distinguished(one: list[Vertex], other: list[Vertex]) -> None:
     merged = trajectory_cc(inverse(one), other)
     assert steps(merged) == steps(one, other)
     assert list(trajectory_cm(inverse(one), other)) == merged
     assert list(trajectory_mm(inverse(one), other)) == merged
 
 
-def test_slopes_of_ints_over_fractions_are_told_apart() -> None:
+def test_slopes_of_ints_over_fractions_are_distinguished() -> None:
     """In units of the greatest width, 1, both slopes that are not 0 would be rounded to others."""
     one: list[Vertex] = [(0, 0), (1, 0)]
     other: list[Vertex] = [(0, 0), (1, Fraction(-1, 9)), (2, Fraction(-1, 9) + Fraction(1, 50))]

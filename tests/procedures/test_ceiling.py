@@ -96,7 +96,7 @@ def zigzag(size: int, bend: int, seed: int) -> list[Vertex]:
 def test_most_sums_are_never_computed(
     top: list[Vertex], bottom: list[Vertex], most: tuple[int, int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of 480 pairs, and of both loops' some thousands, no more than so many."""
+    """Of 480 pairs, and of both loops' some thousands, at most the given number."""
     computed: list[Any] = []
     right = graph.subtrajectory
 

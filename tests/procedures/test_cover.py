@@ -1,4 +1,4 @@
-"""Squares of a grid that are proved to be overlapped, and what is left of segments beside them."""
+"""Squares of a grid that are proved to be overlapped, and the remaining segments."""
 
 from collections import defaultdict
 from collections.abc import Iterator

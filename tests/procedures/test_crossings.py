@@ -19,7 +19,7 @@ DIRECTIONS = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (1, -2), (1, -1), (3, -1)]
 def through(
     x: Rational, y: Rational, direction: tuple[int, int], before: int, after: int
 ) -> ContactSegment:
-    """From so many steps before a point to so many after it."""
+    """From k steps before a point to j steps after it."""
     dx, dy = direction
     at, step = (x, dx) if dx else (y, dy)
     c, e = Fraction(dx * y - dy * x).as_integer_ratio()
@@ -46,7 +46,7 @@ def expect(
     ("x", "y"),
     [(0, 0), (3, -5), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 4), Fraction(1, 2))],
 )
-def test_two_segments_note_what_is_beside_the_other(x: Rational, y: Rational) -> None:
+def test_two_segments_record_the_sides_of_the_other(x: Rational, y: Rational) -> None:
     rng = Random(f"{x}")
     spans = [(0, 2), (1, 1), (2, 0)]
     for direction, other_direction, span, other_span in product(

@@ -37,8 +37,8 @@ def test_without_placed_shapes_it_is_the_inner_fit() -> None:
     assert free_positions(BIN, [], UNIT).regions == (Region(box(0, 0, 3, 2)),)
 
 
-def test_a_door_between_two_placed_shapes() -> None:
-    # Two rooms, the door between them as wide as the part.
+def test_a_gap_between_two_placed_shapes() -> None:
+    # Two chambers, the gap between them as wide as the part.
     walls = [box(3, 0, 4, 2), box(3, 3, 4, 5)]
     f = free_positions(box(0, 0, 7, 5), walls, UNIT)
     assert f.regions == (Region(box(0, 0, 2, 4)), Region(box(4, 0, 6, 4)))

@@ -27,7 +27,7 @@ usually = examples(100)
 
 
 def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Vertex]:
-    """Every convex part along every convex part, and nothing left out."""
+    """Every convex part along every convex part, without exception."""
     chains = [
         trajectory_cc(inverse(part), other)
         for part in find_convex_parts(inverse(top))
@@ -61,7 +61,7 @@ def test_no_pair_of_convex_parts_is_missed(
 
 @given(own.pairs("MM"))
 @examples(40)
-def test_slopes_that_are_all_but_equal_are_told_apart(pair: Pair) -> None:
+def test_slopes_that_are_all_but_equal_are_distinguished(pair: Pair) -> None:
     """Squeezed in y, all slopes have the same bounds, and what they decided is decided exactly."""
     squeezed = [Polygon([(x, y / 2**99) for x, y in polygon.vertices]) for polygon in pair]
     s, t = sweep(*pair, direction=(1, 0)), sweep(*squeezed, direction=(1, 0))

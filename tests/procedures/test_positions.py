@@ -1,4 +1,4 @@
-"""Polygons of any shape: answers worked out by hand, counted ones, and the paper's beside them."""
+"""Polygons of any shape: answers worked out by hand, by counting, and by the paper."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -44,9 +44,9 @@ def test_a_hole_of_the_same_size_is_a_single_position() -> None:
 
 
 def test_holes_come_in_order() -> None:
-    rooms = [box(11, 1, 14, 4), box(1, 6, 4, 9), box(6, 1, 9, 4), box(1, 1, 4, 4)]
+    chambers = [box(11, 1, 14, 4), box(1, 6, 4, 9), box(6, 1, 9, 4), box(1, 1, 4, 4)]
     plate: list[Sequence[Vertex]] = [box(0, 0, 15, 10)]
-    plate += [room[::-1] for room in rooms]
+    plate += [chamber[::-1] for chamber in chambers]
     corners = [(int(x), int(y)) for (x, y), *_ in find_no_fit(plate, [UNIT]).within]
     assert corners == [(1, 1), (1, 6), (6, 1), (11, 1)]
 
@@ -62,14 +62,14 @@ def test_a_region_may_lie_in_the_hole_of_another() -> None:
     assert f.exact_fits == ()
 
 
-# A cave of 2 x 2 with a door in its right wall, from y = 1 to 2 or to less.
-DOOR = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4), (0, 4)]
+# A cave of 2 x 2 with a gap in its right wall, from y = 1 to 2 or to less.
+GAPPED = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4), (0, 4)]
 
 
 def test_a_cave_that_can_be_entered_exactly() -> None:
-    n = no_fit_polygon(DOOR, UNIT)
+    n = no_fit_polygon(GAPPED, UNIT)
     assert n.holes == (Polygon(box(1, 1, 2, 2)),)
-    # Through the door, from the cave to the outside; both ends hang on loops.
+    # Through the gap, from the cave to the outside; both ends hang on loops.
     assert n.exact_fits == fits((2, 1), (4, 1))
 
 
@@ -107,7 +107,7 @@ def test_fits_that_cross_are_whole() -> None:
     corridor = [(0, 0), (10, 0), (10, 1), (5, 1), (6, 3), (3, 3), (4, 1), (0, 1)]
     n = no_fit_polygon(Region(box(-2, -2, 12, 5), [corridor]), UNIT)
     assert n.exact_fits == fits((0, 0), (9, 0), (4, 1), (4, 0))
-    # A cross, which leaves no room beside the crossing.
+    # A cross, which leaves no room next to the crossing.
     cross = [(2, 1), (3, 1), (3, 2), (4, 2), (4, 3), (3, 3), (3, 4), (2, 4), (2, 3), (1, 3)]
     n = no_fit_polygon(Region(box(0, 0, 5, 5), [[*cross, (1, 2), (2, 2)]]), UNIT)
     assert n.exact_fits == fits((1, 2), (3, 2), (2, 1), (2, 3))
@@ -199,7 +199,7 @@ def test_size_does_not_matter(d: Cells, g: Cells, factor: float) -> None:
     ]
 
 
-def test_slopes_that_differ_by_less_than_a_unit_are_told_apart() -> None:
+def test_slopes_that_differ_by_less_than_a_unit_are_distinguished() -> None:
     """3 / 2**40 and 1 / 2**41 are the same in units of 2**-32."""
     d = [(0, 0), (2**41, 1), (2**41 + 2**40, 4), (0, 10)]
     g = [(0, -10), (2**41, 3), (0, 0)]

@@ -76,9 +76,9 @@ def fits_have_no_room(pair: SweepPair) -> Iterator[str]:
         t = Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))
         steps = _AROUND if p == q else [(p.y - q.y, q.x - p.x), (q.y - p.y, p.x - q.x)]
         near = [(t.x + STEP * x, t.y + STEP * y) for x, y in steps]
-        at, *beside = (classify(*pair[::-1], place).verdict for place in (t, *near))
-        if (at, {*beside}) != ("CONTACT", {"OVERLAP"}):
-            yield f"at ({t.x}, {t.y}), along an exact fit, {at}, and beside it {set(beside)}"
+        at, *around = (classify(*pair[::-1], place).verdict for place in (t, *near))
+        if (at, {*around}) != ("CONTACT", {"OVERLAP"}):
+            yield f"at ({t.x}, {t.y}), along an exact fit, {at}, and next to it {set(around)}"
     yield from no_fit_is_the_definition(pair)
 
 

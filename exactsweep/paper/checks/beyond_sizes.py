@@ -42,7 +42,7 @@ def segments(pair: SweepPair) -> int:
 
 
 def count_contact_segments(effort: Effort) -> Iterator[Observation]:
-    """Count contact segments beside the number of them that there can be."""
+    """Count contact segments and their greatest possible number."""
     yield Evidence("Counts.")
     for series in count_all("Contact segments", effort):
         yield series
@@ -82,9 +82,9 @@ def count_convolution(effort: Effort) -> Iterator[Observation]:
     chains = SweepPair(*cm_hard(32, 32)).chains
     found, expected = kernel.find_outer(chains), kernel.sweep_outer_cm(*chains)
     yield tell_difference("the sum of T and G", found, expected)
-    last, beside = summed.points[-1], swept.points[-1]
+    last, other = summed.points[-1], swept.points[-1]
     yield Counterexample(
         f"the sum of T and G by convex parts takes {last.count:,} operations for m = n = {last.m}, "
-        f"and SweepO_CM {beside.count:,}: both {summed.verdict} with mn",
+        f"and SweepO_CM {other.count:,}: both {summed.verdict} with mn",
         "deep teeth, at the largest size that was counted",
     )

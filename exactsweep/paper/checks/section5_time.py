@@ -66,7 +66,7 @@ def _tiny_chains() -> list[list[Vertex]]:
 
 
 def merge_by_halves(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
+    """Count the operations of LowerEnvelope_MM, compared with N log k for inputs of size N."""
     graphs = kernel.list_sub_trajectories(count_chains(pair))
     size = sum(len(graph.pieces) for graph in graphs)
     with watch_operations() as tally:
@@ -166,12 +166,12 @@ def _outgrows(slow: Growth, fast: Growth) -> bool:
 
 
 def count_gaps(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of both ways to the inner boundary, and the size of the output."""
+    """Count the operations of both algorithms for the inner boundary, and its size."""
     gaps, again, written = growth = list(count_all("A faster inner loop", effort))
-    last, beside = written.points[-1], gaps.points[len(again.points) - 1]
+    last, other = written.points[-1], gaps.points[len(again.points) - 1]
     yield Evidence(
         "Operations counted where most of D_b is touched: "
-        f"{beside.count:,} in place of {again.points[-1].count:,} at m = n = {beside.m}. "
+        f"{other.count:,} in place of {again.points[-1].count:,} at m = n = {other.m}. "
         "A family of needles, vertices counted."
     )
     yield from growth

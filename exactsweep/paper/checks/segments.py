@@ -61,7 +61,7 @@ def build_windows(segments: Sequence[Stroke]) -> SweepPair:
     Left and right of these are the envelopes of the first and of the last 1, ..., s - 1 of them.
     """
     count = len(segments)
-    directrix, width, high = _beside_one_another(segments, 2)
+    directrix, width, high = _lay_side_by_side(segments, 2)
     top = _peaks(count, width, high)
     right, low = top[-1]
     return SweepPair([top[0], (right // 2, low - high), *top[:0:-1]], directrix)
@@ -73,7 +73,7 @@ def build_windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
     Left and right of these are the envelopes of the first and of the last 1, ..., s - 1 of them.
     """
     count = len(segments)
-    directrix, width, high = _beside_one_another(segments, 1)
+    directrix, width, high = _lay_side_by_side(segments, 1)
     top = _peaks(count, count * width, high)
     low = top[0][1] - high
     tips: list[tuple[int, int]] = []
@@ -83,7 +83,7 @@ def build_windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
     return SweepPair([top[0], *tips, *top[:0:-1]], directrix)
 
 
-def _beside_one_another(
+def _lay_side_by_side(
     segments: Sequence[Stroke], copies: int
 ) -> tuple[list[tuple[int, int]], int, int]:
     """Return D of segments between walls, their distance, and half the height of the walls.

@@ -108,7 +108,7 @@ def output_has_mn_vertices(pair: SweepPair) -> Iterator[str]:
 
 
 def calls(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of all calls of Trajectory_CC beside the edges of the trajectory."""
+    """Count the operations of all calls of Trajectory_CC and the edges of the trajectory."""
     chains = count_chains(pair)
     edges = len(keep_corners(trajectory_cm(*chains[::2]))) - 1
     with watch_operations() as tally:

@@ -73,7 +73,7 @@ def undercuts_are_closed(pair: SweepPair) -> Iterator[str]:
 
 
 def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point]]:
-    """The edges of G at some positions, and the ways of its vertices along edges of T."""
+    """The edges of G at some positions, and the paths of its vertices along edges of T."""
     drawn = [edge for t in positions for edge in list_edges(place_generatrix(s, t).vertices)]
     for edge in list_edges(s.trajectory.vertices):
         low, high = sorted(edge)

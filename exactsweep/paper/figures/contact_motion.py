@@ -30,12 +30,12 @@ def _freeze(s: Sweep, contacts: tuple[Contact, ...], at: Point) -> Frozen:
 def compute() -> PaperFigure:
     """Compute the figure: the lower sweep of Figure 7b, stopped where G closes the undercut."""
     s = sweep_examples()[1]
-    # The ends of the contact at both ends of each stretch.
+    # The ends of the contact at both ends of each segment.
     path = [
-        _freeze(s, stretch.contacts, at)
-        for stretch in cut_trajectory(s)
-        if stretch.start.x < stretch.end.x
-        for at in (stretch.start, stretch.end)
+        _freeze(s, segment.contacts, at)
+        for segment in cut_trajectory(s)
+        if segment.start.x < segment.end.x
+        for at in (segment.start, segment.end)
     ]
     one, other = find_undercut(s).positions
     at = find_middle(one, other)

@@ -1,4 +1,4 @@
-"""Figure 1: the sweep of G around D beside the Minkowski sum of G and D's boundary."""
+"""Figure 1: the sweep of G around D, and the Minkowski sum of G and D's boundary."""
 
 from __future__ import annotations
 

@@ -19,16 +19,16 @@ def compute() -> PaperFigure:
     """Compute the figure."""
     s = sweep_examples()[1]
     every = cut_trajectory(s)
-    alone = [stretch for stretch in every if stretch.event == "VE"]
-    several = [stretch for stretch in every if len(stretch.contacts) > 1]
-    middles = [find_middle(stretch.start, stretch.end) for stretch in every]
+    alone = [segment for segment in every if segment.event == "VE"]
+    several = [segment for segment in every if len(segment.contacts) > 1]
+    middles = [find_middle(segment.start, segment.end) for segment in every]
     laws: list[tuple[str, object, object]] = [
         (f"contacts missing at ({t.x}, {t.y})", set(o.contacts) - set(s.contacts_at(t)), set())
         for o, t in zip(every, middles, strict=True)
     ]
-    for stretch in several:
-        laws.append(("edges of G", len({c.generatrix for c in stretch.contacts}), 1))
-        kinds = {c.event for c in stretch.contacts}
+    for segment in several:
+        laws.append(("edges of G", len({c.generatrix for c in segment.contacts}), 1))
+        kinds = {c.event for c in segment.contacts}
         laws.append(("a VE event among several", "VE" in kinds, False))
     whole = PaperFigure(
         facts=[
@@ -43,25 +43,25 @@ def compute() -> PaperFigure:
     )
     panels = {"": whole}
     for letter, kind in (("a", ("VE", 1)), ("b", ("EV", 2))):
-        # The last such stretch of the lower sweep.
+        # The last such segment of the lower sweep.
         found = (o for o in every if (o.event, len(o.contacts)) == kind and o.start.x < o.end.x)
         panels[letter] = _show(s, max(found, key=lambda one: one.start.x))
     return join_panels(panels)
 
 
-def _show(s: Sweep, stretch: ContactStretch) -> PaperFigure:
-    t = find_middle(stretch.start, stretch.end)
+def _show(s: Sweep, segment: ContactStretch) -> PaperFigure:
+    t = find_middle(segment.start, segment.end)
     (ring,) = place(s, [t])
-    dx, dy = stretch.end.x - stretch.start.x, stretch.end.y - stretch.start.y
+    dx, dy = segment.end.x - segment.start.x, segment.end.y - segment.start.y
     by = 2 * dx / max(dx, abs(dy)), 2 * dy / max(dx, abs(dy))
-    spots = [SweepFeatures(s).spot(contact, t)[0] for contact in stretch.contacts]
+    spots = [SweepFeatures(s).spot(contact, t)[0] for contact in segment.contacts]
     lowest = min(ring, key=lambda p: p.y)
     return PaperFigure(
         shapes={"placed": ring, "name": find_middle(min(ring), max(ring)), "spots": spots}
         | {"lines": [[_move(spot, by, -2), _move(spot, by, 3)] for spot in spots]}
-        | {"offsets": [OFFSETS[contact.event] for contact in stretch.contacts]}
+        | {"offsets": [OFFSETS[contact.event] for contact in segment.contacts]}
         | {"onward": [_move(lowest, by, Fraction(k, 4)) for k in (1, 6)]},
-        words={"events": [contact.event for contact in stretch.contacts]},
+        words={"events": [contact.event for contact in segment.contacts]},
     )
 
 
