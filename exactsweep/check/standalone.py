@@ -1,53 +1,54 @@
-"""Checker of certificates, version 3: one file that needs the standard library alone, to be read.
+"""Checker of certificates, version 3: one file to be read, with the standard library only.
 
-`python standalone.py FILE` prints "proved: ..." or "not proved: ..."; CERTIFICATES.md has the
-format. Points are homogeneous: integers (x, y, w), w > 0, for (x/w, y/w). Left of a line (a, b, c)
-is where a x + b y + c w > 0. Layouts, 7, need 1 and 2 alone; claims on positions, 4 to 6, need 1 to
-3.
+`python standalone.py FILE` prints "proved: ..." or "not proved: ..."; CERTIFICATES.md defines the
+format. A point (x, y, w) of integers, w > 0, is (x/w, y/w); it is left of the line (a, b, c) if
+a x + b y + c w > 0. Sections 4 and 5 need 1 to 3; section 6 needs 1 and 2.
 
 1. Shapes. The winding number of rings at z is the number of edges strictly right of z, upward ones
-   as +1, downward ones as -1; an edge owns its lower end, not its upper one. At z + (d, d^2) it is
-   the same for all small d > 0. A shape is where the winding number of its rings is 1, holes
+   counted as 1, downward ones as -1; an edge contains its lower end, not its upper one. It is the
+   same at z + (d, d^2) for all small d > 0. A shape is the set of points of winding number 1, holes
    clockwise. So two shapes have a common point if and only if they overlap: their interiors have
    one.
-2. Pieces, convex and counter-clockwise, make up a shape if at every point of every line as many of
-   their edges start, less those that end, as of the edges of its rings (`cancel`): then right of
-   any z as many cross, and the indicators of the pieces add up to the winding number. If besides
-   any two of them are on two sides of a line (`apart`), it is 0 or 1: each point is in one piece at
-   most.
-3. The lemma. Let O be a union of open convex polygons, the sums; U the union of some of them, which
-   are listed; L the edges of closed loops, walked with O on their left, and fits, which are
-   segments or points; W the winding number of all loops together. Suppose (`boundary`) that
+2. Pieces, convex and counter-clockwise, make up a shape if on every line, at every point, starts
+   less ends of edges are the same for the pieces and for the rings (`cancel`), and any two pieces
+   lie on two sides of a line (`apart`). By the first, as many edges are right of any z, so the
+   indicators of the pieces add up to the winding number; by the second, the sum is 0 or 1. So each
+   point of the shape is in exactly one piece.
+3. The lemma. Let O be a union of open convex polygons, the sums; U the union of the listed ones; L
+   the edges of closed loops, O on their left, and fits, which are segments or points; W the winding
+   number of all loops. Suppose (`boundary`) that
    (a) no sum has a point of L;
-   (b) all sides of listed sums are in U or L, their ends included;
-   (c) along the left of each edge of a loop, and along both sides of each fit, there are sides of
-       listed sums, which are on that side; a fit of one point is on the side of a listed sum;
+   (b) the sides of listed sums, with their ends, are in U or L;
+   (c) sides of listed sums run along the left of each edge of a loop and along both sides of each
+       fit, with their sums on that side; a fit of one point is on a side of a listed sum;
    (d) W is 1 at one point of every sum;
-   (e) two edges or fits have at most one point in common.
-   Then O = U; L is the boundary of O; off L, W is 1 on O and 0 elsewhere.
-   Proof. By (a), W is constant on every sum, by (d) it is 1 on O. U and L together are closed, by
-   (b). So let t be in neither, and moved a little, so that its level meets no end of a segment and
-   no two segments in one point. Look right from t. If nothing of L is there, W is 0 at t. Else let
-   y be the first point of L, on e. Before y there is no point of U: the leftmost one of a sum there
-   would be on its side, so in L, or in another sum, which begins farther left. By (c), if e is a
-   fit or goes up, a sum is along its left, and t sees it before y. So e goes down, and at once
-   behind y there is a sum, where W is 1; hence W is 0 at t. As W is 1 on O, O is in U and L, so by
-   (a) in U. Points of L are limits of O by (c), not in O by (a); other limits of U are in U by (b).
-4. `no_fit`. By 1 and 2, D and G + t overlap if and only if t is in the interior of D_i + H_j, for a
-   piece D_i of D and H_j of H = -G: these are the sums. If D_1 and D_2 have a vertex p in common, W
-   is the same on D_1 + H_j and D_2 + H_j, which have p + H_j in common; so (d) is asked once for
-   pieces that vertices connect. In a sweep, T is the exterior; what G covers along T is the closure
-   of the sums of an edge of T and a piece G_j: 3 again, with fits that are no part of the answer.
-   The sums of one G_j are connected, for edges of T have ends in common.
+   (e) two edges or fits have at most one common point.
+   Then O = U, L is the boundary of O, and off L, W is 1 on O and 0 elsewhere.
+   Proof. By (a), W is constant on each sum, so by (d) it is 1 on O. By (b), U and L together are
+   closed. Let t be in neither; move it a little, so that its level meets no end of a segment and no
+   common point of two. Look right from t. If L is not there, W is 0 at t. Else let y be the first
+   point of L, on e. Before y there is no point of U: the leftmost one of a sum there would be on a
+   side, so in L, or in another sum, which begins farther left. If e were a fit or went up, a sum
+   along its left would be seen before y, by (c). So e goes down, and just behind y is a sum, where
+   W is 1; hence W is 0 at t. As W is 1 on O, O is in U or L, by (a) in U. Points of L are limits of
+   O by (c), and not in O by (a); all other limits of U are in U by (b).
+4. `no_fit`. By 1 and 2, D and G + t overlap if and only if t is in the interior of D_i + H_j, for
+   pieces D_i of D and H_j of H = -G: these are the sums. If D_1 and D_2 have a common vertex p, the
+   sums D_1 + H_j and D_2 + H_j have p + int H_j in common; so (d) is checked once for pieces that
+   vertices connect. `sweep`: what G covers along the exterior T is the closure of the sums of edges
+   of T and pieces of G; 3 applies, with slits as fits, which are no part of the answer. Edges of T
+   have common ends, so the sums of one piece of G are connected.
 5. `inner_fit`. D is a frame without the container, B the rectangle of all t at which G + t is in
-   the frame. L is in B; the four half-planes around B count as listed sums, with edges of B for
-   sides. In the proof, W + 1 has the place of W, and every t sees a half-plane, hence L before it.
-6. `layout`. A normal n with gap = min n.b - max n.a >= 0 and gap^2 >= s^2 |n|^2, for all vertices a
-   of one piece and b of another, shows that they are s apart and do not overlap. If two shapes are
-   known up to errors, their sum is added to s. The complement of the container, in a frame, is a
-   shape, and so is every defect. A rotation that is off by d moves a point at distance r from the
-   origin by at most d r. A point in two shapes, deeper than their errors, shows that they overlap;
-   one nearer to both than half the spacing less errors shows that they are too close.
+   the frame. L is in B; the four half-planes around B count as listed sums, each with an edge of B
+   as its side. In the proof read W + 1 for W; every ray meets a half-plane, so L before it.
+6. `layout`. A rounded piece is all points at distance r or less from a convex hull, r = 0 for the
+   pieces of 2. For vertices a and b of two pieces, a normal n with gap = min n.b - max n.a >= 0 and
+   gap^2 >= (s + r_a + r_b)^2 |n|^2 proves that they are s apart and do not overlap. The errors of
+   shapes add to s. The complement of the container in a frame is a shape, and so is each defect; in
+   a rounded container, depth is concave, so the vertices of a piece decide. A rotation that is off
+   by d moves a point at distance r from the origin by d r or less. A point deeper in two bodies
+   than their errors proves that they overlap; one nearer to both than half of s less the errors,
+   that they are too close.
 """
 
 from __future__ import annotations
@@ -87,7 +88,7 @@ Span = tuple[Rational, Rational, bool]
 
 
 class Refused(Exception):  # noqa: N818
-    """The first reason why a certificate is not proved, and perhaps a point to see it by."""
+    """The first reason why a certificate is not proved, with a point if there is one."""
 
     def __init__(self, reason: str, *points: Point) -> None:
         for x, y, w in points[:1] if max(map(abs, chain((0,), *points))) < 10**300 else ():
@@ -103,7 +104,7 @@ def need(condition: Any, reason: str, *points: Point) -> None:
 
 
 class Work:
-    """The steps that are left: a microsecond each, more if the certificate has long numbers."""
+    """The remaining steps: at most a microsecond each, weighted by the longest number."""
 
     def __init__(self, certificate: Any, max_steps: float | None) -> None:
         try:
@@ -115,13 +116,13 @@ class Work:
         self.weight = 1 + bits / 35 + bits**2 / 65000 if bits > 0 else 1
 
     def spend(self, steps: float) -> None:
-        """Take steps from those that are left."""
+        """Subtract steps."""
         self.left -= steps * self.weight
         need(self.left >= 0, "too large: exceeds the step limit for its size")
 
 
 def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
-    """Return the values of an object; an optional key may be null, for its default or None."""
+    """Return the values of an object; a missing or null optional one is its default or None."""
     known = f"{names} {optional}".split()
     right = type(item) is dict and item.keys() <= {*known}
     right = right and all(item.get(key) is not None for key in names.split())
@@ -130,7 +131,7 @@ def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
 
 
 def items(name: str, item: Any, size: int | None = None) -> list[Any]:
-    """Require a list, of a size if one is given."""
+    """Require a list, perhaps of a given size."""
     right = type(item) is list and size in (None, len(item))
     need(right, f"{name}: not a list{'' if size is None else f' of {size} entries'}")
     return list(item)
@@ -164,7 +165,7 @@ def read_points(name: str, item: Any, size: int | None = None) -> Ring:
 
 
 def ring(name: str, item: Any) -> Ring:
-    """Read a ring; a point that repeats the one before it counts once."""
+    """Read a ring; consecutive equal points count once."""
     points = read_points(name, item)
     points = [p for k, p in enumerate(points) if p != points[k - 1]]
     need(len(points) > 2, f"{name}: a ring of fewer than three points")
@@ -180,7 +181,7 @@ def shape(name: str, item: Any) -> list[Ring]:
 
 
 def rectangle(name: str, item: Any) -> Ring:
-    """Read a rectangle by its ends, counter-clockwise from its lower left corner on."""
+    """Read left, bottom, right, top; return the corners from the lower left one on."""
     left, low, right, high = (number(name, n) for n in items(name, item, 4))
     need(left < right and low < high, f"{name}: not left, bottom, right, top of a rectangle")
     return [node(left, low), node(right, low), node(right, high), node(left, high)]
@@ -190,7 +191,7 @@ def rectangle(name: str, item: Any) -> Ring:
 
 
 def reduce(a: int, b: int, c: int) -> Line:
-    """Return a line, or a point, in lowest terms."""
+    """Divide a line or a point by its common divisor."""
     d = gcd(c, a, b) or 1
     return (a, b, c) if d == 1 else (a // d, b // d, c // d)
 
@@ -205,7 +206,7 @@ def edges(points: Sequence[Point]) -> list[Edge]:
 
 
 def side(line: Line, p: Point) -> int:
-    """Return a number above 0 left of a line, 0 on it, below 0 right of it."""
+    """Return a number whose sign is 1 left of a line, 0 on it, -1 right of it."""
     return line[0] * p[0] + line[1] * p[1] + line[2] * p[2]
 
 
@@ -221,19 +222,19 @@ def add(p: Point, q: Point) -> Point:
 
 
 def reflect(pieces: list[Ring]) -> list[Ring]:
-    """Reflect pieces in the origin."""
+    """Negate all points of pieces."""
     return [[(-x, -y, w) for x, y, w in piece] for piece in pieces]
 
 
 def area(around: Iterable[Edge]) -> Fraction:
-    """Return the area that edges enclose, clockwise rings counted as negative."""
+    """Return the signed area within edges."""
     terms = [(p[0] * q[1] - q[0] * p[1], 2 * p[2] * q[2]) for p, q, _ in around]
     unit = lcm(*(w for _, w in terms))
     return Fraction(sum(n * (unit // w) for n, w in terms), unit)
 
 
 def winding(around: Iterable[Edge], z: Point) -> int:
-    """Return the winding number: upward less downward edges, strictly right of a point."""
+    """Return the winding number: upward less downward edges strictly right of a point."""
     found = 0
     for p, q, line in around:
         up = (p[1] * z[2] <= z[1] * p[2]) - (q[1] * z[2] <= z[1] * q[2])
@@ -243,13 +244,13 @@ def winding(around: Iterable[Edge], z: Point) -> int:
 
 
 def scale_of(points: Iterable[Point]) -> int:
-    """Choose the unit of boxes around points: so many units are 1."""
+    """Return the number of units of boxes per unit of length."""
     xs, ys = zip(*([*map(place, points)] or [(Fraction(0),) * 2]), strict=True)
     return int(2**30 / (max(max(xs) - min(xs), max(ys) - min(ys)) or 1)) + 1
 
 
 def box(points: Sequence[Point], scale: int, reach: Rational = 0) -> tuple[int, ...]:
-    """Return left, right, lower, upper end of a box around points, in units, rounded outwards."""
+    """Return the left, right, lower, upper end of a box, in units, rounded outwards."""
     more, at = -(-reach * scale // 1), [(x * scale, y * scale, w) for x, y, w in points]
     left, low = min(x // w for x, _, w in at), min(y // w for _, y, w in at)
     right, high = min(-x // w for x, _, w in at), min(-y // w for _, y, w in at)
@@ -257,7 +258,7 @@ def box(points: Sequence[Point], scale: int, reach: Rational = 0) -> tuple[int, 
 
 
 def tree(boxes: list[tuple[Any, Any]]) -> Any:
-    """Halve a list of boxes and items again and again: (box, size, two trees or an item)."""
+    """Build a tree of boxes with items: (box, size, two trees or an item)."""
     if len(boxes) < 2:
         return (boxes[0][0], -1, boxes[0][1]) if boxes else None
     lefts, rights, lows, highs = zip(*(found for found, _ in boxes), strict=True)
@@ -268,7 +269,7 @@ def tree(boxes: list[tuple[Any, Any]]) -> Any:
 
 
 def near(work: Work, a: Any, b: Any, c: Any = NOWHERE, touch: int = 0) -> Iterator[Any]:
-    """List items of three trees: the first box overlaps the sum of the others, or touches it."""
+    """Yield items of three trees whose first box overlaps, or touches, the sum of the others."""
     stack = [(a, b, c)] if a and b and c else []
     while stack:
         found = stack.pop()
@@ -286,7 +287,7 @@ def near(work: Work, a: Any, b: Any, c: Any = NOWHERE, touch: int = 0) -> Iterat
 
 
 def is_convex(points: Ring) -> bool:
-    """Return whether a ring turns left at every vertex, and goes once around."""
+    """Return whether a ring turns left at every vertex and once in all."""
     normals = [line[:2] for *_, line in edges(points)]
     pairs = list(zip([normals[-1], *normals[:-1]], normals, strict=True))
     turns_left = all(a * d > b * c for (a, b), (c, d) in pairs)
@@ -294,7 +295,7 @@ def is_convex(points: Ring) -> bool:
 
 
 def cancel(name: str, pieces: list[Ring], rings: list[Ring]) -> None:
-    """Require that edges of pieces and rings have the same starts less ends on every line."""
+    """Require the same starts less ends of edges of pieces and of rings on every line."""
     left = Counter[tuple[Line, Point]]()
     for p, q, (a, b, c) in chain(*map(edges, pieces + [points[::-1] for points in rings])):
         line = max((a, b, c), (-a, -b, -c))
@@ -304,7 +305,7 @@ def cancel(name: str, pieces: list[Ring], rings: list[Ring]) -> None:
 
 
 def apart(one: list[Edge], other: list[Edge]) -> bool:
-    """Return whether the line of an edge of one of two pieces has the other on its right."""
+    """Return whether an edge of one of two pieces has the other on its right."""
     lines = [(line, b) for a, b in ((one, other), (other, one)) for *_, line in a]
     return any(all(side(line, p) <= 0 for p, *_ in b) for line, b in lines)
 
@@ -331,7 +332,7 @@ def inner_point(piece: Ring) -> Point:
 
 
 def groups(pieces: list[Ring], work: Work) -> list[Point]:
-    """Return a point inside one piece of each group that is connected by common vertices."""
+    """Return a point inside a piece of each group that common vertices connect."""
     found = list[set[Point]]()
     for piece in pieces:
         met = [group for group in found if not group.isdisjoint(piece)]
@@ -344,7 +345,7 @@ def groups(pieces: list[Ring], work: Work) -> list[Point]:
 
 
 class Known(NamedTuple):
-    """A known edge: of a loop, by name, or a fit, of none."""
+    """A known edge: of a loop, or a fit, without one."""
 
     start: Point
     end: Point
@@ -354,7 +355,7 @@ class Known(NamedTuple):
 
 
 def loop(name: str, item: Any, step: int = 1) -> list[Known]:
-    """Read a loop, counter-clockwise, and walk it as listed, or back if the step is -1."""
+    """Read a counter-clockwise loop; reverse it if the step is -1."""
     points = read_points(name, item)
     need(len({*points}) == len(points) > 2, f"{name}: a repeated point, or too few", *points[:1])
     around = edges(points[::step])
@@ -363,7 +364,7 @@ def loop(name: str, item: Any, step: int = 1) -> list[Known]:
 
 
 def loops(name: str, item: Any) -> list[Known]:
-    """Read a list of loops, and walk them clockwise."""
+    """Read a list of loops and reverse them."""
     return [*chain(*(loop(f"{name}[{k}]", e, -1) for k, e in enumerate(items(name, item))))]
 
 
@@ -374,7 +375,7 @@ def fits(name: str, item: Any) -> list[Known]:
 
 
 class Sums:
-    """The interiors of D_i + H_j, of number i n + j for n pieces H_j, and then half-planes."""
+    """The interiors of D_i + H_j, numbered i n + j for n pieces H_j, and then half-planes."""
 
     def __init__(self, name: str, d: list[Ring], h: list[Ring], work: Work, beyond: Any = ()):
         self.work, self.count, self.columns, self.beyond = work, len(d) * len(h), len(h), beyond
@@ -401,7 +402,7 @@ class Sums:
 
 
 def add_pieces(one: list[Edge], other: list[Edge]) -> Ring:
-    """Return the sum of two pieces, all from their lowest points on: their edges by direction."""
+    """Merge the edges of two pieces, from their lowest points on, by direction."""
     i, j, found = 0, 0, list[Point]()
     while i < len(one) or j < len(other):
         (p, _, (a, b, _)), (q, _, (c, d, _)) = one[i % len(one)], other[j % len(other)]
@@ -412,10 +413,9 @@ def add_pieces(one: list[Edge], other: list[Edge]) -> Ring:
 
 
 def clip(lines: Iterable[Line], a: Point, b: Point, closed: bool = False) -> Span | None:
-    """Return the interval of a segment that is left of lines, 0 at a and 1 at b, or None.
+    """Return the interval of parameters, 0 at a and 1 at b, that is left of all lines, or None.
 
-    A closed one has its ends, and they are from 0 to 1; an open one that contains a or b extends
-    beyond it, to -1 or 2.
+    An open one that contains 0 or 1 extends beyond it, to -1 or 2; a closed one does not.
     """
     (x, y, w), (u, v, z), least = a, b, 1 - closed
     low, high = ((0, 1), (1, 1)) if closed else ((-1, 1), (2, 1))
@@ -433,17 +433,17 @@ def clip(lines: Iterable[Line], a: Point, b: Point, closed: bool = False) -> Spa
 
 
 def clip_on(edge: Sequence[Any], a: Point, b: Point) -> Span | None:
-    """Return the interval of a segment that is on a closed one, which may be a point, or None."""
+    """Return the closed interval of a segment on an edge, which may be a point, or None."""
     p, q, (k, m, n) = edge[:3]
     left, right = (p, q) if m > 0 else (q, p)
     low, high = (p, q) if k < 0 else (q, p)
-    beside = (left[2], 0, -left[0]), (-right[2], 0, right[0])
-    lines = (k, m, n), (-k, -m, -n), *beside, (0, low[2], -low[1]), (0, -high[2], high[1])
+    sides = (left[2], 0, -left[0]), (-right[2], 0, right[0])
+    lines = (k, m, n), (-k, -m, -n), *sides, (0, low[2], -low[1]), (0, -high[2], high[1])
     return clip(lines, a, b, closed=True)
 
 
 def covers(spans: Iterable[Span | None]) -> bool:
-    """Return whether intervals, open ones and closed ones, cover all from 0 to 1."""
+    """Return whether open and closed intervals cover all parameters from 0 to 1."""
     reach: Rational = 0
     is_closed = False
     for low, high, closed in sorted(filter(None, spans), key=lambda span: (span[0], not span[2])):
@@ -453,7 +453,7 @@ def covers(spans: Iterable[Span | None]) -> bool:
 
 
 def boundary(sums: Sums, known: list[Known], entries: list[Any], inner: Any, wanted: int) -> None:
-    """Prove what the lemma needs; W is wanted at the sums of inner points of both lists."""
+    """Prove (a) to (e) of the lemma, (d) at the sums of inner points."""
     work, at = sums.work, tree([(box(e[:2], sums.scale), e) for e in known])
     for one, other, _ in near(work, at, at, touch=1):
         work.spend(12)
@@ -469,8 +469,8 @@ def boundary(sums: Sums, known: list[Known], entries: list[Any], inner: Any, wan
 
 
 def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
-    """Prove (b), and (c) by intervals of known edges with sums on their left or right."""
-    name, beside = sums.name, defaultdict[Any, list[Span | None]](list)
+    """Prove (b) and (c)."""
+    name, along = sums.name, defaultdict[Any, list[Span | None]](list)
     for n, entry in enumerate(entries):
         first = [*items(f"{name}[{n}]", entry), None][0]
         integer(f"{name}[{n}]", first, 0, sums.count + len(sums.beyond))
@@ -489,16 +489,16 @@ def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
                 if back and back[0] < back[1]:  # a fit of one point is on both sides of itself
                     way = x * edge.line[0] + y * edge.line[1]
                     for left in {way > 0, way >= 0}:
-                        beside[-1 - m, left].append(back)
+                        along[-1 - m, left].append(back)
             need(covers(spans), f"{at}: a side of it is not covered", one[0])
     for n, edge in enumerate(known):
         for left in (True,) if edge.loop else (True, False):
             reason = f"{edge.name}: {name} are not along all of its {'left' if left else 'right'}"
-            need(covers(beside[n, left]), reason, edge.start)
+            need(covers(along[n, left]), reason, edge.start)
 
 
 def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, work: Work) -> None:
-    """Prove (d) of the lemma: require a winding number of all loops at points."""
+    """Require a winding number of all loops at points."""
     around = [edge[:3] for edge in known if edge.loop]
     for z in points:
         work.spend(len(around) / 2)
@@ -510,7 +510,7 @@ def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, wo
 
 
 def no_fit(c: Any, work: Work) -> str:
-    """Prove a no-fit polygon, and if it is that of a sweep, the area along its exterior."""
+    """Prove a no-fit polygon, and of a sweep the swept area."""
     more, lists = "inner outer unswept area", "swept slits"
     more, lists = (more, lists) if c["claim"] == "sweep" else ("", "")
     names = f"directrix generatrix exterior holes exact_fits proof {more} {HEAD}"
@@ -565,7 +565,7 @@ def inner_fit(c: Any, work: Work) -> str:
 
 
 def read_region(name: str, item: Any, work: Work) -> list[Known]:
-    """Read a region, its interior on the right; a hole is in its exterior, and in no other hole."""
+    """Read a region, its interior on the right; require that its holes are in its exterior."""
     exterior, holes = fields(name, item, "exterior holes")
     inner = [loop(f"{name}, hole {k}", e) for k, e in enumerate(items(name, holes))]
     own = [*loop(f"{name}, exterior", exterior, -1), *chain(*inner)]
@@ -581,10 +581,10 @@ Solid = tuple[list[Ring], Rational]
 
 
 class Body(NamedTuple):
-    """A part or an obstacle: rings with radii, and their winding number inside.
+    """A part or an obstacle, its error and its required distance.
 
-    A convex piece is a ring with a radius; a shape that is not cut has all its rings together. The
-    outside of a rounded piece has a radius below 0.
+    Each solid is a piece, one ring with a radius, or without a proof all rings of a shape. `inside`
+    is the winding number inside. The complement of a rounded piece has a negative radius.
     """
 
     name: str
@@ -628,7 +628,7 @@ def move(points: Ring, to: Any = AXES[0], mirrored: bool = False, by: Point = (0
 
 
 def gap(one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bool:
-    """Return whether a normal shows that points are at a distance from others, on its side."""
+    """Return whether a normal proves that two pieces are a distance apart."""
     (x, y), w, v, (n, m) = normal, one[0][2], other[0][2], distance.as_integer_ratio()
     found = min(x * s + y * t for s, t, _ in other) * w - max(x * s + y * t for s, t, _ in one) * v
     is_far = found >= 0 and (found * m) ** 2 >= (n * w * v) ** 2 * (x * x + y * y)
@@ -636,7 +636,7 @@ def gap(one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bo
 
 
 def is_inside(body: Body, p: Point, depth: Rational) -> bool:
-    """Return whether a point is in a body, deeper than a depth, or if that is below 0, near it."""
+    """Return whether a point is deeper in a body than a depth, which may be negative."""
     found, (x, y) = False, place(p)
     for rings, radius in body.solids:
         around, squared, more = [*chain(*map(edges, rings))], list[Rational](), depth - radius
@@ -653,7 +653,7 @@ Part = tuple[Body, list[Any], list[Any]]
 
 
 class Layout:
-    """A layout and its evidence: parts by id, and bodies: placements, and obstacles last."""
+    """A layout and its evidence: parts by id; placements, then obstacles, the last one first."""
 
     def __init__(self, c: Any, work: Work) -> None:
         names = f"layout turns valid {HEAD}"
@@ -687,7 +687,7 @@ class Layout:
             self.bodies.append(self.read_body(name, form, own, far))
 
     def read_body(self, name: str, form: list[Any], cut: Any, distance: Rational) -> Body:
-        """Read a body: a shape, or rounded pieces; of a container, what is outside it."""
+        """Read a shape or rounded pieces; return the complement of a container."""
         exterior, holes, given, error = form
         is_outside, found = name == "container", list[Solid]()
         if given is None:
@@ -714,7 +714,7 @@ class Layout:
         return Body(name, found, known, distance, int(not is_outside))
 
     def read_placement(self, name: str, item: Any, rational: Any) -> Body:
-        """Read a placement, and put its part there."""
+        """Read a placement; return its part there."""
         key, by, turn, flag = fields(name, item, "part move", "turn mirrored")
         need(type(key) is str and key in self.parts, f"{name}: unknown part")
         need(flag is None or type(flag) is bool, f"{name}, mirrored: neither true nor false")
@@ -730,7 +730,7 @@ class Layout:
         return Body(f"{name} of {key[:40]!a}", moved, error, self.spacing, 1)
 
     def find_broken(self) -> Iterator[tuple[str, str]]:
-        """List the rules that are broken, each with the id of a part."""
+        """Yield the violated rules, each with the id of a part."""
         for key, (_, (demand, turns, may, mirrored), used) in self.parts.items():
             name, others = f"part {key[:40]!a}", turns if mirrored is None else mirrored
             need(may is None or type(may) is bool, f"{name}, mirrored: neither true nor false")
@@ -745,7 +745,7 @@ class Layout:
                 yield from [("turn", key)] * (not own <= allowed)
 
     def prove_valid(self) -> None:
-        """Prove that parts are in the container, and apart from each other and from obstacles."""
+        """Prove that placements are in the container, and apart from each other and obstacles."""
         normals, boxes, least = dict[Any, Any](), list[Any](), self.count - len(self.bodies)
         beyond, reach = self.bodies[-1], max(e.distance for e in self.bodies) / Fraction(2)
         for n, entry in enumerate(items("apart", self.normals)):
@@ -779,7 +779,7 @@ class Layout:
                 need(is_apart, reason, others[0])
 
     def prove_fault(self, name: str, fault: Any, broken: set[tuple[str, str]]) -> Any:
-        """Prove one fault; return what has it."""
+        """Prove a fault; return its part or its bodies."""
         kind, key, on, at = fields(name, fault, "kind", "part placements point")
         points, least = read_points(name, [] if at is None else [at]), self.count - len(self.bodies)
         is_one = type(kind) is str and (on is None) != (key is None)
@@ -809,7 +809,7 @@ class Layout:
 
 
 def layout(c: Any, work: Work) -> str:
-    """Prove that a layout is valid, or has faults."""
+    """Prove that a layout is valid or has faults."""
     found = Layout(c, work)
     broken, name = {*found.find_broken()}, f"layout of {found.count} placements"
     if found.valid:
@@ -829,7 +829,7 @@ PROVERS = {"no_fit": no_fit, "sweep": no_fit, "inner_fit": inner_fit, "layout": 
 
 
 def prove(certificate: Any, max_steps: float | None = None) -> str:
-    """Prove a certificate, as `load` gives it, and describe what is proved; or raise Refused."""
+    """Prove a certificate that `load` returns and describe it, or raise Refused."""
     need(type(certificate) is dict, "not an object")
     form, version, claim = (certificate.get(key) for key in HEAD.split())
     need(type(form) is str and form == FORMAT, f"format: not {FORMAT!r}")
@@ -839,7 +839,7 @@ def prove(certificate: Any, max_steps: float | None = None) -> str:
 
 
 def load(text: str) -> Any:
-    """Read JSON in which no object has one key twice."""
+    """Read JSON without duplicate keys."""
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         need(len(dict(pairs)) == len(pairs), "duplicate key")
@@ -852,7 +852,7 @@ def main(arguments: list[str]) -> int:
     """Print what a certificate proves; return the exit code."""
     try:
         print(f"proved: {prove(load(Path(*arguments).read_text(encoding='utf-8-sig')))}")
-    except Exception as error:  # whatever a file makes happen, nothing is proved
+    except Exception as error:  # nothing is proved, whatever happens
         print(f"not proved: {error}")
         return 1
     return 0
