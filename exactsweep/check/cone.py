@@ -25,7 +25,7 @@ class Cone(NamedTuple):
 
     @property
     def is_wide(self) -> bool:
-        """Decide whether it is more than half a turn."""
+        """Decide whether it is more than a half turn."""
         return cross(self.start, self.end) < 0
 
     def holds(self, d: Vertex) -> bool:

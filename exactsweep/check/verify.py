@@ -1,4 +1,4 @@
-"""The verdict on a certificate: `standalone.prove`, and a comparison with the caller's polygons."""
+"""The verdict on a certificate: `standalone.prove` and a comparison with given polygons."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from exactsweep.numbers.number import Point, to_fraction
 class Verification(NamedTuple):
     """The verdict on a certificate: proved, or the first reason why it is not.
 
-    The witness, if there is one, is a point of the loop, edge, shape or layout that the reason
-    names: a translation of the generatrix for the exterior, the holes and the exact fits.
+    The witness, if there is one, is a point of the loop, edge, shape or layout in the reason; for
+    the exterior, the holes and the exact fits a translation of the generatrix.
     """
 
     proved: bool
@@ -49,20 +49,19 @@ def verify(
     Args:
         certificate: as `json.loads` gives it, from any source; of a sweep, a no-fit polygon, an
             inner fit or a layout.
-        generatrix: the polygon G that the certificate has to be about: a Polygon, its vertices or a
-            Region. If left out, the certificate may be about any.
-        directrix: D, likewise.
-        part: that of an inner fit, likewise.
-        container: likewise.
-        max_steps: the work bound, in steps of at most a microsecond with short numbers. If left
-            out, it grows with the certificate: 100 kB end within half a minute.
+        generatrix: the required polygon G: a Polygon, its vertices or a Region. By default any.
+        directrix: the required polygon D, likewise.
+        part: the required part of an inner fit, likewise.
+        container: the required container of an inner fit, likewise.
+        max_steps: the work bound, in steps of at most a microsecond with short numbers. By default
+            it grows with the certificate: 100 kB end within half a minute.
 
     Returns:
-        Verification. The reason is "proved", or names the loop, edge, fit or piece that is wrong.
-        No certificate makes `verify` raise an exception.
+        Verification. The reason is "proved" or names the wrong loop, edge, fit or piece. No
+        certificate makes `verify` raise an exception.
 
     Raises:
-        ExactSweepError: a polygon that is none, or `max_steps` that is no int above 0.
+        ExactSweepError: not a polygon, or `max_steps` is not an int above 0.
 
     Cost: with k the edges of loops and sums of pieces whose boxes meet, O(k) tests of a segment
         and a sum; O(n log n) for n pieces of a layout if O(n) pairs are near.
@@ -79,9 +78,9 @@ def verify(
     try:
         prove(certificate, max_steps)
         for name, rings in given.items():
-            need(name in certificate, f"{name}: there is none in the certificate")
+            need(name in certificate, f"the certificate has no {name}")
             is_same = _outline(shape(name, certificate[name])) == _outline(rings)
-            need(is_same, f"{name}: not the polygon that is given")
+            need(is_same, f"{name} of the certificate is not the given polygon")
     except Refused as refused:
         witness = refused.witness and Point(*refused.witness)
         return Verification(False, str(refused), witness)

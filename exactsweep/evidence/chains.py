@@ -1,11 +1,11 @@
-"""The evidence that loops and fits bound sums: listed sums, and chains that cover their sides.
+"""Evidence that loops and fits bound sums: listed sums, and chains that cover their sides.
 
-(1) Beside each known edge, an edge of a loop or a fit, sums are listed whose sides run along it.
-    Those with sides along the most known edges come first.
-(2) Each side of a listed sum is covered from its start on, by known edges, or else by the sum that
-    covered the end of the last side, by a listed sum, the largest first, or by the largest sum of
-    all, which is then listed.
-(3) Where there is neither, up to the next one, there is a slit. Slits count as known edges.
+(1) For each known edge, of a loop or a fit, sums with a side along it are listed, those with sides
+    along the most known edges first.
+(2) Each side of a listed sum is covered from its start on: by known edges, else by the sum that
+    covered the end of the last side, a listed sum, the largest first, or the largest sum of all,
+    which is then listed.
+(3) An interval that nothing covers is a slit. Slits count as known edges.
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ class _Finder:
         return self._sums.sides(k) if k < self._sums.count else self._beyond[k]
 
     def add_known(self, edges: Sequence[DirectedSegment]) -> None:
-        """Add known edges, and list sums with sides along them; right of a loop there are none."""
+        """Add known edges and list sums along them; right of a loop there are none."""
         if not self._known:
             self._strips = _Strips(self._sums.box, _STRIPS * isqrt(len(edges)) + 1)
         bound, first = self._sums.grid.bound, len(self._known)
@@ -133,13 +133,13 @@ class _Finder:
         for n, numbers in near.items():
             for k in numbers:
                 self._edges[k].append(n)
-        wanted = [found for _, n in boxes for found in self._find_beside(n, near[n])]
+        wanted = [found for _, n in boxes for found in self._find_along(n, near[n])]
         gain = Counter(k for found in wanted for k, _ in found)
         for found in wanted:
             self._list_along(found, gain)
 
-    def _find_beside(self, n: int, near: Sequence[int]) -> list[list[tuple[int, Interval]]]:
-        """Find the sums with sides along a known edge, on its right and its left, and how far."""
+    def _find_along(self, n: int, near: Sequence[int]) -> list[list[tuple[int, Interval]]]:
+        """Find the sums with a side along a known edge, right and left of it, with intervals."""
         edge = self._known[n]
         if edge.start == edge.end:
             return [[(k, _WHOLE) for k in near if is_on_border(self._sides(k), edge.start)]]
@@ -154,7 +154,7 @@ class _Finder:
         return found
 
     def _list_along(self, found: Sequence[tuple[int, Interval]], gain: Counter[int]) -> None:
-        """List sums that cover an edge, those first that are along the most known edges."""
+        """List sums that cover an edge, first those along the most known edges."""
 
         def rank(k: int) -> tuple[bool, int, int]:
             is_listed = k in self._chains

@@ -167,7 +167,7 @@ def _surround(
 
 
 def _turn(ring: Iterable[Node]) -> list[Node]:
-    """Turn a ring by half a turn about the origin."""
+    """Turn a ring by a half turn about the origin."""
     return [(-x, -y, w) for x, y, w in ring]
 
 

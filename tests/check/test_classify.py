@@ -161,13 +161,13 @@ def test_known_verdicts(name: str) -> None:
 
 
 def test_interlocked_combs_touch_and_then_overlap() -> None:
-    """Ten teeth of width one in ten gaps of width one."""
-    up = [(0, -1), (21, -1), (21, 0)]
-    for x in range(20, -1, -2):
+    """Six teeth of width one in six gaps of width one."""
+    up = [(0, -1), (13, -1), (13, 0)]
+    for x in range(12, -1, -2):
         up += [(x + 1, 0), (x + 1, 3), (x, 3), (x, 0)]
     up = up[:2] + up[3:-1]
     comb = Polygon(up)
-    other = comb.reflected((Fraction(21, 2), Fraction(3, 2)))
+    other = comb.reflected((Fraction(13, 2), Fraction(3, 2)))
     assert check(comb, other, (1, 0)) == "CONTACT"
     assert check(comb, other, (1, 3)) == "CONTACT"
     assert check(comb, other, (1, 4)) == "FREE"
@@ -266,7 +266,7 @@ def test_witnesses_are_inside_both() -> None:
     """Of shapes on a small grid, where rays from a corner run along edges."""
     rng = Random(6)
     found = 0
-    for number in range(120):
+    for number in range(60):
         pair = (small_pairs.draw_shapeless if number % 2 else small_pairs.draw)(rng)
         g, d = (Region(shape[0], shape[1:]) for shape in pair)
         for _ in range(6):
@@ -282,7 +282,7 @@ def test_witnesses_are_inside_both() -> None:
                     ]
                     assert sides == [1] + [-1] * len(shape.holes), (pair, t)
                 found += 1
-    assert found > 200
+    assert found > 100
 
 
 @pytest.mark.parametrize("hole", [[(2, 2), (8, 8), (8, 2)], [(2, 2), (2, 8), (8, 8)]])

@@ -68,9 +68,9 @@ def changed(certificates: list[Any], count: int, seed: int) -> list[Any]:
 
 
 def test_both_agree_on_certificates_and_on_changed_ones(tmp_path: Path) -> None:
-    true = [*corpus_certificates(10, 60), *layout_certificates(8)]
+    true = [*corpus_certificates(10, 120), *layout_certificates(16)]
     assert check_agreement(true, tmp_path) == len(true)
-    false = changed(true, 6, seed=1)
+    false = changed(true, 5, seed=1)
     assert check_agreement(false, tmp_path) < len(false) / 2
 
 
@@ -198,7 +198,7 @@ def test_both_agree_on_drawn_certificates(seed: int, tmp_path: Path) -> None:
 
 def test_both_agree_on_distances_of_defects_and_rotations_of_mirrored_parts(tmp_path: Path) -> None:
     certificates = list[Any]()
-    for spacing in (None, "1", "2", "21/10", "-1"):
+    for spacing in (None, "2", "21/10", "-1"):
         defect = {"exterior": rect(1, 1, 4, 4), "spacing": spacing}
         part = {"id": "a", "exterior": rect(0, 0, 2, 2), "turns": ["180"]}
         for turns in (None, [], ["0"], ["1"], [["1", "1"]], "0"):

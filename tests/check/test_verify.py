@@ -19,7 +19,7 @@ from exactsweep.numbers.error import ExactSweepError
 
 
 @pytest.mark.parametrize("kind", ["CC", "CM", "MM"])
-@examples(40)
+@examples(15)
 @given(data=st.data())
 def test_the_certificate_of_a_sweep_is_proved(kind: Kind, data: st.DataObject) -> None:
     generatrix, directrix = data.draw(pairs(kind))
@@ -68,7 +68,7 @@ def test_the_polygons_of_the_caller_are_compared(
     verdict = verify(certificates()[name], **given)
     assert verdict.proved == is_same
     if not is_same:
-        assert verdict.reason.split(":")[0] in given
+        assert any(name in verdict.reason for name in given)
 
 
 def test_a_hole_given_the_other_way_around_is_the_same() -> None:
