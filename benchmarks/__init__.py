@@ -1,1 +1,1 @@
-"""Benchmarks: how the procedures grow, beside their claimed bounds, and beside other programs."""
+"""Benchmarks: the growth of the procedures, and comparisons with other programs."""

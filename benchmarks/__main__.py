@@ -50,7 +50,7 @@ def show(tables: Iterable[object], width: int = WIDTH) -> None:
 
 @click.group()
 def main() -> None:
-    """Measure exactsweep: its growth beside the claimed bounds, and its time beside others'."""
+    """Measure growth against the claimed bounds, and time against other programs."""
 
 
 @main.command()
@@ -83,7 +83,7 @@ def spent() -> None:
 @main.command()
 @quick_option
 def floors(quick: bool) -> None:
-    """Measure proofs, undercuts and the page beside the sweep."""
+    """Measure proofs, undercuts and the page, compared with the sweep."""
     show(floors_runs.tabulate(quick=quick))
 
 
@@ -125,7 +125,7 @@ def peers(quick: bool, limit: float) -> None:
 @quick_option
 @cgal_option
 def layouts(quick: bool, cgal: Path | None) -> None:
-    """Layouts judged beside CGAL and shapely, and how that grows with their size."""
+    """Measure the judging of layouts, compared with CGAL and shapely, and its growth."""
     show(layout_runs.tabulate(cgal, quick=quick))
 
 
@@ -133,7 +133,7 @@ def layouts(quick: bool, cgal: Path | None) -> None:
 @limit_option
 @cgal_option
 def fair(limit: float, cgal: Path | None) -> None:
-    """Loops by CGAL and by the kernel: kept, made anew, from text; memory, crashes."""
+    """Loops by CGAL and by the kernel: kept, rebuilt, from text; memory, crashes."""
     with TemporaryDirectory() as folder:
         program = Cgal(cgal or compile_program(Path(folder)), limit, fair_runs.SECONDS)
         show(fair_runs.tabulate(program), WIDE)

@@ -1,4 +1,4 @@
-"""CGAL and the kernel on the same pairs in the same states: kept, made anew, and from text.
+"""CGAL and the kernel on the same pairs in the same states: kept, rebuilt, and from text.
 
 CGAL's time is that of its fastest strategy for each step, with all coordinates of the result forced
 to be exact; its three loops are three sums. A strategy that crashes, gives no polygon or gives
@@ -29,7 +29,7 @@ SHAPES = (("radial", 16, 16), ("radial", 64, 64), ("radial", 256, 64), ("tangled
 CORPUS = ("caves", "interlocking", "jigsaw", "parts", "rectilinear", "spirals")
 """The families of the corpus with outlines of parts, of any shape and monotone ones."""
 ONE_OF = 8
-"""One of so many pairs of a family of the corpus is measured."""
+"""The share of the pairs of a family of the corpus that are measured, 1 / ONE_OF."""
 TURNS = 2
 SECONDS = 0.1
 """Each operation is repeated for so long in each turn."""

@@ -1,4 +1,4 @@
-"""The cost of evidence and proof beside the sweep: `verify`, undercuts and the page.
+"""The cost of evidence and proof, compared with the sweep: `verify`, undercuts and the page.
 
 The sweep is its three loops, of polygons that are made; `verify` is given the certificate as
 `json.loads` gives it; the time of `json.loads` itself is shown apart.

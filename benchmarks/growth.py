@@ -221,7 +221,7 @@ def _measure(name: str, size: int) -> tuple[float, float]:
 
 
 def tabulate(measured: Iterable[Grown]) -> Table:
-    """All sizes of all cases, the slopes beside the largest."""
+    """All sizes of all cases, with the slopes at the largest."""
     table = Table("case", title="seconds and MB, slopes over the three largest sizes")
     for column in ("n", "s", "times", "slope", "MB", "slope"):
         table.add_column(column, justify="right")

@@ -1,4 +1,4 @@
-"""Layouts judged beside CGAL, exactly, and shapely, in doubles; and the growth over doublings.
+"""Judging of layouts, compared with CGAL and shapely; and its growth over doubling sizes.
 
 All three are asked which placed parts overlap, and which leave the container. shapely and CGAL
 make intersections; CGAL is also asked for no more than whether interiors meet, by `do_intersect`.
@@ -102,7 +102,7 @@ def draw_tile(borders: list[Offsets], room: int) -> list[tuple[int, int]]:
 
 
 def place_all(layout: Layout) -> list[Region]:
-    """The placed parts, and what is outside of the container in a frame."""
+    """The placed parts, and the complement of the container in a frame."""
     placed = []
     for placement in layout.placements:
         region = layout.part_by_id[placement.part].region
@@ -110,7 +110,7 @@ def place_all(layout: Layout) -> list[Region]:
         region = region.mirrored() if placement.mirrored else region
         cosine, sine, _ = placement.turn.near()
         placed.append(region.rotated((cosine, sine)).translated(placement.move))
-    assert layout.container is not None
+    assert isinstance(layout.container, Region)
     low, high = zip(*(shape.bounding_box for shape in (*placed, layout.container)), strict=True)
     left, bottom = min(p.x for p in low) - 1, min(p.y for p in low) - 1
     right, top = max(p.x for p in high) + 1, max(p.y for p in high) + 1
@@ -162,7 +162,7 @@ def write_shapes(shapes: list[Region]) -> str:
     return "\n".join(lines) + "\n"
 
 
-class Beside(NamedTuple):
+class ComparedLayout(NamedTuple):
     """Median times of the programs in ms for one layout, and whether all found the same pairs."""
 
     name: str
@@ -172,7 +172,7 @@ class Beside(NamedTuple):
     same: bool
 
 
-def measure(name: str, layout: Layout, cgal: Path | None, seconds: float = 0.2) -> Beside:
+def measure(name: str, layout: Layout, cgal: Path | None, seconds: float = 0.2) -> ComparedLayout:
     """Judge a layout by all programs, in turn, twice."""
     *placed, outside = place_all(layout)
     shapes = [*placed, outside]
@@ -189,10 +189,10 @@ def measure(name: str, layout: Layout, cgal: Path | None, seconds: float = 0.2) 
             taken[program] += map(float, times.split())
             same = same and found == {(int(a), int(b)) for a, b in map(str.split, pairs)}
     medians = {program: median(times) for program, times in taken.items()}
-    return Beside(name, len(placed), sum(map(len, placed)) // len(placed), medians, same)
+    return ComparedLayout(name, len(placed), sum(map(len, placed)) // len(placed), medians, same)
 
 
-def compare_all(cgal: Path | None, *, quick: bool) -> Iterator[Beside]:
+def compare_all(cgal: Path | None, *, quick: bool) -> Iterator[ComparedLayout]:
     """Tilings as large as published records are, with a gap and without."""
     for number, vertices in RECORDS[:2] if quick else RECORDS:
         for gap in (True, False):
@@ -200,7 +200,7 @@ def compare_all(cgal: Path | None, *, quick: bool) -> Iterator[Beside]:
 
 
 class Grown(NamedTuple):
-    """Seconds for a layout with so many placements, and MB at most."""
+    """Seconds for layouts of several sizes, and peak MB."""
 
     placements: int
     verdict: float
@@ -239,22 +239,22 @@ def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
     with TemporaryDirectory() as folder:
         cgal = cgal or compile_judge(Path(folder))
         found = list(compare_all(cgal, quick=quick))
-    beside = Table(title="Layouts judged, median ms of processor time")
+    table = Table(title="Layouts judged, median ms of processor time")
     programs = [*found[0].times]
     ratios = [("ours", "shapely"), *((program, "ours") for program in programs[2:])]
     for column in ("parts with", "placements", "vertices", *programs):
-        beside.add_column(column, justify="right")
+        table.add_column(column, justify="right")
     for ratio in ratios:
-        beside.add_column(" / ".join(ratio), justify="right")
-    beside.add_column("same pairs")
+        table.add_column(" / ".join(ratio), justify="right")
+    table.add_column("same pairs")
     for row in found:
-        beside.add_row(
+        table.add_row(
             *(row.name, str(row.placements), str(row.vertices)),
             *(f"{row.times[program]:.2f}" for program in programs),
             *(f"{row.times[a] / row.times[b]:.1f}" for a, b in ratios),
             "yes" if row.same else "no",
         )
-    yield beside
+    yield table
     for name in (GAP, TOUCHING):
         for a, b in ratios:
             half = median(row.times[a] / row.times[b] for row in found if row.name == name)

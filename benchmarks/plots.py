@@ -1,4 +1,4 @@
-"""Log-log plots: programs beside each other, and hard shapes over their size.
+"""Log-log plots: comparisons of programs, and hard shapes over their size.
 
 Colours are those of all pictures (`exactsweep.canvas.style`); markers and dashes differ too.
 """

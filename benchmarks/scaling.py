@@ -35,7 +35,7 @@ def series_table(series: Growth) -> Table:
 
 
 def summary_table(measured: Iterable[Growth]) -> Table:
-    """Fitted exponents beside the paper's."""
+    """Fitted exponents, compared with the paper's."""
     found = tabulate(measured)
     table = Table(title=found.caption, title_justify="left")
     for k, name in enumerate(found.header):

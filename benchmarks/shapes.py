@@ -1,8 +1,8 @@
 """The growth of no-fit polygons of any shape: counts of their steps, and seconds.
 
 The steps are those of `exactsweep.procedures.positions`. There are at most 2 m n contact segments;
-parts in squares that are known to be overlapped are left out, and few pieces of the rest need an
-overlap test.
+parts in squares that are known to be overlapped are skipped, and few other pieces need an overlap
+test.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def count_steps(family: str, size: int) -> tuple[int, ...]:
 
 
 def measure_shapes(*, quick: bool = False) -> Iterator[Growth]:
-    """The series: counts beside m n, and seconds beside m n log n."""
+    """The series: counts over m n, and seconds over m n log n."""
     for family, sizes in SIZES.items():
         sizes = sizes[:3] if quick else sizes
         counts = {size: count_steps(family, size) for size in sizes}

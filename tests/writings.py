@@ -19,7 +19,7 @@ from exactsweep.corpus import cases
 @click.option("--most", type=int, help="The most vertices of a case; any if left out.")
 @click.option("--only", type=click.Choice([*WRITINGS]), multiple=True)
 def main(most: int | None, only: tuple[str, ...]) -> None:
-    """Judge right answers in all their ways, and name those that are convicted.
+    """Judge right answers in all writings, and list those that are convicted.
 
     The exit code is 1 if there is one.
     """

@@ -85,7 +85,7 @@ class Cgal:
         self.version = run([program, "version"], "", limit).strip()
 
     def best(self, family: str, stage: str, p: Loop, q: Loop, mode: str = "") -> Best | None:
-        """The fastest way to P + Q, or to P eroded by -Q.
+        """The fastest strategy to P + Q, or to P eroded by -Q.
 
         Args:
             family: the family of the pair.
@@ -97,21 +97,21 @@ class Cgal:
         Returns:
             None if no strategy ends within the limit.
         """
-        ways = self._worth.get((family, stage), EROSIONS if stage == "inner" else SUMS)
+        strategies = self._worth.get((family, stage), EROSIONS if stage == "inner" else SUMS)
         found: list[tuple[Best, tuple[str, str]]] = []
         polygons: list[Polygon] = []
         allowed = self._limit
         self.failed = self.differing = 0
-        for way in ways:
+        for strategy in strategies:
             try:
-                ran = self._run(way, p, q, allowed, mode)
+                ran = self._run(strategy, p, q, allowed, mode)
                 if ran is None:
                     continue
                 polygons.append(Polygon(ran.loop))
             except (PolygonError, StoppedError):
                 self.failed += 1
                 continue
-            found.append((ran, way))
+            found.append((ran, strategy))
             allowed = min(allowed, max(1.0, HOPELESS * ran.times.median / 1000))
         if not found:
             return None
@@ -122,15 +122,15 @@ class Cgal:
         found.sort(key=lambda pair: pair[0].times.median)
         best = found[0][0]
         self._worth[family, stage] = [
-            way for ran, way in found if ran.times.median <= HOPELESS * best.times.median
+            strategy for ran, strategy in found if ran.times.median <= HOPELESS * best.times.median
         ]
         return best
 
     def _run(
-        self, way: tuple[str, str], p: Loop, q: Loop, allowed: float, mode: str
+        self, strategy: tuple[str, str], p: Loop, q: Loop, allowed: float, mode: str
     ) -> Best | None:
         """Run one strategy; None if it is too slow. On collinear vertices some of them crash."""
-        command: list[str | Path] = [self._program, *way, str(self._seconds)]
+        command: list[str | Path] = [self._program, *strategy, str(self._seconds)]
         given = " ".join(write_shape([[*ring]]) for ring in (p, q))
         try:
             written = run(
@@ -142,5 +142,5 @@ class Cgal:
         if min(map(float, times.split())) > 1000 * allowed:
             return None
         loop = [(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)]
-        name = way[0] if way[1] == "sum" else ", ".join(way)
+        name = strategy[0] if strategy[1] == "sum" else ", ".join(strategy)
         return Best(name, Times.of([*map(float, times.split())]), loop, 1024 * int(memory))

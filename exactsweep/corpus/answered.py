@@ -87,7 +87,7 @@ class AnsweredPair:
         return make_shape(self.generatrix_rings)
 
     def sweep(self) -> Sweep:
-        """Sweep the pair anew."""
+        """Sweep the pair."""
         return sweep(self.generatrix, self.directrix, reference=self.reference)
 
     @property

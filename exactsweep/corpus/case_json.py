@@ -28,7 +28,7 @@ def case_to_json(case: Case) -> dict[str, Any]:
         case: a Case.
 
     Returns:
-        A dict ready for `json.dump`; `schema.json` beside this module describes it.
+        A dict ready for `json.dump`; `schema.json` in this package describes it.
 
     Cost: linear.
 

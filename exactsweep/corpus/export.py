@@ -25,7 +25,7 @@ from exactsweep.numbers.number import Point
 _WIDTH, _HEIGHT = 440, 370
 
 
-class Figure(NamedTuple):
+class CaseFigure(NamedTuple):
     """A polygon of a case, or a segment of positions.
 
     Attributes:
@@ -41,24 +41,24 @@ class Figure(NamedTuple):
     rings: Sequence[Sequence[Point]]
 
 
-def list_figures(case: Case) -> Iterator[Figure]:
+def list_figures(case: Case) -> Iterator[CaseFigure]:
     """Yield the polygons and segments of a case: its input, and the expected answer."""
-    yield Figure("directrix", True, case.directrix_rings)
-    yield Figure("generatrix", True, case.generatrix_rings)
-    yield Figure("trajectory", True, case.trajectory.rings)
-    yield Figure("inner", True, case.inner.rings)
-    yield Figure("outer", True, case.outer.rings)
+    yield CaseFigure("directrix", True, case.directrix_rings)
+    yield CaseFigure("generatrix", True, case.generatrix_rings)
+    yield CaseFigure("trajectory", True, case.trajectory.rings)
+    yield CaseFigure("inner", True, case.inner.rings)
+    yield CaseFigure("outer", True, case.outer.rings)
     for name, shapes in (
         ("hole", case.holes),
         ("unswept", case.unswept),
         ("inner fit", case.inner_regions or ()),
     ):
-        yield from (Figure(name, True, shape.rings) for shape in shapes)
+        yield from (CaseFigure(name, True, shape.rings) for shape in shapes)
     for name, fits in (
         ("exact fit", case.exact_fits),
         ("exact fit inside", case.inner_exact_fits),
     ):
-        yield from (Figure(name, False, [tuple(dict.fromkeys(fit))]) for fit in fits)
+        yield from (CaseFigure(name, False, [tuple(dict.fromkeys(fit))]) for fit in fits)
 
 
 def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
@@ -89,7 +89,7 @@ def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
                 yield _row(case.id, figure.name, "", str(error))
 
 
-def _wkt(figure: Figure) -> str:
+def _wkt(figure: CaseFigure) -> str:
     name, closed, (exterior, *holes) = figure
     if closed:
         inner = {f"{name}, hole {k}": hole for k, hole in enumerate(holes)}
@@ -133,7 +133,7 @@ def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
     yield "\n]}\n"
 
 
-def _feature(case: Case, figure: Figure) -> dict[str, Any]:
+def _feature(case: Case, figure: CaseFigure) -> dict[str, Any]:
     name, closed, rings = figure
     properties: dict[str, Any] = {
         "case": case.id,

@@ -36,7 +36,7 @@ class LayoutCase(NamedTuple):
 
     @property
     def layout(self) -> Layout:
-        """The Layout, read anew."""
+        """The Layout, read from `data`."""
         return Layout.from_json(self.data)
 
 

@@ -97,7 +97,7 @@ def read_case(name: str) -> Case:
             a generated one. The file holds a case as `case_from_json` reads it; or a pair: what
             `sweep`, `nfp` or `ifp` write with --json, or an object with "directrix" and
             "generatrix" and any other member of a case. A polygon is anything that `parse_region`
-            reads of JSON. Answers in a pair are computed anew.
+            reads of JSON. Answers in a pair are ignored, and computed.
 
     Returns:
         The Case; of a pair without "id", the name of the file is the id.
@@ -177,15 +177,15 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
 
 
 def _read_shape(document: dict[str, object], role: str) -> PointRings:
-    """Read a polygon with its holes, which stand in it or beside it."""
+    """Read a polygon with its holes, its own or those of the member ROLE_holes."""
     rings = _read_rings(choose(find_candidates(document[role]), None), role)
-    beside = f"{role}_holes"
-    holes = document.get(beside, [])
+    key = f"{role}_holes"
+    holes = document.get(key, [])
     if not isinstance(holes, list):
-        raise FormatError(f"$.{beside} is {describe_kind(holes)}, not a list of holes")
+        raise FormatError(f"$.{key} is {describe_kind(holes)}, not a list of holes")
     if holes and len(rings) > 1:
-        raise FormatError(f"$.{beside}: {role} has holes of its own")
-    return [*rings, *(read_vertices(hole, f"$.{beside}[{k}]") for k, hole in enumerate(holes))]
+        raise FormatError(f"$.{key}: {role} has holes of its own")
+    return [*rings, *(read_vertices(hole, f"$.{key}[{k}]") for k, hole in enumerate(holes))]
 
 
 def _make_case(

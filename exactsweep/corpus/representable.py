@@ -41,7 +41,7 @@ def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
 
 
 def is_in_range(value: Fraction | int, bits: int) -> bool:
-    """Decide whether a number lies between the least and the greatest integer of so many bits.
+    """Decide whether a signed integer type of some bits has the range of a number.
 
     >>> is_in_range(-(2**31), 32), is_in_range(2**31 - 1, 32), is_in_range(2**31, 32)
     (True, True, False)

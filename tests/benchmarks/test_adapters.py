@@ -249,7 +249,7 @@ def test_a_nesting_program_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_
     clipper, orbit = load("svgnest-clipper"), load("svgnest-orbit")
     try:
         (ring,) = clipper.answer(d, g).values()
-        # It says where G's first vertex is; told of the origin, that is a corner less.
+        # It answers for G's first vertex; for the origin, subtract a corner.
         assert ring == [(0, 0), (2, 0), (0, 2)]
         (ring,) = clipper.answer(d, g[::-1]).values()
         assert ring[0] == (0, 0)
@@ -258,7 +258,7 @@ def test_a_nesting_program_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_
             **orbit.answer([d, d], [g], parts=["no_fit"]),
             **orbit.answer([d], [g], parts=["inner_fit"]),
         }
-        # Told of G's origin: its least corner is (1, 1). The hole has no answer.
+        # For G's origin: its least corner is (1, 1). The hole has no answer.
         assert found["no_fit"] == [[(x - 1, y - 1) for x, y in d]]
         assert found["exact_fits"] == [((0, 0), (0, 0))]
         assert found["inner_exact_fits"] == [((6, -1), (6, -1))]

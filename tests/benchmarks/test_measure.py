@@ -62,9 +62,7 @@ def test_a_page_says_what_was_asked(tmp_path: Path) -> None:
     assert f"{page.read_text(encoding='utf-8')}\n" == shown.output
 
 
-def test_a_program_that_is_not_there_is_told(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_missing_program_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "shapely", None)
     shown = CliRunner().invoke(
         measure, [str(tmp_path), "--only", "shapely", "--most", "6", "--each", "0"]
@@ -76,7 +74,7 @@ def test_a_program_that_is_not_there_is_told(
     ("complaints", "interrupted", "said"),
     [(["one", "two"], False, "one; two"), ([], True, "interrupted")],
 )
-def test_a_run_that_fails_is_told(
+def test_a_failed_run_is_reported(
     complaints: list[str],
     interrupted: bool,
     said: str,

@@ -24,7 +24,7 @@ def box(width: Any, height: Any, x: Any = 0, y: Any = 0) -> Ring:
 
 
 def turned(ring: Ring) -> Ring:
-    """By half a turn."""
+    """Reflect in the origin."""
     return [(-x, -y) for x, y in ring]
 
 
@@ -88,23 +88,23 @@ def plate(across: int, up: int) -> Region:
     return Region(box(3 * across + 1, 3 * up + 1), holes)
 
 
-def maze(rooms: int) -> Region:
+def maze(cells: int) -> Region:
     """Walls around a tree of passages, one square wide; the way in is at the lower left."""
-    random = Random(f"maze {rooms}")
-    side = 2 * rooms + 1
+    random = Random(f"maze {cells}")
+    side = 2 * cells + 1
     open_cells = {(1, 1), (1, 0)}
     path = [(1, 1)]
     while path:
         x, y = path[-1]
-        ways = [
+        directions = [
             (dx, dy)
             for dx, dy in ((2, 0), (0, 2), (-2, 0), (0, -2))
             if 0 < x + dx < side and 0 < y + dy < side and (x + dx, y + dy) not in open_cells
         ]
-        if not ways:
+        if not directions:
             path.pop()
             continue
-        dx, dy = random.choice(ways)
+        dx, dy = random.choice(directions)
         open_cells |= {(x + dx // 2, y + dy // 2), (x + dx, y + dy)}
         path.append((x + dx, y + dy))
     return trace_outline(connect(build_block(side, side) - open_cells))
@@ -116,9 +116,9 @@ def grating(across: int, up: int) -> Region:
     return Region(box(2 * across + 1, 2 * up + 1), holes)
 
 
-def cave(unit: Any, door: Any) -> Ring:
-    """A room three units wide and high, with a door of this width in the middle of its floor."""
-    left, right = 2 * unit, 2 * unit + door
+def cave(unit: Any, entry: Any) -> Ring:
+    """A room three units wide and high, with a entry of this width in the middle of its floor."""
+    left, right = 2 * unit, 2 * unit + entry
     inside = [(left, 0), (left, unit), (unit, unit), (unit, 4 * unit), (4 * unit, 4 * unit)]
     inside += [(4 * unit, unit), (right, unit), (right, 0)]
     return [(0, 0), *inside, (5 * unit, 0), (5 * unit, 5 * unit), (0, 5 * unit)]
@@ -185,8 +185,8 @@ def shipped() -> Iterator[tuple[str, Shape, Shape]]:
     yield "large-maze", maze(15), UNIT
     yield "large-maze-wide", maze(9), box(2, 1)
     yield "plates-grating-dense", grating(12, 8), box(1, 1)
-    for name, door in ("closed", -1), ("exact", 0), ("open", 1):
-        yield f"caves-near-{name}", cave(10**15, 10**15 + door), box(10**15, 10**15)
+    for name, entry in ("closed", -1), ("exact", 0), ("open", 1):
+        yield f"caves-near-{name}", cave(10**15, 10**15 + entry), box(10**15, 10**15)
     for turns in 4, 7, 12:
         for gap in 2, 3:
             for width in range(1, gap):

@@ -13,7 +13,7 @@ from exactsweep.corpus import Case, case_from_json, case_to_json, themes
 from exactsweep.corpus.publish import VERSION
 
 # Flags that cannot be seen from a pair.
-TOLD = {
+GIVEN = {
     "figure",
     "generated",
     "lower-bound",
@@ -33,7 +33,7 @@ class ShippingError(ValueError):
 def with_answers(
     theme: str, old: str, new: Iterable[dict[str, Any]], renew: bool = False
 ) -> list[Case]:
-    """Read the shipped cases of a theme, their answers computed anew if asked, and add new ones."""
+    """Read the shipped cases of a theme, compute their answers again if asked, and add new ones."""
     cases = [case_from_json(data) for data in json.loads(old)["cases"]]
     shipped = {case.id for case in cases}
     if renew:
@@ -66,14 +66,14 @@ def with_answers(
 
 
 def again(case: Case) -> Case:
-    """Compute the answers and facts of a case anew from its input."""
+    """Compute the answers and facts of a case from its input."""
     made = Case.of(
         case.id,
         case.title,
         case.directrix_ring,
         case.generatrix_ring,
         case.reference,
-        TOLD & {*case.flags},
+        GIVEN & {*case.flags},
         directrix_holes=case.directrix_holes,
         generatrix_holes=case.generatrix_holes,
         inner_fit=case.inner_regions is not None,

@@ -1,4 +1,4 @@
-"""Verdicts: each by hand, and by laws on answers that are changed in known ways."""
+"""Verdicts: each by hand, and by laws on changed answers."""
 
 from collections.abc import Sequence
 from dataclasses import replace

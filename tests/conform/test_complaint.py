@@ -91,7 +91,7 @@ def test_the_error_is_named_wherever_it_stands(stderr: str) -> None:
     assert (find_error(stderr), find_place(stderr)) == NAMED[stderr]
 
 
-def test_crashes_of_one_program_are_told_apart() -> None:
+def test_crashes_of_one_program_are_distinguished() -> None:
     """All of them end in the same line."""
     said = [NODE.format(error, 2) for error in ("TypeError: no", "RangeError: too far")]
     said.append(NODE.format("TypeError: no", 5))

@@ -111,7 +111,7 @@ def test_what_does_not_start_is_refused(command: str) -> None:
 
 
 @pytest.mark.parametrize("kind", AFTER_BYE)
-def test_what_goes_on_after_bye_is_ended_and_told(
+def test_a_process_that_continues_after_bye_is_killed_and_reported(
     kind: str, mark: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     seconds = 600 if kind == "speaks-after-bye" else 0.3
@@ -129,7 +129,7 @@ def test_a_case_larger_than_a_pipe_does_not_block(mark: str) -> None:
     peer.kill()
 
 
-def test_an_end_without_a_line_is_told_from_silence() -> None:
+def test_an_end_without_a_line_is_no_silence() -> None:
     channel = Channel([sys.executable, "-c", "print('one'); print('half', end='')"])
     assert channel.receive(600) == "one"
     with pytest.raises(ClosedError, match="exited with code 0"):

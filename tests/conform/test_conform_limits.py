@@ -1,4 +1,4 @@
-"""Faults told apart, and what a run has to reach: shares, time and memory."""
+"""Distinct faults, and limits of a run: shares, time and memory."""
 
 import json
 import sys
@@ -21,7 +21,7 @@ from exactsweep.corpus import Case
 
 MIB = 2**20
 CASES = [Case.of(f"case-{k}", "", [(0, 0), (k + 1, 0), (0, 1)], SQUARE) for k in range(12)]
-# Six ways to crash, in turn.
+# Six crashes, in turn.
 CRASHING = """
 import json, os, signal, sys
 hello = {"hello": "crashing", "loops": ["trajectory"], "numbers": "rational", "reference": "given"}
@@ -63,7 +63,7 @@ FAULTS = {
 
 
 @pytest.mark.long
-def test_six_ways_to_crash_are_told_apart_and_made_smaller(tmp_path: Path) -> None:
+def test_six_crashes_are_distinguished_and_shrunk(tmp_path: Path) -> None:
     program, data = tmp_path / "crashing.py", tmp_path / "run.json"
     program.write_text(CRASHING)
     options = ("--cases", write_cases(tmp_path / "cases", CASES), "--json", str(data))
@@ -104,13 +104,13 @@ def test_what_could_not_be_compared_neither_fails_nor_passes() -> None:
     assert report.find_objections() == ["only 1 of 2 cases judged, too few"]
 
 
-def test_costs_are_told_as_far_as_they_are_known() -> None:
+def test_known_costs_are_reported() -> None:
     report = Run(Hello("mine"))
     for k, memory in enumerate((None, None, 3 * MIB, None)):
         report.add(Outcome(f"{k}", "CC", (), Verdict.EXACT, seconds=k / 8, memory=memory))
-        told = [f"at most {k / 8:.3g} s for an answer ({k})"]
-        told += ["at most 3.0 MiB of memory (2)"] if k > 1 else []
-        assert tell_costs(report.summary) == told
+        expected = [f"at most {k / 8:.3g} s for an answer ({k})"]
+        expected += ["at most 3.0 MiB of memory (2)"] if k > 1 else []
+        assert tell_costs(report.summary) == expected
 
 
 # Memory.

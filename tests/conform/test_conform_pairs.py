@@ -64,7 +64,7 @@ def test_own_polygons_may_have_holes(tmp_path: Path) -> None:
         list(read_pairs(write(tmp_path, crossing)))
 
 
-def test_holes_beside_the_polygon_are_holes_of_it(tmp_path: Path) -> None:
+def test_holes_may_be_members_of_their_own(tmp_path: Path) -> None:
     """These are the keys of the corpus, and of the lines that a program gets."""
     case = find_case("holes-room")
     data = case_to_json(case)

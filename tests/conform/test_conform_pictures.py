@@ -90,7 +90,7 @@ def test_what_is_twenty_times_as_far_is_seen_in_the_whole(far: Any, panels: int)
 @pytest.mark.parametrize(
     "theirs", ["text", [], [[]], [1, 2], [("x", 0), (0, float("nan"))], {}, None, [[None]], [[[]]]]
 )
-def test_what_cannot_be_read_is_left_out(theirs: Any) -> None:
+def test_unreadable_points_are_skipped(theirs: Any) -> None:
     outcome = outcome_of(Case.of("a", "", SQUARE, SQUARE), theirs)
     assert outcome.verdict is Verdict.MALFORMED
     (panel,) = draw_panels(outcome)

@@ -43,7 +43,7 @@ def test_no_run_that_fails_is_green_in_junit(spoil: str) -> None:
     assert len(suite.findall("testcase/failure")) == int(suite.get("failures", "")) == 1
 
 
-def test_the_farthest_loop_is_told_by_what_is_proved() -> None:
+def test_the_worst_loop_is_chosen_by_proved_bounds() -> None:
     part: dict[str, Any] = {"name": "outer", "verdict": "wrong", "diagnosis": [], "granted": None}
     tally = Tally()
     for id, distance, area in (("a", ["1", "9"], "5"), ("b", ["2", "3"], "4")):

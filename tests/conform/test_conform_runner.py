@@ -321,7 +321,7 @@ def test_the_journal_of_another_run_is_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "text", ["[]\n", "{}\n", "x\n", '{"format": "exactsweep conform"}\n', "one line", "7" * 2**24]
 )
-def test_a_file_that_is_no_journal_is_left_alone(tmp_path: Path, text: str) -> None:
+def test_a_file_that_is_no_journal_is_unchanged(tmp_path: Path, text: str) -> None:
     path = tmp_path / "journal"
     path.write_text(text)
     with pytest.raises(JournalError):

@@ -62,7 +62,7 @@ def box(width: Any, height: Any) -> list[Any]:
 
 
 def test_a_ring_keyholed_along_an_exact_fit_traces_it() -> None:
-    """In through a door as wide as G, around the room, and out again."""
+    """In through an entry as wide as G, around the cavity, and out again."""
     room = [(0, 0), (9, 0), (9, 9), (5, 9), (5, 8), (8, 8), (8, 1), (1, 1), (1, 8), (4, 8)]
     case = Case.of("door", "", [*room, (4, 9), (0, 9)], SQUARE)
     ((hanging, inside),) = case.exact_fits
@@ -78,7 +78,7 @@ def test_a_ring_keyholed_along_an_exact_fit_traces_it() -> None:
         assert [(p.verdict, p.kind) for p in found.parts] == [("equivalent", "whisker")] * 2
     doubles = [[float(x), float(y) + 1e-15] for x, y in keyholed]
     assert compare(case, {"no_fit": doubles}).verdict is Verdict.WITHIN
-    # A whisker beside the fit is none.
+    # A whisker next to the fit is none.
     wrong = [*exterior[:k], hanging, (Fraction(3), Fraction(6)), hanging, *exterior[k:]]
     assert compare(case, {"no_fit": [wrong, hole]}).verdict is Verdict.MALFORMED
 

@@ -98,7 +98,7 @@ def test_right_answers_of_any_shape_are_exact() -> None:
         ),
     ],
 )
-def test_what_is_left_out_is_found(
+def test_missing_parts_are_found(
     part: str,
     change: Callable[[Any], Any],
     is_wrong: Callable[[Case], object],
@@ -185,14 +185,14 @@ def test_nobody_is_asked_of_more_than_he_claims(shapes: str, kinds: set[str]) ->
         raise NotImplementedError("no")
 
     run = conform(function, [*CHOSEN, find_case("worked-roof")], name="x", shapes=shapes)
-    told = [outcome for outcome in run.outcomes if outcome.reason == "no"]
-    assert {outcome.kind for outcome in told} <= kinds
-    assert len(asked) == len(told)
+    skipped = [outcome for outcome in run.outcomes if outcome.reason == "no"]
+    assert {outcome.kind for outcome in skipped} <= kinds
+    assert len(asked) == len(skipped)
     if shapes != "any":
         # Rings, not lists of rings.
         assert all(len(ring[0]) == 2 for pair in asked for ring in pair)
         holed = {case.id for case in CHOSEN if "hole" in case.flags}
-        assert holed.isdisjoint(outcome.id for outcome in told)
+        assert holed.isdisjoint(outcome.id for outcome in skipped)
 
 
 def test_inner_fits_are_asked_where_the_case_has_them() -> None:

@@ -1,4 +1,4 @@
-"""All reports of one run, word for word; `python -m tests.goldens` writes them anew."""
+"""All reports of one run, word for word; `python -m tests.goldens` regenerates them."""
 
 import json
 import re

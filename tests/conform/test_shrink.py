@@ -100,7 +100,7 @@ def test_a_fault_stays_the_same() -> None:
     assert len(small.case["directrix"]) + len(small.case["generatrix"]) == 9
 
 
-def test_a_hole_that_does_not_matter_is_left_out() -> None:
+def test_an_irrelevant_hole_is_removed() -> None:
     plate, hole, part = [(0, 0), (9, 0), (9, 9)], [(5, 1), (7, 1), (7, 3)], [(0, 0), (1, 0), (1, 1)]
     case = Case.of("plate", "", plate, part, directrix_holes=[hole])
     assert len(shrink(case, lambda _: "wrong").directrix_rings) == 1

@@ -133,7 +133,7 @@ def test_the_witness_is_drawn_where_the_sum_is() -> None:
     assert all(0 < c < SIDE for c in panel.witness)
 
 
-def test_a_slit_may_be_traced_or_left_out() -> None:
+def test_a_slit_may_be_traced_or_omitted() -> None:
     slot = find_case("fits-square")
     exact, ((foot, tip),) = slot.trajectory.vertices, slot.exact_fits
     k = next(k for k, b in enumerate(exact) if is_on_segment(foot, exact[k - 1], b))

@@ -8,7 +8,7 @@ from shipped_cases import shipped_cases
 
 from exactsweep.corpus import Case, find_case
 
-# A door that fits, several holes, rings that touch, a container of several regions and fits.
+# An entry that fits, several holes, rings that touch, a container of several regions and fits.
 SPECIAL = ("fits-square", "holes-room", "sampled-plate-2", "components-unswept-slanted")
 
 
@@ -33,5 +33,5 @@ def test_a_rounded_answer_passes_in_all_cases(name: str) -> None:
     assert judged.convicted == []
 
 
-def test_there_are_more_than_forty_ways() -> None:
+def test_there_are_more_than_forty_writings() -> None:
     assert len(WRITINGS) > 40

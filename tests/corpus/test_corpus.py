@@ -132,7 +132,7 @@ def test_answers_that_integers_cannot_give_are_flagged(shipped: list[Case]) -> N
     )
     | st.fractions()
 )
-def test_binary64_is_told_by_its_definition(value: Fraction) -> None:
+def test_binary64_is_decided_by_its_definition(value: Fraction) -> None:
     assert ("binary64" in find_types([value], 1)) == fits_binary64(value)
 
 

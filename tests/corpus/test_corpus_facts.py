@@ -93,7 +93,7 @@ def leaning(by: int, side: int = E15) -> Ring:
         ("rounded-answer", ([(0, 0), (2, 2), (4, 0), (4, 4), (0, 4)], UNIT), (SLOT, UNIT)),
     ],
 )
-def test_flag_is_told(flag: str, inside: Any, outside: Any) -> None:
+def test_flag_is_found(flag: str, inside: Any, outside: Any) -> None:
     assert flag in flags(*inside)
     assert flag not in flags(*outside)
 

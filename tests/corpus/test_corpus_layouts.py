@@ -57,7 +57,7 @@ def test_a_layout_is_judged_as_it_was_worked_out(id: str) -> None:
 
 
 @pytest.mark.parametrize("id", [id for id in CASES if id not in UNPROVED])
-def test_its_certificate_is_proved_both_ways(id: str) -> None:
+def test_both_checkers_prove_its_certificate(id: str) -> None:
     case = CASES[id]
     text = json.dumps(judge_layout(case.layout).certificate())
     found = verify(json.loads(text))

@@ -1,7 +1,7 @@
-"""Other programs as implementations that can be judged, each where it is installed.
+"""Adapters of other programs, to be judged if they are installed.
 
-Programs that compute Minkowski sums are asked for the sum of D and of G turned by half a turn about
-the origin, those that orbit for the path of G. D and G go in as the case has them, collinear
+Programs that compute Minkowski sums are asked for the sum of D and -G, orbiting programs for the
+path of G. D and G go in as the case has them, collinear
 vertices included, but counter-clockwise, holes clockwise, and without repeated vertices, which
 several of the programs require. The adapters return every ring of an answer, with nothing removed,
 joined or rounded, unless the module of the adapter says so.

@@ -56,7 +56,7 @@ class Adapter(NamedTuple):
             directrix: D, a list of pairs, or of rings where the hello takes any shapes.
             generatrix: G, likewise; or -G if the only question is a Minkowski sum.
             reference: not looked at: the hello says which it is.
-            parts: what to answer; if left out, all that the hello promises.
+            parts: the parts to answer; by default all that the hello promises.
 
         Returns:
             The answer, without the id.

@@ -3,7 +3,7 @@
 Promise: exact sums of simple polygons, by the kernel with exact constructions.
 
 Question: `minkowski_sum_2(D, -G)`, or `minkowski_sum_by_full_convolution_2`, on exact
-rationals, nothing being rounded on the way. The program is `cgal_sums.cpp` beside this module; it
+rationals, nothing being rounded on the way. The program is `cgal_sums.cpp` in this folder; it
 has to be compiled and to be found as `exactsweep-cgal`:
 
     g++ -std=c++17 -O2 -DNDEBUG -o exactsweep-cgal cgal_sums.cpp -lgmp -lmpfr

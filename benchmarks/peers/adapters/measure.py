@@ -30,7 +30,7 @@ SEED = 1
 
 
 def choose_cases(each: int, most: int | None) -> Iterator[Case]:
-    """Yield the corpus, then so many generated cases of each family."""
+    """Yield the corpus, then some generated cases of each family."""
     drawn = chain.from_iterable(generate(family, SEED, each) for family in FAMILIES)
     return chain(cases(max_size=most), drawn)
 

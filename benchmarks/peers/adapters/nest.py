@@ -8,7 +8,7 @@ both without holes; Deepnest has another program for these, an addon to be compi
 asked. The answer is the path of G's first vertex, from which that of the origin follows.
 
 Their source is the user's, in the folders that the environment variables EXACTSWEEP_SVGNEST and
-EXACTSWEEP_DEEPNEST name; `nest.js` beside this module loads it as it is.
+EXACTSWEEP_DEEPNEST name; `nest.js` in this folder loads it as it is.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ polygon-clipping for the union of the sums of each two edges, and of what fills 
 convex-minkowski-sum for its corners, which `npm.js` puts in order.
 
 They are the user's, in the folder that the environment variable EXACTSWEEP_NPM names; the versions
-that were judged are those of `package.json` beside this module.
+that were judged are those of `package.json` in this folder.
 """
 
 from __future__ import annotations

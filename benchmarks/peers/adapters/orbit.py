@@ -10,7 +10,7 @@ rectangles and `noFitPolygon` inside in other containers. G starts with a corner
 and both programs answer with the path of that corner. Rings of one or two points, and rings that go
 along a line and back, count as exact fits.
 
-libnfporb's header is the user's, and `nfporb.cpp` beside this module calls it, as the programs
+libnfporb's header is the user's, and `nfporb.cpp` in this folder calls it, as the programs
 exactsweep-nfporb and exactsweep-nfporb-rational. SVGnest's source is in the folder that the
 environment variable EXACTSWEEP_SVGNEST names, and is run by node: see `nest.js`.
 """

@@ -23,7 +23,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import ExactSweepError, tells_arguments
 from exactsweep.numbers.number import ORIGIN, Loop, Point
 
-_Rings = tuple[Loop, ...]
+_GivenRings = tuple[Loop, ...]
 
 
 class ShrinkError(ExactSweepError):
@@ -33,7 +33,7 @@ class ShrinkError(ExactSweepError):
 class _GivenPair(NamedTuple):
     """The rings of D and of G as given, the exterior of each first, and the reference point."""
 
-    shapes: tuple[_Rings, ...]
+    shapes: tuple[_GivenRings, ...]
     reference: Point
 
     def size(self) -> tuple[int, int, Fraction]:
@@ -64,7 +64,7 @@ class _GivenPair(NamedTuple):
         return _GivenPair(shapes, reference)
 
 
-def _map(rings: _Rings, function: Callable[[Fraction], Fraction], axes: str) -> _Rings:
+def _map(rings: _GivenRings, function: Callable[[Fraction], Fraction], axes: str) -> _GivenRings:
     return tuple(
         tuple(p._replace(**{axis: function(getattr(p, axis)) for axis in axes}) for p in ring)
         for ring in rings
@@ -179,7 +179,7 @@ def _move(pair: _GivenPair) -> Iterator[_GivenPair]:
         yield pair._replace(shapes=shapes)
 
 
-def _put_in_corner(rings: _Rings) -> _Rings:
+def _put_in_corner(rings: _GivenRings) -> _GivenRings:
     x, y = map(min, zip(*rings[0], strict=True))
     return _map(_map(rings, lambda c: c - x, "x"), lambda c: c - y, "y")
 

@@ -51,9 +51,9 @@ def jigsaw_pair(random: Prng) -> Regions:
     cells = set(_draw_clump(random, 30)) | build_block(2, 2)
     part = {random.choice(sorted(cells))}
     for _ in range(random.between(0, len(cells) // 2)):
-        beside = sorted(set(around(part)) & cells)
+        adjacent = sorted(set(around(part)) & cells)
         if len(cells) > len(part) + 1:
-            part.add(random.choice(beside))
+            part.add(random.choice(adjacent))
     return trace_outline(part), trace_outline(connect(cells - part))
 
 
@@ -69,13 +69,13 @@ def mould_pair(random: Prng) -> Regions:
 
 
 def cave_pair(random: Prng) -> Regions:
-    """A block with a room and a door, about as wide as the part, or no door at all."""
+    """A block with a cavity, and an entry about as wide as the part, or none."""
     width, height = random.between(3, 7), random.between(3, 7)
-    room = build_block(width - 2, height - 2, 1, 1)
+    cavity = build_block(width - 2, height - 2, 1, 1)
     start = random.between(1, width - 2)
-    door = {(x, 0) for x in range(start, min(start + random.between(0, 2), width - 1))}
-    pillars = {cell for cell in sorted(room) if random.chance(1, 10)}
-    solid = build_block(width, height) - room - door | pillars
+    entry = {(x, 0) for x in range(start, min(start + random.between(0, 2), width - 1))}
+    pillars = {cell for cell in sorted(cavity) if random.chance(1, 10)}
+    solid = build_block(width, height) - cavity - entry | pillars
     part = build_block(random.between(1, 2), random.between(1, 2))
     if random.chance(3, 10):
         part = set(_draw_clump(random, 5))
@@ -83,7 +83,7 @@ def cave_pair(random: Prng) -> Regions:
 
 
 def spiral_pair(random: Prng) -> Regions:
-    """A wall that winds inwards, the corridor beside it one or two squares wide."""
+    """A wall that winds inwards, along a corridor one or two squares wide."""
     turns, gap = random.between(3, 7), random.between(2, 3)
     directions = ((1, 0), (0, 1), (-1, 0), (0, -1))
     steps = [directions[k % 4] for k in range(turns) for _ in range((turns - k + 1) // 2 * gap + 1)]
@@ -136,7 +136,7 @@ def plate_pair(random: Prng) -> Regions:
 
 
 def container_pair(random: Prng) -> Regions:
-    """A container, with a defect or without, that the part fits with room, exactly, or not."""
+    """A container, with a defect or without, that the part fits with cavity, exactly, or not."""
     part = _draw_untangled(random, 7, 5)
     low, high = part.bounding_box
     width, height = int(high.x - low.x), int(high.y - low.y)

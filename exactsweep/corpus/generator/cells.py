@@ -24,12 +24,12 @@ def build_frame(width: int, height: int) -> set[Cell]:
 
 
 def list_neighbours(cell: Cell) -> list[Cell]:
-    """The four squares beside a square."""
+    """The four neighbours of a square."""
     return [(cell[0] + dx, cell[1] + dy) for dx, dy in SIDES]
 
 
 def around(cells: Iterable[Cell]) -> list[Cell]:
-    """The squares beside a set of squares that are not in it, sorted."""
+    """The neighbours of a set of squares, sorted."""
     own = set(cells)
     return sorted({near for cell in own for near in list_neighbours(cell)} - own)
 
@@ -42,8 +42,8 @@ def grow(choices: Iterable[int]) -> frozenset[Cell]:
     """
     cells = {(0, 0)}
     for choice in choices:
-        beside = around(cells)
-        cells.add(beside[choice % len(beside)])
+        adjacent = around(cells)
+        cells.add(adjacent[choice % len(adjacent)])
     return frozenset(cells)
 
 
@@ -52,9 +52,9 @@ def connect(cells: Iterable[Cell]) -> set[Cell]:
     given = set(cells)
     found, left = {min(given)}, [min(given)]
     while left:
-        beside = set(list_neighbours(left.pop())) & given - found
-        found |= beside
-        left += beside
+        adjacent = set(list_neighbours(left.pop())) & given - found
+        found |= adjacent
+        left += adjacent
     return found
 
 

@@ -83,7 +83,7 @@ FAMILIES: dict[str, Family] = {family.name: family for family in _list_families(
 
 @tells_arguments
 def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]:
-    """Yield the cases of a family, making them one by one.
+    """Yield the cases of a family.
 
     A case depends on the family, the seed and its number alone; the stream of random numbers is
     that of `exactsweep.corpus.generator.prng`, seeded with "FAMILY:SEED:NUMBER".
@@ -91,7 +91,7 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
     Args:
         family: a name in `FAMILIES`.
         seed: an int from 0 to 10**18 - 1, so that `generate_case` knows the ids.
-        count: how many; without end if left out.
+        count: the number of cases; None for no end.
 
     Returns:
         An iterator of Case, numbered from 0: the ids are gen-FAMILY-SEED-NUMBER.

@@ -223,8 +223,8 @@ def printed_count(m_b: int, n_t: int, n_b: int) -> int:
 def forks(m: int, n: int) -> tuple[Ring, Ring]:
     """A no-fit polygon of order (m n)^2 holes: forks with spikes down and spikes to the right.
 
-    D has m / 6 - 1 spikes each way, and G turned by half a turn n / 6 - 1, so many times as far
-    apart: see the proof at "Size of a no-fit polygon". m and n are multiples of 6, at least 18.
+    D has m / 6 - 1 spikes in each direction, and -G has n / 6 - 1, m / 6 - 1 times as far apart;
+    "Size of a no-fit polygon" has the proof. m and n are multiples of 6, at least 18.
 
     >>> forks(18, 18)[1][:4]
     [(-1, -120), (0, -120), (0, -117), (48, -116)]

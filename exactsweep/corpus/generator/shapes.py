@@ -36,7 +36,7 @@ P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def draw_convex(random: Prng, most: int, side: int) -> Ring:
-    """The hull of some random points, at most so many, of a square grid."""
+    """The hull of at most `most` random points of a square grid."""
     points = [
         (random.between(0, side), random.between(0, side)) for _ in range(random.between(3, most))
     ]
@@ -105,7 +105,7 @@ def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ri
 
 
 def turn_half(ring: Ring) -> Ring:
-    """The ring turned by half a turn."""
+    """The ring reflected in the origin."""
     return [(-x, -y) for x, y in ring]
 
 
