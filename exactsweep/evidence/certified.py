@@ -32,7 +32,6 @@ class Certified:
     __setattr__ = refuse_to_set
 
     def _set(self, **attributes: object) -> None:
-        """Set attributes of a new answer."""
         self.__dict__.update(attributes)
 
     def __eq__(self, other: object) -> bool:

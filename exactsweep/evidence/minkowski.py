@@ -73,7 +73,6 @@ def solve_pair(stationary: AnyPolygon, orbiting: AnyPolygon) -> Solution:
 
 
 def _add_path(shape: Region, path: Polyline) -> Region:
-    """Find the sum of a shape and a path."""
     if len(path) == 1:
         return shape.translated(path.points[0])
     own, rings = shape.lattice()

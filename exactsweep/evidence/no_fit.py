@@ -218,7 +218,6 @@ class InnerFitAnswer(Certified):
 
 
 def _is_on(t: Point, loops: Iterable[Polygon], fits: Iterable[Fit]) -> bool:
-    """Decide whether a position is on some loop, or in an exact fit."""
     return any(is_on(t, ends) for ends in (*(loop.vertices for loop in loops), *fits))
 
 

@@ -109,7 +109,7 @@ def explain(s: SweepAnswer) -> tuple[Step, ...]:
 
 
 class _Guide:
-    """The data of a sweep in the coordinates of its frame, for the steps."""
+    """The data of a sweep in the coordinates of its frame."""
 
     def __init__(self, s: SweepAnswer) -> None:
         self.sweep = s
@@ -168,7 +168,7 @@ class _Guide:
         return ("stop", stops) if stops else ("exact fit", [])
 
     def _meeting(self, t: Vertex, contacts: Sequence[Contact]) -> list[Contact]:
-        """Find the vertices of features in contact on the way that meet at a translation."""
+        """Find the vertices of features in contact along the step that meet at a translation."""
         g, d = self.generatrix, self.directrix
         found = set()
         for event, i, j in contacts:
@@ -179,7 +179,6 @@ class _Guide:
         return list(found)
 
     def _landmarks(self) -> defaultdict[int, list[Landmark]]:
-        """Find the landmarks on each edge of the trajectory."""
         placed: list[tuple[tuple[int, Rational], Landmark]] = []
 
         def place(mark: Mark, number: int, position: Point) -> None:
@@ -205,7 +204,6 @@ class _Guide:
         return found
 
     def _is_passed(self, position: Point) -> bool:
-        """Decide whether a position is on the trajectory."""
         point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
         return point in self.path.numbers or any(True for _ in self.path.edges_through(point))
 
@@ -298,7 +296,6 @@ def _is_held(free: tuple[Vertex, Vertex], rays: Sequence[Vertex], step: Vertex) 
 
 
 def _rays(outline: Outline, k: int) -> tuple[Vertex, Vertex]:
-    """Return the vectors from vertex k to the previous and to the next vertex."""
     vertices = outline.vertices
     here = vertices[k]
     return minus(vertices[outline.before[k]], here), minus(vertices[outline.after[k]], here)

@@ -201,7 +201,6 @@ def find_closing_positions(
 
 
 def _draw_at(t: Vertex, own: Segment) -> TracedPiece:
-    """Draw an edge of G at a vertex of T."""
     place = lay_point(t, own.direction)
     offset, along = own.offset + place.offset, place.low
     return TracedPiece((t,), Segment(own.direction, offset, own.low + along, own.high + along))

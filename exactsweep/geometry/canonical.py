@@ -42,10 +42,9 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
 
     Cost: O(n) for a ring that is monotone to the X axis, otherwise that of `find_conflict`.
 
-    Example:
-        >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
-        >>> ring.points, ring.vertex_index, ring.edge_index
-        (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
+    >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
+    >>> ring.points, ring.vertex_index, ring.edge_index
+    (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
     is_long = any(isinstance(c, Fraction) for p in points[:1] for c in p)
     # They are compared, subtracted and multiplied below, and nothing else.
@@ -110,11 +109,10 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
 
     Cost: O(n), two products a vertex; for a convex ring comparisons of x alone.
 
-    Example:
-        >>> is_simple_monotone([(0, 0), (2, 1), (4, 0), (2, 2)], convex=False)
-        True
-        >>> is_simple_monotone([(0, 0), (2, 2), (4, 0), (2, 1)], convex=False)
-        False
+    >>> is_simple_monotone([(0, 0), (2, 1), (4, 0), (2, 2)], convex=False)
+    True
+    >>> is_simple_monotone([(0, 0), (2, 2), (4, 0), (2, 1)], convex=False)
+    False
     """
     if not are_chains_monotone(ring):
         return False
@@ -225,9 +223,8 @@ def find_least(points: Sequence[Point]) -> int:
 
     Fractions are compared only if their floors are equal, which is rare.
 
-    Example:
-        >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
-        1
+    >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
+    1
     """
     floors = [*map(floordiv, *split_ratios([x for x, _ in points]))]
     least = min(floors)
@@ -239,9 +236,8 @@ def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
 
     Cost: O(n) for ints, that of `add_up` for Fractions.
 
-    Example:
-        >>> find_doubled_area([(0, 0), (2, 0), (2, Fraction(1, 2))])
-        Fraction(1, 1)
+    >>> find_doubled_area([(0, 0), (2, 0), (2, Fraction(1, 2))])
+    Fraction(1, 1)
     """
     after = (*ring[1:], ring[0])
     if all(type(part) is int for point in ring for part in point):
@@ -256,10 +252,9 @@ def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
 def find_centroid(ring: Sequence[Point]) -> Point:
     """Find the center of mass of the area in a ring; the first point of a ring without area.
 
-    Example:
-        >>> from exactsweep import Polygon
-        >>> print(*find_centroid(Polygon([(0, 0), (3, 0), (0, 6)]).vertices))
-        1 2
+    >>> from exactsweep import Polygon
+    >>> print(*find_centroid(Polygon([(0, 0), (3, 0), (0, 6)]).vertices))
+    1 2
     """
     double = Fraction(find_doubled_area(ring))
     if not double:

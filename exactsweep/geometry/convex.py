@@ -160,7 +160,7 @@ def _list_ends(
 
 
 def _walk_faces(cones: dict[IntVertex, list[_Corner]]) -> list[ConvexRing]:
-    """Walk around the faces: an edge leads to the cone that ends in the way back."""
+    """Walk around the faces: an edge leads to the cone that ends in the reverse direction."""
     ending = {(p, end): start for p, found in cones.items() for start, end in found}
     pieces = []
     while ending:

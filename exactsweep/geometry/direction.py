@@ -42,9 +42,8 @@ class Directions:
         after: whether they are strictly monotone to the directions between critical directions k
             and k + 1. After the last k comes the first direction, after a half turn.
 
-    Example:
-        >>> print(find_monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
-        all from (1, -2) to (1, 2), -63.4 to 63.4 degrees
+    >>> print(find_monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
+    all from (1, -2) to (1, 2), -63.4 to 63.4 degrees
     """
 
     critical: tuple[Vector, ...]
@@ -181,10 +180,9 @@ def find_monotone_directions(polygon: Polygon) -> Directions:
     The algorithm rotates u through a full turn and counts the sign changes of the edges along the
     boundary. The polygon is monotone where there are two. Cost: O(n log n).
 
-    Example:
-        >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
-        >>> (1, 0) in square, square.strict((1, 0)), square.strict((2, 1))
-        (True, False, True)
+    >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
+    >>> (1, 0) in square, square.strict((1, 0)), square.strict((2, 1))
+    (True, False, True)
     """
     found: Directions | None = polygon._directions
     if found is None:

@@ -167,7 +167,6 @@ def _unite(boxes: Sequence[_EdgeBox]) -> _EdgeBox:
 
 
 def _measure_boxes(a: _EdgeBox, b: _EdgeBox) -> Rational:
-    """Return the squared distance of two boxes."""
     left, right, low, high = a
     west, east, south, north = b
     dx = max(0, left - east, west - right)
@@ -176,7 +175,6 @@ def _measure_boxes(a: _EdgeBox, b: _EdgeBox) -> Rational:
 
 
 def _find_common_point(edge: Edge, other: Edge) -> Point | None:
-    """Find a common point of two segments, if they meet."""
     (a, b), (p, q) = edge, other
     shared = touch(a, b, p, q)
     if shared == []:

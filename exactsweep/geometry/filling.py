@@ -69,10 +69,9 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
 
     Cost: O((n + k) log n) for n edges and k points where they meet, if the sweep line meets few.
 
-    Example:
-        >>> bow = [Point(*map(Fraction, p)) for p in [(0, 0), (2, 2), (2, 0), (0, 2)]]
-        >>> [[*map(find_doubled_area, rings)] for rings in fill([bow], "nonzero").regions]
-        [[Fraction(2, 1)], [Fraction(2, 1)]]
+    >>> bow = [Point(*map(Fraction, p)) for p in [(0, 0), (2, 2), (2, 0), (0, 2)]]
+    >>> [[*map(find_doubled_area, rings)] for rings in fill([bow], "nonzero").regions]
+    [[Fraction(2, 1)], [Fraction(2, 1)]]
     """
     scale, points = to_lattice(*zip(*(p for ring in rings for p in ring), strict=True))
     edges: defaultdict[Edge, int] = defaultdict(int)

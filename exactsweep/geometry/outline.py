@@ -86,11 +86,10 @@ def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
     Yields:
         The numbers of the vertex before, of the vertex, and of the next vertex of its ring.
 
-    Example:
-        >>> from exactsweep import Region
-        >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
-        >>> list(walk_rings(plate))
-        [(2, 0, 1), (0, 1, 2), (1, 2, 0), (5, 3, 4), (3, 4, 5), (4, 5, 3)]
+    >>> from exactsweep import Region
+    >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
+    >>> list(walk_rings(plate))
+    [(2, 0, 1), (0, 1, 2), (1, 2, 0), (5, 3, 4), (3, 4, 5), (4, 5, 3)]
     """
     first = 0
     for ring in shape.rings:
@@ -108,11 +107,10 @@ def number_features(
     Returns:
         The vertices by number, and for each edge by number the numbers of its two ends.
 
-    Example:
-        >>> from exactsweep import Polygon
-        >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
-        >>> sorted(corners), edges[2]
-        ([0, 1, 2], (0, 2))
+    >>> from exactsweep import Polygon
+    >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
+    >>> sorted(corners), edges[2]
+    ([0, 1, 2], (0, 2))
     """
     numbers = [shape.vertex_index(k) for k in range(len(shape))]
     return (

@@ -159,7 +159,6 @@ def relate(shape: EdgeIndex, part: EdgeIndex) -> Relation:
 
 
 def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> _MovedEdge:
-    """Return an edge times a scale, moved."""
     left, right, low, high, ax, ay, bx, by, _, _ = edge
     return (
         left * scale + x,
@@ -181,7 +180,7 @@ def _cross(edge: Edge, other: Edge) -> bool:
 
 
 def _find_cone(z: Vertex, p: Vertex, q: Vertex, r: Vertex) -> _EdgeCone:
-    """Return the rays that leave and arrive at a point of the edge p q, which goes on to r."""
+    """Return the rays that leave and arrive at a point of the edge p q, followed by r."""
     (x, y), (px, py), (rx, ry) = z, p, r if z == q else q
     return (rx - x, ry - y), (px - x, py - y)
 

@@ -176,7 +176,7 @@ class Polygon(PointSet):
             raise refuse_number(k, "edge", len(self)) from None
 
     def _scaled(self) -> tuple[int, Sequence[Vertex]]:
-        """Return the lattice points if known, or else the vertices, with their scale."""
+        """Return the lattice points with their scale if known, or else the vertices."""
         return self._lattice or (1, self.vertices)
 
     @property

@@ -91,7 +91,6 @@ class Polyline:
 
 
 def _read_path(points: Iterable[Iterable[object]]) -> Iterable[Iterable[object]]:
-    """Return the coordinates of an object with a `__geo_interface__`, or the points themselves."""
     interface = getattr(points, "__geo_interface__", None)
     if isinstance(interface, Mapping) and interface.get("type") == "Feature":
         interface = interface.get("geometry")

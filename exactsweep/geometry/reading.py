@@ -64,10 +64,9 @@ def read_interface(shape: object) -> list[Pairs] | None:
     Raises:
         PolygonError: the attribute is not one polygon, or the polygon is empty.
 
-    Example:
-        >>> import shapely
-        >>> read_interface(shapely.box(0, 0, 2, 1))
-        [[(2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0)]]
+    >>> import shapely
+    >>> read_interface(shapely.box(0, 0, 2, 1))
+    [[(2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0)]]
     """
     interface: Any = shape if _is_geojson(shape) else getattr(shape, "__geo_interface__", None)
     if isinstance(interface, Mapping) and interface.get("type") == "Feature":
@@ -129,9 +128,8 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
 
     Cost: O(n) for ints; otherwise one `to_fraction` for each number.
 
-    Example:
-        >>> read_vertices([(0, 1), ("1/2", 0), [2, 0.5]])
-        (2, [(0, 2), (1, 0), (4, 1)])
+    >>> read_vertices([(0, 1), ("1/2", 0), [2, 0.5]])
+    (2, [(0, 2), (1, 0), (4, 1)])
     """
     if isinstance(vertices, (set, frozenset)):
         raise PolygonError("the vertices are a set, which has no order")
@@ -189,9 +187,8 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
 
     Cost: O(n) products of numbers of the scale's length.
 
-    Example:
-        >>> to_lattice([Fraction(1, 2), Fraction(0)], [Fraction(1), Fraction(1, 3)])
-        (6, [(3, 6), (0, 2)])
+    >>> to_lattice([Fraction(1, 2), Fraction(0)], [Fraction(1), Fraction(1, 3)])
+    (6, [(3, 6), (0, 2)])
     """
     xs, ys = tuple(xs), tuple(ys)
     (px, qx), (py, qy) = split_ratios(xs), split_ratios(ys)

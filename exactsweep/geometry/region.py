@@ -82,7 +82,7 @@ class Region(PointSet):
         self._set((outer, *inner), firsts)
 
     def _set(self, rings: Sequence[Polygon], firsts: Sequence[int]) -> None:
-        """Set the exterior and the holes, and where each begins in the caller's input."""
+        """Set the exterior and the holes, with the first input number of each."""
         order = [0, *sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)]
         holes = tuple(rings[k] for k in order[1:])
         sizes = map(len, (rings[0], *holes[:-1])) if holes else ()
@@ -153,7 +153,6 @@ class Region(PointSet):
         return first + ring.edge_index(k)
 
     def _ring_of(self, k: int, what: str) -> tuple[int, Polygon, int]:
-        """Find the ring of a feature, the start of the ring, and the number in the ring."""
         try:
             k = range(len(self))[k]
         except (TypeError, IndexError):

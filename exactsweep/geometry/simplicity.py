@@ -34,9 +34,8 @@ def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
 
     Cost: O(n log n) comparisons, and moves in the status list.
 
-    Example:
-        >>> find_conflict([(0, 0), (2, 2), (2, 0), (0, 2)])
-        Conflict(kind='edges cross', first=0, second=2)
+    >>> find_conflict([(0, 0), (2, 2), (2, 0), (0, 2)])
+    Conflict(kind='edges cross', first=0, second=2)
     """
     order = sorted(range(len(ring)), key=ring.__getitem__)
     for i, j in pairwise(order):
@@ -98,7 +97,6 @@ def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
 
 
 def _line(a: Vertex, b: Vertex) -> _DirectedLine:
-    """Return the line from the lexicographically lesser of two points to the other."""
     if b < a:
         a, b = b, a
     dx, dy = b[0] - a[0], b[1] - a[1]

@@ -144,9 +144,8 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
         degrees: any angle.
         bits: at least 1.
 
-    Example:
-        >>> find_rational_turn(Fraction(270), 9)
-        RationalTurn(cosine=Fraction(0, 1), sine=Fraction(-1, 1), error=Fraction(0, 1))
+    >>> find_rational_turn(Fraction(270), 9)
+    RationalTurn(cosine=Fraction(0, 1), sine=Fraction(-1, 1), error=Fraction(0, 1))
     """
     if not 1 <= bits <= MAX_TURN_BITS:
         raise NumberError(f"bits={bits}: not from 1 to {MAX_TURN_BITS}")
@@ -168,9 +167,8 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
         degrees: the angle.
         allowed: the greatest distance from the point at exactly that angle.
 
-    Example:
-        >>> find_unit_point(Fraction(270), Fraction(1))
-        Point(x=Fraction(0, 1), y=Fraction(-1, 1))
+    >>> find_unit_point(Fraction(270), Fraction(1))
+    Point(x=Fraction(0, 1), y=Fraction(-1, 1))
     """
     quarter, rest = divmod(degrees % 360, 90)
     return _to_circle(_round_half_tangent(rest, allowed / 2) if rest else _ZERO, quarter)

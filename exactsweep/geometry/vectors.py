@@ -70,9 +70,8 @@ def find_hull(points: Iterable[P]) -> list[P]:
 
     Cost: O(n log n).
 
-    Example:
-        >>> find_hull([(0, 0), (4, 0), (1, 1), (2, 0), (0, 4)])
-        [(0, 0), (4, 0), (0, 4)]
+    >>> find_hull([(0, 0), (4, 0), (1, 1), (2, 0), (0, 4)])
+    [(0, 0), (4, 0), (0, 4)]
     """
     ordered = sorted(set(points))
     found: list[P] = []

@@ -1,9 +1,8 @@
 """Sums of many fractions, in time proportional to that of the last addition.
 
-A running sum of n fractions with unrelated denominators grows at each step. Its greatest common
-divisor takes time proportional to the square of its length, n times. `add_up` adds in pairs, then
-the sums in pairs again. So both terms of each addition have about the same length, and the last
-addition, which is unavoidable, takes half of the time. Short fractions are not reduced on the way.
+A running sum of n fractions with unrelated denominators grows at each step, and its greatest common
+divisor takes quadratic time, n times. `add_up` adds in pairs, then the sums in pairs again. So the
+last addition, which is unavoidable, takes half of the time. Short fractions stay unreduced.
 """
 
 from collections.abc import Callable, Iterable
@@ -21,37 +20,21 @@ _BITS = 2000
 
 
 def add_up(terms: Iterable[Fraction]) -> Fraction:
-    """Add fractions.
-
-    Args:
-        terms: any number of fractions, in any order.
-
-    Returns:
-        The sum; 0 for no terms.
+    """Add any number of fractions; 0 for none.
 
     Cost: O(s^2) for s digits in all denominators, if these have no common factors.
 
-    Example:
-        >>> add_up(Fraction(1, k * (k + 1)) for k in range(1, 100))
-        Fraction(99, 100)
+    >>> add_up(Fraction(1, k * (k + 1)) for k in range(1, 100))
+    Fraction(99, 100)
     """
     return add_ratios(zip(*split_ratios([*terms]), strict=True))
 
 
 def add_ratios(terms: Iterable[_Pair]) -> Fraction:
-    """Add fractions that need not be in lowest terms.
+    """Add fractions as pairs of a numerator and a positive denominator, not in lowest terms.
 
-    Args:
-        terms: pairs of a numerator and a positive denominator.
-
-    Returns:
-        The sum.
-
-    Cost: as for `add_up`.
-
-    Example:
-        >>> add_ratios([(2, 4), (3, 6)])
-        Fraction(1, 1)
+    >>> add_ratios([(2, 4), (3, 6)])
+    Fraction(1, 1)
     """
     pairs = [*terms]
     while len(pairs) > 1 and max(d for _, d in pairs).bit_length() < _BITS:
@@ -63,7 +46,7 @@ def add_ratios(terms: Iterable[_Pair]) -> Fraction:
 
 
 def _in_pairs(add: Callable[[_Term, _Term], _Term], terms: list[_Term]) -> list[_Term]:
-    """Add the first two terms, the next two and so on; an odd last term stays."""
+    """Add terms one and two, three and four and so on; an odd last term stays."""
     pairs = zip(terms[::2], terms[1::2], strict=False)
     return [add(one, other) for one, other in pairs] + terms[len(terms) & ~1 :]
 

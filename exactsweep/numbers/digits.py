@@ -1,11 +1,9 @@
 """Numbers as texts: the grammar of numbers, and ints of any length in less than quadratic time.
 
-Module `limits` defines the limits on untrusted input, and proves that they suffice for answers.
-
-Python's own conversions of ints take quadratic time, and refuse more than 4300 digits. This module
-splits a long number n = h b + l and converts each half by itself, where b is the square of the base
-of the halves. To write, it uses powers of two as decimals, which multiply in nearly linear time. To
-read, it uses powers of ten as ints, which multiply by Karatsuba's method.
+Module `limits` defines the limits on untrusted input. Python's own conversions of ints take
+quadratic time, and reject more than 4300 digits. This module splits a long number n = h b + l and
+converts each half separately, where b is the square of the base of the halves: powers of two as
+decimals, which multiply in nearly linear time, or powers of ten as ints (Karatsuba).
 """
 
 import re
@@ -53,13 +51,10 @@ _SHOWN_DIGITS, _ROUNDED_DIGITS = 24, 12
 
 
 def write_int(value: int) -> str:
-    """Write an int of any length in decimal digits.
+    """Write an int of any length in decimal digits. Cost: O(n^1.6) for n digits.
 
-    Cost: O(n^1.6) for n digits.
-
-    Example:
-        >>> write_int(-(10**5000)) == "-1" + "0" * 5000
-        True
+    >>> write_int(-(10**5000)) == "-1" + "0" * 5000
+    True
     """
     if value.bit_length() <= _BITS:
         # The interpreter writes up to 640 digits under any limit, in a third of the time.
@@ -72,13 +67,10 @@ def write_int(value: int) -> str:
 
 
 def read_int(text: str) -> int:
-    """Read any number of decimal digits, perhaps after a minus sign.
+    """Read any number of decimal digits, after an optional minus sign. Cost: O(n^1.6).
 
-    Cost: O(n^1.6) for n digits.
-
-    Example:
-        >>> read_int("-1" + "0" * 5000) == -(10**5000)
-        True
+    >>> read_int("-1" + "0" * 5000) == -(10**5000)
+    True
     """
     if len(text) <= _DIGITS:
         return int(Decimal(text))
@@ -91,7 +83,7 @@ def read_int(text: str) -> int:
 def read_ratio(text: str) -> tuple[int, int]:
     """Read the numerator and the denominator, in lowest terms, of a number in a text.
 
-    `to_fraction` has the grammar, the errors and the cost.
+    `to_fraction` documents the grammar, the errors and the cost.
 
     >>> read_ratio("-1.5e-2")
     (-3, 200)
@@ -127,17 +119,10 @@ def read_ratio(text: str) -> tuple[int, int]:
 
 
 def format_fraction(value: Fraction) -> str:
-    """Write a number exactly, as `to_fraction` reads it.
+    """Write a number of any length exactly, as `to_fraction` reads it.
 
-    Args:
-        value: any Fraction, of any number of digits.
-
-    Returns:
-        `"-7/2"`, or `"3"` when the denominator is one.
-
-    Example:
-        >>> format_fraction(Fraction(-7, 2))
-        '-7/2'
+    >>> format_fraction(Fraction(-7, 2))
+    '-7/2'
     """
     numerator = write_int(value.numerator)
     return numerator if value.denominator == 1 else f"{numerator}/{write_int(value.denominator)}"
@@ -213,10 +198,7 @@ def is_float(value: Fraction) -> bool:
 
 
 def format_rounded(value: Fraction | int, spec: str) -> str:
-    """Write a number in a format of floats, rounded once.
-
-    Raises:
-        ValueError: not a format of floats.
+    """Write a number in a format of floats, rounded once; raise ValueError for other formats.
 
     >>> format_rounded(Fraction(2, 3), ".3f"), format_rounded(Fraction(10**40, 3), ".2e")
     ('0.667', '3.33e+39')
@@ -227,14 +209,14 @@ def format_rounded(value: Fraction | int, spec: str) -> str:
 
 
 def _divide(value: Fraction | int, digits: int) -> Decimal:
-    """Return the first digits of a number, so that rounding them to fewer is right."""
+    """Return a quotient with some digits, so that rounding to fewer digits is correct."""
     with localcontext(_EXACT) as context:
         context.prec, context.rounding, context.traps[Inexact] = digits, ROUND_05UP, False
         return Decimal(value.numerator) / Decimal(value.denominator)
 
 
 def _round(value: Fraction, digits: int) -> Decimal:
-    """Round a number to some digits, and be exact if it has no more and is not very long."""
+    """Round a number to some digits; exact if it has no more and is not very long."""
     # The conversion of an int to a Decimal takes quadratic time.
     n, d = value.as_integer_ratio()
     cut, below = (max(0, number.bit_length() - _BITS) for number in (n, d))
@@ -256,8 +238,6 @@ def _write_decimal(value: Decimal) -> str:
 def to_plain(data: dict[str, Any]) -> dict[str, Any]:
     """Turn Fractions into strings and tuples into lists, at any depth of lists and dicts.
 
-    Cost: linear.
-
     >>> to_plain({"at": (Fraction(1, 3), Fraction(2)), "number": 2})
     {'at': ['1/3', '2'], 'number': 2}
     """
@@ -273,7 +253,7 @@ def _write(value: Any) -> Any:
 
 
 def _square(base: _IntOrDecimal, times: int) -> list[_IntOrDecimal]:
-    """List the base, its square, the square of that and so on, as far as a length needs them."""
+    """List the base and its repeated squares, as far as a length needs them."""
     bases = [base]
     while 2 ** len(bases) <= times:
         bases.append(bases[-1] * bases[-1])
@@ -314,7 +294,6 @@ def _from_decimal(text: str, match: re.Match[str]) -> tuple[int, int]:
 
 
 def _check(text: str, value: Fraction) -> tuple[int, int]:
-    """Refuse a number that is too long in lowest terms."""
     most = _allowed_digits(text)
     longest = max(abs(value.numerator), value.denominator)
     # A bit is 0.30102999... digits.

@@ -1,8 +1,7 @@
-"""Refusals: their base classes, the names of the refused things, arguments of the wrong type.
+"""Errors: their base classes, names of the rejected inputs, arguments of the wrong type.
 
-The decorator `tells_arguments` checks arguments only after a function has failed. Then it compares
-them with the annotations. So a call that succeeds costs nothing, and may pass tuples or arrays for
-lists.
+The decorator `tells_arguments` compares arguments with the annotations only after a function has
+failed. So a successful call costs nothing, and may pass tuples or arrays for lists.
 """
 
 from __future__ import annotations
@@ -42,7 +41,7 @@ class ArgumentError(ExactSweepError):
 
 
 def quote(value: object) -> str:
-    """Write any value for a message: its repr, shortened if it is long.
+    """Write any value for a message: its repr, shortened if long.
 
     >>> quote("7" * 99)
     "'777777777777777777777777777777777777..."
@@ -57,21 +56,17 @@ def quote(value: object) -> str:
 
 
 class name_refusals:  # noqa: N801
-    """Put a name in front of the message of a refusal inside a `with` block.
+    """Put a name in front of the message of an error inside a `with` block.
 
     Args:
         name: the name of the input, such as "generatrix" or "hole 2".
-        refusal: the type of the error to raise, for any ValueError; None keeps the type of a
-            refusal, and other errors as they are.
+        refusal: the type of the error to raise, for any ValueError; None keeps the type of an
+            ExactSweepError, and other errors as they are.
 
-    Raises:
-        ExactSweepError: the refusal, with the name before its message.
-
-    Example:
-        >>> with name_refusals("hole 2"):
-        ...     raise ExactSweepError("zero area")
-        Traceback (most recent call last):
-        exactsweep.numbers.error.ExactSweepError: hole 2: zero area
+    >>> with name_refusals("hole 2"):
+    ...     raise ExactSweepError("zero area")
+    Traceback (most recent call last):
+    exactsweep.numbers.error.ExactSweepError: hole 2: zero area
     """
 
     def __init__(self, name: str, refusal: type[ExactSweepError] | None = None) -> None:
@@ -87,21 +82,17 @@ class name_refusals:  # noqa: N801
 
 @contextmanager
 def require_imports(package: str, what: str, refusal: type[ExactSweepError]) -> Iterator[None]:
-    """Refuse if an import inside the `with` block fails, and name the package to install.
+    """Raise an error that names the package to install, if an import in the `with` block fails.
 
     Args:
         package: the library, by the name under which pip installs it.
         what: the feature that needs the library.
         refusal: the type of the error to raise.
 
-    Raises:
-        ExactSweepError: the refusal, if the library is missing or cannot be loaded.
-
-    Example:
-        >>> with require_imports("naps", "rest", ExactSweepError):
-        ...     import naps
-        Traceback (most recent call last):
-        exactsweep.numbers.error.ExactSweepError: rest needs naps: pip install naps
+    >>> with require_imports("naps", "rest", ExactSweepError):
+    ...     import naps
+    Traceback (most recent call last):
+    exactsweep.numbers.error.ExactSweepError: rest needs naps: pip install naps
     """
     try:
         yield
@@ -115,20 +106,15 @@ def require_imports(package: str, what: str, refusal: type[ExactSweepError]) -> 
 def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accepted, _Returned]:
     """Decorate a function so that it names an argument of the wrong type if it fails on it.
 
-    Args:
-        function: a function with annotations.
+    The function raises ArgumentError instead of Python's TypeError and similar errors, if an
+    argument does not match its annotation. Other errors are unchanged.
 
-    Returns:
-        The function. It raises ArgumentError instead of Python's TypeError and similar errors, if
-        an argument does not match its annotation. Other errors are unchanged.
-
-    Example:
-        >>> @tells_arguments
-        ... def double(number: int) -> int:
-        ...     return number.__index__() * 2
-        >>> double("a")
-        Traceback (most recent call last):
-        exactsweep.numbers.error.ArgumentError: number is 'a', not int
+    >>> @tells_arguments
+    ... def double(number: int) -> int:
+    ...     return number.__index__() * 2
+    >>> double("a")
+    Traceback (most recent call last):
+    exactsweep.numbers.error.ArgumentError: number is 'a', not int
     """
 
     @wraps(function)
@@ -150,7 +136,6 @@ def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accep
 def _find_fault(
     function: Callable[..., object], arguments: tuple[object, ...], named: Mapping[str, object]
 ) -> str | None:
-    """Find the first argument of the wrong type."""
     signature = inspect.signature(function)
     try:
         bound = signature.bind(*arguments, **named)
@@ -169,7 +154,7 @@ def _find_fault(
 
 
 class _UnseenType(type):
-    """A type that only type checkers import; values match it by the name of their type."""
+    """A type imported for type checkers only; values match it by the name of their type."""
 
     def __getattr__(cls, name: str) -> type:
         if name.startswith("_"):
@@ -184,7 +169,7 @@ class _UnseenType(type):
 
 
 class _ModuleNames(dict[str, object]):
-    """The names of a module, with those that it imports for type checkers alone."""
+    """The names of a module, with those imported for type checkers only."""
 
     def __missing__(self, name: str) -> object:
         for module in (builtins, abc, typing):
@@ -194,7 +179,6 @@ class _ModuleNames(dict[str, object]):
 
 
 def _resolve(annotation: object, function: Callable[..., object]) -> object:
-    """Resolve an annotation to the types that it allows."""
     if not isinstance(annotation, str):
         return annotation
     return eval(annotation, {}, _ModuleNames(inspect.unwrap(function).__globals__))

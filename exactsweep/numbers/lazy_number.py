@@ -2,11 +2,11 @@
 
 A cross product of coordinates of thousands of digits takes milliseconds, and a test for a simple
 ring needs thousands of signs. So each number has an interval of ints that contains the number times
-a scale; all coordinates of a ring have the same scale. Differences and products of intervals
-contain those of the numbers. (1) If two intervals are disjoint, they decide the comparison. (2)
-Otherwise the numbers are computed as quotients of ints without reduction: a greatest common divisor
-of n digits takes n^2 steps, a product n^1.6. Two numbers are comparable only if they have the same
-degree in the coordinates, and so the same scale. Predicates of geometry compare such numbers only.
+a scale, the same for all coordinates of a ring. Differences and products of intervals contain those
+of the numbers. (1) Disjoint intervals decide the comparison. (2) Otherwise the numbers are computed
+as quotients of ints without reduction: a greatest common divisor of n digits takes n^2 steps, a
+product n^1.6. Numbers are comparable only if they have the same degree in the coordinates, and so
+the same scale; predicates of geometry compare no others.
 """
 
 from __future__ import annotations
@@ -87,10 +87,9 @@ class LazyNumber:
 def lazy_points(points: Sequence[Vertex]) -> list[tuple[LazyNumber, LazyNumber]]:
     """Make points of lazy numbers, all with the same scale.
 
-    Example:
-        >>> (x, y), (u, v) = lazy_points([(Fraction(1, 3), 2), (1, 0)])
-        >>> x * v - y * u < 0, x - x == 0, x == u
-        (True, True, False)
+    >>> (x, y), (u, v) = lazy_points([(Fraction(1, 3), 2), (1, 0)])
+    >>> x * v - y * u < 0, x - x == 0, x == u
+    (True, True, False)
     """
     # The number of bits of the integral part, negative for small numbers; at most half a bit off.
     sizes = (c.numerator.bit_length() - c.denominator.bit_length() for p in points for c in p if c)

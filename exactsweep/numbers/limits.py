@@ -58,14 +58,12 @@ def limits(*, max_digits: int | None = None, max_mib: float | None = None) -> It
     The limit on digits applies to the number, not to its spelling. Results computed from numbers
     within the limit can be written in any format and read again.
 
-    The limits hold for the current thread or asyncio task; a new thread begins with the defaults.
-
     Args:
         max_digits: the largest number of digits of the numerator and of the denominator of a number
             in a string or `Decimal`, in lowest terms; 4300 by default. A number that is written out
             digit by digit may have 32 times as many and 7 more. None keeps the limit.
-        max_mib: the largest size in MiB of a file, or of a line of a file of pairs, where each
-            vertex counts for at least 16 bytes; 16 MiB by default. None keeps the limit.
+        max_mib: the largest size in MiB of a file, or of a line of a file of pairs, with at least
+            16 bytes for each vertex; 16 MiB by default. None keeps the limit.
 
     Raises:
         LimitError: `max_digits` is not an int of at least 1, or `max_mib` is not a number above 0.

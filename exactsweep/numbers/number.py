@@ -95,17 +95,14 @@ def to_fraction(value: object) -> Fraction:
 
     Args:
         value: an int or anything with `__index__`; a `Fraction` or other `numbers.Rational` (of
-            sympy and gmpy2, too); a `Decimal`; a float, taken as the binary value that it is; or a
-            string: `-?(0|[1-9][0-9]*)`, and after it either `/` and a denominator, or, both
-            optional, `.` with digits and `e` or `E` with a signed exponent, as in JSON.
-
-    Returns:
-        The same number as a Fraction.
+            sympy and gmpy2, too); a `Decimal`; a float, read as its binary value; or a string:
+            `-?(0|[1-9][0-9]*)`, and after it either `/` and a denominator, or, both optional, `.`
+            with digits and `e` or `E` with a signed exponent, as in JSON.
 
     Raises:
         NumberError: bool, nan, infinities, complex, irrational or symbolic values, other types,
-            strings outside the grammar, and strings and Decimals beyond `limits`. The function
-            refuses them before it computes a number five times as long.
+            strings outside the grammar, and strings and Decimals beyond `limits`, before a number
+            five times as long is computed.
 
     Cost: linear in the length of the input, times the cost of a multiplication of that length.
 
@@ -158,12 +155,7 @@ def _make_reduced(numerator: int, denominator: int) -> Fraction:
 
 
 def split_ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
-    """Return the numerators and the denominators of many numbers.
-
-    Example:
-        >>> split_ratios([Fraction(1, 2), Fraction(3)])
-        ([1, 3], [2, 1])
-    """
+    """Return the numerators and the denominators of many numbers."""
     return [*map(_numerator, values)], [*map(_denominator, values)]
 
 
@@ -237,18 +229,9 @@ def negate(value: int | Fraction) -> int | Fraction:
 
 
 def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
-    """Find the fraction of least numerator and denominator strictly between two fractions.
+    """Find the fraction q/p of least terms strictly between a/b and c/d, as (p, q).
 
-    Args:
-        a: numerator of the lower bound, at least 0.
-        b: its denominator, positive.
-        c: numerator of the upper bound.
-        d: its denominator; 0 for no upper bound.
-
-    Returns:
-        (p, q), where q/p is the fraction.
-
-    Cost: O(k) divisions for bounds of k bits.
+    a is at least 0; d = 0 means no upper bound. Cost: O(k) divisions for bounds of k bits.
 
     >>> find_simplest_fraction(314, 100, 315, 100)
     (7, 22)
@@ -272,19 +255,12 @@ def _from_real(value: float | numbers.Real) -> Fraction:
 
 
 def make_points(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> list[Point]:
-    """Make points of two lists of coordinates. Cost: O(n).
-
-    >>> make_points([Fraction(1)], [Fraction(2)])
-    [Point(x=Fraction(1, 1), y=Fraction(2, 1))]
-    """
+    """Make points of two lists of coordinates."""
     return list(map(_make_point, zip(xs, ys, strict=True)))
 
 
 def read_any_length(text: str) -> Fraction:
-    """Read a number of any length that is written out, as `to_fraction` does.
-
-    Args:
-        text: the output of `format_fraction`; the caller has checked its length.
+    """Read the output of `format_fraction`, of any length; the caller has checked the length.
 
     Example:
         >>> read_any_length("1" + "0" * 200_000) == 10**200_000

@@ -155,7 +155,6 @@ class Finding(NamedTuple):
 
     @property
     def _kinds(self) -> set[str]:
-        """The kinds of evidence that were given, except for cases and citations."""
         found = self.evidence
         units = {series.unit in LIMITS for series in found.growth}
         given = {
@@ -212,11 +211,10 @@ def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
     Yields:
         A Finding for each claim. A check that raises counts as one that fails.
 
-    Example:
-        >>> from exactsweep.paper.ledger import find
-        >>> row, = reproduce([find("Slope")], Effort(quick=True))
-        >>> row.claim.verdict.value, row.disagreement
-        ('misprint', '')
+    >>> from exactsweep.paper.ledger import find
+    >>> row, = reproduce([find("Slope")], Effort(quick=True))
+    >>> row.claim.verdict.value, row.disagreement
+    ('misprint', '')
     """
     for claim in claims:
         start = process_time()

@@ -130,7 +130,6 @@ RUNS = {name: run for name, (run, _) in _BOTH.items()}
 
 
 def _list_costs() -> Iterator[Cost]:
-    """Read costs.toml."""
     for group in read_toml("costs.toml")["cost"]:
         for name, series in product(group.pop("procedures"), group.pop("series")):
             read = group | series

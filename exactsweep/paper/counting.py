@@ -60,7 +60,7 @@ class Counted(int):
 
 
 def _count_as(kind: str, make: Callable[[Any], Any], name: str) -> Callable[..., Any]:
-    """Make a method of Counted of that of int: what it counts as, and what it makes of results."""
+    """Wrap an int method so that it counts the operation and returns Counted."""
     plain = getattr(int, name)
 
     def method(*operands: int) -> Any:
@@ -220,13 +220,12 @@ def grow(
         limit: see `Growth`.
         side: likewise.
 
-    Example:
-        >>> from exactsweep.paper.growth import MN
-        >>> def squares(m, n):
-        ...     return [(0, 0)] * m**2, []
-        >>> found = grow("points", squares, MN, [(2, 1), (4, 1)], lambda pair: len(pair[0]))
-        >>> found.varied, found.exponent(), found.last_rise, found.is_flat
-        ('m', 2.0, 2.0, False)
+    >>> from exactsweep.paper.growth import MN
+    >>> def squares(m, n):
+    ...     return [(0, 0)] * m**2, []
+    >>> found = grow("points", squares, MN, [(2, 1), (4, 1)], lambda pair: len(pair[0]))
+    >>> found.varied, found.exponent(), found.last_rise, found.is_flat
+    ('m', 2.0, 2.0, False)
     """
 
     def measure(m: int, n: int) -> Size:

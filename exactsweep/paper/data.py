@@ -58,7 +58,7 @@ def describe_environment(effort: Effort) -> dict[str, Any]:
 
 
 def _commit() -> str | None:
-    """The commit of a checkout, with a + if there are changes; None elsewhere."""
+    """Return the commit of a checkout, with a + if there are changes; None elsewhere."""
     command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty=+"]
     try:
         found = subprocess.run(

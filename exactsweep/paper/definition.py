@@ -173,7 +173,6 @@ class _IntegerFrame:
 def _lower_halves(
     d_bottom: PiecewiseLinear, g_bottom: PiecewiseLinear, g_top: PiecewiseLinear
 ) -> tuple[PiecewiseLinear, PiecewiseLinear, PiecewiseLinear]:
-    """T, R and S, in the order of ReferenceLoops."""
     trajectory = _trajectory(d_bottom, g_top)
     outer = take_least_sum(trajectory, g_bottom)
     # max(f + g) = -min(-f - g). Over D's range x - u runs through all of G's range, so nothing
@@ -186,7 +185,6 @@ def _lower_halves(
 # Callers that need the loops of a pair need its exact fits next.
 @lru_cache(maxsize=2)
 def _trajectory(d_bottom: PiecewiseLinear, g_top: PiecewiseLinear) -> PiecewiseLinear:
-    """D_b(a) - G_t(a - x) is D_b(a) plus the bottom of I(G) at x - a."""
     inverse = tuple(LinearPiece(-p.x1, -p.y1, -p.x0, -p.y0) for p in reversed(g_top))
     return take_least_sum(d_bottom, inverse)
 

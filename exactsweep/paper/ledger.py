@@ -54,7 +54,6 @@ _FIELDS = {field.name for field in fields(Claim)}
 
 
 def _join(text: str) -> str:
-    """Text without its line ends."""
     return " ".join(text.split())
 
 
@@ -67,7 +66,6 @@ def _read(row: Mapping[str, Any]) -> Claim:
 
 @cache
 def _load() -> dict[str, Any]:
-    """All of ledger.toml."""
     return read_toml("ledger.toml")
 
 

@@ -73,7 +73,7 @@ def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
 
 
 def _draw_any(random: Prng) -> Ring:
-    """A way through random points that does not cross itself."""
+    """Draw a closed path through random points that does not cross itself."""
     side = random.choice([4, 6, 9])
     while True:
         points = range(random.between(4, 9))

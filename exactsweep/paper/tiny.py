@@ -93,12 +93,11 @@ def search_grid(
     Returns:
         Evidence with the trials and a counterexample, if there is one.
 
-    Example:
-        >>> def four_corners(pair):
-        ...     if len(pair.generatrix) == 4:
-        ...         yield "a square"
-        >>> search_grid(2, 7, "convex", "convex", four_corners).cases[0].generatrix
-        [(0, 0), (1, 0), (2, 1), (1, 1)]
+    >>> def four_corners(pair):
+    ...     if len(pair.generatrix) == 4:
+    ...         yield "a square"
+    >>> search_grid(2, 7, "convex", "convex", four_corners).cases[0].generatrix
+    [(0, 0), (1, 0), (2, 1), (1, 1)]
     """
     where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"
     return search(list_tiny_pairs(side, most, generatrix, directrix), fails, where)

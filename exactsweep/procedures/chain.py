@@ -52,9 +52,8 @@ class Chain:
         vertices: the vertices, in homogeneous coordinates.
         lines: item k is the line of edge k, from vertex k to the next; None if vertical.
 
-    Example:
-        >>> list(Chain.of([(0, 0), (1, -1), (2, 0)]).turn())
-        [(-2, 0), (-1, 1), (0, 0)]
+    >>> list(Chain.of([(0, 0), (1, -1), (2, 0)]).turn())
+    [(-2, 0), (-1, 1), (0, 0)]
     """
 
     __slots__ = ("_lines", "_parts", "vertices")

@@ -38,12 +38,11 @@ def find_exact_fits(
     Cost: O(d g) for d and g discontinuities. For each x0 at which two pairs meet, O(log m + log n +
     the edges of D_b and of G_t over each other).
 
-    Example:
-        >>> from exactsweep.procedures.cm import trajectory_cm
-        >>> slot = Chain.of([(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)])
-        >>> lid = Chain.of([(-1, 0), (0, 0)])
-        >>> find_exact_fits(lid, slot, trajectory_cm(lid, slot).chain())
-        [((1, 0), (1, 2))]
+    >>> from exactsweep.procedures.cm import trajectory_cm
+    >>> slot = Chain.of([(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)])
+    >>> lid = Chain.of([(-1, 0), (0, 0)])
+    >>> find_exact_fits(lid, slot, trajectory_cm(lid, slot).chain())
+    [((1, 0), (1, 2))]
     """
     g, d = inverse(generatrix)[::-1], directrix.points
     shifts = Counter(p - q for p in _discontinuities(d) for q in _discontinuities(g))
@@ -71,7 +70,6 @@ def evaluate(edge: Edge, x: Rational) -> Rational:
 
 
 def _find_greatest(chain: Sequence[Vertex], x: Rational) -> Rational:
-    """The greater limit of a chain from the left and from the right. Cost: O(log n)."""
     first, after = (side(chain, x, key=_abscissa) for side in (bisect_left, bisect_right))
     if first == after:
         return evaluate((chain[first - 1], chain[first]), x)

@@ -180,7 +180,6 @@ def _find_positions(
 
 
 def _enter(x: Rational, y: Rational) -> HomogeneousPoint:
-    """Return a point as coprime ints."""
     w = lcm(x.denominator, y.denominator)
     return int(x * w), int(y * w), w
 

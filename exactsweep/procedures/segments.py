@@ -164,7 +164,7 @@ def _move(
     vertex: Vertex,
     pieces: defaultdict[LatticeLine, list[tuple[Rational, Rational, bool]]],
 ) -> None:
-    """Add to the pieces of each line the edges on it, moved by a vertex."""
+    """Add edges, moved by a vertex, to the pieces of their lines."""
     x, y = vertex
     if type(x) is int and type(y) is int:
         for dx, dy, offset, low, high, ahead, _ in edges:
@@ -234,7 +234,7 @@ def _find_convex_vertices(angles: Sequence[int], turn: int) -> Iterator[tuple[in
 def _join(
     line: LatticeLine, pieces: list[tuple[Rational, Rational, bool]]
 ) -> Iterator[ContactSegment]:
-    """Yield the segments with constant sides that the contact segments of one line make up."""
+    """Yield the segments with constant sides that the contact segments of one line form."""
     if len(pieces) == 1:
         ((low, high, ahead),) = pieces
         ends = low.as_integer_ratio(), high.as_integer_ratio()

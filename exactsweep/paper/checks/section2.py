@@ -182,7 +182,7 @@ def find_passing_vertices(effort: Effort) -> Iterator[Observation]:
 
 
 def _apexes_and_teeth() -> Iterator[SweepPair]:
-    """A triangle under all bottom chains of five vertices with heights from 0 to 2."""
+    """Put a triangle under all bottom chains of five vertices with heights from 0 to 2."""
     generatrix = [(0, 0), (8, 0), (4, 2)]
     for heights in product(range(3), repeat=5):
         with suppress(PolygonError):

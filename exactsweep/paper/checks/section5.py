@@ -135,7 +135,7 @@ def local_width(pair: SweepPair) -> Iterator[str]:
 
 
 def _tell_width(s: Sweep, inside: AnyPolygon) -> Iterator[str]:
-    """Say across which edge the outer loop reaches farther by another width than that of G."""
+    """Report edges across which the outer loop reaches farther by another width than G's."""
     for p, q in list_edges(inside.vertices):
         normal = q.y - p.y, p.x - q.x
         reach, own = (max(_measure(normal, loop)) for loop in (s.outer, inside))
@@ -144,12 +144,11 @@ def _tell_width(s: Sweep, inside: AnyPolygon) -> Iterator[str]:
 
 
 def _measure(normal: Vertex, points: Iterable[Vertex]) -> list[Rational]:
-    """The distances of points along a vector, in units of its length."""
+    """Return the distances of points along a vector, in units of its length."""
     return [normal[0] * x + normal[1] * y for x, y in points]
 
 
 def _measure_width(normal: Vertex, polygon: AnyPolygon) -> Rational:
-    """The width of a polygon along a vector, likewise."""
     heights = _measure(normal, polygon.vertices)
     return max(heights) - min(heights)
 

@@ -108,7 +108,7 @@ def _lay_side_by_side(
 
 
 def _peaks(count: int, apart: int, high: int) -> list[tuple[int, int]]:
-    """G_t, from left to right: peaks one unit wide on either side, twice as high as the walls."""
+    """Return G_t, from left to right: peaks with unit half-width, twice as high as the walls."""
     top: list[tuple[int, int]] = [(-2, -4 * high)]
     for k in range(count):
         top += [(k * apart - 1, -4 * high), (k * apart, 0), (k * apart + 1, -4 * high)]

@@ -90,7 +90,7 @@ def list_touching(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int
 
 
 def _touch(e: Sequence[Vertex], f: Sequence[Vertex]) -> bool:
-    """Decide whether two features share a piece, or a point that is no end of an edge."""
+    """Decide whether two features share a piece, or a point that is not an end of an edge."""
     low, high = max(e[0], f[0]), min(e[1], f[1])
     inside = low == high and all(p == q or low not in (p, q) for p, q in (e, f))
     is_met = low < high or inside

@@ -33,7 +33,6 @@ _ARROW = {"mutation_scale": 7, "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0}
 
 @cache
 def _load() -> dict[str, Any]:
-    """All of drawings.toml."""
     return read_toml("figures/drawings.toml")
 
 
@@ -177,7 +176,6 @@ class PanelDrawer:
         return self._named(self.words, words[1:]) if words.startswith("=") else [words]
 
     def _find(self, what: Any) -> Any:
-        """The shape of a name, or one that is written out."""
         if isinstance(what, list):
             is_chain = any(isinstance(one, list) or str(one)[0].isalpha() for one in what)
             return [self._find(one) for one in what] if is_chain else tuple(map(Fraction, what))
@@ -193,7 +191,6 @@ class PanelDrawer:
         return values[own if own in values else name]
 
     def _chains(self, what: Any) -> Sequence[Sequence[Vertex]]:
-        """A point, a chain or several chains, as chains."""
         found = self._find(what)
         if found and not isinstance(found[0], (tuple, list)):
             return [[found]]

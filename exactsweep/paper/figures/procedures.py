@@ -37,7 +37,7 @@ HIGH = 16
 
 
 def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vertex, Vertex]:
-    """Tail and head of the arrow of a call."""
+    """Return tail and head of the arrow of a call."""
     start, end = places[one], places[other]
     return _leave(start, _rim(one, start), end), _leave(end, _rim(other, end), start)
 
@@ -104,7 +104,6 @@ def compute() -> PaperFigure:
 
 
 def _rim(name: str, place: Vertex) -> list[Vertex]:
-    """The box of a name."""
     (x, y), wide, high = place, Fraction(52 * len(name) + 80, 20), Fraction(HIGH, 2)
     return [(x - wide, y - high), (x + wide, y - high), (x + wide, y + high), (x - wide, y + high)]
 

@@ -93,7 +93,7 @@ def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, li
 
 
 def _spread(row: Sequence[Extent], unit: float, across: float) -> Iterator[float]:
-    """The left ends of panels in a row, with equal gaps."""
+    """Return the left ends of panels in a row, with equal gaps."""
     widths = [box.measure(unit)[0] for box in row]
     gap = (across - sum(widths)) / (len(row) + 1)
     left = gap

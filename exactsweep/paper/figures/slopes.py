@@ -92,7 +92,7 @@ def compute() -> PaperFigure:
 
 
 def _show(letter: str, s: Sweep, path: Sequence[Point], step: int) -> PaperFigure:
-    """The next edges of D_b and of reversed G_t, from the vertex of D_b that G's vertex is at."""
+    """Return the next edges of D_b and of reversed G_t, from the vertex of D_b under G's vertex."""
     taken, done = sort_by_slope("D_b", "G_t")[step], sort_by_slope("D_b", "G_t")[:step]
     ours, theirs = (
         next(move for move in list_edges()[owner] if move not in done) for owner in OWNERS
