@@ -61,14 +61,8 @@ def find_edge_contacts(
 ) -> list[list[Contact]]:
     """Find all contacts along each edge of a trajectory or another loop of free translations.
 
-    Args:
-        edges: the edges, in the order of travel.
-        generatrix: the features of G.
-        directrix: the features of D.
-
-    Returns:
-        For each edge, the sorted contacts that last along a piece of positive length, without EV
-        and VE contacts that are part of an EE contact.
+    Returns, for each edge, the sorted contacts that last along a piece of positive length, without
+    EV and VE contacts that are part of an EE contact.
 
     Cost: O(t + m + n) for each direction of the edges, and a look-up for each pair of a feature of
     one shape and a parallel edge of the other; O(m n) if few edges of one shape are parallel.

@@ -89,11 +89,8 @@ class Step(NamedTuple):
 def explain(s: SweepAnswer) -> tuple[Step, ...]:
     """Explain a sweep step by step, once around from the first vertex of the trajectory.
 
-    Returns:
-        tuple of Step; step k belongs to item k of `s.contacts`.
-
-    Cost: O(m n + t) look-ups for t edges of the trajectory, plus O((m + n) log(m + n)) for each of
-    its right turns.
+    Step k belongs to item k of `s.contacts`. Cost: O(m n + t) look-ups for t edges of the
+    trajectory, plus O((m + n) log(m + n)) for each of its right turns.
 
     Example:
         >>> from exactsweep import sweep
@@ -247,11 +244,7 @@ def _direction(start: Point, end: Point) -> Vector:
 def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outline) -> bool:
     """Decide whether G overlaps D at a contact after any sufficiently short move.
 
-    Args:
-        contact: a contact of G with D in the present position, without overlap.
-        step: the direction of the move, a vector.
-        generatrix: the features of G.
-        directrix: the features of D.
+    In the present position G touches D without overlap; the step is the direction of the move.
 
     Example:
         >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])

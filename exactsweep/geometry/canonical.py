@@ -33,14 +33,10 @@ class CanonicalRing(NamedTuple):
 def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """Bring a closed line of lattice points into canonical form.
 
-    The orientation is free. Neighbours may be equal, also the last and the first, and vertices may
-    lie inside straight edges.
-
-    Raises:
-        PolygonError: fewer than three distinct points, collinear points only, a spike, or a line
-            that touches or crosses itself.
-
-    Cost: O(n) for a ring that is monotone to the X axis, otherwise that of `find_conflict`.
+    The orientation is free; equal neighbours and collinear vertices are allowed. Raises
+    PolygonError for fewer than three distinct points, collinear points only, a spike, or a line
+    that touches or crosses itself. Cost: O(n) for a ring that is monotone to the X axis, otherwise
+    that of `find_conflict`.
 
     >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
     >>> ring.points, ring.vertex_index, ring.edge_index
@@ -101,13 +97,9 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
 def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
     """Decide whether a ring is both simple and weakly monotone to the X axis.
 
-    Args:
-        ring: the vertices, least first, with a left turn there; no two neighbours equal, no vertex
-            inside a straight edge or a spike.
-        convex: whether all turns are left turns. Then monotonicity suffices: such a boundary winds
-            around once for each run to the right.
-
-    Cost: O(n), two products a vertex; for a convex ring comparisons of x alone.
+    The ring begins with its least vertex, where it turns left, and has corners only. If all turns
+    are left turns (`convex`), monotonicity suffices: such a boundary winds around once for each run
+    to the right. Cost: O(n), two products a vertex; for a convex ring comparisons of x alone.
 
     >>> is_simple_monotone([(0, 0), (2, 1), (4, 0), (2, 2)], convex=False)
     True

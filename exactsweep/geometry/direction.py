@@ -177,8 +177,8 @@ def read_direction(direction: Iterable[object]) -> Vector:
 def find_monotone_directions(polygon: Polygon) -> Directions:
     """Find all directions to which a polygon is monotone; cached by the polygon.
 
-    The algorithm rotates u through a full turn and counts the sign changes of the edges along the
-    boundary. The polygon is monotone where there are two. Cost: O(n log n).
+    u makes a full turn while the sign changes of the edges along the boundary are counted. The
+    polygon is monotone where there are two. Cost: O(n log n).
 
     >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
     >>> (1, 0) in square, square.strict((1, 0)), square.strict((2, 1))

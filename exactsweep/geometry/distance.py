@@ -70,14 +70,10 @@ def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDista
 
 
 class EdgeTree:
-    """The edges of a shape in a binary tree of boxes.
+    """The edges of a bounded shape, interior on the left, in a binary tree of boxes.
 
-    Args:
-        rings: the rings of a bounded shape, its interior on the left, the exterior first.
-
-    Attributes:
-        levels: lists of boxes (left, right, low, high), first those of the edges. Each box of a
-            later level encloses two neighbours of the level before; the last level has one box.
+    `levels` lists boxes (left, right, low, high), first those of the edges. Each box of a later
+    level encloses two neighbours of the level before; the last level has one box.
     """
 
     def __init__(self, rings: Rings) -> None:
@@ -100,14 +96,7 @@ def find_nearest(
 ) -> SquaredDistance | None:
     """Find two nearest points of two shapes on one lattice.
 
-    Args:
-        first: a shape.
-        second: another one.
-        below: an upper bound on the square; the search ends if the square is not below it.
-
-    Returns:
-        The squared distance and the points; None if the square is not below the bound.
-
+    Returns None if the squared distance is not below the bound `below`, where the search ends.
     Cost: as for `distance_squared`.
 
     >>> square, other = [[(0, 0), (1, 0), (1, 1), (0, 1)]], [[(3, 0), (4, 0), (3, 5)]]
@@ -198,9 +187,8 @@ _NearestEnd = tuple[Rational, Rational, Vertex, Edge, bool]
 def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
     """Find which end of two segments that do not meet is nearest to the other segment.
 
-    Returns:
-        The squared distance n / d as n and d; the end, the other segment, and whether the end is
-        one of the first segment.
+    Returns the squared distance n / d as n and d; the end, the other segment, and whether the end
+    is one of the first segment.
 
     >>> measure_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
     (4, 4, (1, 1), ((0, 0), (2, 0)), False)

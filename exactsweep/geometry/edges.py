@@ -102,8 +102,7 @@ class EdgeIndex:
 def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
     """Return the ends of the common part of edges a b and p q, or None if their left sides meet.
 
-    Returns:
-        No point, one or two; None if the edges cross, or run along each other in one direction.
+    Left sides meet if the edges cross, or run along each other in one direction.
 
     >>> touch((0, 0), (2, 0), (1, 0), (1, 2)), touch((0, 0), (2, 0), (3, 0), (1, 0))
     ([(1, 0)], [(1, 0), (2, 0)])

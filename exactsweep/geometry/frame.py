@@ -43,11 +43,7 @@ def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
     """Choose a direction to which both polygons are monotone.
 
     The choice is the X axis if possible, else a strict direction with small components, else any
-    shared direction.
-
-    Raises:
-        DirectionError: no direction is shared. The message lists the directions of each polygon.
-
+    shared direction. Raises DirectionError, with the directions of each polygon, if there is none.
     Cost: O(m + n) for the X axis or a small direction, else O((m + n) log(m + n)).
     """
     found = find_shared_direction(generatrix, directrix)

@@ -44,9 +44,8 @@ def make_line(points: Sequence[Point]) -> GeoJson:
 def collect(areas: Iterable[PointRings], fits: Iterable[Fit]) -> GeoJson:
     """Make one geometry of areas and exact fits.
 
-    Returns:
-        A MultiPolygon if there are no fits, else a GeometryCollection with a Polygon for each area
-        and a LineString or a Point for each fit.
+    It is a MultiPolygon if there are no fits, else a GeometryCollection of Polygons, LineStrings
+    and Points.
 
     >>> collect([], [])
     {'type': 'MultiPolygon', 'coordinates': ()}

@@ -101,13 +101,10 @@ class BoxRows:
 
 
 def find_near(boxes: Sequence[Bounds], reach: int = 0) -> Iterator[tuple[int, int]]:
-    """Find the pairs of boxes that meet, or are within reach in both coordinates.
+    """Yield the pairs of boxes that meet, or are within reach in both coordinates, each pair once.
 
-    Yields:
-        Pairs of numbers, the lesser one first; each pair once.
-
-    Cost: O(n log n + k) for n boxes and k pairs, if the boxes are not much longer than their
-    distances.
+    The lesser number comes first. Cost: O(n log n + k) for n boxes and k pairs, if the boxes are
+    not much longer than their distances.
 
     >>> sorted(find_near([(0, 1, 0, 1), (1, 2, 1, 2), (3, 4, 0, 9), (3, 9, 2, 3)], 1))
     [(0, 1), (1, 2), (1, 3), (2, 3)]

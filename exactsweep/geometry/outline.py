@@ -81,10 +81,7 @@ class Outline:
 
 
 def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
-    """Number the vertices through all rings of a shape.
-
-    Yields:
-        The numbers of the vertex before, of the vertex, and of the next vertex of its ring.
+    """Yield the numbers of each vertex's predecessor, of itself and of its successor in its ring.
 
     >>> from exactsweep import Region
     >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
@@ -102,10 +99,7 @@ def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
 def number_features(
     shape: AnyPolygon,
 ) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
-    """Find the features of a shape by their numbers in the input.
-
-    Returns:
-        The vertices by number, and for each edge by number the numbers of its two ends.
+    """Return the vertices by input number, and by edge number the numbers of its two ends.
 
     >>> from exactsweep import Polygon
     >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))

@@ -54,10 +54,8 @@ class MovedPair:
         """Find the relation of the shapes, the second one moved by (x / scale, y / scale).
 
         All common points of the boundaries lie in the intersection of the two boxes, so only edges
-        that meet it are examined.
-
-        Cost: that of `EdgeIndex.near`, and of a search for the pairs of edges that meet; O(1) if
-        the edges that crossed last time cross again.
+        that meet it are examined. Cost: that of `EdgeIndex.near`, and of a search for pairs of
+        edges that meet; O(1) if the edges that crossed last time cross again.
 
         >>> square = EdgeIndex([[(0, 0), (2, 0), (2, 2), (0, 2)]])
         >>> [MovedPair(square, square).relate(k, k).value for k in (1, 2, 3)]

@@ -50,7 +50,10 @@ class AffineMap(NamedTuple):
 
 
 class PointSet:
-    """The set of points of a Polygon or of a Region, its boundary included."""
+    """The set of points of a Polygon or of a Region, its boundary included.
+
+    Methods cost O(n). Images keep the numbers of vertices and edges from the input.
+    """
 
     __slots__ = ()
 
@@ -108,11 +111,7 @@ class PointSet:
             axes: Axes to draw on; by default those of a new figure of `matplotlib.pyplot`.
             style: properties of a `matplotlib.patches.PathPatch`, such as `color="red"`.
 
-        Returns:
-            The Axes.
-
-        Raises:
-            ExactSweepError: matplotlib is not installed.
+        Raises ExactSweepError if matplotlib is not installed.
 
         Example:
             >>> from matplotlib.figure import Figure
@@ -140,15 +139,7 @@ class PointSet:
         return axes
 
     def translated(self, by: Iterable[object]) -> Self:
-        """Return the shape moved by a vector.
-
-        Args:
-            by: a pair of numbers.
-
-        Returns:
-            The image. Vertices and edges keep their numbers from the input.
-
-        Cost: O(n).
+        """Return the shape moved by a vector, a pair of numbers.
 
         Example:
             >>> from exactsweep import Polygon
@@ -160,27 +151,22 @@ class PointSet:
     def rotated(
         self, by: object, center: Iterable[object] = (0, 0), *, bits: int = TURN_BITS
     ) -> Self:
-        """Return the shape turned counter-clockwise: exactly, or by a rational turn near the angle.
+        """Return the shape rotated counter-clockwise: exactly, or near the angle.
 
         Multiples of 90 degrees and pairs of numbers are exact. Any other number of degrees would
-        give irrational vertices. So the method uses a rational turn, at most 2**-bits off on the
-        unit circle. Each vertex is then off by at most 2**-bits times its distance from the
-        center. `read_turn(by).near(bits)` of `exactsweep.geometry.turn` returns that turn and its
-        error.
+        give irrational vertices. So the method uses a rational rotation with an error of at most
+        2**-bits on the unit circle; each vertex is off by at most 2**-bits times its distance from
+        the center. `exactsweep.geometry.turn.read_turn(by).near(bits)` returns that rotation and
+        its error.
 
         Args:
-            by: degrees; or a pair of numbers, the direction to which the X axis is turned, of
-                rational length, such as (3, 4) or, the same, ("3/5", "4/5").
+            by: degrees; or a pair of numbers, the image of the X axis, a direction of rational
+                length, such as (3, 4) or, the same, ("3/5", "4/5").
             center: a pair of numbers, the fixed point.
-            bits: the precision of an angle without a rational turn.
-
-        Returns:
-            The image, numbered as by `translated`.
+            bits: the precision of an angle without a rational rotation.
 
         Raises:
             NumberError: a direction of irrational length.
-
-        Cost: O(n).
 
         Example:
             >>> from exactsweep import Polygon
@@ -195,19 +181,9 @@ class PointSet:
         return self._image(AffineMap(cosine, -sine, sine, cosine).about(center))
 
     def scaled(self, by: object, center: Iterable[object] = (0, 0)) -> Self:
-        """Return the shape enlarged, or reduced.
+        """Return the shape scaled by a number, not 0, or by a pair of them, for X and for Y.
 
-        Args:
-            by: a number, not 0; or a pair of them, for X and for Y.
-            center: a pair of numbers, the fixed point.
-
-        Returns:
-            The image, numbered as by `translated`.
-
-        Raises:
-            NumberError: a factor of 0.
-
-        Cost: O(n).
+        `center` is the fixed point. Raises NumberError for a factor of 0.
 
         Example:
             >>> from exactsweep import Polygon
@@ -220,15 +196,7 @@ class PointSet:
         return self._image(AffineMap(across, _ZERO, _ZERO, up).about(center))
 
     def reflected(self, center: Iterable[object] = (0, 0)) -> Self:
-        """Return the shape after a half turn, the point reflection I of the paper.
-
-        Args:
-            center: a pair of numbers, the fixed point.
-
-        Returns:
-            The image, numbered as by `translated`.
-
-        Cost: O(n).
+        """Return the shape after a half turn about a center, the point reflection I of the paper.
 
         Example:
             >>> from exactsweep import Polygon
@@ -244,13 +212,8 @@ class PointSet:
             along: a pair of numbers, the direction of the line, not (0, 0); upright by default.
             center: a pair of numbers, a point of the line.
 
-        Returns:
-            The image, numbered as by `translated`.
-
         Raises:
             NumberError: the direction (0, 0).
-
-        Cost: O(n).
 
         Example:
             >>> from exactsweep import Polygon
@@ -265,13 +228,9 @@ class PointSet:
         return self._image(AffineMap(cosine, sine, sine, -cosine).about(center))
 
     def contains(self, point: Iterable[object], *, strictly: bool = False) -> bool:
-        """Decide exactly whether a point is in the shape; `point in shape` does the same.
+        """Decide exactly whether a point is in the shape, as `point in shape` does.
 
-        Args:
-            point: a pair of numbers.
-            strictly: whether to exclude points of the boundary.
-
-        Cost: O(n).
+        `strictly` excludes points of the boundary.
 
         Example:
             >>> from exactsweep import Polygon

@@ -54,15 +54,10 @@ def refuse_number(k: object, what: str, count: int) -> PolygonError:
 
 
 def read_interface(shape: object) -> list[Pairs] | None:
-    """Read the rings of an object with a `__geo_interface__`, such as a polygon of shapely.
+    """Read the exterior and the holes of an object with a `__geo_interface__`, or a GeoJSON dict.
 
-    Z coordinates are dropped, with a warning.
-
-    Returns:
-        The exterior and the holes; None if the object has no such attribute and is no GeoJSON dict.
-
-    Raises:
-        PolygonError: the attribute is not one polygon, or the polygon is empty.
+    Z coordinates are dropped, with a warning. Returns None for other objects; raises PolygonError
+    if the object is not one polygon, or empty.
 
     >>> import shapely
     >>> read_interface(shapely.box(0, 0, 2, 1))
@@ -117,10 +112,7 @@ def drop_heights(ring: list[Any]) -> list[Any]:
 
 
 def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
-    """Read the vertices of a polygon, pairs of numbers or an object with a `__geo_interface__`.
-
-    Returns:
-        As `to_lattice`.
+    """Read the vertices of a polygon, pairs of numbers or a `__geo_interface__`, as `to_lattice`.
 
     Raises:
         PolygonError: not pairs, or a polygon with holes.
@@ -180,12 +172,9 @@ def _read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
 def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
     """Put points on the coarsest integer lattice that holds them.
 
-    Returns:
-        The scale, which is the least common denominator, and the points times the scale, as pairs
-        of ints. If the scale had more than 8192 bits, it is 1 and the points are unchanged, because
-        with unrelated denominators each number would be longer than all coordinates together.
-
-    Cost: O(n) products of numbers of the scale's length.
+    Returns the scale, the least common denominator, and the points times the scale, as pairs of
+    ints. If the scale had more than 8192 bits, it is 1 and the points are unchanged, because with
+    unrelated denominators each number would be longer than all coordinates together.
 
     >>> to_lattice([Fraction(1, 2), Fraction(0)], [Fraction(1), Fraction(1, 3)])
     (6, [(3, 6), (0, 2)])

@@ -103,12 +103,10 @@ class Region(PointSet):
         return (self.exterior.vertices, *(hole.vertices for hole in self.holes))
 
     def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
-        """Return the region on the coarsest integer lattice that holds it.
+        """Return `(scale, rings)`, the region on the coarsest integer lattice that holds it.
 
-        Returns:
-            `(scale, rings)`: the vertices times the scale, the exterior counter-clockwise and the
-            holes clockwise, so that the interior is on the left. The scale is as for
-            `Polygon.lattice`.
+        The rings have the interior on the left, each point a vertex times the scale. The scale is
+        as for `Polygon.lattice`.
 
         Example:
             >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
@@ -238,9 +236,8 @@ def common_lattice(
 ) -> tuple[int, list[tuple[Vertex, ...]]]:
     """Put polygons on the coarsest lattice that holds them all.
 
-    Returns:
-        The scale, and the vertices of each polygon times the scale. If the scale had more than 8192
-        bits, it is 1 and the vertices are unchanged.
+    Returns the scale, and the vertices of each polygon times the scale. If the scale had more than
+    8192 bits, it is 1 and the vertices are unchanged.
     """
     scale = lcm_within(polygon.lattice()[0] for polygon in polygons)
     if scale is None:
@@ -256,14 +253,10 @@ def share_lattice(
 ) -> tuple[int, list[list[list[Vertex]]]]:
     """Put regions on the coarsest integer lattice that holds them all.
 
-    Args:
-        regions: any number of Regions.
-        scale: the scale of a lattice with most vertices, a substitute if the common scale is long.
-
-    Returns:
-        The scale, and the rings of each region times the scale, with the interior on the left.
-        Vertices off the given lattice are Fractions. If the scale had more than 1024 bits, it is 1
-        and the vertices are unchanged, because all numbers would be longer than any vertex.
+    Returns the scale, and the rings of each region times the scale, with the interior on the left.
+    If the scale had more than 1024 bits, all numbers would be longer than any vertex. Then the
+    result has the given `scale` of a lattice with most vertices, or 1; other vertices are
+    Fractions.
 
     >>> share_lattice([Region([(0, 0), ("1/2", 0), (0, "1/3")])])
     (6, [[[(0, 0), (3, 0), (0, 2)]]])

@@ -23,16 +23,11 @@ class Conflict(NamedTuple):
 
 
 def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
-    """Find two features of a ring that meet though they must not.
+    """Find two features of a ring that meet though they must not; None if the ring is simple.
 
-    Args:
-        ring: at least three integer points, not all collinear, no two neighbours equal, no edge
-            that turns back onto the edge before it; collinear vertices are allowed.
-
-    Returns:
-        None if the ring is simple, otherwise one conflict; edge i runs from vertex i to the next.
-
-    Cost: O(n log n) comparisons, and moves in the status list.
+    The ring has at least three integer points, not all collinear, no two neighbours equal, no edge
+    that turns back onto the edge before it; collinear vertices are allowed. Edge i runs from vertex
+    i to the next. Cost: O(n log n) comparisons, and moves in the status list.
 
     >>> find_conflict([(0, 0), (2, 2), (2, 0), (0, 2)])
     Conflict(kind='edges cross', first=0, second=2)

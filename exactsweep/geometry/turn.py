@@ -64,9 +64,7 @@ class Turn:
     def near(self, bits: int = TURN_BITS) -> RationalTurn:
         """Return a rational rotation with an error of at most 2**-bits; 0 if possible.
 
-        Raises NumberError for bits below 1 or above MAX_TURN_BITS.
-
-        Cost: O(bits^2); cached for each number of bits.
+        Raises NumberError for bits below 1 or above MAX_TURN_BITS. Cost: O(bits^2); cached.
 
         >>> read_turn(180).near(1)
         RationalTurn(cosine=Fraction(-1, 1), sine=Fraction(0, 1), error=Fraction(0, 1))
@@ -100,14 +98,11 @@ class Turn:
 
 
 def read_turn(by: object) -> Turn:
-    """Read a rotation.
+    """Read a rotation; equal rotations are equal in whatever form they are given.
 
     Args:
         by: degrees; or a pair of numbers, the image of the X axis, a direction of rational length,
             such as (3, 4) or, the same, ("3/5", "4/5").
-
-    Returns:
-        A Turn. Turns are equal if they are the same rotation, in whatever form they are given.
 
     Raises:
         NumberError: a direction of irrational length, or not a number.
@@ -138,11 +133,7 @@ def _turn_by(degrees: Fraction) -> Turn:
 
 @lru_cache(maxsize=1024)
 def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
-    """Find a rational rotation of few digits that is off by at most 2**-bits, by (2).
-
-    Args:
-        degrees: any angle.
-        bits: at least 1.
+    """Find a rational rotation of few digits with an error of at most 2**-bits, by (2).
 
     >>> find_rational_turn(Fraction(270), 9)
     RationalTurn(cosine=Fraction(0, 1), sine=Fraction(-1, 1), error=Fraction(0, 1))
@@ -161,11 +152,9 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
 
 
 def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
-    """Find a rational point of the unit circle near an angle, by a decimal as the half tangent.
+    """Find a rational point of the unit circle within `allowed` of the point at an angle.
 
-    Args:
-        degrees: the angle.
-        allowed: the greatest distance from the point at exactly that angle.
+    Its half tangent is a decimal.
 
     >>> find_unit_point(Fraction(270), Fraction(1))
     Point(x=Fraction(0, 1), y=Fraction(-1, 1))
@@ -194,11 +183,9 @@ def _round_half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
 
 
 def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:
-    """Bound the tangent of half an angle from both sides, by interval arithmetic.
+    """Bound the tangent of half an angle, from 0 to 90 degrees, by interval arithmetic.
 
-    Args:
-        degrees: an angle from 0 to 90.
-        bits: the precision; the bounds differ by less than 2**-bits.
+    The lower and the upper bound differ by less than 2**-bits.
 
     >>> low, high = bound_half_tangent(Fraction(60), 9)
     >>> 3 * low**2 < 1 < 3 * high**2, high - low < Fraction(1, 512)

@@ -62,13 +62,10 @@ def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
 
 
 def find_hull(points: Iterable[P]) -> list[P]:
-    """Find the convex hull of points (Andrew's monotone chain).
+    """Find the convex hull of points (Andrew's monotone chain). Cost: O(n log n).
 
-    Returns:
-        The corners, counter-clockwise from the least one; two if the points are collinear, and none
-        if they are equal.
-
-    Cost: O(n log n).
+    Returns the corners, counter-clockwise from the least one; two if the points are collinear, and
+    none if they are equal.
 
     >>> find_hull([(0, 0), (4, 0), (1, 1), (2, 0), (0, 4)])
     [(0, 0), (4, 0), (0, 4)]

@@ -3,31 +3,29 @@
 One limit holds for numbers in texts and Decimals. A few characters, such as `1e999999999`, must not
 allocate gigabytes, and every answer must be readable again.
 
-1. A number may have D = `max_digits` digits in its numerator and in its denominator.
-2. A number that is written out digit by digit may have 32 D + 7 digits. By 3 to 5, no vertex of a
-   loop that is computed from numbers of D digits has more. Certificates have no limit, because
-   their checker counts steps. Ints, Fractions and floats have no limit, because they are in memory.
+(1) A number may have D = `max_digits` digits in its numerator and in its denominator.
+(2) A number that is written out digit by digit may have 32 D + 7 digits. By (3) to (5), no vertex
+    of a loop computed from numbers of D digits has more. Certificates have no limit, because their
+    checker counts steps; ints, Fractions and floats have none, because they are in memory.
 
 Let |n|, d < 10^D for all coordinates n/d of two polygons.
 
-3. A line through d1 - g and d2 - g, for vertices d1, d2 of one and g of the other, is A x + B y = C
-   with ints |A|, |B| < 2 * 10^6D and |C| < 8 * 10^6D: A and B are over the denominators of d1 and
-   d2, which cancel that of d1 in C, and C is over those of g.
-4. Two such lines cross, at a vertex t of a trajectory or a hole or at the end of an exact fit, over
-   A B' - A' B < 8 * 10^12D, with numerators below 32 * 10^12D; a reference point adds D digits.
-5. Such lines moved by a vertex of G bound the swept area, with |A|, |B| < 2 * 10^8D, and so do
-   edges of G moved by t: over its denominator, |A|, |B| < 16 * 10^16D and |C| < 256 * 10^16D. Two
-   of these cross over less than 512 * 10^32D, with numerators below 8192 * 10^32D.
+(3) A line through d1 - g and d2 - g, for vertices d1, d2 of one and g of the other, is A x + B y =
+    C with ints |A|, |B| < 2 * 10^6D and |C| < 8 * 10^6D: A and B are over the denominators of d1
+    and d2, which cancel that of d1 in C, and C is over those of g.
+(4) Two such lines cross, at a vertex t of a trajectory or a hole or at the end of an exact fit,
+    over A B' - A' B < 8 * 10^12D, with numerators below 32 * 10^12D; a reference point adds D
+    digits.
+(5) Such lines moved by a vertex of G bound the swept area, with |A|, |B| < 2 * 10^8D, and so do
+    edges of G moved by t: over its denominator, |A|, |B| < 16 * 10^16D and |C| < 256 * 10^16D. Two
+        of these cross over less than 512 * 10^32D, with numerators below 8192 * 10^32D.
 
-Another limit holds for texts, because reading takes up to 130 bytes of memory for each byte:
+Reading takes up to 130 bytes of memory for each byte of a text, so texts have another limit:
 
-6. A text may count for `max_mib` MiB. It counts for its number of bytes, but for at least 16 bytes
-   for each vertex, 32 for each element of SVG and 64 for each entity of DXF. An element that a file
-   draws repeatedly counts each time.
-7. An answer may have more vertices than the limit allows. Then its writer reports the limit that is
-   needed to read it, by the same count.
-
-Repeated computations on answers can exceed any limit, so the caller can raise both limits.
+(6) A text may count for `max_mib` MiB: its number of bytes, but at least 16 bytes for each vertex,
+    32 for each element of SVG and 64 for each entity of DXF, each time it is drawn.
+(7) An answer may have more vertices than that. Then its writer reports the limit that is needed to
+    read it.
 """
 
 from collections.abc import Iterator
@@ -111,12 +109,12 @@ def keep_limits(held: Limits) -> None:
 
 
 def get_max_digits() -> int:
-    """Return the largest number of digits of a number, by 1."""
+    """Return the largest number of digits of a number, by (1)."""
     return _max_digits.get() or DEFAULT_DIGITS
 
 
 def answer_digits() -> int:
-    """Return the largest number of digits of a number that is written out, by 2."""
+    """Return the largest number of digits of a number that is written out, by (2)."""
     return 32 * get_max_digits() + 7
 
 

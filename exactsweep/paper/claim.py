@@ -202,14 +202,7 @@ _READ: dict[type, Callable[[Any], Evidence]] = {
 
 
 def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
-    """Check claims one by one.
-
-    Args:
-        claims: rows of the ledger.
-        effort: the seed, and the number of trials.
-
-    Yields:
-        A Finding for each claim. A check that raises counts as one that fails.
+    """Check claims one by one; a check that raises counts as one that fails.
 
     >>> from exactsweep.paper.ledger import find
     >>> row, = reproduce([find("Slope")], Effort(quick=True))

@@ -25,14 +25,9 @@ _Angles = dict[Vertex, Cones]
 def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
     """Find translations t at which a vertex of D or G + t is on an edge, or a vertex, of the other.
 
-    Args:
-        d: the rings of D, its interior on their left.
-        h: those of H = -G.
-
-    Returns:
-        Segments and points that hold all positions of contact without overlap.
-
-    Cost: O((m + n) log(m + n)) for m and n edges, and linear for each segment.
+    The rings are those of D and of H = -G, the interior on their left. The result are segments and
+    points that hold all positions of contact without overlap. Cost: O((m + n) log(m + n)) for m and
+    n edges, and linear for each segment.
     """
     shapes = split_where_touching(d), split_where_touching(h)
     one, other = map(find_cones_of, shapes)

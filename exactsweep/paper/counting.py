@@ -211,14 +211,9 @@ def grow(
 ) -> Growth:
     """Count or measure a quantity of the pairs of a family, for comparison with a bound.
 
-    Args:
-        what: the quantity.
-        family: the pairs.
-        bound: the bound; its name alone if it depends on more than m and n.
-        sizes: pairs (m, n), each about twice the one before.
-        count: returns the count of a pair; with the bound, if that has a name alone.
-        limit: see `Growth`.
-        side: likewise.
+    The bound is a name alone if it depends on more than m and n; then `count` returns it with the
+    count of a pair. Sizes (m, n) are each about twice the one before. For limit and side see
+    `Growth`.
 
     >>> from exactsweep.paper.growth import MN
     >>> def squares(m, n):

@@ -89,10 +89,7 @@ _BY_NAME = {claim.name: claim for claim in CLAIMS}
 
 
 def find(name: str) -> Claim:
-    """Return the claim of a name, in upper or lower case.
-
-    Raises:
-        UnknownClaimError: there is none; the message suggests others.
+    """Return the claim of a name, in any case; UnknownClaimError suggests similar names.
 
     >>> find("lemma 5.3").name
     'Lemma 5.3'

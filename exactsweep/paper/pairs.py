@@ -103,13 +103,9 @@ def draw_large(random: Prng, kind: str) -> SweepPair:
 
 
 def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator[SweepPair]:
-    """Draw pairs that depend on the seed of the run, their class and their number alone.
+    """Draw pairs of a kind that depend on the seed of the run, their class and their number alone.
 
-    Args:
-        effort: the seed of the run.
-        kind: two letters, G's and D's.
-        count: the number of pairs.
-        how: "weak", "large", "far", "resting" or nothing.
+    `kind` has G's and D's letter; `how` is "weak", "large", "far", "resting" or empty.
     """
     for number in range(count):
         random = effort.random(f"{kind} {how} {number}")

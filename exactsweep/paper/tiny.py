@@ -81,17 +81,10 @@ def search_grid(
     directrix: str,
     fails: Law,
 ) -> Evidence:
-    """Look for the first pair on a grid for which a statement fails.
+    """Look for the first pair on a grid, with coordinates 0 to `side`, for which a statement fails.
 
-    Args:
-        side: the greatest coordinate; the least is 0.
-        most: the maximum number of vertices of both polygons together.
-        generatrix: a key of SHAPES: the polygons that are tried for G.
-        directrix: the same for D.
-        fails: yields the faults of a pair.
-
-    Returns:
-        Evidence with the trials and a counterexample, if there is one.
+    `most` is the maximum number of vertices of both polygons together; `generatrix` and `directrix`
+    are keys of SHAPES; `fails` yields the faults of a pair.
 
     >>> def four_corners(pair):
     ...     if len(pair.generatrix) == 4:

@@ -31,12 +31,7 @@ _MOST_COLUMNS = 400
 def leave_out_covered(
     segments: Sequence[ContactSegment], obstacles: Sequence[Rings], moving: Rings
 ) -> Sequence[ContactSegment]:
-    """Cut segments at the borders of columns of squares, and drop the pieces in covered squares.
-
-    Args:
-        segments: the contact segments of the obstacles and H.
-        obstacles: the rings of each of them.
-        moving: the rings of H.
+    """Cut the contact segments of obstacles and H at columns of squares, and drop covered pieces.
 
     Cost: O(1) for each column that a segment meets, and the sum of squares.
     """
@@ -129,13 +124,9 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
 def split(
     segment: ContactSegment, side: int, lowest: int, columns: Mapping[int, int]
 ) -> Iterator[ContactSegment]:
-    """Yield the pieces of a segment that leave the covered squares.
+    """Yield the pieces of a segment that leave the covered squares, listed by column.
 
-    Args:
-        segment: a segment.
-        side: the side of the squares.
-        lowest: the row of the lowest bit.
-        columns: the covered squares by column.
+    Squares have the given side; their lowest bit is in row `lowest`.
     """
     (dx, dy, c), (n, d), (m, e) = segment.line, segment.low, segment.high
     first, row = n // (d * side), (n * dy + c * d) // (dx * d * side) - lowest if dx else 0

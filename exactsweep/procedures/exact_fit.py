@@ -25,18 +25,11 @@ from exactsweep.procedures.chain import Chain, inverse
 def find_exact_fits(
     generatrix: Chain, directrix: Chain, trajectory: Chain
 ) -> list[tuple[Vertex, Vertex]]:
-    """Find the exact fits of G_t from below in D_b.
+    """Find the exact fits of G_t from below in D_b, by x.
 
-    Args:
-        generatrix: reversed G_t.
-        directrix: D_b.
-        trajectory: T(G_t, D_b).
-
-    Returns:
-        Pairs (the end on the trajectory, the end inside the slot), by x.
-
-    Cost: O(d g) for d and g discontinuities. For each x0 at which two pairs meet, O(log m + log n +
-    the edges of D_b and of G_t over each other).
+    Each is a pair: the end on the trajectory, the end inside the slot. The chains are reversed G_t
+    and D_b. Cost: O(d g) for d and g discontinuities; for each x0 at which two pairs meet, O(log m
+    + log n + the edges of D_b and of G_t over each other).
 
     >>> from exactsweep.procedures.cm import trajectory_cm
     >>> slot = Chain.of([(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)])

@@ -1,12 +1,9 @@
-"""The sweep of two polygons that are monotone to one direction (Theorems 2.1 and 2.2).
+"""Monotone pairs: the lower and the upper half of a sweep, by section (Theorems 2.1 and 2.2).
 
 The lower sweep (G_t, D_b) and the upper sweep (G_b, D_t) are independent. The upper sweep is the
 lower sweep of both polygons after a half turn. So a polygon is two bottom chains: its own, and the
-inverse of its top chain. Those of G are G_b and reversed G_t of the lower sweep; of the upper sweep
-they are reversed G_t and G_b.
-
-Every CC sweep is a CM sweep, and every CM sweep an MM sweep. Each class has the procedures of its
-own section.
+inverse of its top chain. Every CC sweep is a CM sweep, and every CM sweep an MM sweep; each class
+has the procedures of its own section.
 """
 
 from __future__ import annotations
@@ -114,16 +111,10 @@ _TURN_BACK: tuple[Callable[[Sequence[Vertex]], list[Vertex]], ...] = (list, inve
 
 @lru_cache(512)
 def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
-    """Split a monotone polygon in a frame; nesting sweeps each part around many others.
+    """Split a monotone polygon in a frame: the bottom chain, and the inverse of the top chain.
 
-    Args:
-        lattice: the polygon, as `Polygon.lattice` returns it.
-        frame: the frame of a pair with this polygon.
-
-    Returns:
-        The bottom chain, and the inverse of the top chain.
-
-    Cost: O(n).
+    The lattice is that of `Polygon.lattice`. Chains are cached: nesting sweeps each part around
+    many others.
 
     >>> bottom, top = split_polygon((1, ((0, 0), (1, 0), (1, 1), (0, 1))), Frame((1, 0), 2))
     >>> bottom.points, top.points

@@ -25,17 +25,11 @@ class Pocket(NamedTuple):
 
 
 def find_pockets(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket]:
-    """Find the regions between D and a loop around it.
+    """Find the regions between D and the inner loop around it, both counter-clockwise.
 
-    Args:
-        loop: the inner loop, counter-clockwise.
-        directrix: the exterior of D, counter-clockwise, inside the loop or on it.
-
-    Returns:
-        The undercuts, in the order of their bottom chains along the loop. Regions that share only a
-        point or a vertical edge are separate.
-
-    Cost: O(s + m) for s edges of the loop and m of D, and that of `EdgeIndex.near`.
+    The undercuts come in the order of their bottom chains along the loop. Regions that share only a
+    point or a vertical edge are separate. Cost: O(s + m) for s edges of the loop and m of D, and
+    that of `EdgeIndex.near`.
 
     >>> roof = [(0, 0), (3, 0), (3, 3), (2, 1), (1, 3), (0, 3)]
     >>> find_pockets([(0, 0), (3, 0), (3, 3), (0, 3)], roof)

@@ -128,12 +128,8 @@ def find_contact_segments(
 ) -> list[ContactSegment]:
     """Find the contact segments of two shapes, joined along each line.
 
-    Args:
-        stationary: the rings of D.
-        moving: the rings of H = I(G).
-        leave_out: returns the parts of facing edges that may bound a free region.
-
-    Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
+    The rings are those of D and of H = I(G); `leave_out` returns the parts of facing edges that may
+    bound a free region. Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
 
     >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> left, *_ = find_contact_segments(square, square)

@@ -45,16 +45,11 @@ class Free(NamedTuple):
 def find_free(
     pieces: Pieces, overlaps: Test, scale: int = 1, least: HomogeneousPoint | None = None
 ) -> Free:
-    """Find the loops and the exact fits.
+    """Find the loops and the exact fits among pieces of contact segments.
 
-    Args:
-        pieces: the pieces of contact segments.
-        overlaps: decides whether a position is in O.
-        scale: the divisor of all coordinates.
-        least: the least point of the closure of O, if bounded.
-
-    Cost: O(k) for k pieces, and one test for each closed walk, for each piece with overlap on both
-    sides, and for each meeting.
+    `overlaps` decides whether a position is in O; all coordinates are divided by the scale; `least`
+    is the least point of the closure of O, if bounded. Cost: O(k) for k pieces, and one test for
+    each closed walk, for each piece with overlap on both sides, and for each meeting.
     """
     overlaps = cache(overlaps)
     rings = list(_walk_rings(pieces.one_way, overlaps, least))
