@@ -193,10 +193,22 @@ def rotations(n: int, digits: int) -> Certificate:
     return layout([part], placed, None, [{"kind": "missing", "part": "a"}])
 
 
+def rounded(n: int, digits: int) -> Certificate:
+    """Pieces of many points in a rounded container of many points."""
+    hull = write([(10**7 * x - 10**8, 10**7 * y - 10**8) for x, y in polygon(digits * 10 + 3)])
+    piece = {"points": write(polygon(max(3, digits * 5))), "radius": "1"}
+    parts = [{"id": "a", "pieces": [piece]}]
+    placed = [{"part": "a", "move": ["9", str(10**5 * k)]} for k in range(n)]
+    found = layout(parts, placed, [None])
+    found["layout"]["container"] = {"pieces": [{"points": hull, "radius": "9"}]}
+    found["proof"] |= {"frame": None, "outside": [None]}
+    return found
+
+
 KINDS: Mapping[str, Callable[[int, int], Certificate]] = {
     kind.__name__: kind
     for kind in (crowd, strips, corners, slices, islands, fits_in_a_cell, chains)
-} | {kind.__name__: kind for kind in (long_numbers, placements, faults, rotations)}
+} | {kind.__name__: kind for kind in (long_numbers, placements, faults, rotations, rounded)}
 
 
 def fill(kind: str, digits: int, share: float = 1.0) -> Certificate:

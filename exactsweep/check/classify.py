@@ -1,14 +1,14 @@
-"""One translation of one polygon against another: free, in contact, or overlapping.
+"""Classification of one translation of a polygon: free, in contact, or overlapping.
 
-All pairs of edges whose boxes meet, holes and all, on ints. Where boundaries meet without crossing,
-they do so at a vertex of one of them; there the two interiors are compared as cones. So
+All pairs of edges whose boxes meet are compared, on ints. Boundaries that meet without crossing
+have a vertex of one of them in common; there the interiors are compared as cones.
 
-- edges that cross, or cones at a common point with a direction in common: the interiors meet;
-- common points, and no two cones meet: the interiors are disjoint, because a ring could enter
-  the other interior only from a common point, along a direction of both cones;
-- no common point: the exterior of one is inside the other interior, or they are apart. Were only
-  holes inside, both exteriors would surround them, and the inner one of the two would part the
-  interior of the other polygon.
+- If edges cross, or cones at a common point share a direction, the interiors meet.
+- If there are common points only, the interiors are disjoint: a ring could enter the other interior
+  only from a common point, along a direction of both cones.
+- If there is no common point, the exterior of one is inside the other interior, or they are apart.
+  If only holes were inside, both exteriors would surround them, and the inner exterior would
+  separate the interior of the other polygon.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Meeting = Literal["FREE", "CONTACT", "OVERLAP"]
 
 
 class Classification(NamedTuple):
-    """A verdict, and a point of both open interiors (OVERLAP) or of both boundaries (CONTACT)."""
+    """A verdict with a point of both interiors (OVERLAP) or of both boundaries (CONTACT)."""
 
     verdict: Meeting
     witness: Point | None
@@ -37,12 +37,12 @@ class Classification(NamedTuple):
 
 @tells_arguments
 def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classification:
-    """Decide whether a directrix D, given first, meets a generatrix moved by t, G + t.
+    """Decide whether a directrix D meets a translated generatrix G + t.
 
-    With `directrix=`, `generatrix=` and `t=` no order matters; `sweep` takes the generatrix first.
+    The directrix comes first here, the generatrix in `sweep`.
 
     Args:
-        directrix: D, a Polygon, its vertices or a Region, m edges, monotone or not.
+        directrix: D, a Polygon, its vertices or a Region, m edges.
         generatrix: G, likewise, n edges.
         t: a pair of rationals.
 
@@ -51,10 +51,10 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
         only the boundaries meet, and the witness is in both. FREE: no common point, None.
 
     Raises:
-        PolygonError: vertices are not those of a simple polygon; the message begins with its name.
+        PolygonError: a polygon is not simple; the message begins with its name.
         NumberError: a coordinate is not an exact number; likewise.
 
-    Cost: O(mn) for the edges of both that are in the boxes of both.
+    Cost: O(mn) for edges within both boxes.
     Source: Definition 1.1.
 
     >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -89,7 +89,7 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
 def _witness(
     point: Vertex, direction: Vertex, shapes: tuple[LatticeShape, LatticeShape], scale: int
 ) -> Point:
-    """A point of both interiors: half-way to the next boundary in a direction of both cones."""
+    """Return the point halfway to the next boundary in a direction of both cones."""
     x, y = point
     dx, dy = direction
     reach = []
@@ -98,14 +98,14 @@ def _witness(
         off = [dx * (vy - y) - dy * (vx - x) for vx, vy in loop]
         for k, (vx, vy) in enumerate(loop):
             a, b = off[k - 1], off[k]
-            # Where the ray leaves a shape, the boundary reaches the ray's line from the right, or
-            # leaves it to the left. For an edge along the ray, its two neighbours give the ends.
+            # Where the ray leaves a shape, the boundary reaches its line from the right or leaves
+            # it to the left. Of an edge along the ray, its two neighbors give the ends.
             if a != b and a <= 0 <= b:
                 ux, uy = loop[k - 1]
                 share = Fraction(a) / (a - b)
-                way = dx * (ux + share * (vx - ux) - x) + dy * (uy + share * (vy - uy) - y)
-                if way > 0:
-                    reach.append(way)
+                ahead = dx * (ux + share * (vx - ux) - x) + dy * (uy + share * (vy - uy) - y)
+                if ahead > 0:
+                    reach.append(ahead)
     half = min(reach) / (2 * dot(direction, direction))
     return _point(x + half * dx, y + half * dy, scale)
 

@@ -11,41 +11,41 @@ from exactsweep.numbers.number import Rational, Vertex
 
 
 class Ray(NamedTuple):
-    """An edge as seen from a point on it: the direction, and whether the walk goes that way."""
+    """The direction of an edge from a point on it, and whether the boundary leaves along it."""
 
     along: Vertex
     outgoing: bool
 
 
 class Cone(NamedTuple):
-    """An angle at a boundary point that a shape fills: counter-clockwise from start to end."""
+    """An angle that a shape fills at a boundary point, counter-clockwise from start to end."""
 
     start: Vertex
     end: Vertex
 
     @property
     def is_wide(self) -> bool:
-        """Decide whether it is more than a half turn."""
+        """Return whether the angle is more than a half turn."""
         return cross(self.start, self.end) < 0
 
     def holds(self, d: Vertex) -> bool:
-        """Decide whether a direction is in the cone, its start included and its end not."""
+        """Return whether a direction is in the cone, with its start and without its end."""
         if cross(self.start, d) == 0 and dot(self.start, d) > 0:
             return True
         return self.surrounds(d)
 
     def surrounds(self, d: Vertex) -> bool:
-        """Decide whether a direction is strictly inside the cone."""
+        """Return whether a direction is strictly inside the cone."""
         if cross(self.start, self.end) > 0:
             return cross(self.start, d) > 0 and cross(d, self.end) > 0
         return cross(self.start, d) > 0 or cross(d, self.end) > 0
 
 
 def find_cones(rays: Sequence[Ray]) -> list[Cone]:
-    """The cones of a shape at a point, from the rays of the boundary there.
+    """Return the cones of a shape at a point, given the rays of its boundary.
 
-    With the interior on the left of every edge, an outgoing ray opens a cone and the next ray
-    counter-clockwise, an incoming one, closes it. Where rings touch there are several.
+    With the interior on the left of every edge, an outgoing ray starts a cone, and the next ray
+    counter-clockwise, an incoming one, ends it.
     """
     turned = sorted(rays, key=lambda ray: by_turn(ray.along))
     following = zip(turned, turned[1:] + turned[:1], strict=True)
@@ -53,7 +53,7 @@ def find_cones(rays: Sequence[Ray]) -> list[Cone]:
 
 
 def find_common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Vertex | None:
-    """A direction strictly inside a cone of each. Of two that meet, one begins in the other."""
+    """Return a direction strictly inside cones of both; of two that meet, one starts in the other."""
     for one in some:
         for other in others:
             for a, b in ((one, other), (other, one)):
@@ -64,28 +64,28 @@ def find_common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Verte
 
 
 def find_direction_inside(cone: Cone) -> Vertex:
-    """A direction strictly inside: between the two sides, or square to one if the cone is wide."""
+    """Return a direction strictly inside: the sum of the sides, or perpendicular to one."""
     (x, y), (end_x, end_y) = cone
     return (x + end_x, y + end_y) if cross(*cone) > 0 else (-y, x)
 
 
 def subtract(p: Vertex, q: Vertex) -> Vertex:
-    """The way from q to p."""
+    """Return the vector from q to p."""
     return p[0] - q[0], p[1] - q[1]
 
 
 def cross(p: Vertex, q: Vertex) -> Rational:
-    """Cross product of two directions, positive where the second is to the left of the first."""
+    """Return the cross product, positive if the second direction is left of the first."""
     return p[0] * q[1] - p[1] * q[0]
 
 
 def dot(p: Vertex, q: Vertex) -> Rational:
-    """Scalar product of two directions."""
+    """Return the scalar product."""
     return p[0] * q[0] + p[1] * q[1]
 
 
 def divide(n: Rational, d: Rational) -> Rational:
-    """Divide, to an int if the quotient is one; ints are divided without Fractions."""
+    """Return a quotient, an int if possible; ints are divided without Fractions."""
     if type(n) is int and type(d) is int:
         quotient, rest = divmod(n, d)
         return Fraction(n, d) if rest else quotient
@@ -94,7 +94,7 @@ def divide(n: Rational, d: Rational) -> Rational:
 
 
 def is_between(p: Vertex, a: Vertex, b: Vertex) -> bool:
-    """Decide whether p lies on the segment from a to b, the ends included."""
+    """Return whether p is on the closed segment from a to b."""
     return min(a, b) <= p <= max(a, b) and cross(subtract(b, a), subtract(p, a)) == 0
 
 

@@ -19,7 +19,7 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
         polygon: a Polygon, its vertices or a Region, n edges.
 
     Raises:
-        PolygonError: the vertices are not those of a simple polygon.
+        PolygonError: the polygon is not simple.
         NumberError: a coordinate is not an exact number.
 
     Cost: O(n) comparisons.
@@ -35,13 +35,13 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
 
 
 def locate_in_shape(point: Vertex, rings: Sequence[Sequence[Vertex]]) -> int:
-    """Locate a point like `point_in_polygon`; outside all rings or in a hole is outside."""
+    """Locate a point like `point_in_polygon`; holes are outside."""
     sides = [locate(point, ring) for ring in rings]
     return 0 if 0 in sides else 1 if sides.count(1) == 1 else -1
 
 
 def locate(point: Vertex, loop: Sequence[Vertex]) -> int:
-    """Locate a point like `point_in_polygon`, by the parity of the edges to the right of it.
+    """Locate a point like `point_in_polygon`, by the parity of the edges right of it.
 
     Args:
         point: two exact numbers.
@@ -53,8 +53,8 @@ def locate(point: Vertex, loop: Sequence[Vertex]) -> int:
     side = -1
     ax, ay = loop[-1]
     for bx, by in loop:
-        # An edge owns its lower end and not its upper one: a vertex at the height of the point
-        # counts twice or not at all where the boundary turns back, and once where it goes on.
+        # An edge contains its lower end and not its upper one: a vertex at the height of the point
+        # counts twice or not at all where the boundary turns back, else once.
         if (ay <= y) != (by <= y):
             turn = (bx - ax) * (y - ay) - (by - ay) * (x - ax)
             if turn == 0:

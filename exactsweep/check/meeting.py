@@ -1,4 +1,4 @@
-"""Meetings of the boundaries of two shapes, and the sides of their interiors there."""
+"""Common boundary points of two shapes, with the cones of their interiors."""
 
 from __future__ import annotations
 
@@ -25,21 +25,21 @@ Cones = list[Cone]
 def list_meetings(
     shapes: tuple[LatticeShape, LatticeShape],
 ) -> Iterator[tuple[Vertex, tuple[Cones, Cones]]]:
-    """Common boundary points of two shapes, crossings first, each with the cones of both.
+    """Yield common boundary points, crossings first, each with the cones of both shapes.
 
-    Cost: O(mn) for m and n edges in the boxes of both.
+    Cost: O(mn) for m and n edges within both boxes.
     """
     through: dict[Vertex, tuple[set[Edge], set[Edge]]] = defaultdict(lambda: (set(), set()))
     for e, f in _list_near(shapes):
         (a, b), (c, d) = e, f
-        way, along = subtract(b, a), subtract(d, c)
-        from_c, from_d = cross(way, subtract(c, a)), cross(way, subtract(d, a))
+        step, along = subtract(b, a), subtract(d, c)
+        from_c, from_d = cross(step, subtract(c, a)), cross(step, subtract(d, a))
         if (from_c > 0 < from_d) or (from_c < 0 > from_d):
             continue
         if from_c * from_d < 0 and cross(along, subtract(a, c)) * cross(along, subtract(b, c)) < 0:
             share = Fraction(from_c) / (from_c - from_d)
             crossing = c[0] + share * along[0], c[1] + share * along[1]
-            yield crossing, ([Cone(way, subtract(a, b))], [Cone(along, subtract(c, d))])
+            yield crossing, ([Cone(step, subtract(a, b))], [Cone(along, subtract(c, d))])
         ends = [*(p for p in e if is_between(p, c, d)), *(p for p in f if is_between(p, a, b))]
         for p in ends:
             through[p][0].add(e)
@@ -50,7 +50,7 @@ def list_meetings(
 
 
 def _list_near(shapes: tuple[LatticeShape, LatticeShape]) -> Iterator[tuple[Edge, Edge]]:
-    """List pairs of edges whose boxes meet."""
+    """Yield the pairs of edges whose boxes meet."""
     one, other = (
         [
             (box, e)
@@ -66,7 +66,7 @@ def _list_near(shapes: tuple[LatticeShape, LatticeShape]) -> Iterator[tuple[Edge
 
 
 def _find_cones_at(p: Vertex, edges: Iterable[Edge]) -> Cones:
-    """The cones of a shape at a point, from all of its edges through that."""
+    """Return the cones of a shape at a point, given its edges through the point."""
     rays = [
         Ray(subtract(q, p), is_ahead)
         for edge in edges
@@ -77,9 +77,9 @@ def _find_cones_at(p: Vertex, edges: Iterable[Edge]) -> Cones:
 
 
 def split_where_touching(shape: LatticeShape) -> LatticeShape:
-    """Make vertices of rings that lie inside edges of others vertices of those, too.
+    """Split edges at the vertices of other rings on them.
 
-    Cost: O(n) for one ring, O(n**2) at worst for several.
+    Cost: O(n) for one ring, at most O(n**2) for several.
     """
     if len(shape) == 1:
         return shape
@@ -88,17 +88,17 @@ def split_where_touching(shape: LatticeShape) -> LatticeShape:
     for ring in shape:
         points: list[Vertex] = []
         for a, b in list_edges([ring]):
-            way = subtract(b, a)
+            step = subtract(b, a)
             low, high = min(a, b), max(a, b)
             between = corners[bisect_right(corners, low) : bisect_left(corners, high)]
             inside = [p for p in between if is_between(p, a, b)]
-            points += [a, *sorted(inside, key=lambda p: dot(subtract(p, a), way))]
+            points += [a, *sorted(inside, key=lambda p: dot(subtract(p, a), step))]
         rings.append(tuple(points))
     return tuple(rings)
 
 
 def find_cones_of(shape: LatticeShape) -> dict[Vertex, Cones]:
-    """The cones of a shape at each of its vertices; its rings touch in vertices only."""
+    """Return the cones at each vertex of a shape whose rings touch in vertices only."""
     at: dict[Vertex, list[Edge]] = defaultdict(list)
     for edge in list_edges(shape):
         for p in edge:

@@ -1,7 +1,4 @@
-"""Shapes with holes as the checking side sees them: rings of points, the interior on their left.
-
-The first ring is the exterior, counter-clockwise; the others are holes, clockwise.
-"""
+"""Shapes as rings of points: the exterior counter-clockwise, then holes, clockwise."""
 
 from __future__ import annotations
 
@@ -22,19 +19,19 @@ Rectangle = tuple[Rational, Rational, Rational, Rational]
 
 
 def list_rings(shape: Any) -> Outlines:
-    """The rings of a Polygon, of its vertices or of a Region, the exterior first."""
+    """Return the rings of a Polygon, of its vertices or of a Region, the exterior first."""
     has_rings = hasattr(shape, "exterior") and hasattr(shape, "holes")
     rings = (shape.exterior, *shape.holes) if has_rings else (shape,)
     return tuple(Polygon(ring).vertices for ring in rings)
 
 
 def list_edges(shape: Iterable[LatticeRing]) -> list[tuple[Vertex, Vertex]]:
-    """The edges of all rings, the interior on the left."""
+    """Return the edges of all rings."""
     return [edge for ring in shape for edge in zip(ring, (*ring[1:], ring[0]), strict=True)]
 
 
 def find_scale(points: Iterable[Point]) -> int:
-    """The least common denominator, or 1 if it is of no use, far longer than each."""
+    """Return the least common denominator, or 1 if it is far longer than each denominator."""
     units = [c.denominator for p in points for c in p]
     scale, longest = 1, max(unit.bit_length() for unit in units)
     for unit in units:
@@ -56,7 +53,7 @@ def _scale_shape(rings: Outlines, scale: int) -> LatticeShape:
 
 
 def scale_ring(points: Iterable[Point], scale: int) -> LatticeRing:
-    """Points times a scale: ints where they come out, else Fractions."""
+    """Multiply points by a scale: ints where possible, else Fractions."""
     return tuple(
         (divide(x.numerator * scale, x.denominator), divide(y.numerator * scale, y.denominator))
         for x, y in points
@@ -64,11 +61,11 @@ def scale_ring(points: Iterable[Point], scale: int) -> LatticeRing:
 
 
 def find_box(points: Iterable[Vertex]) -> Rectangle:
-    """The box around points."""
+    """Return the box of points."""
     xs, ys = zip(*points, strict=True)
     return min(xs), max(xs), min(ys), max(ys)
 
 
 def meet(one: Rectangle, other: Rectangle) -> bool:
-    """Decide whether two boxes, with their borders, have a point in common."""
+    """Return whether two closed boxes have a point in common."""
     return one[0] <= other[1] and other[0] <= one[1] and one[2] <= other[3] and other[2] <= one[3]

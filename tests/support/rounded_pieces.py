@@ -212,7 +212,7 @@ def is_in_disc(body: Rounded, disc: Any) -> bool:
 def is_true_rounded(certificate: Certificate, _: object) -> bool:
     """Decide by distances whether a layout is valid, or has all the faults that are listed."""
     given = certificate["layout"]
-    if any(given.get(key) for key in ("defects", "margin")):
+    if given.get("defects") or Fraction(given.get("margin") or 0):
         return False
     parts = {part["id"]: part for part in given["parts"]}
     placed = [place_pieces(parts[item["part"]], item) for item in given["placements"]]
@@ -235,7 +235,8 @@ def is_true_rounded(certificate: Certificate, _: object) -> bool:
 
 
 def place_pieces(part: Any, item: Any) -> list[Rounded]:
-    (c, s), flag = map(Fraction, item.get("turn") or ("1", "0")), -1 if item.get("mirrored") else 1
+    turn, flag = item.get("turn") or "0", -1 if item.get("mirrored") else 1
+    c, s = map(Fraction, ("1", "0") if turn == "0" else turn)
     found, (u, v) = [], map(Fraction, item["move"])
     for points, radius in map(read_piece, part["pieces"]):
         at = [(c * flag * x - s * y + u, s * flag * x + c * y + v) for x, y in points]
