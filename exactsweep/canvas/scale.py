@@ -41,11 +41,7 @@ class AxisScale(NamedTuple):
         return Fraction(10) ** self.exponent
 
     def place(self, value: Rational) -> float:
-        """Return the place of a coordinate, correctly rounded.
-
-        Raises:
-            DrawError: the place is beyond the range of floats.
-        """
+        """Return the correctly rounded place of a coordinate; raise DrawError if it overflows."""
         try:
             return float((value - self.origin) / self.unit)
         except OverflowError:
@@ -83,19 +79,13 @@ class Scale(NamedTuple):
 
     @classmethod
     def of(cls, *shapes: Iterable[Vertex]) -> Self:
-        """Find the scale of a picture of some points.
+        """Find the scale of a picture of points with Fraction or int coordinates.
 
-        Args:
-            shapes: iterables of points with Fraction (or int) coordinates: vertices, chains.
-
-        Returns:
-            A Scale. Both axes have the same unit, unless the points are over 12 times as wide as
-            high, or as high as wide. Coordinates of a few digits are drawn unchanged.
+        Both axes have the same unit, unless the points are over 12 times as wide as high, or as
+        high as wide. Coordinates of a few digits are unchanged.
 
         Raises:
             DrawError: no points.
-
-        Cost: linear in the number of points.
 
         Example:
             >>> Scale.of([(0, 0), (8, 5)]).x
@@ -120,7 +110,7 @@ class Scale(NamedTuple):
         return cls(x, y, is_true)
 
     def place(self, point: Vertex) -> tuple[float, float]:
-        """Return the place of a point, as `AxisScale.place` does."""
+        """Return the place of a point."""
         x, y = point
         return self.x.place(x), self.y.place(y)
 

@@ -39,11 +39,7 @@ JUDGED: dict[str, str] = _DATA["judged"]
 
 
 def write_style_sheet() -> str:
-    """Write all colours as CSS variables, for light and dark backgrounds.
-
-    >>> write_style_sheet().splitlines()[0][:24]
-    ':root { --directrix: #5f'
-    """
+    """Write all colours as CSS variables, for light and dark backgrounds."""
     light, dark = (
         " ".join(f"--{name}: {color};" for name, color in (palette | JUDGED).items())
         for palette in (LIGHT, DARK)
@@ -152,11 +148,7 @@ ENVELOPE = Look(BLACK, 2.2, order=4)
 
 
 def choose_chain_look(k: int) -> Look:
-    """Choose the look of chain number k of several: colour, marker and dashes.
-
-    >>> choose_chain_look(0) == choose_chain_look(1)
-    False
-    """
+    """Choose colour, marker and dashes of chain number k."""
     markers, dashes = "os^Dv", ("-", (0, (5, 1.5)), (0, (2, 1)))
     return Look(
         PALETTE[k % len(PALETTE)],

@@ -28,21 +28,7 @@ class Shape(NamedTuple):
 
 
 def write_svg(shapes: Iterable[Shape], title: str) -> str:
-    """Write shapes as one SVG image on a white ground.
-
-    Args:
-        shapes: the shapes in drawing order, with Fraction coordinates; shapes without loops are
-            skipped.
-        title: the title of the picture.
-
-    Returns:
-        An `svg` element.
-
-    Raises:
-        DrawError: there is nothing to draw.
-
-    Cost: linear in the number of points.
-    """
+    """Write shapes, in drawing order, as one SVG image on white; raise DrawError without points."""
     drawn = [Shape([list(loop) for loop in s.loops], s.look, s.closed) for s in shapes if s.loops]
     points = chain.from_iterable(chain.from_iterable(shape.loops for shape in drawn))
     window = Window.around(points, _WIDTH, _HEIGHT, _MARGIN)
@@ -99,14 +85,7 @@ def add_table(picture: str, rows: Iterable[tuple[str, str]]) -> str:
 def write_path(
     lines: Iterable[Iterable[tuple[float, float]]], *, closed: bool, digits: int = 2
 ) -> str:
-    """Write lines as the data of one SVG path.
-
-    Args:
-        lines: lists of points, in pixels; empty lists are skipped.
-        closed: whether each line is a loop.
-        digits: the number of decimals.
-
-    Cost: linear in the number of points.
+    """Write lines in pixels, or loops if closed, as the data of one SVG path.
 
     >>> write_path([[(0, 0), (1, 0.125)]], closed=True)
     'M0.00 0.00L1.00 0.12Z'

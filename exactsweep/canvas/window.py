@@ -33,27 +33,14 @@ class Window(NamedTuple):
 
     @classmethod
     def around(cls, points: Iterable[Vertex], width: int, height: int, margin: int = 0) -> Self:
-        """Return the window that shows points as large as possible.
+        """Return the window that shows points as large as possible, with a margin in pixels.
 
-        Args:
-            points: points with Fraction or int coordinates.
-            width: the width of the picture, in pixels.
-            height: the height of the picture, in pixels.
-            margin: the margin around the points, in pixels.
+        Both axes have the same unit, unless the points are over 12 times as wide as high, or as
+        high as wide. Without points it raises DrawError.
 
-        Returns:
-            A Window whose axes have the same unit, unless the points are over 12 times as wide as
-            high, or as high as wide.
-
-        Raises:
-            DrawError: no points.
-
-        Cost: linear in the number of points.
-
-        Example:
-            >>> window = Window.around([(0, 0), (10, 5)], 120, 120, 10)
-            >>> window.place((0, 0)), window.place((10, 5))
-            ((10.0, 85.0), (110.0, 35.0))
+        >>> window = Window.around([(0, 0), (10, 5)], 120, 120, 10)
+        >>> window.place((0, 0)), window.place((10, 5))
+        ((10.0, 85.0), (110.0, 35.0))
         """
         xs, ys = [], []
         for x, y in points:

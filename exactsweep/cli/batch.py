@@ -182,7 +182,6 @@ def _require_new(output: str, paths: Sequence[str]) -> None:
 
 
 def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:
-    """Read the parts of files; report skipped elements."""
     from exactsweep.batch.parts import make_parts
 
     return make_parts(find_parts([path], reading))

@@ -25,11 +25,7 @@ Source = str | Callable[[], Iterable[str]]
 
 
 def list_names(source: Source) -> Iterable[str]:
-    """List the names of a source.
-
-    >>> list(list_names(CLASSES))
-    ['CC', 'CM', 'MM', 'SS']
-    """
+    """List the names of a source."""
     found = resolve_name(source) if isinstance(source, str) else source
     names: Iterable[str] = found() if callable(found) else found
     return names

@@ -102,7 +102,6 @@ def _turn(part: NamedRegion, pose: Pose) -> NamedRegion:
 
 
 def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) -> str:
-    """Make a table with a row for each pair."""
     numbers = ("vertices", "holes", "exact fits", "area about")
     table = make_table(("stationary", "orbiting", "class", *numbers), numbers)
     for (d, g), n in zip(names, found, strict=True):

@@ -25,11 +25,7 @@ def name_mistakes() -> Iterator[None]:
 
 
 def checked(read: Callable[[Any], object]) -> Callable[..., object]:
-    """Make an option callback that reads the value; None stays None.
-
-    Args:
-        read: a function that raises ValueError for a wrong value.
-    """
+    """Make an option callback that reads a value, and reports a ValueError as a usage error."""
 
     def callback(ctx: click.Context, option: click.Parameter, given: Any) -> object:
         with name_mistakes():

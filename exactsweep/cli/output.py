@@ -43,10 +43,7 @@ def report_limit(size: int, output: str) -> None:
 
 @contextmanager
 def replace_file(output: str) -> Iterator[str]:
-    """Yield the name of a temporary file, which replaces the output when complete.
-
-    Devices, and files in read-only folders, are written in place.
-    """
+    """Yield a temporary file that replaces the output when complete, or a device itself."""
     path = Path(output).resolve()
     folder = path.parent
     in_place = path.exists() and not (path.is_file() and os.access(folder, os.W_OK))
@@ -64,11 +61,7 @@ def replace_file(output: str) -> Iterator[str]:
 
 
 def write(text: str, output: str) -> None:
-    """Write to a file or to standard output.
-
-    Raises:
-        FormatError: the file cannot be written.
-    """
+    """Write to a file or to standard output; raise FormatError if that fails."""
     try:
         if output != "-":
             with replace_file(output) as path:

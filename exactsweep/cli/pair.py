@@ -300,10 +300,7 @@ def read_each(
 def read_placed(
     stays: str, moves: str, placed: Sequence[str], reading: ReadingOptions
 ) -> tuple[Region, Region, list[Region]]:
-    """Read a container, a part and placed shapes, with one direction of Y.
-
-    Holes of the container that touch or cross its boundary or each other count as placed shapes.
-    """
+    """Read a container, a part and placed shapes; touching holes count as placed shapes."""
     (one, file), (other, its_file) = _choose_two(stays, moves, reading)
     with working("reading"), name_file(file):
         first, regions = separate_holes(one)

@@ -16,11 +16,7 @@ _MOST_REASONS = 100
 
 
 def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
-    """Find the polygons of files, folders and patterns; report elements that are not polygons.
-
-    Raises:
-        FormatError: there is no polygon.
-    """
+    """Find the polygons of files, folders and patterns; raise FormatError if there is none."""
     with working("reading"):
         listing = list_parts(paths, **reading)
     if not listing.parts:

@@ -35,7 +35,6 @@ from exactsweep.formats.rounding import Rounding
 def _read(
     a: str, b: str, as_path: bool, reading: ReadingOptions
 ) -> tuple[Region, Region | Polyline]:
-    """Read two polygons, or a polygon and a path."""
     file, choice = split_choice(b)
     if choice is None:
         with name_file(file):

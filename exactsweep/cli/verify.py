@@ -109,7 +109,6 @@ def _ask_extracted(certificate: Any, verdict: Any) -> Any:
 
 
 def _describe(certificate: dict[str, Any]) -> str:
-    """Describe the question and the answer of a proved certificate."""
     if certificate["claim"] == "layout":
         placed = count(len(certificate["layout"]["placements"]), "placement")
         kinds = Counter(fault["kind"] for fault in certificate.get("faults", ()))

@@ -31,15 +31,7 @@ def working(doing: str) -> Iterator[Callable[[str], None]]:
 
 @contextmanager
 def show_bar(total: int | None) -> Iterator[Callable[[int, str], None]]:
-    """Show a progress bar on a terminal after one second.
-
-    Args:
-        total: the number of steps; None if unknown.
-
-    Yields:
-        A function of the steps done and a text, by default the rate. The first call does not count
-        for the rate.
-    """
+    """Show a progress bar on a terminal after one second; yield a function of steps and a text."""
     if not _has_terminal():
         yield lambda done, words: None
         return

@@ -12,12 +12,7 @@ from exactsweep.numbers.number import Vertex
 
 @tells_arguments
 def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> None:
-    """Draw named chains, each with its own colour and marker.
-
-    Args:
-        picture: a Picture.
-        chains: the points of each chain, by its name in the legend.
-    """
+    """Draw chains by name, each with its own colour and marker."""
     for k, (name, chain) in enumerate(chains.items()):
         picture.line(chain, style.choose_chain_look(k), name)
 
@@ -26,13 +21,7 @@ def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> Non
 def draw_sub_trajectories(
     picture: Picture, chains: Iterable[Iterable[Vertex]], envelope: Iterable[Vertex] | None = None
 ) -> None:
-    """Draw sub-trajectories as thin dashed lines, and their lower envelope in bold over them.
-
-    Args:
-        picture: a Picture.
-        chains: the points of each sub-trajectory.
-        envelope: the points of the envelope; no envelope by default.
-    """
+    """Draw sub-trajectories as thin dashed lines, and their lower envelope in bold."""
     for chain in chains:
         picture.line(chain, style.SUB_TRAJECTORY, "sub-trajectory")
     if envelope is not None:

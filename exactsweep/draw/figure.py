@@ -76,14 +76,7 @@ def read_suffix(path: str) -> str:
 
 @tells_arguments
 def save(figure: Figure, path: str) -> None:
-    """Write a figure to a file, in the format of its suffix: .svg, .pdf or .png.
-
-    The same figure gives the same bytes with the same release of matplotlib.
-
-    Raises:
-        DrawError: another suffix.
-        OSError: the file cannot be written.
-    """
+    """Write a figure in the format of the suffix, with the same bytes for the same matplotlib."""
     suffix = read_suffix(path)
     with use_style():
         figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")

@@ -52,26 +52,13 @@ def find_details(
     placed: Sequence[AnyPolygon],
     spots: Iterable[Vertex],
 ) -> list[Detail]:
-    """Choose the details of a picture.
+    """Choose at most three details: of shapes 25 times as small as the picture, or of spots.
 
-    Args:
-        shown: all points of the picture.
-        directrix: D.
-        placed: G at each of its positions, or anywhere if it is not drawn.
-        spots: the places of contact.
-
-    Returns:
-        list of at most three Details: of G and D if the picture is 25 times as large; of some
-        spots if the picture is 25 times as long as wide.
-
-    Cost: O(n) for n points.
-
-    Example:
-        >>> from exactsweep import Polygon
-        >>> big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (1000, 1))
-        >>> for detail in find_details(big.vertices, big, [small], []):
-        ...     print(*detail)
-        -3/4 -3/4 5/2
+    >>> from exactsweep import Polygon
+    >>> big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (1000, 1))
+    >>> for detail in find_details(big.vertices, big, [small], []):
+    ...     print(*detail)
+    -3/4 -3/4 5/2
     """
     corners = list(shown)
     boxes = [(min(values), max(values)) for values in zip(*corners, strict=True)]
@@ -108,13 +95,7 @@ def _middle(shape: AnyPolygon) -> Point:
 def draw_with_details(
     picture: Picture, details: Sequence[Detail], paint: Callable[[Picture], None]
 ) -> None:
-    """Draw a picture with frames of the details, the details below, to scale, and a legend.
-
-    Args:
-        picture: a Picture.
-        details: the details.
-        paint: draws the content on a Picture.
-    """
+    """Draw a picture with frames of the details, the details below, to scale, and a legend."""
     paint(picture)
     for k, detail in enumerate(details):
         low, high = detail.corners

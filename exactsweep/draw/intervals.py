@@ -56,10 +56,7 @@ def cut_trajectory(s: SweepAnswer) -> list[ContactInterval]:
 
 
 def cut_loops(s: SweepAnswer, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactInterval]]:
-    """Yield the intervals of each of some loops of positions, as `cut_trajectory` returns them.
-
-    Cost: that of `Sweep.contacts_along`, and as for `cut_trajectory`.
-    """
+    """Yield the intervals of each loop of positions, as by `cut_trajectory`."""
     features = SweepFeatures(s)
     for loop, contacts in zip(loops, s.contacts_along(loops), strict=True):
         yield _cut(features, loop, contacts)

@@ -28,10 +28,7 @@ if TYPE_CHECKING:
 
 
 def draw_sweep(s: SweepAnswer) -> str:
-    """Draw a sweep as an SVG image: polygons, loops, trajectory, undercuts and exact fits.
-
-    Cost: that of the loops and the undercuts, and linear in their sizes.
-    """
+    """Draw a sweep as an SVG image: polygons, loops, trajectory, undercuts and exact fits."""
     outer, inner = s.outer.vertices, s.inner.vertices
     placed = [place_generatrix(s, place).rings for place in choose_telling_positions(s)]
     unswept = [loop.vertices for loop in s.unswept]
@@ -61,10 +58,7 @@ def _fit_shapes(fits: Iterable[Fit], s: Moving) -> list[Shape]:
 
 
 def draw_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
-    """Draw a no-fit polygon or an inner fit as an SVG image.
-
-    Cost: that of all its parts, and linear in their sizes.
-    """
+    """Draw a no-fit polygon or an inner fit as an SVG image."""
     shown = Positions.of(found)
     by = find_shift(shown)
     exterior = () if shown.exterior is None else shown.exterior.translated(by).rings

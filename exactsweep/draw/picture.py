@@ -149,10 +149,7 @@ class Picture:
         self.axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
 
     def legend(self) -> None:
-        """Put the legend right of the picture, or below if it is higher than the picture.
-
-        A picture alone in a figure with a layout engine is laid out together with its legend.
-        """
+        """Put the legend right of the picture, or below if it is higher than the picture."""
         if not self.scale.is_true:
             self.axes.set_box_aspect(_STRETCHED_ASPECT)
         entries = len(self.axes.get_legend_handles_labels()[1])
@@ -207,7 +204,6 @@ class Picture:
         )
 
     def _box(self, of: int = 1) -> Bbox:
-        """Return the window, enlarged by a factor."""
         from matplotlib.transforms import Bbox
 
         assert self._window is not None

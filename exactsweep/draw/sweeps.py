@@ -163,13 +163,9 @@ def place_generatrix(s: Moving, position: Point) -> AnyPolygon:
 
 @tells_arguments
 def choose_telling_positions(s: SweepAnswer) -> list[Point]:
-    """Choose positions to draw: in undercuts and exact fits, far from each other.
+    """Choose at most four positions to draw, far from each other.
 
-    Returns:
-        list of at most four Points: positions that close undercuts, inner ends of exact fits, and
-        the first vertex of the trajectory, all as far from each other as possible.
-
-    Cost: O(u) for u undercuts and exact fits.
+    They close undercuts, or are inner ends of exact fits, or the first vertex of the trajectory.
     """
     corner = s.trajectory.vertices[0]
     closing = [undercut.positions[0] for undercut in s.undercuts]
@@ -248,12 +244,6 @@ def draw_exact_fits(
     """Mark exact fits as positions of the anchor, with hollow marks at ends on a loop.
 
     More than 60 segments become thin lines without marks. A single position is a star.
-
-    Args:
-        picture: a Picture.
-        s: the pair with the moving shape.
-        fits: the exact fits.
-        loops: the loops between positions of overlap and free positions.
     """
     segments, points = part_fits(fits)
     if segments:

@@ -124,7 +124,6 @@ def _run(source: str, names: dict[str, Any], number: int) -> Iterator[dict[str, 
 
 
 def _show(value: object) -> dict[str, str]:
-    """Collect the representations of a value, by media type."""
     from matplotlib.figure import Figure
 
     if isinstance(value, Figure):
@@ -144,7 +143,6 @@ def _open_figures() -> set[int]:
 
 
 def _draw_figures(figures: Iterable[int]) -> Iterator[str]:
-    """Return the figures of pyplot as SVG, and close them."""
     from matplotlib import pyplot
 
     for number in sorted(figures):

@@ -1,8 +1,8 @@
-// What touches when G is at a stop: found when it is asked for, by exact arithmetic. Floats only
-// leave out what is far apart: places are near 1, and their errors far below this.
+// Contacts of G at a stop, computed on demand in exact arithmetic. Floats only discard features
+// that are far apart: places are near 1, and their errors far below that.
 const FAR = 1e-7;
 
-// All contacts at an exact position, at which the anchor has a place, as [event, number of G, number of D]: VV of equal vertices,
+// All contacts at an exact position, as [event, index in G, index in D]: VV of equal vertices,
 // EV and VE of a vertex inside an edge, EE of edges that overlap in positive length.
 function contactsAt(position, [dx, dy]) {
   const { generatrix: g, directrix: d } = data;
@@ -24,7 +24,7 @@ function contactsAt(position, [dx, dy]) {
     if (where === "inside") found.push(["EV", g.edges[i], d.vertices[j]]);
     if (where) pairs.push([i, j], [i, d.before[j]]);
   }
-  // Edges that overlap have an end of one on the other.
+  // Of two overlapping edges, one has an end on the other.
   const seen = new Set();
   for (const [i, j] of pairs) {
     if (seen.has(`${i} ${j}`)) continue;
@@ -35,7 +35,7 @@ function contactsAt(position, [dx, dy]) {
   return found.sort(([a, i, j], [b, k, l]) => (a < b ? -1 : a > b ? 1 : i - k || j - l));
 }
 
-// Those at a stop that last neither up to it nor from it, none that is part of one of edges.
+// Instantaneous contacts at a stop, without those implied by a contact of two edges.
 function briefContacts(track, k) {
   track.brief ||= [];
   if (track.brief[k]) return track.brief[k];
@@ -48,7 +48,7 @@ function briefContacts(track, k) {
   return track.brief[k];
 }
 
-// Contacts without those of a vertex and an edge that are part of one of edges.
+// Contacts without EV and VE that an EE contact implies.
 function withoutParts(contacts, all) {
   const parts = new Set();
   for (const [event, i, j] of all) {
@@ -64,7 +64,7 @@ function endsOf({ vertices, edgeOf, after }, number) {
   return [vertices[k], vertices[after[k]]];
 }
 
-// The exact corners of a polygon moved by a vector, each read once.
+// The exact vertices of a polygon moved by a vector, each parsed once.
 function cornersOf({ exact }, by) {
   const read = new Map();
   return (k) => {
@@ -79,7 +79,7 @@ function overlap([a, b, c, d], [e, f, g, h]) {
   return [Math.max(a, e) - FAR, Math.max(b, f) - FAR, Math.min(c, g) + FAR, Math.min(d, h) + FAR];
 }
 
-// The pairs of a vertex of one polygon and an edge of another that may touch in a box.
+// Candidate pairs of a vertex and an edge of two polygons in a box.
 function* near(points, one, places, other, [left, low, right, high]) {
   const edges = [];
   for (let j = 0; j < other.after.length; j++) {
@@ -100,7 +100,7 @@ function* near(points, one, places, other, [left, low, right, high]) {
   }
 }
 
-// Where a point is on an edge: "start", "inside", "end" or "".
+// Position of a point on an edge: "start", "inside", "end" or "".
 function between(point, start, end) {
   if (rational.areEqual(point, start)) return "start";
   if (rational.areEqual(point, end)) return "end";
@@ -111,7 +111,7 @@ function between(point, start, end) {
 function overlapAlong(a, b, c, d) {
   const [u, v, w] = [rational.vector(a, b), rational.vector(a, c), rational.vector(a, d)];
   if (rational.cross(u, v) !== 0n || rational.cross(u, w) !== 0n) return false;
-  // Numerators of places along the first edge, of which b is at its end.
+  // Numerators of parameters along the edge; b is that of its end.
   const along = (point) => rational.scalar(u, rational.vector(a, point));
   const [end, ...others] = [b, c, d].map(along);
   const [low, high] = rational.isLess(others[0], others[1]) ? others : others.reverse();

@@ -1,10 +1,10 @@
 // Pointer, wheel, touch, keyboard and buttons.
 
-// What takes long to draw is moved as a picture until the hand rests.
+// Slow drawings move as an image until the pointer rests.
 const REST = 120;
 let resting = null;
 
-// What the arrow keys move when the picture has the focus: G, once it was dragged.
+// Whether arrow keys on the picture move G: after a drag.
 let arrowsMove = "picture";
 
 const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -45,7 +45,7 @@ surface
   })
   .on("pointerdown", (event) => {
     if (!isOnGeneratrix(event.offsetX, event.offsetY)) arrowsMove = "picture";
-    // A finger does not hover.
+    // Touch has no hover.
     if (event.pointerType !== "touch") return;
     point(event.offsetX, event.offsetY);
     refresh(false);
@@ -58,7 +58,7 @@ surface
     refresh(false);
   });
 
-// G in a third of the picture, however small it is.
+// Zoom until G fills a third of the picture.
 function zoomToGeneratrix() {
   const [px, py] = place();
   const [left, low, right, high] = bounds(data.generatrix.places);
@@ -98,7 +98,7 @@ const pans = { ArrowRight: [-1, 0], ArrowLeft: [1, 0], ArrowUp: [0, 1], ArrowDow
 document.documentElement.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key, target } = event;
-  // In the panel, these keys scroll; on a button, the space bar presses it; a list has keys itself.
+  // Leave keys to the panel for scrolling, the space bar to buttons, and all keys to lists.
   const isOwn = target.matches("select") || target.closest("aside")
     ? slides[key] || [" ", "PageUp", "PageDown", "Home", "End"].includes(key)
     : key === " " && target.matches("button");
@@ -124,7 +124,7 @@ for (const button of document.querySelectorAll("[data-copy]")) {
   });
 }
 
-// Where a page may not write to the clipboard, it may still copy what is selected.
+// Without access to the clipboard, a page may still copy a selection.
 async function copied(text) {
   try {
     await navigator.clipboard.writeText(text);
@@ -180,7 +180,7 @@ for (const item of document.querySelectorAll(".of-sweep")) item.hidden = data.as
 element("stretched").hidden = !data.stretched;
 element("incomplete").hidden = data.hasMeetings;
 
-// For scripts: where G is, exactly, where its corners are drawn, and long numbers in short.
+// For scripts: the exact position of G, its drawn vertices, and short forms of numbers.
 window.exactsweep = {
   track: () => stops.name,
   position: () => exactPosition().map(rational.text),

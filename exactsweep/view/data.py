@@ -185,8 +185,6 @@ def gather_positions(
 
     Raises:
         DrawError: there is no position.
-
-    Cost: that of all positions, and linear in their size.
     """
     shapes = Positions.of(found)
     is_outside = shapes.exterior is not None
@@ -295,7 +293,6 @@ def _landmarks(s: SweepAnswer) -> list[Point]:
 
 
 def _cut(pieces: list[ContactInterval], inside: Sequence[Point]) -> list[ContactInterval]:
-    """Cut intervals at sorted positions inside them."""
     found = []
     for piece in pieces:
         low, high = sorted((piece.start, piece.end))
@@ -317,5 +314,4 @@ def _around_anchor(s: Moving, scale: Scale) -> dict[str, Any]:
 
 
 def _number(shape: AnyPolygon) -> dict[str, list[int]]:
-    """Return the indices of the features, and the sizes of the rings."""
     return {**list_numbers(shape), "rings": [len(ring) for ring in shape.rings]}

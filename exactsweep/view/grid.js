@@ -1,7 +1,7 @@
-// A grid with numbers at the edges: coordinates, less an origin and divided by a power of ten where
-// that is said, as places are.
+// A grid with numbers at the edges: coordinates minus the origin, divided by the unit, if the axis
+// has them.
 
-// Pixels from line to line, at least, and from the edge to a number.
+// Least distance of lines, and distance of numbers from the edge, in pixels.
 const MESH = 70;
 const INSET = 4;
 
@@ -14,7 +14,7 @@ function drawGrid(context, view, axes, color) {
     const isX = axis === 0;
     const [low, high] = [view.place(0, height)[axis], view.place(width, 0)[axis]].sort((a, b) => a - b);
     const step = roundStep(((high - low) * MESH) / (isX ? width : height));
-    // Deep inside, floats are too coarse for a grid.
+    // At high zoom, floats are too coarse for a grid.
     if (!(step > 1e-12 * Math.max(Math.abs(low), Math.abs(high)))) continue;
     const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
     for (let k = Math.ceil(low / step); k * step <= high; k++) {
@@ -28,7 +28,7 @@ function drawGrid(context, view, axes, color) {
       context.textAlign = isX ? "center" : "right";
       context.textBaseline = isX ? "bottom" : "middle";
       const number = k ? (k * step).toFixed(Math.min(digits, 20)) : "0";
-      // The corner belongs to the names.
+      // Keep the corner free for the names of axes.
       if (isX ? at > 60 && at < width - 120 : at > 46 && at < height - 30) {
         context.fillText(number, isX ? at : width - INSET, isX ? height - INSET : at);
       }

@@ -83,14 +83,7 @@ class Meetings:
 def find_meetings(
     s: Moving, corners: int, others: Sequence[AnyPolygon] = (), *, inside: bool = False
 ) -> Meetings | None:
-    """Find the meetings of vertices; return None if the search would take more than a second.
-
-    Args:
-        s: as for `Meetings`.
-        corners: the number of corners of all loops to search.
-        others: as for `Meetings`.
-        inside: likewise.
-    """
+    """Find the meetings of vertices; return None if the search would take more than a second."""
     if len(s.generatrix) * sum(map(len, (s.directrix, *others))) > _MOST_PAIRS:
         return None
     found = Meetings(s, others, inside=inside)

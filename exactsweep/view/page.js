@@ -1,16 +1,16 @@
-// The page: where G is, what is told of it, and how it moves.
+// The page: state, panel and motion of G.
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const element = (id) => document.getElementById(id);
 
-// Between two stops, G stands at one of so many places; the exact position is known at each.
+// Number of positions between two stops; each has exact coordinates.
 const PARTS = 1_000_000;
 const SLIDER_STEP = PARTS / 1000;
 const ROUND_SECONDS = 24;
-// Dragged so near to another track, in pixels, G goes there.
+// Distance in pixels at which a dragged G changes to another track.
 const SNAP = 12;
 
-// The trajectory, the holes of the no-fit polygon, and the exact fits, there and back.
+// Tracks: the trajectory, holes of the no-fit polygon, and exact fits, there and back.
 const { tracks } = data;
 const firstFit = data.loops;
 for (const track of tracks) {
@@ -41,7 +41,7 @@ const view = new View(bounds(all), data.stretched, data.down);
 const scene = new Scene(data, view, element("ground"), element("top"));
 const top = element("top");
 
-// Where G is: on a track, parts from its first stop, an integer from 0 to its span.
+// State: a track, and the number of steps from its first stop.
 let stops = tracks[0];
 let at = 0;
 let pointed = {};
@@ -56,7 +56,7 @@ function placeOn({ places, contacts }, k) {
   return [places[i], places[i + 1]];
 }
 
-// Where the anchor is; at a stop exactly the place in the data.
+// Place of the anchor; at a stop exactly that of the data.
 function place() {
   const k = stopBefore();
   const share = (at % PARTS) / PARTS;
@@ -69,7 +69,7 @@ function exactStop(k, track = stops) {
   return [0, 1].map((axis) => rational.parse(track.exact[2 * (k % track.size) + axis]));
 }
 
-// The exact position of the reference point.
+// Exact position of the reference point.
 function exactPosition() {
   const [start, end] = [exactStop(stopBefore()), exactStop(stopBefore() + 1)];
   const share = rational.reduced(BigInt(at % PARTS), BigInt(PARTS));
@@ -84,7 +84,7 @@ const about = (exact) => {
   return exact.some(rational.about) ? `about ${short.length > 1 ? `(${short.join(", ")})` : short}` : "";
 };
 
-// What touches, each with a note: at a stop, whether it ends or begins there.
+// Contacts, each with a note whether it ends or begins at the stop.
 function contactsHere() {
   if (data.asked !== "sweep") return contactsAnywhere().map((contact) => ({ contact, note: "" }));
   const k = stopBefore();
@@ -108,7 +108,7 @@ function contactsHere() {
   ];
 }
 
-// Of positions alone, what touches is found when it is asked for, once for each place.
+// Without stored contacts, compute them once for each place.
 let found = { at: null };
 function contactsAnywhere() {
   if (found.at !== at || found.stops !== stops) {
@@ -124,7 +124,7 @@ function words([event, i, j]) {
   return `${g} on ${d}`;
 }
 
-// Drawing and writing, at most once a frame.
+// Update picture and panel, at most once a frame.
 let isGroundStale = true;
 let isWaiting = false;
 function refresh(isAll) {
@@ -179,7 +179,7 @@ function setText(node, text) {
   if (node.textContent !== text) node.textContent = text;
 }
 
-// Long numbers are cut short; all of the text is kept to be copied.
+// Shorten long numbers; copying uses the full text.
 function setNumber(node, text) {
   node.dataset.full = text;
   setText(node, text.replace(/-?\d+(\/\d+)?/g, rational.brief));
@@ -210,10 +210,10 @@ function moveToStop(k) {
   moveTo(((k % stops.size) + stops.size) % stops.size * PARTS);
 }
 
-// Round and round, at an even pace along the track.
+// Animation along the track at constant speed.
 function play(isOn) {
   const button = document.querySelector("[data-do=play]");
-  // Nobody wants to hear each contact on the way.
+  // Do not announce each contact to screen readers.
   element("contacts").setAttribute("aria-live", isOn ? "off" : "polite");
   button.setAttribute("aria-label", isOn ? "Pause" : "Play");
   button.textContent = isOn ? "\u275a\u275a Pause" : "\u25b6 Play";
@@ -244,7 +244,7 @@ function play(isOn) {
   playing = requestAnimationFrame(step);
 }
 
-// Sliding under the pointer: to the nearest place that is not much farther off along the way.
+// Drag along the track: to the nearest place, preferring those close along the track.
 function slideTo(x, y) {
   const [tx, ty] = view.place(x, y);
   const [px, py] = place();
@@ -275,7 +275,7 @@ function slideTo(x, y) {
   moveTo(Math.hypot(dx, dy) < 5 ? (stop % track.size) * PARTS : best[1] % track.span, track);
 }
 
-// Another track, if one is right under the pointer: into a hole or an exact fit, and out again.
+// Change to another track under the pointer: a hole or an exact fit, and back.
 function snapped(x, y, best) {
   let found = [stops, best];
   let reach = SNAP;

@@ -1,4 +1,4 @@
-// What the pointer or a key points at, and its description.
+// Features at the pointer, and their descriptions.
 
 // In pixels.
 const REACH = 9;
@@ -53,7 +53,7 @@ const listed = ({ exact }) => (k) => `(${exact[2 * k]}, ${exact[2 * k + 1]})`;
 const nameOfStop = ({ name, vertex }) => (k) =>
   vertex[k] === null ? `stop ${k}, on an edge of ${name}` : `vertex ${vertex[k]} of ${name}`;
 
-// A vertex of G where it is now: its own coordinates and the way that G has gone.
+// A vertex of G at its current place: its coordinates plus the translation of G.
 function exactCorner(k) {
   const position = exactPosition();
   return pair([0, 1].map((axis) => {
@@ -105,7 +105,7 @@ function describeUndercut(k) {
   };
 }
 
-// To the next undercut on the way along the trajectory; several at one stop are visited in turn.
+// Move to the next undercut along the trajectory; several at one stop take turns.
 function visitUndercut() {
   const { span } = tracks[0];
   const shown = pointed.undercut ? pointed.number : -1;
@@ -117,7 +117,7 @@ function visitUndercut() {
   visit(k, "undercut", () => moveTo(data.undercuts[k].stops[0] * PARTS, tracks[0]), describeUndercut);
 }
 
-// Into the next exact fit, in their order, at its hanging end first.
+// Move into the next exact fit, at its end on a loop first.
 function visitFit() {
   const shown = isFit(stops) ? tracks.indexOf(stops) - firstFit : -1;
   const k = data.fits.length ? (shown + 1) % data.fits.length : -1;

@@ -1,10 +1,10 @@
-// What is drawn: all that stands still on one canvas, G and its contacts on another above it.
+// Drawing: fixed parts on one canvas, G and its contacts on another above it.
 
-// How the trajectory looks by event, so that it is told without colours, too.
+// Dashes of the trajectory by event, so that events differ without colours.
 const DASHES = { EV: [], VE: [6, 4], EE: [2, 2.5], several: [8, 2, 2, 2] };
-// A line of so many pixels is dense: a zigzag of thousands of edges.
+// Length in pixels from which a line is dense, such as a zigzag of thousands of edges.
 const DENSE = 20_000;
-// So many exact fits are drawn as thin lines without marks.
+// Number of exact fits from which they are thin lines without marks.
 const MANY = 60;
 
 class Scene {
@@ -56,7 +56,7 @@ class Scene {
     let length = 0;
     for (const pixels of chains) length += traceLine(context, pixels, this.view.window, isClosed);
     context.strokeStyle = this.color(name);
-    // Nobody sees width and dashes of a dense line, but they take fifty times as long to draw.
+    // Width and dashes of a dense line are invisible, and take fifty times as long to draw.
     const isDense = length > DENSE;
     this.isDense ||= isDense;
     context.lineWidth = isDense ? 1 : width;
@@ -127,7 +127,7 @@ class Scene {
       const pixels = chains.map((places) => view.pixels(places));
       this.lines(context, pixels, event === "several" ? "path" : event, 2, { dash: DASHES[event] });
     }
-    // Many are thin, so that they do not hide each other.
+    // Many exact fits are thin, so that none hides another.
     const isThin = data.fits.length > MANY;
     const fits = data.fits.map(({ places }) => view.pixels(places));
     this.lines(context, fits, "fit", isThin ? 1.5 : 4, {});
@@ -141,7 +141,7 @@ class Scene {
     this.lines(context, spots(true).map(([x, y]) => circle(x, y)), "fit", 2, { isClosed: true });
   }
 
-  // Show the ground as it was last drawn, moved to where it is now.
+  // Show the last image of the fixed parts, moved.
   moveGround() {
     const { k, x, y } = this.view.zoom;
     const ratio = k / this.drawn.k;
@@ -149,7 +149,7 @@ class Scene {
     this.layers[0].canvas.style.transform = `matrix(${ratio}, 0, 0, ${ratio}, ${shift})`;
   }
 
-  // G with the anchor at a place; what touches; the undercut or fit and the vertex pointed at.
+  // Draw G with the anchor at a place, the contacts, and the feature pointed at.
   drawTop([px, py], contacts, pointed) {
     const { data, view } = this;
     const context = this.cleared(1);
@@ -184,7 +184,7 @@ class Scene {
   }
 }
 
-// The chains of loops by event, cut where it changes.
+// Chains of loops by event, cut at changes.
 function runs(loops) {
   const found = new Map();
   for (const { places, contacts } of loops) {

@@ -1,9 +1,9 @@
-// From places, which are those of the data with y upward unless it is said to point down, to pixels, and lines between them.
+// Conversion of places to pixels, and clipped lines. Places have y upward unless the data say down.
 
-// Lines are cut so many pixels outside the canvas: far off it would lose precision, and dashes take
+// Lines are clipped this many pixels outside the canvas: beyond, precision suffers, and dashes take
 // forever.
 const BEYOND = 60;
-// Points nearer than this to the one before, in pixels, are not drawn.
+// Points within this distance of the one before, in pixels, are skipped.
 const FINE = 0.4;
 
 // Lists of places are flat: x, y, x, y, ...
@@ -19,7 +19,7 @@ function bounds(places) {
 }
 
 class View {
-  // Shows a box of places on a canvas; one unit for both axes unless they are stretched.
+  // Show a box of places on a canvas, with one unit for both axes unless stretched.
   constructor(box, isStretched, isDown) {
     this.box = box;
     this.isStretched = isStretched;
@@ -47,7 +47,7 @@ class View {
     return this.zoom.k * (this.y0 + this.sign * this.ky * place) + this.zoom.y;
   }
 
-  // The pixels that are drawn: [left, top, right, bottom].
+  // The clipping window in pixels: [left, top, right, bottom].
   get window() {
     return [-BEYOND, -BEYOND, this.width + BEYOND, this.height + BEYOND];
   }
@@ -57,7 +57,7 @@ class View {
     return [((x - tx) / k - this.x0) / this.kx, ((y - ty) / k - this.y0) / (this.sign * this.ky)];
   }
 
-  // The pixels of places moved by (dx, dy).
+  // Pixels of places moved by (dx, dy).
   pixels(places, dx = 0, dy = 0) {
     const found = new Float64Array(places.length);
     for (let i = 0; i < places.length; i += 2) {
@@ -98,7 +98,7 @@ function traceLine(context, pixels, window, isClosed) {
   return length;
 }
 
-// Add the outline of an area to the path of a context; what is outside the window is cut off.
+// Add the outline of an area, clipped to the window, to the path of a context.
 function traceArea(context, pixels, window) {
   traceNear(context, isWithin(pixels, window) ? pixels : cropped(pixels, window));
   context.closePath();
@@ -161,7 +161,7 @@ function cropped(pixels, [left, low, right, high]) {
   return loop;
 }
 
-// The places of each ring, of whose sizes there is a list.
+// The places of each ring, by the list of their sizes.
 function ringsOf(sizes, places) {
   let first = 0;
   return sizes.map((size) => places.slice(2 * first, 2 * (first += size)));
@@ -179,7 +179,7 @@ function contains(loops, x, y) {
   return inside;
 }
 
-// The share of the way from a to b that is nearest to a point, and the distance there.
+// The parameter of the point of segment a b nearest to a point, and its distance.
 function nearest(x, y, ax, ay, bx, by) {
   const [dx, dy] = [bx - ax, by - ay];
   const square = dx * dx + dy * dy;
