@@ -1,4 +1,4 @@
-"""A pair of polygons, exactly as given, and the exact answers about it."""
+"""A pair of polygons as given, and the exact answers."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -28,25 +28,25 @@ _SHAPES_OF: dict[Kind, Shapes] = {
 
 @dataclass(frozen=True, kw_only=True)
 class AnsweredPair:
-    """A pair of polygons with the exact answers about it.
+    """A pair of polygons with the exact answers.
 
     Attributes:
-        directrix_ring: D, or its exterior, as the case gives it: tuple of Point, not closed, and
-            with the orientation, collinear vertices and repeated vertices of the input.
+        directrix_ring: D, or its exterior, as given: tuple of Point, not closed, with the
+            orientation, collinear vertices and repeated vertices of the input.
         generatrix_ring: G, likewise.
         reference: the point of G whose path the trajectory is.
-        kind: "CC", "CM", "MM" or "SS", as of the sweep.
-        trajectory: the expected trajectory, a Polygon, and so for the inner and outer loop.
-        inner: the expected inner loop.
-        outer: the expected outer loop.
-        exact_fits: the expected exact fits, as `Sweep.exact_fits` has them.
+        kind: "CC", "CM", "MM" or "SS".
+        trajectory: the expected trajectory, a Polygon.
+        inner: the expected inner loop, likewise.
+        outer: the expected outer loop, likewise.
+        exact_fits: the expected exact fits, as `Sweep.exact_fits`.
         area: the expected swept area.
-        directrix_holes: the holes of D, each a ring as given.
+        directrix_holes: the holes of D as given.
         generatrix_holes: those of G.
         holes: the expected holes of the no-fit polygon, whose exterior is the trajectory.
         unswept: the expected further holes of the swept area.
-        inner_regions: the expected regions of positions of G inside D; None where that is not
-            asked. It is, of all cases of class "SS", and of containers of any class.
+        inner_regions: the expected regions of positions of G inside D; None if the case does not
+            ask for them. Cases of class "SS" and containers do.
         inner_exact_fits: the expected exact fits of G inside D.
     """
 
@@ -92,41 +92,35 @@ class AnsweredPair:
 
     @property
     def shapes(self) -> Shapes:
-        """The least of SHAPES that holds the pair."""
+        """The least of SHAPES that includes the pair."""
         if self.directrix_holes or self.generatrix_holes:
             return "any"
         return _SHAPES_OF[self.kind]
 
     @property
     def size(self) -> int:
-        """The vertices of all rings as given."""
+        """The number of vertices of all rings as given."""
         return sum(map(len, (*self.directrix_rings, *self.generatrix_rings)))
 
     @cached_property
     def integer_scale(self) -> int:
-        """The least positive int by which every coordinate of the input becomes an integer.
+        """The least scale at which D, G and the reference point are integers.
 
-        The input is D, G and the reference point. The answer at this scale may still have
-        fractions: then the case has the flag "rounded-answer".
+        If the answer has fractions at this scale, the case has the flag "rounded-answer".
         """
         return lcm(*(c.denominator for c in self.list_input()))
 
     @cached_property
     def representable(self) -> frozenset[str]:
-        """The number types that hold the input, every coordinate of it, without rounding.
+        """The number types that represent every coordinate of the input without rounding.
 
-        "int32" and "int64" when the type holds the input times `integer_scale`; "binary64" when
-        that type holds the input as it is. (Where "int32" is named, binary64 holds the input times
-        `integer_scale`, too.)
+        "int32" and "int64" represent the input times `integer_scale`, "binary64" the input itself.
         """
         return find_types(list(self.list_input()), self.integer_scale)
 
     @cached_property
     def answer_representable(self) -> frozenset[str]:
-        """The number types that hold the expected answer, in the same sense and scale.
-
-        The answer is the trajectory, the inner and outer loop and the exact fits.
-        """
+        """The number types that represent the expected answer, at the same scale."""
         return find_types(list(self.list_answer()), self.integer_scale)
 
     def list_input(self) -> Iterator[Fraction]:
@@ -142,6 +136,6 @@ class AnsweredPair:
 
 
 def make_shape(rings: tuple[Loop, ...]) -> AnyPolygon:
-    """A Polygon, or a Region where there are holes."""
+    """Return a Polygon, or a Region if there are holes."""
     exterior, *holes = rings
     return Region(exterior, holes) if holes else Polygon(exterior)

@@ -1,4 +1,4 @@
-"""A case of the corpus: a pair, exactly as given, and what its sweep must be."""
+"""A case of the corpus: a pair as given, with its exact answers and facts."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Given = AnyPolygon | Iterable[Iterable[object]]
 
 
 class CaseError(ExactSweepError):
-    """A case that cannot be read, or that contradicts itself; the message says where."""
+    """A case that cannot be read or contradicts itself; the message names the place."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,9 +31,9 @@ class Case(AnsweredPair):
     Attributes:
         id: the name of the case; it never changes its meaning.
         title: one line for people.
-        flags: what is special about the case, sorted; `exactsweep.corpus.notes` has a note on each.
-        note: where the case comes from, if there is more to say than the title says.
-        version: the number of the corpus in which the case appeared; frozen.
+        flags: the special properties of the case, sorted; `exactsweep.corpus.notes` explains them.
+        note: the origin of the case, in addition to the title.
+        version: the version of the corpus in which the case appeared; it never changes.
     """
 
     id: str
@@ -63,23 +63,18 @@ class Case(AnsweredPair):
         Args:
             id: its name.
             title: one line for people.
-            directrix: D, a Polygon, a Region or vertices as `Polygon` takes them; vertices are kept
-                as they are, except for a last one that repeats the first.
+            directrix: D, a Polygon, a Region or vertices as for `Polygon`, which are kept, except
+                for a last one that repeats the first.
             generatrix: G, likewise.
             reference: the point of G whose path the trajectory is.
-            flags: what cannot be seen from the pair; `find_facts` adds what can.
-            directrix_holes: the holes of D, where it is no Region, each as D is given.
+            flags: flags in addition to those of `find_facts`.
+            directrix_holes: the holes of D, if it is no Region.
             generatrix_holes: those of G.
-            inner_fit: whether the positions of G inside D are asked of a pair that is not "SS".
-            note: where the case comes from.
-
-        Returns:
-            The Case with its expected answers.
+            inner_fit: whether a pair that is not "SS" asks for the positions of G inside D.
+            note: the origin of the case.
 
         Raises:
-            ValueError: what `sweep` refuses.
-
-        Cost: that of the sweep and of its loops, of the inner fit and of `find_facts`.
+            ValueError: `sweep` rejects the pair.
 
         Example:
             >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -123,14 +118,14 @@ class Case(AnsweredPair):
 
 
 def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
-    """Read the exterior and the holes of a shape, each as it is given; see `given_ring`."""
+    """Read the exterior and the holes of a shape by `given_ring`."""
     if isinstance(shape, Region):
         return shape.rings
     return (given_ring(shape), *map(given_ring, holes))
 
 
 def given_ring(vertices: Given) -> Loop:
-    """Read vertices as they are given, except for a last one that repeats the first.
+    """Read vertices as given, except for a last one that repeats the first.
 
     >>> len(given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
     4

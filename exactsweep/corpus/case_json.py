@@ -22,15 +22,7 @@ from exactsweep.words import suggest
 
 @tells_arguments
 def case_to_json(case: Case) -> dict[str, Any]:
-    """Write a case as plain JSON data.
-
-    Args:
-        case: a Case.
-
-    Returns:
-        A dict ready for `json.dump`; `schema.json` in this package describes it.
-
-    Cost: linear.
+    """Write a case as a dict for `json.dump`, which `schema.json` describes.
 
     Example:
         >>> square = [(0, 0), ("1/2", 0), ("1/2", 1), (0, 1)]
@@ -88,17 +80,12 @@ def case_from_json(data: object) -> Case:
     """Read a case; the sweep is not computed again.
 
     Args:
-        data: what `case_to_json` returns, or `json.load`.
-
-    Returns:
-        The Case.
+        data: the result of `case_to_json` or `json.load`.
 
     Raises:
-        CaseError: anything else, and a case that `case_to_json` would write otherwise: with
-            numbers that are not reduced, loops that are not canonical, counts or number types that
-            contradict the rest, unknown members. The message starts with the path to what is wrong.
-
-    Cost: linear, and O(n log n) for each polygon.
+        CaseError: anything that `case_to_json` would not write: numbers are not reduced, loops are
+            not canonical, counts or number types are wrong, members are unknown. The message starts
+            with the path to the error.
 
     Example:
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -154,7 +141,7 @@ def _read(data: JsonNode) -> Case:
 
 
 def _given(ring: JsonNode) -> Loop:
-    """Read a ring as it is given, if it is a polygon."""
+    """Read a ring as given; it must be a polygon."""
     points = read_vertices(*ring)
     with name_refusals(ring.path):
         Polygon(points)
@@ -182,7 +169,7 @@ def _fits(answer: JsonNode) -> tuple[Fit, ...]:
 
 
 def _require_same(right: Any, found: JsonNode) -> None:
-    """Refuse what is written otherwise than a case is: not reduced, not canonical, miscounted."""
+    """Reject data that differs from the canonical JSON of the case."""
     if isinstance(right, dict):
         for name, part in right.items():
             _require_same(part, found / name)
@@ -207,7 +194,7 @@ _DEFAULTS: dict[str, object] = {
     "directrix_holes": [],
     "generatrix_holes": [],
 }
-"""Members that a case may have even where `case_to_json` leaves them out."""
+"""Members that a case may have although `case_to_json` omits them."""
 
 
 def _types(held: Iterable[str]) -> list[str]:
@@ -215,5 +202,5 @@ def _types(held: Iterable[str]) -> list[str]:
 
 
 def case_to_line(case: Case) -> str:
-    """Write a case as one line of JSON, its end of line included."""
+    """Write a case as one line of JSON with its line end."""
     return json.dumps(case_to_json(case), separators=(",", ":")) + "\n"

@@ -1,4 +1,4 @@
-"""Cases for other programs: WKT, GeoJSON, and a sheet to look at; JSON is in `case_json`."""
+"""Cases as WKT, GeoJSON and a sheet of pictures; `case_json` writes JSON."""
 
 import csv
 import json
@@ -21,7 +21,7 @@ from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import Point
 
-# A little more than a picture is wide and high, and two lines under it.
+# The size of a picture with two lines below it.
 _WIDTH, _HEIGHT = 440, 370
 
 
@@ -32,8 +32,8 @@ class CaseFigure(NamedTuple):
         name: "directrix", "generatrix", "trajectory", "inner", "outer", "exact fit"; "hole" of the
             no-fit polygon, "unswept"; "inner fit", "exact fit inside".
         closed: whether it is a polygon.
-        rings: its exterior and its holes, the first point of a ring not repeated; or one ring of
-            two points, the ends of a segment, or of one, a single position.
+        rings: the exterior and the holes, not closed; or one ring of the two ends of a segment, or
+            of a single position.
     """
 
     name: str
@@ -42,7 +42,7 @@ class CaseFigure(NamedTuple):
 
 
 def list_figures(case: Case) -> Iterator[CaseFigure]:
-    """Yield the polygons and segments of a case: its input, and the expected answer."""
+    """Yield the polygons and segments of the input and the expected answer of a case."""
     yield CaseFigure("directrix", True, case.directrix_rings)
     yield CaseFigure("generatrix", True, case.generatrix_rings)
     yield CaseFigure("trajectory", True, case.trajectory.rings)
@@ -62,17 +62,10 @@ def list_figures(case: Case) -> Iterator[CaseFigure]:
 
 
 def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
-    """Write cases as a table of comma-separated values, a polygon or segment a row.
+    """Yield the lines of a CSV table with one polygon or segment per row.
 
-    Args:
-        cases: the cases.
-
-    Returns:
-        An iterator of lines: the names of the columns, then for each figure the case's id, the
-        figure's name, POLYGON, LINESTRING or POINT, and why that is missing: WKT has decimals only,
-        and with 1/3 rounded the figure would be another one.
-
-    Cost: linear in the length of the result, times that of dividing numbers of its length.
+    The columns are the case's id, the figure's name, POLYGON, LINESTRING or POINT, and why that is
+    missing: WKT has decimals only, and rounding 1/3 would change the figure.
 
     Example:
         >>> from exactsweep.corpus import find_case
@@ -104,19 +97,12 @@ def _row(*fields: str) -> str:
 
 
 def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
-    """Write cases as one FeatureCollection (RFC 7946), with one polygon or segment per feature.
+    """Yield the lines of a FeatureCollection (RFC 7946) with one polygon or segment per feature.
 
-    Args:
-        cases: the cases.
-
-    Returns:
-        An iterator of lines with one feature each. Rings are closed, exteriors counter-clockwise
-        and holes clockwise, as RFC 7946 requires; otherwise D and G have their input vertices.
-        Readers convert numbers to doubles. If some coordinate is not a double, "exact" is false,
-        the geometry has the nearest doubles, or is null beyond their range, and "vertices" has the
-        exact vertices as strings, in a list of rings if there are holes.
-
-    Cost: linear in the length of the result.
+    Rings are closed, exteriors counter-clockwise and holes clockwise, as RFC 7946 requires. If some
+    coordinate is not a double, "exact" is false, the geometry has the nearest doubles, or is null
+    beyond their range, and "vertices" has the exact vertices as strings, in a list of rings if
+    there are holes.
 
     Example:
         >>> from exactsweep.corpus import find_case
@@ -158,22 +144,13 @@ def _geometry(closed: bool, rings: Sequence[Sequence[Point]]) -> dict[str, Any]:
             return {"type": "Point", "coordinates": places[0][0]}
         return {"type": "LineString", "coordinates": places[0]}
     for k, ring in enumerate(rings):
-        # Exteriors run counter-clockwise there, and holes clockwise.
         if (find_doubled_area(ring) < 0) != (k > 0):
             places[k].reverse()
     return {"type": "Polygon", "coordinates": [[*ring, ring[0]] for ring in places]}
 
 
 def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
-    """Draw cases on a sheet of pictures, in rows and columns, each as a notebook shows the sweep.
-
-    Args:
-        cases: the cases.
-
-    Returns:
-        An iterator of parts of the text.
-
-    Cost: that of the sweeps with their undercuts, and linear in the number of vertices.
+    """Yield the text of an SVG sheet with a picture of each case.
 
     Example:
         >>> from exactsweep.corpus import find_case

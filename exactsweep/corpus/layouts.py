@@ -14,18 +14,18 @@ from exactsweep.numbers.error import tells_arguments
 
 
 class LayoutCase(NamedTuple):
-    """A layout, and what is right or wrong with it.
+    """A layout with its expected faults.
 
     Attributes:
         id: the name of the case; it never changes its meaning.
         title: one line for people.
         data: the layout as JSON data.
-        expected: "valid"; "faults", each with its "kind" and "placements", and, where it has one,
-            the "part", the "number" of placements, the "distance_squared", or the squared length of
-            the shortest move that repairs it as "move_squared", null where none does or it is
-            irrational; "contacts"; and for some cases the "density" and the least
-            "distance_squared" of two parts. Numbers are strings, reduced rationals.
-        note: what else there is to say.
+        expected: "valid"; "faults", each with its "kind" and "placements", perhaps the "part", the
+            "number" of placements, the "distance_squared", and in "move_squared" the squared length
+            of the shortest move that repairs it, null if there is none or it is irrational;
+            "contacts"; and for some cases the "density" and the least "distance_squared" of two
+            parts. Numbers are strings with reduced rationals.
+        note: the origin of the case, or a remark.
     """
 
     id: str
@@ -56,10 +56,7 @@ def layout_cases() -> Iterator[LayoutCase]:
 
 @tells_arguments
 def find_layout_case(id: str) -> LayoutCase:
-    """Return the shipped layout of this id.
-
-    Raises:
-        UnknownNameError: no layout has this id.
+    """Return the shipped layout of this id, or raise UnknownNameError.
 
     Example:
         >>> find_layout_case("layouts-slot").expected["valid"]

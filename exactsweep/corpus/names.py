@@ -1,4 +1,4 @@
-"""Names that users write, and what they may have meant."""
+"""Names that users write, with suggestions for unknown ones."""
 
 from collections.abc import Collection
 
@@ -11,10 +11,7 @@ class UnknownNameError(ExactSweepError):
 
 
 def require_known(name: str, names: Collection[str], thing: str) -> str:
-    """Return a name if it is one of those there are.
-
-    Raises:
-        UnknownNameError: it is not.
+    """Return a name if it is known, or raise UnknownNameError.
 
     Example:
         >>> require_known("exact-fits", ["exact-fit", "undercut"], "flag")

@@ -1,4 +1,4 @@
-"""A user's own pairs of polygons as cases, with computed exact answers."""
+"""Pairs of polygons of the user as cases with computed answers."""
 
 from __future__ import annotations
 
@@ -32,13 +32,7 @@ from exactsweep.words import suggest
 
 
 class _PairForm(NamedTuple):
-    """The members of a JSON document that is a pair.
-
-    Attributes:
-        stays: the member that is D.
-        moves: the member that is G.
-        others: further members that it may have.
-    """
+    """The members of a JSON document with a pair: D, G, and further ones."""
 
     stays: str
     moves: str
@@ -66,20 +60,18 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
 
     Args:
         path: of a file, or "-" for standard input. Either lines of JSON, each a case or a pair as
-            `read_case` reads it, or one such object over several lines; or polygons in any format
-            that `parse_regions` reads, each of which is put around each, itself included.
+            for `read_case`, or one such object over several lines; or polygons in any format of
+            `parse_regions`, each of which moves around each, itself included.
         tolerance: as for `parse_regions`.
         options: likewise.
 
-    Returns:
-        An iterator of Case; the ids are those of the lines, or "pair-NUMBER" by line; or the two
-        names or indices, D first, as in "plate/disc".
+    Yields:
+        Cases; the ids are those of the lines, or "pair-NUMBER" by line; or the two names or
+        indices, D first, as in "plate/disc".
 
     Raises:
-        FormatError: not to be read; the message names the file, and the line.
-        ValueError: what `sweep` refuses, likewise.
-
-    Cost: that of `Case.of` for each pair; memory is a line, or the polygons.
+        ValueError: the file is unreadable, or `sweep` rejects a pair; the message names the file
+            and the line.
     """
     if path == "-":
         # It is read twice.
@@ -93,17 +85,16 @@ def read_case(name: str) -> Case:
     """Read a case.
 
     Args:
-        name: the path of a file, "-" for standard input, or the id of a case of the corpus or of
-            a generated one. The file holds a case as `case_from_json` reads it; or a pair: what
-            `sweep`, `nfp` or `ifp` write with --json, or an object with "directrix" and
-            "generatrix" and any other member of a case. A polygon is anything that `parse_region`
-            reads of JSON. Answers in a pair are ignored, and computed.
+        name: the path of a file, "-" for standard input, or the id of a shipped or generated case.
+            The file has a case as for `case_from_json`; or a pair: what `sweep`, `nfp` or `ifp`
+            write with --json, or an object with "directrix", "generatrix" and other members of a
+            case. A polygon is any JSON of `parse_region`. Answers in a pair are computed again.
 
     Returns:
-        The Case; of a pair without "id", the name of the file is the id.
+        The Case; the id of a pair without "id" is the name of the file.
 
     Raises:
-        ValueError: none of these; the message names the file.
+        ValueError: anything else; the message names the file.
     """
     if name != "-" and not Path(name).exists():
         return find_case(name)
@@ -134,7 +125,7 @@ def _read(
 
 
 def _is_pair(text: str | bytes) -> bool:
-    """Decide whether a text looks like a pair, valid or not."""
+    """Decide whether a text looks like a pair, whether valid or not."""
     try:
         document = json.loads(text)
     except (ValueError, RecursionError):
@@ -158,7 +149,7 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
     form = next((one for one in _FORMS if {one.stays, one.moves} & document.keys()), None)
     if form is None:
         roles = ", ".join(f"{one.stays} and {one.moves}" for one in _FORMS)
-        raise FormatError(f"$ is no pair, which has one of: {roles}")
+        raise FormatError(f"$ is not a pair; it needs one of: {roles}")
     members = (form.stays, form.moves, "reference", "id", *form.others)
     for member in document:
         if member not in members:
@@ -167,7 +158,7 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
         if role not in document:
             raise FormatError(f"$ has no {role}")
     if document.get("placed"):
-        raise FormatError("$.placed: a case has no placed shapes")
+        raise FormatError("$.placed: a case cannot have placed shapes")
     id = document.get("id", name)
     if not isinstance(id, str):
         raise FormatError(f"$.id is {describe_kind(id)}, not a string or a number")
@@ -217,7 +208,7 @@ def _read_rings(candidate: Candidate, name: str) -> PointRings:
 
 
 def _name(candidates: Sequence[Candidate]) -> list[tuple[str, PointRings]]:
-    """Read polygons; they are called by their ids, or by index unless all have ids of their own."""
+    """Read polygons, named by their ids if these are distinct, or else by their indices."""
     names = [candidate.name or "" for candidate in candidates]
     if "" in names or len(set(names)) < len(names):
         names = [str(k) for k in range(len(candidates))]

@@ -57,10 +57,7 @@ def path_cases() -> Iterator[PathCase]:
 
 @tells_arguments
 def find_path_case(id: str) -> PathCase:
-    """Return the shipped sum of this id.
-
-    Raises:
-        UnknownNameError: no sum has this id.
+    """Return the shipped sum of this id, or raise UnknownNameError.
 
     Example:
         >>> find_path_case("paths-loop").sum.holes

@@ -20,19 +20,19 @@ _ANSWERED = (
 
 
 def write_corpus(folder: Path) -> int:
-    """Write all shipped cases, with everything needed to read them without this package.
+    """Write all shipped cases and what is needed to read them without this package.
+
+    There are cases by theme as JSON lines, the schema, notes on flags, instructions, the changelog,
+    the licence, readers in six languages, and checksums.
 
     Args:
-        folder: the folder; if it exists, files of these names are replaced.
+        folder: the folder; existing files of these names are replaced.
 
     Returns:
-        The number of files: cases by theme as JSON lines, the schema, notes on flags, a page on how
-        to read a case, the changelog, the licence, a reader in each of six languages, checksums.
+        The number of files.
 
     Raises:
         OSError: a file cannot be written.
-
-    Cost: linear.
     """
     sums = []
     for name, data in _list_files():
@@ -45,16 +45,9 @@ def write_corpus(folder: Path) -> int:
 
 
 def digest_release(version: int) -> str:
-    """Return the SHA-256 of all questions and answers of a version, for `release/versions.json`.
+    """Return the SHA-256 of all questions and answers up to a version, for `release/versions.json`.
 
-    Args:
-        version: at most VERSION.
-
-    Returns:
-        That of the cases up to this version, sorted by id, each a line of JSON without blanks, its
-        members sorted and only those that ask and answer.
-
-    Cost: linear.
+    It is that of lines of JSON without blanks, sorted by id, with the members _ANSWERED, sorted.
     """
     lines = sorted(
         json.dumps(

@@ -1,4 +1,4 @@
-"""The number types that hold given numbers without rounding."""
+"""The number types that represent given numbers without rounding."""
 
 from collections.abc import Collection
 from fractions import Fraction
@@ -8,17 +8,15 @@ NUMBER_TYPES = (*INTEGER_BITS, "binary64")
 
 
 def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
-    """Name the number types that hold numbers exactly.
+    """Name the number types that represent numbers exactly.
 
     Args:
         values: the numbers.
         scale: a positive int by which they are multiplied for the integer types.
 
     Returns:
-        "int32" and "int64" (two's complement) if the type holds each number times the scale;
-        "binary64" if that type holds each number as it is, subnormal ones included.
-
-    Cost: linear.
+        Some of "int32" and "int64" (two's complement), for the numbers times the scale, and
+        "binary64", subnormal numbers included.
 
     Example:
         >>> sorted(find_types([Fraction(1, 3)], 3)), sorted(find_types([Fraction(1, 3)], 2))

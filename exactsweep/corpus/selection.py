@@ -18,16 +18,13 @@ _FILTERS = {"id": "prefix", "flag": "flags", "class": "kind", "size": "max_size"
 
 
 class SelectionError(ExactSweepError):
-    """A filter that does not exist, or cases with equal ids."""
+    """An unknown filter, or cases with equal ids."""
 
 
 def read_filters(filters: Iterable[str]) -> dict[str, Any]:
-    """Read filters: id=PREFIX, flag=FLAG, class=CC, size=MOST.
+    """Read filters id=PREFIX, flag=FLAG, class=CC, size=MOST as arguments of `cases` and `select`.
 
-    A case has one of the prefixes and of the classes, if there are several, and all of the flags.
-
-    Returns:
-        The arguments of `cases` and of `select`.
+    Of several prefixes or classes, a case matches one; of flags, all.
 
     Raises:
         SelectionError: anything else.
@@ -62,7 +59,7 @@ def select(
     kind: str | Iterable[str] | None = None,
     max_size: int | None = None,
 ) -> Iterator[Case]:
-    """Yield those of some cases that `cases` of the corpus would yield for these arguments."""
+    """Filter cases, with the arguments of `cases`."""
     prefixes, kinds, wanted = to_names(prefix), to_names(KINDS if kind is None else kind), {*flags}
     for case in cases:
         if (
@@ -75,30 +72,20 @@ def select(
 
 
 def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:
-    """Yield cases as long as no id comes twice.
-
-    Raises:
-        SelectionError: one does.
-    """
+    """Yield cases, and raise SelectionError at an id that occurs twice."""
     seen = set()
     for case in cases:
         if case.id in seen:
-            raise SelectionError(f"two cases have the id {quote(case.id)}")
+            raise SelectionError(f"duplicate case id {quote(case.id)}")
         seen.add(case.id)
         yield case
 
 
 def read_cases(path: str) -> Iterator[Case]:
-    """Read cases from a file of JSON lines, or from standard input, one by one.
-
-    Args:
-        path: a path, or "-" for standard input.
-
-    Returns:
-        An iterator of Case.
+    """Yield the cases of a file of JSON lines, or of standard input for "-".
 
     Raises:
-        FormatError: not to be read, or a line that is no case; the message names the file and line.
+        FormatError: a line is no case; the message names the file and the line.
     """
     with open_bytes(path) as file:
         yield from read_lines(
@@ -107,15 +94,10 @@ def read_cases(path: str) -> Iterator[Case]:
 
 
 def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> Iterator[Case]:
-    """Read a case of each line that is not empty.
-
-    Args:
-        file: of lines.
-        path: its name, for messages.
-        read: a function of a line and its number.
+    """Yield a case for each line that is not blank; `read` gets its number and text.
 
     Raises:
-        FormatError: a line that is no case; the message names the file and line.
+        FormatError: a line is no case; the message names the path and the line.
     """
     for number, line in enumerate(split_lines(file), 1):
         if line.isspace():

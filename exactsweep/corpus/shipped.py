@@ -1,4 +1,4 @@
-"""The cases that come with the package, a file a theme, read when they are asked for."""
+"""The cases that come with the package, one file per theme, read on demand."""
 
 import json
 import lzma
@@ -36,22 +36,16 @@ def cases(
     kind: str | Iterable[str] | None = None,
     max_size: int | None = None,
 ) -> Iterator[Case]:
-    """Yield the shipped cases, in the order of themes, reading them one by one.
+    """Yield the shipped cases, theme by theme.
 
     Args:
-        prefix: how the id starts, or several such beginnings; the name of a theme and a hyphen
-            give that theme.
-        flags: flags that the case must all have.
+        prefix: the beginning of the id, or several; the name of a theme and a hyphen select it.
+        flags: the flags that a case must have.
         kind: "CC", "CM", "MM" or "SS", or several of these.
-        max_size: the most vertices of D and G together.
-
-    Returns:
-        An iterator of Case.
+        max_size: the maximum number of vertices of D and G together.
 
     Raises:
-        UnknownNameError: no such flag or class.
-
-    Cost: linear in the size of the themes that are read.
+        UnknownNameError: a flag or class does not exist.
 
     Example:
         >>> [case.kind for case in cases(prefix="figures-10-")][0]
@@ -61,7 +55,7 @@ def cases(
 
 
 class Summary(NamedTuple):
-    """A case in a line: its id, class, number of vertices of D and G together, and title."""
+    """A case without its polygons; `size` counts the vertices of D and G."""
 
     id: str
     kind: str
@@ -70,7 +64,7 @@ class Summary(NamedTuple):
 
 
 def list_summaries(**filters: Any) -> Iterator[Summary]:
-    """Yield the summaries of cases, without reading the polygons; filters are those of `cases`.
+    """Yield the summaries of cases, with the filters of `cases`.
 
     Example:
         >>> next(list_summaries(prefix="fits-")).title
@@ -88,7 +82,7 @@ def _match(
 ) -> Iterator[dict[str, Any]]:
     prefixes, kinds = to_names(prefix), to_names(KINDS if kind is None else kind)
     if not isinstance(max_size, int | None):
-        raise TypeError  # here, and not where the first case is asked for
+        raise TypeError  # now, not at the first case
     wanted = {require_known(flag, notes(), "flag") for flag in flags}
     for one in kinds:
         require_known(one, KINDS, "class")
@@ -102,7 +96,7 @@ def _match(
 
 
 def to_names(given: str | Iterable[str]) -> tuple[str, ...]:
-    """Return one name, or several, as a tuple; raise TypeError if one is no str.
+    """Return one name or several as a tuple; raise TypeError if one is no str.
 
     >>> to_names("CC"), to_names(["CC", "CM"])
     (('CC',), ('CC', 'CM'))
@@ -119,10 +113,7 @@ def _size(data: dict[str, Any]) -> int:
 
 
 def find_shipped_case(id: str) -> Case:
-    """Return the shipped case of this id.
-
-    Raises:
-        UnknownNameError: no case has this id.
+    """Return the shipped case of this id, or raise UnknownNameError.
 
     Example:
         >>> find_shipped_case("figures-10-2-4-6").title
@@ -133,25 +124,17 @@ def find_shipped_case(id: str) -> Case:
 
 
 def list_ids() -> list[str]:
-    """Return the ids of the shipped cases, in their order."""
+    """Return the ids of the shipped cases, in order."""
     return [data["id"] for data in _entries(("",))]
 
 
 def read_schema() -> str:
-    """Return the JSON Schema (2020-12) of a case; its "theme" in "$defs" is that of a file."""
+    """Return the JSON Schema (2020-12) of a case; "theme" in "$defs" describes a file."""
     return files("exactsweep.corpus").joinpath("schema.json").read_text(encoding="utf-8")
 
 
 def require_start(name: str, *others: str) -> str:
-    """Return the beginning of ids of shipped cases.
-
-    Args:
-        name: the beginning.
-        others: further words that may be meant.
-
-    Raises:
-        UnknownNameError: no id begins so; the message suggests a theme or an id.
-    """
+    """Return a beginning of ids, or raise UnknownNameError with a suggestion."""
     ids = list_ids()
     if not any(id.startswith(name) for id in ids):
         require_known(name, [*others, *themes(), *ids], "theme or case")
@@ -177,7 +160,7 @@ def _theme(name: str) -> Any:
 
 
 def read_theme(folder: Traversable, name: str) -> str:
-    """Read the file of a theme: NAME.json, or NAME.json.xz where it would be large."""
+    """Read the file of a theme: NAME.json, or NAME.json.xz if it is large."""
     plain = folder.joinpath(f"{name}.json")
     if plain.is_file():
         return plain.read_text(encoding="utf-8")
@@ -186,10 +169,7 @@ def read_theme(folder: Traversable, name: str) -> str:
 
 @tells_arguments
 def find_case(id: str) -> Case:
-    """Return the case of this id: a shipped one, or a generated one, made again.
-
-    Raises:
-        UnknownNameError: no case has this id; the message suggests a similar id.
+    """Return the shipped or generated case of this id, or raise UnknownNameError.
 
     Example:
         >>> find_case("gen-convex-1-0").kind
@@ -199,7 +179,7 @@ def find_case(id: str) -> Case:
 
 
 class Note(NamedTuple):
-    """The meaning of a flag of a case, and the kind of bug that such cases catch."""
+    """The meaning of a flag, and the bugs that its cases catch."""
 
     meaning: str
     catches: str
@@ -207,7 +187,7 @@ class Note(NamedTuple):
 
 @cache
 def notes() -> dict[str, Note]:
-    """Return the note on each flag there is, by name.
+    """Return the note on each flag, by name.
 
     Example:
         >>> notes()["rounded-answer"].meaning

@@ -112,7 +112,7 @@ def test_results_of_other_commands_are_cases(tmp_path: Path) -> None:
         assert next(read_pairs(path)).trajectory == case.trajectory
     placed = ("--placed", g, "--json", "-o", path)
     assert run("ifp", d, g, *placed).exit_code == 0
-    with pytest.raises(FormatError, match="a case has no placed shapes"):
+    with pytest.raises(FormatError, match="a case cannot have placed shapes"):
         read_case(path)
 
 
@@ -148,7 +148,7 @@ def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
         (json.dumps({**LINES[0], "generatrix": [[0, 0], [1, 1]]}), "line 1: generatrix: "),
         (json.dumps(LINES[0]) + "\n[]", "line 2: $ is a list, not an object"),
         ("[" * 100_000, "nested too deeply"),
-        (json.dumps(LINES[0]) + "\n" + json.dumps(LINES[0]), "two cases have the id '7'"),
+        (json.dumps(LINES[0]) + "\n" + json.dumps(LINES[0]), "duplicate case id '7'"),
     ],
 )
 def test_what_is_no_pair_is_refused_by_line(tmp_path: Path, text: str, message: str) -> None:

@@ -122,7 +122,7 @@ def test_each_answer_has_its_time_and_a_late_one_is_a_timeout(
 
 
 def test_two_cases_with_one_id_are_refused() -> None:
-    with pytest.raises(SelectionError, match="two cases have the id 'case-0'"):
+    with pytest.raises(SelectionError, match="duplicate case id 'case-0'"):
         conform(exact, [FEW[0], FEW[0]], name="mine")
 
 

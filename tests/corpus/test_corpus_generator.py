@@ -62,7 +62,7 @@ def test_a_range_that_is_no_part_of_all_draws_is_drawn_evenly() -> None:
 
 
 def test_nothing_lies_between_bounds_that_are_exchanged() -> None:
-    with pytest.raises(ValueError, match=r"^nothing is between 2 and 1$"):
+    with pytest.raises(ValueError, match=r"^empty range: 2 to 1$"):
         Prng("").between(2, 1)
 
 

@@ -136,7 +136,7 @@ def plate_pair(random: Prng) -> Regions:
 
 
 def container_pair(random: Prng) -> Regions:
-    """A container, with a defect or without, that the part fits with cavity, exactly, or not."""
+    """A container, with a defect or without, that the part fits with play, exactly, or not."""
     part = _draw_untangled(random, 7, 5)
     low, high = part.bounding_box
     width, height = int(high.x - low.x), int(high.y - low.y)

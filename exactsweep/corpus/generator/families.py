@@ -23,11 +23,10 @@ class Family(NamedTuple):
 
     Attributes:
         name: as on the command line.
-        level: "easy", "degenerate", "numeric", "large" or "any shape": what it takes to get it
-            right.
+        level: the kind of difficulty: "easy", "degenerate", "numeric", "large" or "any shape".
         make: draws generatrix and directrix, as lists of pairs of numbers or as Regions.
-        flags: flags of all its cases that cannot be seen from the pair.
-        respelled: whether the vertices are given as drawn, and not in canonical form.
+        flags: flags of all its cases in addition to those of `find_facts`.
+        respelled: whether the vertices stay as drawn instead of canonical.
     """
 
     name: str
@@ -85,22 +84,17 @@ FAMILIES: dict[str, Family] = {family.name: family for family in _list_families(
 def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]:
     """Yield the cases of a family.
 
-    A case depends on the family, the seed and its number alone; the stream of random numbers is
-    that of `exactsweep.corpus.generator.prng`, seeded with "FAMILY:SEED:NUMBER".
+    A case depends only on the family, the seed and its number, counted from 0; the random numbers
+    are those of `exactsweep.corpus.generator.prng`, seeded with "FAMILY:SEED:NUMBER".
 
     Args:
         family: a name in `FAMILIES`.
-        seed: an int from 0 to 10**18 - 1, so that `generate_case` knows the ids.
+        seed: an int from 0 to 10**18 - 1.
         count: the number of cases; None for no end.
 
-    Returns:
-        An iterator of Case, numbered from 0: the ids are gen-FAMILY-SEED-NUMBER.
-
     Raises:
-        UnknownNameError: no such family.
-        ValueError: the seed is another number, or the count is negative.
-
-    Cost: that of `Case.of`, a case.
+        UnknownNameError: the family does not exist.
+        ValueError: the seed is out of range, or the count is negative.
 
     Example:
         >>> [case.id for case in generate("fits", 7, 2)]
@@ -116,16 +110,7 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
 
 
 def generate_case(id: str) -> Case:
-    """Make a generated case again, from its id.
-
-    Args:
-        id: gen-FAMILY-SEED-NUMBER.
-
-    Returns:
-        The same Case that `generate` yielded.
-
-    Raises:
-        UnknownNameError: the id is not of this form, or there is no such family.
+    """Make the generated case of an id gen-FAMILY-SEED-NUMBER, or raise UnknownNameError.
 
     Example:
         >>> generate_case("gen-fits-7-1") == list(generate("fits", 7, 2))[1]

@@ -51,7 +51,7 @@ class Prng:
         """
         span = high - low + 1
         if span < 1:
-            raise ExactSweepError(f"nothing is between {low} and {high}")
+            raise ExactSweepError(f"empty range: {low} to {high}")
         words = max(1, -(-(span - 1).bit_length() // 64))
         limit = (1 << 64 * words) // span * span
         while True:
@@ -62,9 +62,9 @@ class Prng:
                 return low + drawn % span
 
     def choice(self, items: Sequence[_T]) -> _T:
-        """Draw one of several, all equally likely."""
+        """Draw one of several items, all equally likely."""
         return items[self.between(0, len(items) - 1)]
 
     def chance(self, share: int, total: int) -> bool:
-        """Draw whether something happens that does so share times in total."""
+        """Draw an event with probability share / total."""
         return self.between(1, total) <= share
