@@ -21,9 +21,10 @@ from typing import Any
 
 import click
 
+from exactsweep.check.claims import to_claim
 from exactsweep.check.extracted import PROOF, ask, build_checker
 from exactsweep.check.standalone import Refused, prove
-from exactsweep.check.terms import to_claim, write_numbers
+from exactsweep.check.terms import write_numbers
 
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.insert(0, str(Path(__file__).parent))

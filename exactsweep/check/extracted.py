@@ -11,7 +11,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from exactsweep.check.terms import to_claim, write_numbers
+from exactsweep.check.claims import to_claim
+from exactsweep.check.terms import write_numbers
 
 PROOF = Path(__file__).parent / "proof"
 TOOLS = ("coqc", "coq_makefile", "make", "ocamlfind")

@@ -9,7 +9,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from exactsweep.check.terms import POINT, Nat, Record, Some, to_claim
+from exactsweep.check.claims import POINT, to_claim
+from exactsweep.check.terms import Nat, Record, Some
 
 CLAIMS = {
     "no_fit": ("no_fit_polygon", "no_fit_polygon_sound", "check_no_fit_polygon"),

@@ -13,9 +13,10 @@ import pytest
 from command import run
 
 from exactsweep import inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.check.claims import to_claim
 from exactsweep.check.extracted import PROOF, accept, ask, build_checker, missing_tools
 from exactsweep.check.standalone import Refused, prove
-from exactsweep.check.terms import Nat, Some, to_claim, write_numbers
+from exactsweep.check.terms import Nat, Some, write_numbers
 from exactsweep.check.theorem import write_theorem
 from exactsweep.corpus import cases, layout_cases
 from exactsweep.layout import Layout, judge_layout

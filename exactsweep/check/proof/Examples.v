@@ -19,7 +19,7 @@ Definition rings_only (rs : list Statements.ring) : Statements.figure :=
 Definition two_squares : Statements.layout :=
   {| Statements.sheet := Some (rings_only [[(0, 0); (3, 0); (3, 1); (0, 1)]%Q]); Statements.obstacles := [];
      Statements.kinds := [{| Statements.form := rings_only [square]; Statements.demand := Some 2%nat;
-       Statements.rotations := Some [(1, 0); (0, 1)]%Q; Statements.may_mirror := false |}];
+       Statements.rotations := Some [(1, 0); (0, 1)]%Q; Statements.mirrored_rotations := None; Statements.may_mirror := false |}];
      Statements.placements := [
        {| Statements.kind := 0; Statements.by_motion := still 0 0; Statements.slack := 0 |};
        {| Statements.kind := 0; Statements.by_motion :=
@@ -40,7 +40,7 @@ Proof. exact (layout_sound _ _ _ _ layout_accepted). Qed.
 Definition disc_in (container : Statements.figure) (margin : Q) : Statements.layout :=
   {| Statements.sheet := Some container; Statements.obstacles := [];
      Statements.kinds := [{| Statements.form := {| Statements.outline := []; Statements.rounded := [([(0, 0)%Q], 1 # 2)]; Statements.error := 0 |};
-       Statements.demand := None; Statements.rotations := None; Statements.may_mirror := true |}];
+       Statements.demand := None; Statements.rotations := None; Statements.mirrored_rotations := None; Statements.may_mirror := true |}];
      Statements.placements := [{| Statements.kind := 0; Statements.by_motion := still (1 # 2) (1 # 2); Statements.slack := 0 |}];
      Statements.spacing := 0; Statements.margin := margin |}.
 Definition disc_evidence : certificate :=

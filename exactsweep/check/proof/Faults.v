@@ -24,9 +24,9 @@ Theorem valid_exact l : Statements.valid l ->
   (forall x C e, In x (Statements.placements l) -> Statements.sheet l = Some {| Statements.outline := C; Statements.rounded := []; Statements.error := e |} -> 0 <= e ->
     let S := Statements.inside (Statements.outline (Statements.placed l x)) in
     (forall z, S z -> Statements.inside C z) /\ Statements.at_least (Statements.margin l) S (fun z => ~ Statements.inside C z)) /\
-  (forall x o, In x (Statements.placements l) -> In o (Statements.obstacles l) -> 0 <= Statements.error o ->
-    let S := Statements.inside (Statements.outline (Statements.placed l x)) in let T := Statements.inside (Statements.outline o) in
-    Statements.disjoint S T /\ Statements.at_least (Statements.margin l) S T).
+  (forall x o, In x (Statements.placements l) -> In o (Statements.obstacles l) -> 0 <= Statements.error (fst o) ->
+    let S := Statements.inside (Statements.outline (Statements.placed l x)) in let T := Statements.inside (Statements.outline (fst o)) in
+    Statements.disjoint S T /\ Statements.at_least (snd o) S T).
 Proof.
   intros V E. split; [|split].
   - intros i j x y X Y Ne. pose proof (Statements.apart l V i j x y _ _ X Y Ne (shape_inside _ (E x (nth_error_In _ _ X)))
@@ -41,7 +41,7 @@ Proof.
     exists c. split; exists q; (split; [exact Q0|]); intros y Y; specialize (Sq y Y); unfold Statements.inside.
     + rewrite (H y); [exact Z|]. apply (wedge_less r d z y L Sq).
     + rewrite (H' y); [exact N|]. apply (wedge_less r d' z y L' Sq).
-  - intros x o I J E0. pose proof (Statements.no_defect l V x o _ _ I J (shape_inside _ (E x I)) (shape_inside o E0)) as K.
+  - intros x o I J E0. pose proof (Statements.no_defect l V x o _ _ I J (shape_inside _ (E x I)) (shape_inside (fst o) E0)) as K.
     split; [apply (keeps_disjoint _ _ _ K)|apply K].
 Qed.
 

@@ -48,7 +48,7 @@ Definition check_allowed (l : Statements.layout) (x : Statements.placement) : bo
   (Statements.kind x <? length (Statements.kinds l))%nat &&
   Qeq_bool (Statements.cosine m * Statements.cosine m + Statements.sine m * Statements.sine m) 1 &&
   (negb (Statements.mirrored m) || Statements.may_mirror k) &&
-  match Statements.rotations k with
+  match (if Statements.mirrored m then Statements.mirrored_rotations k else Statements.rotations k) with
   | None => true
   | Some cs => existsb (fun c => Qeq_bool (fst c) (Statements.cosine m) && Qeq_bool (snd c) (Statements.sine m)) cs
   end.
@@ -103,7 +103,8 @@ Definition check_sheet (f : Statements.figure) (d : Z) (l : list (nat * item)) :
 
 Definition solid_parts := combine (map (Statements.placed l) (Statements.placements l)) (part_pieces c).
 Definition solid_kinds := combine (map Statements.form (Statements.kinds l)) (kind_pieces c).
-Definition solid_obstacles := combine (Statements.obstacles l) (obstacle_pieces c).
+Definition solid_obstacles := combine (map fst (Statements.obstacles l)) (obstacle_pieces c).
+Definition obstacle_items : list (nat * (item * Q)) := numbered (combine (map item_of solid_obstacles) (map snd (Statements.obstacles l))).
 Definition items : list (nat * item) := numbered (map item_of solid_parts).
 Definition check_layout : bool :=
   forallb (check_allowed l) (Statements.placements l) && check_supply l &&
@@ -113,8 +114,8 @@ Definition check_layout : bool :=
   is_amount D (Statements.spacing l) && is_amount D (Statements.margin l) &&
   forallb is_solid_figure solid_parts && forallb is_solid_figure solid_obstacles &&
   all_apart (int D (Statements.spacing l)) normals items &&
-  forallb (fun o => forallb (fun x => is_apart (int D (Statements.margin l)) (fun i j => outside_normals (-2 - Z.of_nat (fst o)) i (fst x) j) (snd o) (snd x)) items)
-    (numbered (map item_of solid_obstacles)) &&
+  forallb (fun o => let d := snd (snd o) in is_amount D d &&
+    forallb (fun x => is_apart (int D d) (fun i j => outside_normals (-2 - Z.of_nat (fst o)) i (fst x) j) (fst (snd o)) (snd x)) items) obstacle_items &&
   match Statements.sheet l with
   | None => true
   | Some f => check_sheet f (int D (Statements.margin l)) items
@@ -130,7 +131,7 @@ Proof.
   - apply Nat.ltb_lt, I.
   - apply Qeq_bool_iff, T.
   - intro E. rewrite E in M. exact M.
-  - destruct (Statements.rotations (Statements.kind_of l x)) as [cs|]; [|exact Logic.I].
+  - destruct (if Statements.mirrored (Statements.by_motion x) then _ else _) as [cs|]; [|exact Logic.I].
     apply existsb_exists in R as (c & J & R). apply andb_prop in R as (R1 & R2).
     exists c. repeat split; [exact J| |]; apply Qeq_bool_iff; assumption.
 Qed.
@@ -605,8 +606,19 @@ Proof.
   assert (In_ : forall x, In x (Statements.placements l) -> exists ps k, In (Statements.placed l x, ps) (solid_parts l c) /\
     In (k, item_of c (Statements.placed l x, ps)) (items l c)).
   { intros x I. apply In_nth_error in I as (i & I). destruct (At i x I) as (ps & k & A & B). exists ps, k. split; [exact A|eapply nth_error_In, B]. }
-  assert (Obs : forall o, In o (Statements.obstacles l) -> exists ps, In (o, ps) (solid_obstacles l c)).
-  { intros o I. apply In_nth_error in I as (i & I). destruct (nth_combine _ _ i o Lo I) as (ps & F). exists ps. eapply nth_error_In, F. }
+  assert (Obs : forall o, In o (Statements.obstacles l) -> exists ps i, In (fst o, ps) (solid_obstacles l c) /\ In (i, (item_of c (fst o, ps), snd o)) (obstacle_items l c)).
+  { intros o I. apply In_nth_error in I as (i & I).
+    destruct (nth_combine (map fst (Statements.obstacles l)) (obstacle_pieces c) i (fst o)) as (ps & F); [rewrite map_length; exact Lo|rewrite nth_error_map, I; reflexivity|].
+    fold (solid_obstacles l c) in F. exists ps.
+    assert (Len : length (map (item_of c) (solid_obstacles l c)) = length (map snd (Statements.obstacles l))).
+    { unfold solid_obstacles. rewrite !map_length, combine_length, map_length. lia. }
+    destruct (nth_combine _ (map snd (Statements.obstacles l)) i (item_of c (fst o, ps)) Len) as (q & G); [rewrite nth_error_map, F; reflexivity|].
+    assert (Q0 : q = snd o).
+    { pose proof (nth_error_In _ _ G) as J. clear J. assert (H1 : nth_error (map snd (Statements.obstacles l)) i = Some (snd o)) by (rewrite nth_error_map, I; reflexivity).
+      enough (H2 : nth_error (map snd (Statements.obstacles l)) i = Some q) by congruence.
+      revert G. clear. generalize (map (item_of c) (solid_obstacles l c)) (map snd (Statements.obstacles l)). intros a b. revert b i.
+      induction a as [|u a IH]; intros [|v b] [|i] E; try discriminate; cbn in *; [injection E; congruence|exact (IH b i E)]. }
+    subst q. destruct (nth_numbered _ i _ G) as (k & K). exists k. split; [eapply nth_error_In, F|eapply nth_error_In, K]. }
   constructor.
   - split; [rewrite Forall_forall; intros x I; apply check_allowed_spec, Al, I|apply check_supply_spec, Su].
   - split; [|split]; rewrite Forall_forall.
@@ -614,7 +626,7 @@ Proof.
       destruct (nth_combine _ (kind_pieces c) i (Statements.form k) ltac:(rewrite map_length; exact Lk) I) as (ps & F).
       apply (figure_spec _ ps (Sk _ (nth_error_In _ _ F))).
     + intros x I. destruct (In_ x I) as (ps & k & A & _). apply (figure_spec _ ps (Sp _ A)).
-    + intros o I. destruct (Obs o I) as (ps & A). apply (figure_spec o ps (So _ A)).
+    + intros o I. destruct (Obs o I) as (ps & i & A & _). apply (figure_spec _ ps (So _ A)).
   - assert (G : forall i j x y S T, (i < j)%nat -> nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y ->
       Statements.shape_of (Statements.placed l x) S -> Statements.shape_of (Statements.placed l y) T -> Statements.keeps (Statements.spacing l) S T).
     { intros i j x y S T L X Y KS KT. destruct (At i x X) as (ps & k & A & B). destruct (At j y Y) as (qs & k' & A' & B').
@@ -628,10 +640,10 @@ Proof.
     destruct (figure_spec _ ps (Sp _ A)) as (P1 & P2 & P3 & P4).
     apply (check_sheet_spec f _ _ k _ Hs M0 B P1 (parts_some _ ps (Sp _ A))); [exact M1| |exact KU].
     exact (cover_known N _ _ _ S P1 P2 P3 KS).
-  - intros x o S T I J KS KT. destruct (In_ x I) as (ps & k & A & B). destruct (Obs o J) as (qs & Q0).
-    destruct (numbered_in _ (item_of c (o, qs)) (in_map (item_of c) _ _ Q0)) as (i & Ji).
-    rewrite forallb_forall in Ho. specialize (Ho _ Ji). rewrite forallb_forall in Ho. specialize (Ho _ B). cbn [fst snd] in Ho.
-    destruct (figure_spec _ ps (Sp _ A)) as (X1 & X2 & X3 & _). destruct (figure_spec o qs (So _ Q0)) as (Y1 & Y2 & Y3 & _).
-    apply keeps_sym. exact (apart_keeps N _ _ _ _ _ _ _ _ _ T S Y1 X1 M0 M1 Ho Y2 X2 Y3 X3 KT KS).
+  - intros x o S T I J KS KT. destruct (In_ x I) as (ps & k & A & B). destruct (Obs o J) as (qs & i & Q0 & Ji).
+    rewrite forallb_forall in Ho. specialize (Ho _ Ji). cbv zeta in Ho. cbn [fst snd] in Ho. apply andb_prop in Ho as (Am & Ho).
+    destruct (amount_spec N _ Am) as (A0 & A1). rewrite forallb_forall in Ho. specialize (Ho _ B). cbn [fst snd] in Ho.
+    destruct (figure_spec _ ps (Sp _ A)) as (X1 & X2 & X3 & _). destruct (figure_spec _ qs (So _ Q0)) as (Y1 & Y2 & Y3 & _).
+    apply keeps_sym. exact (apart_keeps N _ _ _ _ _ _ _ _ _ T S Y1 X1 A0 A1 Ho Y2 X2 Y3 X3 KT KS).
 Qed.
 End Sound.

@@ -1,7 +1,7 @@
 (* Definitions of the claims.  Nothing here is computed by a checker; this is the page to read first.
 
    The plane is the set of pairs of rational numbers.  All vertices are rational, so every open set that
-   two shapes could share contains a rational point. *)
+   two shapes could share contains a rational point; the last section says so of real points. *)
 Require Import QArith List Bool.
 Import ListNotations.
 Open Scope Q_scope.
@@ -74,18 +74,19 @@ Record part := {
   form : figure;
   demand : option nat;                     (* None: any number *)
   rotations : option (list (Q * Q));       (* allowed (cosine, sine); None: any *)
+  mirrored_rotations : option (list (Q * Q));      (* those of mirrored placements *)
   may_mirror : bool }.
 (* `slack`: 0, or where a rational rotation stands for an irrational one, by how much points may be off. *)
 Record placement := { kind : nat; by_motion : motion; slack : Q }.
 Record layout := {
   sheet : option figure;                   (* the container: rings with its holes, or a disc; None: no container *)
-  obstacles : list figure;                 (* further defects, which may cross the edge of the sheet *)
+  obstacles : list (figure * Q);           (* further defects, which may cross its edge, and their distances from parts *)
   kinds : list part;
   placements : list placement;
   spacing : Q; margin : Q }.
 
 Definition no_part : part :=
-  {| form := {| outline := []; rounded := []; error := 0 |}; demand := None; rotations := None; may_mirror := true |}.
+  {| form := {| outline := []; rounded := []; error := 0 |}; demand := None; rotations := None; mirrored_rotations := None; may_mirror := true |}.
 Definition kind_of (l : layout) (x : placement) : part := nth (kind x) (kinds l) no_part.
 Definition placed (l : layout) (x : placement) : figure :=
   let f := form (kind_of l x) in
@@ -98,7 +99,7 @@ Definition allowed (l : layout) (x : placement) : Prop :=
   (kind x < length (kinds l))%nat /\
   cosine m * cosine m + sine m * sine m == 1 /\
   (mirrored m = true -> may_mirror (kind_of l x) = true) /\
-  match rotations (kind_of l x) with
+  match (if mirrored m then mirrored_rotations (kind_of l x) else rotations (kind_of l x)) with
   | None => True
   | Some cs => exists c, In c cs /\ fst c == cosine m /\ snd c == sine m
   end.
@@ -112,14 +113,14 @@ Definition keeps (d : Q) (S T : point -> Prop) : Prop := ~ overlap S T /\ at_lea
 Record valid (l : layout) : Prop := {
   rules : Forall (allowed l) (placements l) /\ supplied l;
   shapes : Forall (fun p => is_shape (form p)) (kinds l) /\ Forall (fun x => is_shape (placed l x)) (placements l) /\
-    Forall is_shape (obstacles l);
+    Forall (fun o => is_shape (fst o)) (obstacles l);
   apart : forall i j x y S T, nth_error (placements l) i = Some x -> nth_error (placements l) j = Some y -> i <> j ->
     shape_of (placed l x) S -> shape_of (placed l y) T -> keeps (spacing l) S T;
   (* U: all that is outside the true container *)
   contained : forall x f S U, In x (placements l) -> sheet l = Some f ->
     shape_of (placed l x) S -> outside_of f U -> keeps (margin l) S U;
   no_defect : forall x o S T, In x (placements l) -> In o (obstacles l) ->
-    shape_of (placed l x) S -> shape_of o T -> keeps (margin l) S T }.
+    shape_of (placed l x) S -> shape_of (fst o) T -> keeps (snd o) S T }.
 
 (* No-fit polygons.  O is the set of translations at which G + t overlaps D.  The claim on rings (loops)
    and segments (exact fits): together they are the boundary of O, the translations at which G + t touches
@@ -174,3 +175,13 @@ Definition sweep_of (D G : list ring) (T : ring) (holes : list ring) (fits : lis
   let loops := with_holes outer (inner :: unswept) in
   no_fit_polygon D G T holes fits /\ sweep_claim T G loops slits /\ named outer (inner :: unswept) /\
   (exists z, inside D z /\ winding [inner] z = 1%Z) /\ 2 * area == doubled_area loops.
+
+(* Real points: a sequence of rational points, number n at distance 1 / (n + 1) or less from it in both coordinates.
+   RealPoints.v: a real point in the interiors of two sets shows an overlap, and `at_least` holds for real limits. *)
+Definition radius (n : nat) : Q := 1 # Pos.of_succ_nat n.
+Definition real_point (x : nat -> point) : Prop := forall n m,
+  let d := radius n + radius m in - d <= fst (x n) - fst (x m) <= d /\ - d <= snd (x n) - snd (x m) <= d.
+Definition real_interior (S : point -> Prop) (x : nat -> point) : Prop :=   (* a square around it, of rational points of S *)
+  exists n e, radius n < e /\ forall y, close e y (x n) -> S y.
+Definition real_closure (S : point -> Prop) (x : nat -> point) : Prop :=
+  forall n, exists y, S y /\ close (2 * radius n) y (x n).

@@ -39,13 +39,14 @@ let triangles () = pair (fun () -> list ring) (fun () -> list (fun () -> list ri
 
 let part () =
   let form = figure () in let demand = option nat in let rotations = option (fun () -> list rational_point) in
-  let may_mirror = nat () = 1 in { form; demand; rotations; may_mirror }
+  let mirrored_rotations = option (fun () -> list rational_point) in
+  let may_mirror = nat () = 1 in { form; demand; rotations; mirrored_rotations; may_mirror }
 let placement () =
   let kind = nat () in let mirrored = nat () = 1 in let cosine = rational () in let sine = rational () in
   let shift = rational_point () in let slack = rational () in
   { kind; by_motion = { mirrored; cosine; sine; shift }; slack }
 let layout () =
-  let sheet = option figure in let obstacles = list figure in let kinds = list part in let placements = list placement in
+  let sheet = option figure in let obstacles = list (fun () -> pair figure rational) in let kinds = list part in let placements = list placement in
   let spacing = rational () in let margin = rational () in { sheet; obstacles; kinds; placements; spacing; margin }
 let certificate () =
   let denominator = integer () in let part_pieces = list (fun () -> list ring) in

@@ -1,0 +1,74 @@
+(* Why rational points suffice: what holds for them holds for real ones, which rational points approximate. *)
+Require Import QArith Lqa ZArith Lia List Bool.
+From Exactsweep Require Statements.
+From Exactsweep Require Import HalfOpen Scaling Near Disc.
+Import ListNotations.
+Open Scope Q_scope.
+
+Lemma radius_pos n : 0 < Statements.radius n.
+Proof. reflexivity. Qed.
+Lemma radius_small e : 0 < e -> exists n, forall m, (n <= m)%nat -> Statements.radius m < e.
+Proof.
+  intro E. exists (Pos.to_nat (Qden e)). intros m L. unfold Statements.radius, Qlt in *. cbn [Qnum Qden] in *.
+  assert (P : (Zpos (Qden e) < Zpos (Pos.of_succ_nat m))%Z) by lia. nia.
+Qed.
+(* A real point in two open sets *)
+Theorem real_overlap S T x : Statements.real_point x -> Statements.real_interior S x -> Statements.real_interior T x -> Statements.overlap S T.
+Proof.
+  intros R (n & e & E & HS) (m & d & D & HT).
+  destruct (below (e - Statements.radius n) (d - Statements.radius m)) as (c & C & C1 & C2); [lra|lra|].
+  destruct (radius_small (c / 2)) as (k & K); [apply Qlt_shift_div_l; lra|]. specialize (K k (le_n k)).
+  assert (H2 : c / 2 == (1 # 2) * c) by field. pose proof (R k n) as (Rn1 & Rn2). pose proof (R k m) as (Rm1 & Rm2).
+  exists (x k). split; exists (c / 2); (split; [lra|]); intros y (Y1 & Y2); [apply HS|apply HT]; unfold Statements.close in *; lra.
+Qed.
+(* Two real points that are limits of sets: their approximations are at distance d in the end, but for as little as one likes. *)
+Theorem real_at_least d S T x y : Statements.at_least d S T -> Statements.real_closure S x -> Statements.real_closure T y ->
+  forall c, 0 <= c -> c < d -> exists n, forall m, (n <= m)%nat -> c * c < Statements.dist2 (x m) (y m).
+Proof.
+  intros A X Y c C L. destruct (radius_small ((d - c) / 6)) as (n & N); [apply Qlt_shift_div_l; lra|]. exists n. intros m M. specialize (N m M).
+  assert (H6 : (d - c) / 6 == (1 # 6) * (d - c)) by field. pose proof (radius_pos m) as Rp. set (r := Statements.radius m) in *.
+  destruct (X m) as (s & Ss & Sx1 & Sx2). destruct (Y m) as (t & Tt & Ty1 & Ty2). fold r in Sx1, Sx2, Ty1, Ty2.
+  destruct (Qlt_le_dec (c * c) (Statements.dist2 (x m) (y m))) as [|G]; [assumption|exfalso].
+  assert (B : forall u v, - (2 * r) < u < 2 * r -> - (2 * r) < v < 2 * r -> u * u + v * v <= 3 * r * (3 * r)) by (intros; nra).
+  pose proof (B _ _ Sx1 Sx2) as B1. pose proof (B _ _ Ty1 Ty2) as B2.
+  assert (D1 : Statements.dist2 s (x m) <= 3 * r * (3 * r)) by (unfold Statements.dist2; lra).
+  assert (D2 : Statements.dist2 (y m) t <= 3 * r * (3 * r)) by (unfold Statements.dist2 in *; lra).
+  pose proof (triangle s (x m) (y m) (3 * r) c ltac:(lra) C D1 G) as T1.
+  pose proof (triangle s (y m) t (3 * r + c) (3 * r) ltac:(lra) ltac:(lra) T1 D2) as T2.
+  pose proof (A s t (fun e E => ex_intro _ s (conj Ss (close_refl e s E))) (fun e E => ex_intro _ t (conj Tt (close_refl e t E)))) as F.
+  pose proof (sq_lt (3 * r + c + 3 * r) d ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* An irrational rotation, or a rational one that stands in for it: each motion whose cosine and sine are off by d in
+   sum moves points with |x| + |y| <= r by d r more or less.  So what is known of the true part under one of them is
+   known, with the error e + d r, under the other. *)
+Definition moved_by (m : Statements.motion) (S : qpoint -> Prop) (z : qpoint) : Prop := exists p, S p /\ z = Statements.move m p.
+Definition bounded (r : Q) (p : qpoint) : Prop := exists a b, - a <= fst p <= a /\ - b <= snd p <= b /\ a + b <= r.
+Lemma move_near m m' d d' r p : Statements.mirrored m = Statements.mirrored m' -> Statements.shift m = Statements.shift m' ->
+  - d <= Statements.cosine m - Statements.cosine m' <= d -> - d' <= Statements.sine m - Statements.sine m' <= d' -> 0 <= r -> bounded r p ->
+  Statements.dist2 (Statements.move m p) (Statements.move m' p) <= (d + d') * r * ((d + d') * r).
+Proof.
+  intros E F C S R (a & b & A & B & L). unfold Statements.dist2, Statements.move. rewrite <- E, <- F. cbn [fst snd].
+  set (x := if Statements.mirrored m then - fst p else fst p). assert (X : - a <= x <= a) by (unfold x; destruct (Statements.mirrored m); lra).
+  set (y := snd p) in *. set (c := Statements.cosine m - Statements.cosine m') in *. set (s := Statements.sine m - Statements.sine m') in *.
+  assert (E1 : Statements.cosine m * x - Statements.sine m * y + fst (Statements.shift m) - (Statements.cosine m' * x - Statements.sine m' * y + fst (Statements.shift m)) == c * x - s * y)
+    by (unfold c, s; ring).
+  assert (E2 : Statements.sine m * x + Statements.cosine m * y + snd (Statements.shift m) - (Statements.sine m' * x + Statements.cosine m' * y + snd (Statements.shift m)) == s * x + c * y)
+    by (unfold c, s; ring).
+  rewrite E1, E2. assert (E3 : (c * x - s * y) * (c * x - s * y) + (s * x + c * y) * (s * x + c * y) == (c * c + s * s) * (x * x + y * y)) by ring.
+  rewrite E3. assert (H1 : c * c + s * s <= (d + d') * (d + d')) by nra. assert (H2 : x * x + y * y <= r * r) by nra.
+  assert (H0 : 0 <= x * x + y * y) by nra. assert (H3 : 0 <= (d + d') * (d + d')) by nra.
+  pose proof (Qmult_le_compat_r _ _ (x * x + y * y) H1 H0). pose proof (mono_le _ _ _ H3 H2).
+  assert (E4 : (d + d') * r * ((d + d') * r) == (d + d') * (d + d') * (r * r)) by ring. lra.
+Qed.
+Theorem rotation_error_sound m m' d d' r e (drawn S : qpoint -> Prop) : Statements.mirrored m = Statements.mirrored m' -> Statements.shift m = Statements.shift m' ->
+  - d <= Statements.cosine m - Statements.cosine m' <= d -> - d' <= Statements.sine m - Statements.sine m' <= d' -> 0 <= r -> 0 <= e ->
+  (forall p, S p -> bounded r p) -> Statements.known_to e drawn (moved_by m S) -> Statements.known_to (e + (d + d') * r) drawn (moved_by m' S).
+Proof.
+  intros E F C Si R E0 B K z (p & Sp & ->). assert (D : 0 <= (d + d') * r) by (apply Qmult_le_0_compat; lra).
+  pose proof (move_near m m' d d' r p E F C Si R (B p Sp)) as N. pose proof (K _ (ex_intro _ p (conj Sp eq_refl))) as W.
+  intros t T H. apply (W (t - (d + d') * r)); [lra|]. intros y Y. specialize (H y Y).
+  destruct (Qlt_le_dec ((t - (d + d') * r) * (t - (d + d') * r)) (Statements.dist2 y (Statements.move m p))) as [|G]; [assumption|exfalso].
+  pose proof (triangle y (Statements.move m p) (Statements.move m' p) (t - (d + d') * r) ((d + d') * r) ltac:(lra) D G N) as Tr.
+  assert (Eq : t - (d + d') * r + (d + d') * r == t) by ring. rewrite Eq in Tr. lra.
+Qed.
