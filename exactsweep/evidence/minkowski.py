@@ -52,7 +52,7 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
     """
     if isinstance(a, Polyline):
         if isinstance(b, Polyline):
-            raise PolygonError("a and b are paths: one of the two has to be a polygon")
+            raise PolygonError("a and b are both paths; one of them must be a polygon")
         return _add_path(to_region(b, "b"), a)
     if isinstance(b, Polyline):
         return _add_path(to_region(a, "a"), b)

@@ -192,7 +192,7 @@ class InnerFitAnswer(Certified):
 
     def _claim(self) -> dict[str, Any]:
         if self.placed:
-            raise PolygonError("positions among placed shapes have no certificate")
+            raise PolygonError("certificates do not cover placed shapes")
         fits = self.solution.fits
         return claim_inner_fit(self.container, self.part, self._regions(ORIGIN), fits)
 

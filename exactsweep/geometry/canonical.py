@@ -189,7 +189,7 @@ def _refuse_spikes(
         if turn == 0:
             (ax, ay), (bx, by), (cx, cy) = ring[i - 1], ring[i], ring[(i + 1) % n]
             if (bx - ax) * (cx - bx) < (by - ay) * (by - cy):
-                raise PolygonError(f"spike at vertex {names[i]}: the boundary turns straight back")
+                raise PolygonError(f"spike at vertex {names[i]}: the boundary reverses direction")
 
 
 def _refuse_conflicts(

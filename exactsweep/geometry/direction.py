@@ -120,7 +120,7 @@ class Directions:
             if strict
         ] or [u for u, weak in zip(self.critical, self.at, strict=True) if weak]
         if not candidates:
-            raise DirectionError("monotone to no direction")
+            raise DirectionError("not monotone in any direction")
         return min(candidates, key=lambda u: (u[0] * u[0] + u[1] * u[1], u))
 
     def __str__(self) -> str:
@@ -130,7 +130,7 @@ class Directions:
             f"all from {write_vector(u)} to {write_vector(v)}, "
             f"{write_degrees(u)} to {write_degrees(v)} degrees"
             if u != v
-            else f"just {write_vector(u)}, {write_degrees(u)} degrees"
+            else f"only {write_vector(u)}, {write_degrees(u)} degrees"
             for u, v in self.arcs()
         ]
         return " and ".join(arcs) or "no direction"

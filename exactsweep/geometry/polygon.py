@@ -241,7 +241,7 @@ class Polygon(PointSet):
             )
         )
         if not isinstance(polygon, sympy.Polygon) or len(polygon.vertices) != len(self):
-            raise PolygonError("sympy takes vertices for collinear that are not")
+            raise PolygonError("sympy would drop vertices that it takes for collinear")
         return polygon
 
     @classmethod

@@ -54,7 +54,7 @@ class Polyline:
             found = [Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in read]
         found = [point for point, _ in groupby(found)]
         if not found:
-            raise PolygonError("a path has at least one point")
+            raise PolygonError("a path needs at least one point")
         if closed and len(found) > 1 and found[0] == found[-1]:
             found.pop()
         object.__setattr__(self, "points", tuple(found))

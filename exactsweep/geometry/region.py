@@ -302,7 +302,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
             first = f"{names[k]}, edge {polygons[k].edge_index(i)}"
             second = f"{names[j]}, edge {polygons[j].edge_index(h)}"
             along = (bx - ax) * (qy - py) == (by - ay) * (qx - px)
-            what = "run along each other" if along else "cross"
+            what = "overlap along a segment" if along else "cross"
             raise PolygonError(f"{first}, and {second} {what}")
         for point in shared:
             touching[point] |= {k, j}
@@ -341,7 +341,7 @@ def _refuse_parted(
             at = write_pair((Fraction(x) / scale, Fraction(y) / scale))
             listed = " and ".join(names[k] for k in sorted(there))
             raise PolygonError(
-                f"the interior falls apart: {listed} touch at {at} and are joined elsewhere, too"
+                f"the interior is disconnected: {listed} touch at {at} and elsewhere"
             )
         for k in leaders:
             group[k] = min(leaders)

@@ -118,8 +118,8 @@ def read_turn(by: object) -> Turn:
     length = isqrt(square)
     if not length or length * length != square:
         raise NumberError(
-            f"the direction ({abridge(x)}, {abridge(y)}) has no rational length but 0; "
-            "(3, 4) and (5, 12) have one"
+            f"the direction ({abridge(x)}, {abridge(y)}) has no positive rational length, "
+            "unlike (3, 4) and (5, 12)"
         )
     exact = x * scale / length, y * scale / length
     return Turn(Fraction(90 * _QUARTERS.index(exact)) if exact in _QUARTERS else None, exact)

@@ -123,7 +123,7 @@ def to_fraction(value: object) -> Fraction:
             raise NumberError(f"{quote(value)} is not a finite number")
         return _make_reduced(*read_ratio(str(value)))
     if isinstance(value, bool):
-        raise NumberError(f"{value} is a truth value, not a number")
+        raise NumberError(f"{value} is a bool, not a number")
     # Before version 2, numpy lets its truth values be indices.
     if hasattr(value, "__index__") and type(value).__name__ != "bool_":
         try:
@@ -134,7 +134,7 @@ def to_fraction(value: object) -> Fraction:
         try:
             return Fraction(int(value.numerator), int(value.denominator))
         except ZeroDivisionError:
-            raise NumberError(f"{quote(value)} has the denominator 0") from None
+            raise NumberError(f"{quote(value)} has a zero denominator") from None
         except (TypeError, ValueError):
             # Numpy registers its spans of time.
             raise NumberError(f"{quote(value)} is not a rational number") from None

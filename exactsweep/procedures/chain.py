@@ -78,7 +78,7 @@ class Chain:
                 raise ChainError(f"({qx}, {qy}) lies left of ({px}, {py}): not an X-monotone chain")
             lines.append((dx, dy, py * dx - px * dy) if dx else None)
         if not any(lines):
-            raise ChainError("a chain of no width: all of its edges are vertical")
+            raise ChainError("zero width: all edges of the chain are vertical")
         return cls([(x, y, 1) for x, y in points], lines)
 
     @property

@@ -71,7 +71,7 @@ def test_a_slot_as_wide_as_the_path_is_long_is_filled() -> None:
 
 
 def test_two_paths_have_no_sum() -> None:
-    with pytest.raises(PolygonError, match="a and b are paths"):
+    with pytest.raises(PolygonError, match="a and b are both paths"):
         minkowski_sum(Polyline([(0, 0)]), Polyline([(0, 0), (1, 1)]))
     with pytest.raises(PolygonError, match=r"^b: "):
         minkowski_sum(SQUARE, [(0, 0), (1, 1)])

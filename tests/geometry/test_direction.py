@@ -166,8 +166,8 @@ def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
         # Perpendicular to the notch's edges, (2, 1) and (2, -1).
         (NOTCHED, "all from (1, 2) to (-1, 2), 63.4 to 116.6 degrees"),
         ([(y, x) for x, y in NOTCHED], "all from (2, -1) to (2, 1), -26.6 to 26.6 degrees"),
-        (SLOT, "just (1, 0), 0 degrees"),
-        (PLUS, "just (1, 0), 0 degrees and just (0, 1), 90 degrees"),
+        (SLOT, "only (1, 0), 0 degrees"),
+        (PLUS, "only (1, 0), 0 degrees and only (0, 1), 90 degrees"),
         (STAR, "no direction"),
     ],
 )
