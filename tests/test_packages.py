@@ -1,6 +1,6 @@
-"""Rules of the house: imports run downward, the checking side stays apart, docstrings keep a form.
+"""Allowed imports of packages, sizes of modules, unique type names, and the order of docstrings.
 
-Imports are read from the source, those inside functions and under TYPE_CHECKING counted.
+Imports inside functions and under TYPE_CHECKING count.
 """
 
 import ast
@@ -15,13 +15,17 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 
-HOUSE = tomllib.loads((Path(__file__).parent / "house.toml").read_text("utf-8"))
+RULES = tomllib.loads((Path(__file__).parent / "packages.toml").read_text("utf-8"))
 
 
 def expand(names: Iterable[str]) -> set[str]:
     """Resolve the names of groups of packages."""
-    groups = HOUSE["groups"]
-    return {room for name in names for room in (expand(groups[name]) if name in groups else {name})}
+    groups = RULES["groups"]
+    return {
+        package
+        for name in names
+        for package in (expand(groups[name]) if name in groups else {name})
+    }
 
 
 @cache
@@ -41,7 +45,7 @@ def statements(source: str) -> list[ast.stmt]:
 
 
 def modules() -> dict[str, Path]:
-    """All modules of the package: dotted names below it, and their files."""
+    """Map the dotted names of all modules to their files."""
     named = {
         ".".join(path.relative_to(PACKAGE).with_suffix("").parts): path
         for path in PACKAGE.rglob("*.py")
@@ -50,7 +54,7 @@ def modules() -> dict[str, Path]:
 
 
 def imported(source: str, known: set[str]) -> Iterator[str]:
-    """The modules of the package that a source imports."""
+    """Yield the modules of the package that a source imports."""
     for node in statements(source):
         if isinstance(node, ast.ImportFrom):
             assert node.level == 0, "imports are absolute"
@@ -68,21 +72,21 @@ def imported(source: str, known: set[str]) -> Iterator[str]:
 
 
 def rule_of(module: str) -> str:
-    """The narrowest room of a module that has a rule."""
+    """Return the innermost package of a module that has a rule."""
     parts = module.split(".")
     names = (".".join(parts[:k]) for k in range(len(parts), 0, -1))
-    return next(name for name in names if name in HOUSE["rooms"])
+    return next(name for name in names if name in RULES["packages"])
 
 
 def broken(module: str, targets: Iterator[str]) -> Iterator[str]:
-    """Describe the imports of a module that its room does not allow."""
-    room = rule_of(module)
-    rule = HOUSE["rooms"][room]
+    """Describe the imports of a module that its package does not allow."""
+    package = rule_of(module)
+    rule = RULES["packages"][package]
     allowed = expand(rule["sees"])
     for target in targets:
         parts = target.split(".")
         if not allowed & {".".join(parts[:k]) for k in range(1, len(parts) + 1)}:
-            yield f"{module} imports {target}, which {room} may not see: {rule['why']}"
+            yield f"{module} imports {target}, which {package} may not see: {rule['why']}"
 
 
 @cache
@@ -99,7 +103,7 @@ def arrows() -> dict[str, set[str]]:
 
 
 def circle(graph: dict[str, set[str]]) -> list[str]:
-    """Some circle of a graph, or nothing."""
+    """Return a circle of a graph; empty if there is none."""
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
@@ -112,8 +116,8 @@ def test_every_import_is_one_that_its_room_allows() -> None:
     assert not complaints, "\n".join(complaints)
 
 
-def test_there_is_no_circle_of_modules() -> None:
-    # A package's __init__ exports what is in it, and what is in it may not ask the package.
+def test_modules_have_no_circle() -> None:
+    # Modules of a package do not import its __init__, which imports them.
     found = circle(arrows())
     assert not found, " -> ".join(found)
 
@@ -121,8 +125,8 @@ def test_there_is_no_circle_of_modules() -> None:
 def test_packages_have_no_circle() -> None:
     graph: dict[str, set[str]] = {}
     for name, seen in arrows().items():
-        room = rule_of(name)
-        graph.setdefault(room, set()).update({rule_of(other) for other in seen} - {room})
+        package = rule_of(name)
+        graph.setdefault(package, set()).update({rule_of(other) for other in seen} - {package})
     found = circle(graph)
     assert not found, " -> ".join(found)
 
@@ -138,14 +142,12 @@ def test_packages_have_no_circle() -> None:
         ("procedures.mm", "from exactsweep.canvas.svg import svg", "nothing of pictures"),
     ],
 )
-def test_a_forbidden_import_is_named_with_its_reason(
-    module: str, source: str, complaint: str
-) -> None:
+def test_forbidden_imports_have_a_reason(module: str, source: str, complaint: str) -> None:
     (line,) = broken(module, imported(source, set(modules())))
     assert complaint in line
 
 
-def test_a_circle_is_found() -> None:
+def test_circles_are_found() -> None:
     assert {*circle({"a": {"b"}, "b": {"c"}, "c": {"b"}})} == {"b", "c"}
 
 
@@ -153,7 +155,7 @@ def test_a_circle_is_found() -> None:
 MOST_LINES = {"check.standalone": 862}
 
 
-def test_few_files_lie_at_the_top_and_none_is_long() -> None:
+def test_modules_are_short() -> None:
     assert len(list(PACKAGE.glob("*.py"))) <= 6
     long = [
         name
@@ -185,9 +187,8 @@ def namesakes(sources: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
     return {name: places for name, places in homes.items() if len(places) > 1}
 
 
-def test_no_two_types_have_one_name() -> None:
-    # One word for one thing: a reader who meets a name knows which type it is.
-    # The checker that stands alone has words of its own.
+def test_type_names_are_unique() -> None:
+    # The standalone checker is exempt.
     found = namesakes(item for item in sources().items() if item[0] not in MOST_LINES)
     assert not found, found
 
@@ -252,5 +253,5 @@ def test_docstrings_keep_one_order() -> None:
         ("Loops.\n\nNote: beware.", "Note: beware."),
     ],
 )
-def test_a_docstring_out_of_order_is_found(docstring: str, line: str) -> None:
+def test_docstrings_out_of_order_are_found(docstring: str, line: str) -> None:
     assert misplaced(docstring) == line
