@@ -180,9 +180,9 @@ def shape(name: str, item: Any) -> list[Ring]:
     return [e[::-1] if (area(edges(e)) > 0) == bool(k) else e for k, e in enumerate(rings)]
 
 
-def rectangle(name: str, item: Any) -> Ring:
-    """Read left, bottom, right, top; return the corners from the lower left one on."""
-    left, low, right, high = (number(name, n) for n in items(name, item, 4))
+def rectangle(name: str, ends: list[Rational]) -> Ring:
+    """Return the corners of a rectangle from the lower left one on."""
+    left, low, right, high = items(name, ends, 4)
     need(left < right and low < high, f"{name}: not left, bottom, right, top of a rectangle")
     return [node(left, low), node(right, low), node(right, high), node(left, high)]
 
@@ -542,7 +542,8 @@ def inner_fit(c: Any, work: Work) -> str:
     names = f"container part regions exact_fits proof {HEAD}"
     first, second, regions, exact, proof = fields("certificate", c, names)[:5]
     ends, cut, others, listed, around = fields("proof", proof, "frame outside part sums around")
-    frame, known = rectangle("frame", ends), list[Known]()
+    sides, known = [number("frame", n) for n in items("frame", ends)], list[Known]()
+    frame = rectangle("frame", sides)
     rings = [frame, *(points[::-1] for points in shape("container", first))]
     d = solid("outside", rings, cut, work)
     h = reflect(solid("part", shape("part", second), others, work))
@@ -552,8 +553,8 @@ def inner_fit(c: Any, work: Work) -> str:
     known += fits("exact_fits", exact)
     xs, ys = zip(*map(place, chain(*h)), strict=True)
     less = max(xs), max(ys), min(xs), min(ys)
-    ends = zip([*place(frame[0]), *place(frame[2])], less, strict=True)
-    within = edges(rectangle("frame, for the part", [str(n + by) for n, by in ends]))
+    ends = [end + by for end, by in zip(sides, less, strict=True)]
+    within = edges(rectangle("frame, for the part", ends))
     beyond = [(q, p, (-a, -b, -c)) for p, q, (a, b, c) in within]
     for edge, (*_, line) in product(known, within):
         is_within = side(line, edge.start) >= 0 <= side(line, edge.end)
@@ -671,7 +672,8 @@ class Layout:
         if valid:
             names = "outside pieces apart"
             outside, cut, self.normals, ends = fields("proof", proof, names, "frame")
-        self.frame = [] if ends is None else [rectangle("frame", ends)]
+        sides = [number("frame", n) for n in items("frame", [] if ends is None else ends)]
+        self.frame = [rectangle("frame", sides)] if ends is not None else []
         for k, own in enumerate(items("pieces", cut, len(parts))):
             name = f"parts[{k}]"
             key, *rules = fields(name, parts[k], "id", f"{RULES} {FORM}")

@@ -121,3 +121,12 @@ def test_an_object_has_no_key_twice() -> None:
     assert prove(load(text))
     with pytest.raises(Refused, match="duplicate key"):
         load(text.replace('"turns": [[', '"turns": [], "turns": [[', 1))
+
+
+@pytest.mark.parametrize("name", ["inside", "layout"])
+def test_frames_of_long_numbers_are_read(name: str) -> None:
+    certificate = two_ls() if name == "layout" else certificates()[name]
+    far = "1" + "0" * 5000
+    changed = put(certificate, ("proof", "frame"), ["-" + far, "-" + far, far, far])
+    with pytest.raises(Refused, match="do not cancel"):
+        prove(changed)
