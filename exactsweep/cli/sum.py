@@ -4,7 +4,7 @@ from contextlib import suppress
 
 import click
 
-from exactsweep import Polyline, Region, minkowski_sum
+from exactsweep import Polyline, Region, minkowski_sum, no_fit_polygon
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import PATH, takes_output
 from exactsweep.cli.output import measure_columns, write, write_readable
@@ -94,6 +94,12 @@ def _read_with_path(
 )
 @click.option("--json", is_flag=True, help="Write the exact result as JSON.")
 @click.option("--wkt", is_flag=True, help="Write the sum as an exact WKT POLYGON.")
+@click.option(
+    "--certificate",
+    is_flag=True,
+    help="Write a proof for 'exactsweep verify': that of the no-fit polygon of A and -B, which has "
+    "the same boundary. Not for paths.",
+)
 @takes_format
 @takes_rounding
 @takes_reading
@@ -104,6 +110,7 @@ def sum_command(
     as_path: bool,
     json: bool,
     wkt: bool,
+    certificate: bool,
     target: str | None,
     rounding: Rounding | None,
     reading: ReadingOptions,
@@ -127,8 +134,8 @@ def sum_command(
       exactsweep sum part.json line.wkt --json
       exactsweep sum part.json points.json --path --to svg -o covered.svg
     """
-    if sum(map(bool, (json, wkt, target))) > 1:
-        raise click.UsageError("--json, --wkt and --to exclude each other.")
+    if sum(map(bool, (json, wkt, target, certificate))) > 1:
+        raise click.UsageError("--json, --wkt, --certificate and --to exclude each other.")
     from exactsweep.text import pairs
 
     try:
@@ -137,6 +144,15 @@ def sum_command(
         if _is_path(a):
             raise click.UsageError(f"{show_path(a)} is a path; give it second, as B.") from None
         raise
+    if certificate:
+        if isinstance(second, Polyline):
+            raise click.UsageError("Sums with a path have no certificate.")
+        from exactsweep.text.results import certificate_to_json
+
+        with working("proving"):
+            proof = certificate_to_json(no_fit_polygon(first, second.reflected()))
+        write_readable(proof, output)
+        return
     with working("computing"):
         found = minkowski_sum(first, second)
     if rounding is not None or target is not None:

@@ -1,6 +1,8 @@
 """`exactsweep sum` with paths of SVG; Minkowski differences."""
 
+import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from command import refusal, run
@@ -8,6 +10,7 @@ from hypothesis import given
 from polyominoes import polyominoes, region
 
 from exactsweep import Polyline, Region, inner_fit_polygon, minkowski_difference, minkowski_sum
+from exactsweep.check import verify
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg">{}</svg>'
 POINTS = [(0, 0), (5, 0), (5, 5)]
@@ -79,3 +82,17 @@ def test_a_chosen_polygon_is_not_a_path(shape: str) -> None:
 @given(polyominoes().map(region), polyominoes().map(region))
 def test_the_difference_is_the_inner_fit(a: Region, b: Region) -> None:
     assert minkowski_difference(a, b) == inner_fit_polygon(container=a, part=b)
+
+
+def test_a_certificate_proves_the_boundary_of_a_sum(shape: str, tmp_path: Path) -> None:
+    frame: dict[str, Any] = {
+        "exterior": [[0, 0], [9, 0], [9, 9], [0, 9]],
+        "holes": [[[2, 2], [7, 2], [7, 7], [2, 7]]],
+    }
+    other = write(tmp_path, "b.json", json.dumps(frame))
+    found = json.loads(run("sum", shape, other, "--certificate").stdout)
+    assert verify(found).proved
+    expected = minkowski_sum([(0, 0), (1, 0), (1, 2)], Region(frame["exterior"], frame["holes"]))
+    assert Region(found["exterior"], found["holes"]) == expected
+    line = write(tmp_path, "l.wkt", "LINESTRING (0 0, 5 0)")
+    assert "have no certificate" in run("sum", shape, line, "--certificate").stderr
