@@ -1,4 +1,4 @@
-"""Processes of a Dask cluster, of one machine or many."""
+"""Workers of a Dask cluster, of one machine or many."""
 
 from __future__ import annotations
 
@@ -14,25 +14,24 @@ from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import quote, require_imports
 
 LOCAL = "local"
-"""Instead of an address: a cluster of this machine, for as long as the batch runs."""
+"""The address of a temporary cluster on this machine."""
 
 _ADDRESS = re.compile(
     r"(?:[a-z]{2,8}://)?(?P<host>[\w.-]{1,253}|\[[0-9A-Fa-f:.%\w]{2,60}\])(?::(?P<port>[0-9]{1,5}))?"
 )
-# Seconds between two looks at whether the scheduler is still there.
+# Seconds between two checks of the scheduler.
 _LOOK = 0.5
 
 
 class Cluster:
-    """The workers of a Dask scheduler, each of which is sent the work once.
+    """The workers of a Dask scheduler, each of which gets the work once.
 
-    A worker that comes later, or in place of one that died, is sent it, too; Dask repeats what a
-    lost worker was at.
+    New workers get it, too; Dask repeats the chunks of lost ones.
 
     Args:
         work: the batch.
         address: of the scheduler, or LOCAL.
-        count: how many processes a LOCAL cluster has.
+        count: the number of processes of a LOCAL cluster.
 
     Raises:
         BatchError: no scheduler answers there.
@@ -46,7 +45,7 @@ class Cluster:
         self.own = None
         try:
             if address == LOCAL:
-                # It serves its state by HTTP even so; on some port that is free, then.
+                # It serves its state by HTTP nevertheless; on any free port.
                 self.own = dask.LocalCluster(
                     n_workers=count,
                     threads_per_worker=1,
@@ -57,7 +56,7 @@ class Cluster:
             self.count = max(1, sum(self.client.nthreads().values()))
             self.name = f"exactsweep-{id(self):x}"
             self.client.register_plugin(_holder(work, self.name))
-        # Dask asserts some of what it takes for granted.
+        # Dask asserts some of its assumptions.
         except (OSError, ValueError, AssertionError) as error:
             reason = str(error).partition("\n")[0]
             raise BatchError(f"no Dask scheduler at {quote(address)}: {reason}") from None
@@ -65,23 +64,19 @@ class Cluster:
         self.pool = self.client.get_executor(pure=False)
 
     def submit(self, chunk: Chunk) -> RecordsOfCluster:
-        """Compute a chunk in some process.
-
-        Raises:
-            CancelledError: the scheduler is gone.
-        """
+        """Compute a chunk in some process; raises CancelledError if the scheduler is lost."""
         try:
             return RecordsOfCluster(self.pool.submit(_compute, chunk, self.name), self)
         except self.closed:
             raise CancelledError from None
 
     def is_gone(self) -> bool:
-        """Return whether the scheduler is gone, or was and has forgotten the batch."""
+        """Whether the scheduler is lost, or has forgotten the batch."""
         return self.client.status != "running" or self.client.scheduler_comm is not self.connection
 
     def close(self) -> None:
-        """Leave the cluster, and end it if it is our own."""
-        # If the scheduler is gone, there is nothing left to be tidied up.
+        """Leave the cluster, and end our own."""
+        # A lost scheduler leaves nothing to clean up.
         with suppress(OSError, self.closed):
             self.pool.shutdown(wait=False)
             if self.own is None and not self.is_gone():
@@ -92,21 +87,21 @@ class Cluster:
 
 
 def _require_address(address: str) -> None:
-    """Refuse what cannot be the address of a scheduler: a host, perhaps with a port."""
+    """Reject what cannot be a host, perhaps with a port."""
     match = _ADDRESS.fullmatch(address)
     if not match or match["host"].isdigit() or not 0 < int(match["port"] or 1) < 2**16:
         raise BatchError(f"no Dask scheduler at {quote(address)}: not as in tcp://host:8786")
 
 
 class RecordsOfCluster:
-    """A result of a chunk that is still to come."""
+    """The future result of a chunk."""
 
     def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:
         self.future, self.cluster = future, cluster
 
     def result(self) -> Sequence[bytes]:
-        """Wait for the records; raises CancelledError if the scheduler is gone."""
-        # Dask never settles the futures of results that it was fetching when the scheduler went.
+        """Wait for the records; raises CancelledError if the scheduler is lost."""
+        # Dask never settles futures of results that it was fetching from a lost scheduler.
         while not wait([self.future], _LOOK).done:
             if self.cluster.is_gone():
                 raise CancelledError
@@ -120,7 +115,7 @@ def _dask() -> Any:
 
 
 def _holder(held: Work, plugin_name: str) -> object:
-    # Of a local class, which is sent whole.
+    # A local class is sent whole.
     class Holder(_dask().WorkerPlugin):  # type: ignore[misc]
         name = plugin_name
         work = held

@@ -1,7 +1,7 @@
-"""The refusal of a batch as a whole."""
+"""The error of a whole batch."""
 
 from exactsweep.numbers.error import ExactSweepError
 
 
 class BatchError(ExactSweepError):
-    """A batch that cannot be run or resumed; the message says why."""
+    """A batch that cannot run or resume; the message says why."""

@@ -25,7 +25,7 @@ from exactsweep.numbers.limits import get_max_bytes
 CHUNK_PAIRS = 16
 """The number of pairs in a chunk of a small batch."""
 
-# The number of chunks of a large batch, limited because a single process distributes them.
+# Maximum number of chunks, which one process distributes.
 _CHUNKS = 2**14
 _MAX_CHUNK_PAIRS = 512
 _CHUNK_BYTES = 2**20
@@ -35,9 +35,9 @@ class Job(NamedTuple):
     """A batch.
 
     Attributes:
-        work: what is to be computed.
-        total: how many pairs there are.
-        digest: what tells this batch from any other.
+        work: the quantities and the parts.
+        total: the number of pairs.
+        digest: a digest that identifies the batch.
         path: the file of pairs, or None for all pairs of parts.
     """
 
@@ -75,16 +75,14 @@ def take_all_pairs(
     """Make a batch of all pairs of two part lists, the generatrix changing most slowly.
 
     Args:
-        generatrices: NamedPolygons, as `read_polygons` returns them, or Parts.
+        generatrices: NamedPolygons, as `read_polygons` returns them, or Parts; repeated names get a
+            number.
         directrices: likewise.
         what: "trajectory", "loops", "areas" or "nfp".
-        rounding: how numbers are rounded, which are decimals then, not strings; None to leave them.
-
-    Returns:
-        A Job for `run`. Of parts with one name, all but the first get a number after it.
+        rounding: how to round numbers, to decimals instead of strings; None to leave them.
 
     Raises:
-        BatchError: no such quantities.
+        BatchError: unknown quantities.
 
     Example:
         >>> from exactsweep import Polygon
@@ -109,20 +107,15 @@ def take_listed_pairs(
     """Make a batch of the pairs in a file, a line of JSON each.
 
     Args:
-        path: a file of objects with "generatrix" and "directrix": the name of a part, or a polygon
-            as exact JSON or GeoJSON; and perhaps "id", "reference", and "direction", not for "nfp".
-            Empty lines do not count.
-        parts: those that the lines may name.
-        what: "trajectory", "loops", "areas" or "nfp".
-        rounding: as for `take_all_pairs`.
-
-    Returns:
-        A Job for `run`.
+        path: a file of objects with "generatrix" and "directrix", each the name of a part, or a
+            polygon as exact JSON or GeoJSON; and perhaps "id", "reference", and "direction", not
+            for "nfp".
+        parts: the parts that the lines may name.
+        what: as for `take_all_pairs`.
+        rounding: likewise.
 
     Raises:
-        BatchError: the file cannot be read, two parts have one name, or no such quantities.
-
-    Cost: one pass over the file.
+        BatchError: an unreadable file, two parts with one name, or unknown quantities.
 
     Example:
         >>> job = take_listed_pairs("pairs.jsonl", read_parts("parts.svg"))  # doctest: +SKIP
@@ -175,7 +168,7 @@ def _digest_input(work: Work, source: bytes) -> str:
 
 
 def _lines(path: str) -> Iterator[bytes]:
-    """The lines of a file that are not empty, b"" for one that is too long."""
+    """Yield the lines of a file that are not empty, b"" for a too long one."""
     with name_failures(path, BatchError):
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():

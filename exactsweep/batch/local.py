@@ -17,8 +17,8 @@ class LocalProcesses:
     """A pool of processes, each of which gets the work once.
 
     Attributes:
-        count: how many processes there are.
-        lost: the exception of a chunk whose process is killed.
+        count: the number of processes.
+        lost: the exception of a chunk whose process was killed.
     """
 
     lost: tuple[type[BaseException], ...] = (BrokenProcessPool,)
@@ -40,16 +40,13 @@ class LocalProcesses:
                 return self._pool.submit(_compute, chunk)
 
     def close(self) -> None:
-        """End all processes, whatever they are doing."""
+        """End all processes, even busy ones."""
         self._pool.close()
 
 
 @contextmanager
 def _hide_main() -> Iterator[None]:
-    """Let processes be started that do not import the module that was run.
-
-    They would run it again where it has no main guard.
-    """
+    """Keep new processes from importing the main module, which may have no main guard."""
     main = vars(sys.modules["__main__"])
     hidden: dict[str, object] = {
         name: main.pop(name) for name in ("__spec__", "__file__") if name in main

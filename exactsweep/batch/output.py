@@ -1,7 +1,7 @@
 """The output file of a batch, which can be continued after any interruption.
 
-Records go to FILE.part in order. After the last record, FILE.part becomes FILE in one step.
-FILE.job identifies the batch of the records, and is locked while the batch runs.
+Records go to FILE.part in order; after the last one, FILE.part becomes FILE in one step. FILE.job
+identifies the batch of the records, and is locked while the batch runs.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ CSV = ".csv"
 
 
 class Output:
-    """The records of a batch, those of an earlier run included.
+    """The records of a batch, including those of an earlier run.
 
     Args:
         path: the file of the results.
         job: the batch.
-        restart: whether to throw away what an earlier run left.
+        restart: whether to discard the records of an earlier run.
 
     Attributes:
-        done: how many records there are.
-        refused: how many of them say that a pair is refused.
+        done: the number of records.
+        refused: the number of error records.
 
     Raises:
         BatchError: another batch left records for the same file, or is running.
@@ -51,7 +51,7 @@ class Output:
         except (FileNotFoundError, NotADirectoryError):
             mode = S_IFREG
         except (OSError, ValueError) as error:
-            # A part of the path that is too long, for instance, or a byte 0 in it.
+            # A too long part of the path, for instance, or a byte 0.
             reason = error.strerror if isinstance(error, OSError) else str(error)
             raise BatchError(f"{show_path(path)}: {reason}") from None
         if S_ISDIR(mode):
@@ -79,7 +79,7 @@ class Output:
             self.opened = opened.pop_all()
 
     def _agree(self, restart: bool) -> None:
-        """Make sure that the records there, if any, are those of this batch."""
+        """Require that present records are those of this batch."""
         self.lock.seek(0)
         noted = self.lock.read()
         if self.part.exists() and self.part.stat().st_size and not restart:
@@ -99,7 +99,7 @@ class Output:
             self.lock.flush()
 
     def _resume(self) -> None:
-        """Count the records that are whole, and cut off what is not."""
+        """Count the complete records, and drop an incomplete one."""
         end = 0
         for line in self.file:
             if not is_record(line, self.done) or self.done == self.job.total:
@@ -114,7 +114,7 @@ class Output:
         self.refused += is_error(line)
 
     def write(self, lines: Iterable[bytes]) -> None:
-        """Append records; they are there when this returns, whatever happens to the process."""
+        """Append records durably: they survive the process."""
         with name_failures(str(self.part), BatchError):
             for line in lines:
                 self.file.write(line)

@@ -1,4 +1,4 @@
-"""Parts: polygons that many pairs share, each one read and validated once."""
+"""Parts: polygons of many pairs, each read and validated once."""
 
 from collections.abc import Sequence
 from typing import NamedTuple, Unpack
@@ -12,11 +12,11 @@ from exactsweep.numbers.error import tells_arguments
 
 
 class Part(NamedTuple):
-    """A polygon of a part list, or the reason for its refusal.
+    """A polygon of a part list, or the error in it.
 
     Attributes:
         name: its id, or else its index in the list.
-        polygon: a Polygon, a Region if it has holes, or the message of its refusal.
+        polygon: a Polygon, a Region if it has holes, or an error message.
     """
 
     name: str
@@ -28,23 +28,22 @@ def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) 
     """Read a part list, each polygon once.
 
     Args:
-        path: a file of polygons, "-" for standard input, a folder or a pattern, as
-            `exactsweep.formats.folder.find_files` takes it, perhaps with "#" and a choice.
+        path: as for `exactsweep.formats.folder.find_files`, perhaps with "#" and a choice.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
 
     Returns:
-        tuple of Part, named as by `exactsweep.formats.folder.list_parts`; one that is no simple
-        polygon is among them and concerns only its own pairs.
+        tuple of Part, named as by `exactsweep.formats.folder.list_parts`; an invalid one affects
+        only its own pairs.
 
     Raises:
-        FormatError: anything wrong with the only file as a whole, or with all of several.
+        FormatError: no file can be read.
     """
     return make_parts(list_parts([path], tolerance, **options))
 
 
 def make_parts(listing: Listing) -> tuple[Part, ...]:
-    """Read what files hold, as `read_parts` does."""
+    """Read the polygons of files, as `read_parts` does."""
     found = []
     said = Said(listing.notes, listing.left_out)
     for name, _, candidate in listing.parts:
@@ -56,15 +55,15 @@ def make_parts(listing: Listing) -> tuple[Part, ...]:
 
 
 def rotate_parts(parts: Sequence[Part], degrees: Sequence[int | str]) -> list[Part]:
-    """Turn each part about the origin: exactly, or by a rational turn near the angle.
+    """Rotate each part about the origin.
 
     Args:
         parts: the parts.
-        degrees: counter-clockwise, as they are written in names. Others than multiples of 90 are
-            replaced by `Turn.near` of `exactsweep.geometry.turn`, which says how far it is off.
+        degrees: counter-clockwise, as in names. Angles other than multiples of 90 are replaced by
+            `Turn.near` of `exactsweep.geometry.turn`, which has the error.
 
     Returns:
-        list of Part, one after another, named "part@90" where there is a turn.
+        list of Part, each named "part@90" where there is a rotation.
 
     Example:
         >>> from exactsweep import Polygon

@@ -35,19 +35,19 @@ def write_result_line(
     what: Quantities,
     rounding: Rounding | None = None,
 ) -> bytes:
-    """Write what is wanted of a pair.
+    """Write the wanted quantities of a pair as a line of JSON.
 
     Args:
         index: the number of the pair, from 0.
-        names: "id", "generatrix" and "directrix", those that there are.
-        result: the pair's sweep, or its no-fit polygon if that is wanted.
+        names: "id", "generatrix" and "directrix", as far as there are any.
+        result: the sweep of the pair, or its no-fit polygon.
         what: the quantities.
-        rounding: how numbers are rounded; None to leave them.
+        rounding: how to round numbers; None to leave them.
 
     Returns:
-        A line of JSON; its members are "index", the names and COLUMNS of the quantities. The index
-        and the components of the direction, which is null for kind "SS", are integers; all other
-        numbers are decimals if they are rounded, else strings that `to_fraction` reads.
+        An object of "index", the names and COLUMNS of the quantities. The index and the components
+        of the direction, null for kind "SS", are integers; all other numbers are decimals if
+        rounded, else strings that `to_fraction` reads.
     """
     columns = (c for c in COLUMNS[what] if c != "unswept" or result.kind == "SS")
     values = {c: _value(result, c) for c in columns}
@@ -58,17 +58,17 @@ def write_result_line(
 
 
 def write_error_line(index: int, names: Mapping[str, object], reason: str) -> bytes:
-    """Write that a pair is refused; the members are "index", "error" and the names."""
+    """Write the error of a pair; the members are "index", "error" and the names."""
     return _line({"index": index, "error": reason, **names})
 
 
 def is_record(line: bytes, index: int) -> bool:
-    """Tell whether a line is the complete record of a pair."""
+    """Whether a line is the complete record of a pair."""
     return line.startswith(b'{"index": %d, ' % index) and line.endswith(b"}\n")
 
 
 def is_error(line: bytes) -> bool:
-    """Tell whether a record is that of a refusal."""
+    """Whether a record is an error."""
     return line.partition(b", ")[2].startswith(b'"error": ')
 
 

@@ -12,19 +12,18 @@ from exactsweep.geometry.region import Region
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:
-    """Round what a record holds.
+    """Round the columns of a record.
 
     Args:
-        values: the columns of a record, loops as Polygons.
-        rounding: how they are rounded. Outward, the trajectory, the outer loop and the exterior
-            grow, all other loops shrink or are left out, and of the exact fits those stay that do
-            not move.
+        values: the columns, loops as Polygons.
+        rounding: how to round. Outward, the trajectory, the outer loop and the exterior grow, all
+            other loops shrink or vanish, and exact fits that would move are dropped.
 
     Returns:
         The same columns; areas are those of the exact loops, rounded.
 
     Raises:
-        PolygonError: a loop is no polygon any more, which does not happen outward.
+        PolygonError: a rounded loop is not a polygon, which cannot happen outward.
     """
     places, outward = rounding
 

@@ -1,4 +1,4 @@
-"""Running a batch: chunks go out to processes, records come back in order."""
+"""Running a batch: chunks go to processes, records come back in order."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ if TYPE_CHECKING:
 
     Processes = LocalProcesses | Cluster
 
-# Chunks under way at a time, for each process: enough to keep all busy while one is slow.
+# Chunks in flight per process: enough to keep all busy while one is slow.
 _CHUNKS_AHEAD = 8
-# The number of times that a pair alone may end its process before it is refused.
+# Maximum number of processes that a pair alone may kill.
 _TRIES = 3
 
 MAX_WORKERS = 1024
-"""The largest number of worker processes."""
+"""Maximum number of worker processes."""
 
 
 class Counts(NamedTuple):
-    """Counts of how a batch ended.
+    """The counts of a finished batch.
 
     Attributes:
-        pairs: how many pairs there are.
-        refused: how many of the records say that the pair is refused.
-        resumed: how many records an earlier run had left.
+        pairs: the number of pairs.
+        refused: the number of error records.
+        resumed: the number of records of an earlier run.
     """
 
     pairs: int
@@ -58,20 +58,16 @@ def run(
 
     Args:
         job: of `take_all_pairs` or `take_listed_pairs`.
-        output: a file for the records, a line of JSON for each pair, in order; or, if it ends in
-            ".parquet", for a table of them. Until the last record is there, they are in
-            `output` + ".part".
+        output: a file for the records, a line of JSON for each pair, in order; or, with the suffix
+            ".parquet" or ".csv", for a table. Incomplete, the records are in `output` + ".part".
         workers: the number of processes; one for each processor by default.
         scheduler: the address of a Dask scheduler whose workers compute instead, or "local" for a
             new Dask cluster on this machine.
         restart: whether to discard the records of an earlier run instead of continuing it.
-        progress: a function that is called with the number of records whenever it grows.
-
-    Returns:
-        Counts.
+        progress: called with the number of records whenever it grows.
 
     Raises:
-        BatchError: the file cannot be written, has records of another batch, or is being written;
+        BatchError: the file cannot be written, holds records of another batch, or is being written;
             no scheduler answers.
 
     Cost: that of the sweeps; memory for a few hundred pairs, and for the parts in each process.
@@ -136,7 +132,7 @@ def _take_result(
     try:
         return answer.result()
     except processes.lost:
-        # One of its pairs, or of another chunk, is too much for a process: one at a time, then.
+        # Some pair kills its process: one pair at a time, then.
         return [_compute_alone(pair, processes, work) for pair in chunk]
 
 

@@ -21,21 +21,19 @@ _NAMES = ("error", "id", "generatrix", "directrix")
 
 
 def require_pyarrow() -> None:
-    """Refuse to begin what could not be finished."""
+    """Raise at the start if pyarrow, needed at the end, is missing."""
     with require_imports("pyarrow", "Parquet", FormatError):
         import pyarrow.parquet  # noqa: F401
 
 
 def write_csv(records: Path, output: Path, what: Quantities) -> None:
-    """Turn records into CSV.
+    """Convert records to CSV.
 
     Args:
-        records: a file with a record a line.
-        output: the file to be written: a head, and a column for each member that a record may
-            have, empty where a record has none; directions, vertices and exact fits are JSON.
+        records: a file with a record per line.
+        output: the CSV file: a header, and a column for each possible member, empty where a record
+            has none; directions, vertices and exact fits are JSON.
         what: the quantities of the batch.
-
-    Cost: linear; one record is in memory at a time.
     """
     columns = ("index", *_NAMES, *COLUMNS[what])
     with (
@@ -48,13 +46,12 @@ def write_csv(records: Path, output: Path, what: Quantities) -> None:
 
 
 def write_parquet(records: Path, output: Path, what: Quantities, *, rounded: bool = False) -> None:
-    """Turn records into a table.
+    """Convert records to a table.
 
     Args:
-        records: a file with a record a line.
-        output: the file to be written: a column for each member that a record may have, "index" an
-            int64, all others strings, null where a record has none; directions, vertices and exact
-            fits are JSON.
+        records: a file with a record per line.
+        output: the Parquet file, with the columns of `write_csv`: "index" an int64, all others
+            strings, null where a record has none.
         what: the quantities of the batch.
         rounded: whether areas are numbers, and become float64.
 
@@ -88,7 +85,7 @@ def _float(area: str) -> float:
 
 def _rows(lines: Iterator[bytes]) -> Iterator[dict[str, str | None]]:
     for line in lines:
-        # Numbers stay the text that they are, whatever their length.
+        # Numbers of any length stay text.
         record: dict[str, Any] = json.loads(line, parse_int=_Digits, parse_float=_Digits)
         yield {
             name: value if value is None or type(value) is str else _text(value)
@@ -97,7 +94,7 @@ def _rows(lines: Iterator[bytes]) -> Iterator[dict[str, str | None]]:
 
 
 class _Digits(str):
-    """A number, as it was written."""
+    """A number as text."""
 
 
 def _text(value: Any) -> str:

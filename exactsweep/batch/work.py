@@ -1,4 +1,4 @@
-"""The computation of one pair in a process, and the data that it needs of the batch."""
+"""The computation of one pair in a process, and the data of the batch for it."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NumberedPair = tuple[int, int | bytes]
 """The index of a pair, and its number among the pairs of parts, or its line in a file of pairs."""
 
 Chunk = Sequence[NumberedPair]
-"""Pairs that a process computes together."""
+"""Pairs for one process."""
 
 
 @dataclass(frozen=True)
@@ -38,12 +38,12 @@ class Work:
     """A batch as it is sent to every process once.
 
     Attributes:
-        what: the quantities to be computed.
-        generatrices: the parts that are swept, all round each of the directrices; or those to
-            which lines of a file refer by name.
-        directrices: the parts that they are swept around, or the same again.
-        rounding: how numbers are rounded; None to leave them.
-        limits: on what lines may hold, as they are where the batch is made.
+        what: the quantities.
+        generatrices: the swept parts, each around each directrix; or those that lines of a file
+            name.
+        directrices: the parts that they sweep around, or the same again.
+        rounding: how to round numbers; None to leave them.
+        limits: the limits where the batch was made.
     """
 
     what: Quantities
@@ -57,7 +57,7 @@ class Work:
         return [self.line(index, pair) for index, pair in chunk]
 
     def line(self, index: int, pair: int | bytes) -> bytes:
-        """Compute the record of a pair, whatever happens."""
+        """Compute the record of a pair, an error record for any exception."""
         names: Names = {}
         try:
             if isinstance(pair, int):
@@ -79,7 +79,7 @@ class Work:
         return write_error_line(index, names, reason)
 
     def lost_line(self, index: int, pair: int | bytes) -> bytes:
-        """Write the record of a pair that no process survives."""
+        """Write the record of a pair that kills its processes."""
         parts = self._parts(pair) if isinstance(pair, int) else {}
         names: Names = {role: part.name for role, part in parts.items()}
         reason = "every process that tried this pair was killed"
@@ -143,7 +143,7 @@ def _polygon(part: Part, member: str) -> AnyPolygon:
 
 
 def _identity(text: str) -> Names:
-    """Read the id again, for in the document numbers are strings."""
+    """Read the id again, because the document has numbers as strings."""
     document = parse_certificate(text)
     assert isinstance(document, dict)
     identity = document["id"]

@@ -28,14 +28,14 @@ _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
 
 
 class NamedPolygon(NamedTuple):
-    """A polygon of a file that holds several.
+    """A polygon of a file.
 
     Attributes:
         polygon: the Polygon.
         name: its id, or None.
-        layer: the layer of a DXF file that it is on, else None.
+        layer: its layer in DXF or Inkscape's SVG, or None.
         error: a bound on the distance between its boundary and the drawn curve, in both directions;
-            0 if no curve was flattened.
+            0 without curves.
     """
 
     polygon: Polygon
@@ -45,13 +45,11 @@ class NamedPolygon(NamedTuple):
 
 
 class NamedRegion(NamedTuple):
-    """A polygon with its holes, of a file that holds several.
+    """A polygon of a file with its holes.
 
     Attributes:
         region: the Region.
-        name: its id, or None.
-        layer: the layer of a DXF file that it is on, else None.
-        error: as for `NamedPolygon`.
+        name, layer, error: as for `NamedPolygon`.
     """
 
     region: Region
@@ -60,7 +58,7 @@ class NamedRegion(NamedTuple):
     error: Fraction = Fraction(0)
 
     def turned(self) -> Self:
-        """Return the polygon with Y reversed."""
+        """Return the polygon with the Y axis flipped."""
         return self._replace(region=self.region.scaled((1, -1)))
 
 
@@ -68,22 +66,18 @@ class Candidate(NamedTuple):
     """A polygon of a file that is read on demand, so that its errors do not affect others.
 
     Attributes:
-        place: its place in the file, for messages; "" if the refusals of `vertices` name it.
+        place: its place in the file, for messages; "" if the errors of `vertices` name it.
         vertices: a function that reads them, or raises FormatError.
-        name: its id, or None.
-        layer: its layer, or None.
+        name, layer: its id and its layer, or None.
         holes: a function that finds its inner rings, in order, or raises FormatError.
-        fault: the reason why it is not a polygon, if that is known before reading; else "".
+        fault: the reason why it is not a polygon, if known before reading; else "".
         ornament: whether it cannot be part of any outline, so that nothing is lost without it.
-        error: a bound on the distance between its rings and the drawn curves, in both directions; 0
-            if no curve is flattened.
-        rule: the fill rule of a ring that touches or crosses itself; None to refuse it.
-        clean: the least area of regions that are read.
+        error: as for `NamedPolygon`.
+        rule: the fill rule of a ring that touches or crosses itself; None to reject it.
+        clean: the least area of the regions to read.
         finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
         words: its classes, in SVG.
-        groups: the ids of the groups that it is in, in SVG.
-        rounded: the hull and the radius that its exterior is the boundary of, exactly; None for
-            other curves, and for polygons.
+        groups: the ids of the groups around it, in SVG.
     """
 
     place: str
@@ -110,7 +104,7 @@ class Candidate(NamedTuple):
         *,
         ornament: bool = False,
     ) -> Self:
-        """Make a candidate that raises FormatError, for a drawn element that is not a polygon."""
+        """Make a candidate that raises FormatError, for an element that is not a polygon."""
         fault = str(reason)
 
         def vertices() -> NoReturn:
@@ -129,12 +123,7 @@ class Candidate(NamedTuple):
     ) -> Self:
         """Make a candidate of rings, the exterior first, each by its place and its reader.
 
-        Args:
-            rings: at least one ring.
-            place: the place of the whole; by default that of the exterior.
-            name: its id.
-            layer: its layer.
-            error: that of all rings.
+        By default the place is that of the exterior.
         """
         exterior, *holes = (cls(where, read) for where, read in rings)
         return exterior._replace(
@@ -146,7 +135,7 @@ class Candidate(NamedTuple):
         )
 
     def turned(self) -> Self:
-        """Return the polygon with Y reversed."""
+        """Return the polygon with the Y axis flipped."""
         return self._replace(
             vertices=lambda: [Point(p.x, -p.y) for p in self.vertices()],
             holes=lambda: [hole.turned() for hole in self.holes()],
@@ -160,7 +149,7 @@ class Candidate(NamedTuple):
         return self._read(self._make_polygon)
 
     def region(self) -> Region:
-        """Read the polygon with its holes; refuses as `polygon` does, but accepts holes."""
+        """Read the polygon with its holes; raises as `polygon` does."""
         holes = self.holes()
         if not holes:
             return Region(self.polygon())
@@ -173,13 +162,7 @@ class Candidate(NamedTuple):
 
         Args:
             read: `Candidate.named_polygon`, for instance.
-            said: gets a note on regions that are filled, and the reasons of omissions.
-
-        Raises:
-            FormatError, PolygonError: as by the function; of a ring without a fill rule, too.
-
-        Cost: that of the function, and for a ring that is not simple that of
-            `exactsweep.geometry.filling.fill`.
+            said: collects notes on filled regions, and the reasons of omissions.
         """
         if not self.clean:
             try:
@@ -190,7 +173,7 @@ class Candidate(NamedTuple):
         return [*map(read, self.split(said))]
 
     def split(self, said: Said) -> list[Candidate]:
-        """Return the outline, or the regions that it fills, without those that are too small."""
+        """Return the outline, or the regions that it fills, without those below `clean`."""
         pieces: list[Candidate] = [self]
         try:
             self.region()
@@ -226,7 +209,7 @@ class Candidate(NamedTuple):
         return found
 
     def _find_finer(self, k: int, number: int, tolerance: Fraction) -> Candidate | None:
-        """Find a piece with finer lines, if these fill as many."""
+        """Find a piece with finer lines, if these fill as many regions."""
         finer = self.finer(tolerance) if self.finer else None
         pieces = finer.split(Said([], [])) if finer else []
         return pieces[k] if len(pieces) == number else None
@@ -241,7 +224,7 @@ class Candidate(NamedTuple):
         return self.region() if self.holes() else self.polygon()
 
     def _short_vertices(self) -> Sequence[Point]:
-        """Read the vertices, but refuse numbers that could be written and not be read again.
+        """Read the vertices; reject numbers that are too long to be read again.
 
         Only transformations and curves produce them: a product has the digits of all factors.
         """
@@ -261,28 +244,24 @@ class Candidate(NamedTuple):
             raise kind(f"{self.place}: {error}" if self.place else str(error)) from None
 
     def named_polygon(self) -> NamedPolygon:
-        """Read the polygon, as `polygon` does, with its name and layer."""
+        """Read the polygon with its name and layer."""
         return NamedPolygon(self.polygon(), self.name, self.layer, self.error)
 
     def named_region(self) -> NamedRegion:
-        """Read the region, as `region` does, with its name and layer."""
+        """Read the region with its name and layer."""
         return NamedRegion(self.region(), self.name, self.layer, self.error)
 
     def named_polygons(self, said: Said) -> list[NamedPolygon]:
-        """Read the polygon, or those that a ring fills that is not simple."""
+        """Read the polygon, or those that it fills if it is not simple."""
         return self.read(Candidate.named_polygon, said)
 
     def named_regions(self, said: Said) -> list[NamedRegion]:
-        """Read the region, or those that a ring fills that is not simple."""
+        """Read the region, or those that it fills if it is not simple."""
         return self.read(Candidate.named_region, said)
 
 
 def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
-    """Yield candidates, perhaps among others, with a limit on those known not to be polygons.
-
-    Raises:
-        FormatError: their number exceeds `limits`; the message has the first of them.
-    """
+    """Yield candidates, perhaps among others; raises FormatError for too many rejected ones."""
     number, first = 0, ""
     for one in drawn:
         if isinstance(one, Candidate) and one.fault:

@@ -14,17 +14,10 @@ _SHOWN = 4
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
-    """Find the candidate that a choice names.
-
-    Args:
-        candidates: the candidates of a file, in order.
-        choice: as for `select`; None for the only one.
-
-    Returns:
-        The candidate.
+    """Find the candidate that a choice names; None means the only one.
 
     Raises:
-        FormatError: no candidate, or several, have this name.
+        FormatError: no candidate, or several.
     """
     if choice is not None:
         found = select(candidates, choice)
@@ -68,8 +61,8 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
             layer.
 
     Returns:
-        list of Candidate, at least one; of a layer only those without a fault, if there are any;
-        of a group its outlines, in which those inside others are holes.
+        At least one Candidate. A layer omits rejected ones if it has others; outlines inside others
+        of a group are holes.
 
     Raises:
         FormatError: no such candidate.
@@ -78,7 +71,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     prefix, _, layer = choice.partition("layer:")
     if not (named or prefix):
         choice = layer
-    # A name may look like an index, and so may a layer: DXF's first one is "0".
+    # Names and layers may look like an index: the first layer of DXF is "0".
     is_index = not layer and choice.isascii() and choice.isdigit() and len(choice) < 10
     index = int(choice) if is_index else -1
     if len(named) != 1 and 0 <= index < len(candidates):
@@ -98,7 +91,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
 
 def _shortest(candidates: Sequence[Candidate], index: int) -> str:
-    """Return the name, the layer or else the index that distinguishes a candidate."""
+    """Return the name, the layer or else the index that identifies a candidate."""
     one = candidates[index]
     for word in (one.name, one.layer):
         if word and [c for c in candidates if word in (c.name, c.layer) and not c.fault] == [one]:

@@ -1,7 +1,4 @@
-"""A reader and writer of CSV with one vertex per row, in columns x, y and perhaps name and ring.
-
-The reader also accepts one polygon per row, in a column of WKT, as other programs write it.
-"""
+"""Reader and writer of CSV: a vertex, a rectangle or a polygon as WKT per row."""
 
 from __future__ import annotations
 
@@ -26,7 +23,7 @@ _NAMES = ("name", "id", "part", "polygon")
 _WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")
 _SIZES = (("width", "height"), ("w", "h"), ("lx", "ly"))
 _COLUMNS = {"x", "y", "ring", *_NAMES, *_WKT, *(one for pair in _SIZES for one in pair)}
-# With these, x and y are no vertices of a polygon.
+# With these columns, x and y are positions of parts.
 _PLACING = {"angle", "deg", "degrees", "rad", "radians", "rotation", "rot", "theta", "turn"}
 _PLACING |= {"r", "radius", "diameter", "d", "rx", "ry"}
 _NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.,0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
@@ -37,7 +34,7 @@ _RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
-    """Decide whether a text begins with two numbers, or with a header of x and y, or of WKT.
+    """Whether a text begins with two numbers, or with a header of x and y, or of WKT.
 
     >>> is_csv("1.5,2"), is_csv("name;X;Y"), is_csv("WKT,id"), is_csv("POLYGON ((0 0")
     (True, True, True, False)
@@ -58,31 +55,28 @@ def _head(text: str) -> set[str]:
 
 
 def parse_csv(text: str) -> list[Candidate]:
-    r"""Find the polygons of a table of vertices.
+    r"""Find the polygons of a table.
 
     Args:
-        text: one vertex per row, in columns x and y, or in the first two if there is no header. A
-            column "name", "id" or "part" names the polygon. A column "polygon" distinguishes
-            polygons of the same name. A column "ring" has one value for the exterior, which comes
-            first, and one for each hole. Or one polygon per row, in a column "wkt" or "geometry";
-            or one rectangle, with columns "width" and "height", "w" and "h", or "lx" and "ly".
-            Commas, semicolons or tabs separate columns. Numbers are decimals with a point; between
-            semicolons or tabs also with a comma.
+        text: one vertex per row, in columns x and y, or in the first two without a header. A column
+            "name", "id" or "part" names the polygon, "polygon" distinguishes polygons of one name,
+            "ring" has one value for the exterior, which comes first, and one for each hole. Or one
+            polygon per row in a column "wkt" or "geometry", or one rectangle with columns "width"
+            and
+            "height", "w" and "h", or "lx" and "ly". Commas, semicolons or tabs separate columns;
+            between the latter two, decimals may have a comma.
 
     Returns:
         list of Candidate, in order; a ring may be closed or not.
 
     Raises:
-        FormatError: a row is too short, with its line; or a column is repeated.
-
-    Cost: linear.
+        FormatError: a short row, or a repeated column.
 
     Example:
         >>> [(c.name, len(c.vertices())) for c in parse_csv("name,x,y\na,0,0\na,1,0\na,0,1\n")]
         [('a', 3)]
     """
-    # 131,072 characters, the limit of Python's reader, are fewer than a number may have. The limit
-    # is one for all threads.
+    # A number may exceed Python's limit of 131,072 characters, which is global.
     with _limit_held:
         before = csv.field_size_limit()
         csv.field_size_limit(max(before, len(text)))
@@ -134,7 +128,6 @@ def _parse(text: str) -> list[Candidate]:
             numbers = partial(_read_box, line, [cell.replace(",", point) for cell in cells])
             written.append(Candidate(f"line {line}", numbers, name or None))
             continue
-        # Each polygon has at least three vertices.
         require_count(len(polygons), 3 * VERTEX, "polygons")
         polygon, ring = (row[k] if k < len(row) else "" for k in others)
         x, y = (cell.replace(",", point) for cell in cells)
@@ -157,7 +150,6 @@ def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:
 
 
 def _read_box(line: int, cells: Sequence[str]) -> list[Point]:
-    """Read the lower left corner of a rectangle, and its sides."""
     with name_refusals(f"line {line}", FormatError):
         x, y, width, height = (read_decimal(cell.strip()) for cell in cells)
     u, v = x + width, y + height

@@ -21,13 +21,7 @@ _PARTS = re.compile(r"(-?)\+?([0-9.]*)(.*)")
 
 
 def read_decimal(text: str) -> Fraction:
-    """Read a decimal as WKT, SVG and DXF have them.
-
-    Args:
-        text: `-1.5e3`, and `+1`, `.5`, `5.` and `007` as well.
-
-    Returns:
-        The number, exactly.
+    """Read a decimal as WKT, SVG and DXF have them: `-1.5e3`, `+1`, `.5`, `5.`, `007`.
 
     Raises:
         FormatError: anything else.
@@ -41,7 +35,7 @@ def read_decimal(text: str) -> Fraction:
         if "/" not in text:
             return to_fraction(text)
     except NumberError:
-        # Not as JSON has it, or too long, which the second attempt reports.
+        # Not as in JSON, or too long, which the second attempt reports.
         pass
     if not _DECIMAL.fullmatch(text):
         raise FormatError(f"{quote(text)} is not a decimal number")
@@ -74,23 +68,15 @@ def read_points(text: str) -> list[Point]:
 
 
 def count_decimals(text: str) -> int:
-    """Count the numbers that `read_decimals` would read, without keeping them."""
+    """Count the numbers that `read_decimals` reads, without keeping them."""
     return sum(1 for _ in _DECIMAL.finditer(text))
 
 
 def format_decimal(value: Fraction) -> str:
-    """Write a number as a decimal, exactly.
-
-    Args:
-        value: a finite decimal, of any number of digits.
-
-    Returns:
-        Digits, with a point and decimals if there are any.
+    """Write a number as an exact decimal.
 
     Raises:
         FormatError: not a finite decimal, such as 1/3.
-
-    Cost: that of a product of its length.
 
     Example:
         >>> format_decimal(Fraction(-7, 2)), format_decimal(Fraction(1, 1024))
@@ -100,7 +86,7 @@ def format_decimal(value: Fraction) -> str:
         return format_fraction(value)
     twos = (value.denominator & -value.denominator).bit_length() - 1
     rest = value.denominator >> twos
-    # Of as many bits there is one power of five at most.
+    # At most one power of five has this number of bits.
     fives = ceil((rest.bit_length() - 1) / log2(5))
     if 5**fives != rest:
         raise FormatError(f"{abridge(value)} is not a finite decimal")

@@ -1,4 +1,4 @@
-"""Outlines of drawings inside others: polygons, holes, polygons in holes, and so on by depth.
+"""Nesting of outlines: polygons, holes in them, polygons in holes, and so on.
 
 Outlines may cross, as those of parts that overlap. Then only an outline inside two that cross is
 ambiguous.
@@ -25,11 +25,10 @@ class Nested(NamedTuple):
     """Outlines after nesting.
 
     Attributes:
-        outlines: one Candidate for each ring inside an even number of others, in order. Its holes
-            are the rings just inside. Outlines that are not simple polygons stay apart.
+        outlines: one Candidate for each ring inside an even number of others, in order, with the
+            rings just inside as holes. Outlines that are not simple polygons stay apart.
         holes: pairs of an outline that became a hole and the outline around it.
-        ambiguous: pairs of an outline and two outlines around it that cross. It is not among the
-            `outlines`.
+        ambiguous: pairs of an outline and two crossing outlines around it, not among `outlines`.
     """
 
     outlines: list[Candidate]
@@ -40,13 +39,8 @@ class Nested(NamedTuple):
 def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
     """Turn outlines inside others into holes, by depth.
 
-    Args:
-        outlines: the outlines of a file.
-
-    Returns:
-        list of Candidate, as `Nested.outlines`. An outline that two crossing outlines contain
-        refuses. If one outline is not a simple polygon, all refuse, because the holes are unknown.
-        Ornaments stay apart.
+    An outline inside two crossing ones is rejected. If one outline is not a simple polygon, all
+    are, because the holes are unknown. Ornaments stay apart.
 
     Cost: that of `nest_outlines`.
 
@@ -92,13 +86,13 @@ def separate_holes(outline: Candidate) -> tuple[Region, list[Region]]:
 
 
 def tell_ambiguity(outline: Candidate, around: Sequence[Candidate]) -> str:
-    """Say which outlines cross around another one."""
+    """Describe an outline inside two crossing ones."""
     one, other = (tell_place(ring) for ring in around)
     return f"{tell_place(outline)} is inside {one} and inside {other}, which cross"
 
 
 def tell_place(outline: Candidate) -> str:
-    """Return the place of an outline and its name or layer, for messages."""
+    """Return the place of an outline with its name or layer, for messages."""
     if outline.name and quote(outline.name) not in outline.place:
         return f"{outline.place or 'outline'} {quote(outline.name)}"
     return outline.place or "the exterior"
@@ -107,15 +101,12 @@ def tell_place(outline: Candidate) -> str:
 def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
     """Turn outlines inside others into holes; outlines may cross.
 
-    An outline inside an odd number of others is a hole of the innermost one, and one inside an
-    even number is a polygon. Of equal outlines inside the same polygon the first is a hole, and the
-    others are polygons in it; other equal outlines are polygons on top of each other.
+    An outline inside an odd number of others is a hole of the innermost one, one inside an even
+    number a polygon. Of equal outlines inside the same polygon the first is a hole, and the others
+    are polygons in it; other equal outlines are polygons on top of each other.
 
     Args:
         outlines: those of a file, without ornaments. An outline keeps its own holes.
-
-    Returns:
-        Nested.
 
     Cost: O(m n) at worst for each pair of rings of m and n vertices of which one box is inside the
         other.
@@ -175,7 +166,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
 
 
 class _OwnedRing(NamedTuple):
-    """A ring of an outline: the number of the outline, its polygon, and its own exterior."""
+    """A ring of an outline: the number of the outline, the polygon, and its own exterior."""
 
     number: int
     outline: Candidate
@@ -196,7 +187,6 @@ def _join(rings: Sequence[_OwnedRing], exterior: int, holes: Sequence[int]) -> C
 def _find_finer(
     outline: Candidate, holes: Sequence[Candidate], tolerance: Fraction
 ) -> Candidate | None:
-    """Find an outline and its holes with finer lines."""
     found = []
     for one in (outline, *holes):
         finer = one.finer(tolerance) if one.finer else None if one.error else one
@@ -216,14 +206,14 @@ def _find_polygon(ring: Candidate) -> Polygon | None:
 
 
 class _Nesting:
-    """Rings by what is around them.
+    """Rings by the rings around them.
 
     Args:
-        rings: Polygons; None takes no part.
+        rings: Polygons, or None.
 
     Attributes:
         parents: for each ring the innermost ring around it, or None.
-        crossings: two rings that cross, for each ring inside both.
+        crossings: two crossing rings, for each ring inside both.
     """
 
     def __init__(self, rings: Sequence[Polygon | None]) -> None:
@@ -235,15 +225,15 @@ class _Nesting:
         self._boxes = {k: box for k, _, box in sound}
         # Of equal rings the first one stands for all.
         self._first = {k: k for k in self._sizes}
-        # The larger rings whose boxes meet the box of a ring and that are not around it.
+        # Larger rings whose boxes meet that of a ring, but that are not around it.
         self._rivals: dict[int, list[int]] = {}
         self._active: list[tuple[Fraction, int]] = []
-        # From left to right, so that what is around a ring comes before it.
+        # From left to right, so that a ring comes after those around it.
         for k, _, box in sorted(sound, key=lambda one: (one[2][0].x, -one[1].area, one[0])):
             self._add(k, box[0].x)
 
     def _add(self, k: int, left: Fraction) -> None:
-        """Find the rings around one, the smallest first; those that end left of it are past."""
+        """Find the rings around one, the smallest first; drop those that end left of it."""
         active, size = self._active, self._sizes[k]
         place = bisect_left(active, (size[0], -1))
         rivals, parent = [], None
@@ -296,6 +286,6 @@ class _Nesting:
 
 
 def is_within(inner: Polygon, outer: Polygon) -> bool:
-    """Decide whether a polygon lies inside another one, whose boundary it may touch."""
+    """Whether a polygon lies inside another one, whose boundary it may touch."""
     _, (around, within) = common_lattice([outer, inner])
     return contains([around], [within])

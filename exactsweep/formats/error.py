@@ -1,4 +1,4 @@
-"""The refusal of a text or file."""
+"""Errors of readers and writers."""
 
 from exactsweep.numbers.error import ExactSweepError
 
@@ -8,4 +8,4 @@ class FormatError(ExactSweepError):
 
 
 class OrnamentError(FormatError):
-    """An element that draws no outline and no part of one, so that nothing is lost without it."""
+    """An element that cannot be part of an outline, so that nothing is lost without it."""

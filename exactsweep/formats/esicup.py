@@ -1,4 +1,4 @@
-"""XML of ESICUP's nesting instances (the schema `nesting`): boards and pieces, as polygons."""
+"""Reader of ESICUP's XML of nesting instances: boards and pieces."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def is_esicup(root: Element) -> bool:
-    """Decide whether an XML document is an instance of ESICUP."""
+    """Whether an XML document is an instance of ESICUP."""
     return _find_kind(root) == "nesting"
 
 

@@ -1,4 +1,4 @@
-"""A reader of JSON whose numbers are decimals or fractions and never become floats."""
+"""Reader of JSON whose numbers never become floats."""
 
 import json
 from collections.abc import Callable
@@ -17,16 +17,8 @@ from exactsweep.numbers.number import Point, to_fraction
 def parse_json(text: str) -> object:
     """Parse JSON, and keep all numbers, NaN and Infinity included, as text.
 
-    Args:
-        text: a JSON document.
-
-    Returns:
-        dict, list, str (strings and numbers), bool or None.
-
     Raises:
-        FormatError: not JSON, nested too deeply, a name twice in one object, or too large.
-
-    Cost: linear in the length of the text.
+        FormatError: not JSON, nested too deeply, a duplicate key, or too large.
 
     Example:
         >>> parse_json('[0.10, 1e400, "1/3"]')
@@ -36,18 +28,10 @@ def parse_json(text: str) -> object:
 
 
 def parse_certificate(text: str) -> object:
-    """Parse JSON with integers as ints, which a certificate uses for indices.
-
-    Args:
-        text: a JSON document.
-
-    Returns:
-        An argument for `exactsweep.check.verify`, of any content.
+    """Parse a certificate: JSON whose integers are indices, and become ints.
 
     Raises:
         FormatError: as by `parse_json`, and integers too long for Python to read.
-
-    Cost: linear in the length of the text.
 
     Example:
         >>> parse_certificate('[0, "1/3"]')
@@ -61,15 +45,7 @@ def read_vertices(value: object, path: str) -> list[Point]:
 
     Args:
         value: a part of the result of `parse_json`.
-        path: the JSON path of the value, for messages.
-
-    Returns:
-        list of Point, in the same order.
-
-    Raises:
-        FormatError: anything else; the message starts with the JSON path of the error.
-
-    Cost: linear.
+        path: its JSON path, with which messages start.
 
     Example:
         >>> read_vertices(parse_json("[[0.5, 2]]"), "$")
@@ -97,12 +73,9 @@ def count_vertices(text: str) -> int:
 
 
 def measure_file(path: str) -> int:
-    """Count the size of a file with one JSON document per line, for the limit of its reader.
+    """Return `parsing.measure_written` of a file with one JSON document per line.
 
-    Returns:
-        The result of `parsing.measure_written` for its text. The function holds one line at a time.
-
-    Cost: linear.
+    Holds one line at a time.
     """
     vertices = numbers = 0
     with Path(path).open(encoding="utf-8") as lines:
@@ -139,7 +112,7 @@ def _parse(text: str, number: Callable[[str], object] | None) -> object:
 def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     found: dict[str, object] = {}
     for name, value in pairs:
-        # JSON does not define which of the two is valid; programs differ.
+        # JSON does not define which of the two counts.
         if name in found:
             raise FormatError(f"duplicate key {quote(name)}")
         found[name] = value
@@ -147,7 +120,7 @@ def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
 
 
 def read_point(pair: object, path: str) -> Point:
-    """Read a pair of numbers, or an object of "x" and "y", as `read_vertices` does."""
+    """Read a pair of numbers, or an object of "x" and "y"."""
     for names in (("x", "y"), ("X", "Y")):
         if isinstance(pair, dict) and pair.keys() == set(names):
             return Point(*(read_number(pair[name], f"{path}.{name}") for name in names))
@@ -168,16 +141,13 @@ def read_number(value: object, path: str) -> Fraction:
 
 @tells_arguments
 def read_certificate(path: str) -> object:
-    """Read a certificate from a file, or from standard input, as `parse_certificate` does.
+    """Read a certificate for `exactsweep.check.verify` from a file.
 
     Args:
         path: a path, or "-" for standard input.
 
-    Returns:
-        An argument for `exactsweep.check.verify`, of any content.
-
     Raises:
-        FormatError: the file cannot be read, or is not JSON; the message names the file.
+        FormatError: an unreadable file, or not JSON; the message names the file.
 
     Example:
         >>> certificate = read_certificate("proof.json")  # doctest: +SKIP
@@ -192,14 +162,11 @@ def quote_fraction(value: Fraction) -> str:
 
 
 def write_json(value: object, number: Callable[[Fraction], str] = quote_fraction) -> str:
-    """Write plain data and Fractions as JSON.
+    """Write plain data and Fractions as JSON on one line.
 
     Args:
         value: dict, list, tuple, str, int, bool, None, Fraction, or a Polygon, as its vertices.
         number: a function that writes a Fraction; by default as an exact string.
-
-    Returns:
-        JSON, on one line.
 
     Example:
         >>> write_json({"a": [Fraction(1, 3), 2]})

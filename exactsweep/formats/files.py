@@ -20,24 +20,17 @@ _MOST_SHOWN = 400
 
 @tells_arguments
 def read_text(path: str) -> str:
-    """Read a whole file, or standard input.
-
-    Args:
-        path: a path, or "-" for standard input.
-
-    Returns:
-        The text, without a byte order mark.
+    """Read a whole file, or standard input for "-", without a byte order mark.
 
     Raises:
-        FormatError: the file is not readable, has more bytes than `limits` allow, or is neither
-            UTF-8 nor DXF.
+        FormatError: unreadable, larger than `limits` allow, or neither UTF-8 nor DXF.
     """
     if not isinstance(path, str):
         # `open` would interpret a number as an open file.
         raise FormatError(f"{quote(path)} is not a path")
     try:
         with _open(path) as file:
-            # One byte too many is enough to know, even of a device without end.
+            # One byte above the limit is enough, even of an endless device.
             data = file.read(get_max_bytes() + 1)
     except OSError as error:
         raise FormatError(error.strerror or str(error)) from None
@@ -52,7 +45,7 @@ def read_text(path: str) -> str:
         from exactsweep.formats.plain import require_known
 
         require_known(data[:80].decode("latin-1"))
-        # Older DXF has the code page of its author, which affects names of layers only.
+        # Older DXF has a code page, which affects names of layers only.
         latin = data.decode("latin-1")
         if DXF_SIGN.match(latin):
             return latin
@@ -60,7 +53,7 @@ def read_text(path: str) -> str:
 
 
 def decode_text(data: bytes) -> str:
-    """Decode UTF-8, whether it has a byte order mark or not; raises FormatError."""
+    """Decode UTF-8, with or without a byte order mark; raises FormatError."""
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -71,7 +64,7 @@ def decode_text(data: bytes) -> str:
 
 @tells_arguments
 def show_path(path: str) -> str:
-    """Write a path for a message, always on one line; of a very long one, both ends.
+    """Write a path for a message on one line; of a very long one, both ends.
 
     >>> show_path("-"), show_path(f"two{chr(10)}lines") == ascii(f"two{chr(10)}lines")
     ('standard input', True)
@@ -98,18 +91,14 @@ def _open(path: str) -> Iterator[BinaryIO]:
 
 @contextmanager
 def open_bytes(path: str) -> Iterator[BinaryIO]:
-    """Open a file, or standard input, to be read in bytes.
-
-    Raises:
-        FormatError: it cannot be opened or read; the message names it.
-    """
+    """Open a file, or standard input, in binary mode; FormatErrors name it."""
     with name_failures(path), _open(path) as file:
         yield file
 
 
 @contextmanager
 def name_failures(path: str, refusal: type[ExactSweepError] = FormatError) -> Iterator[None]:
-    """Turn a failure of the system inside a `with` block into a refusal that names the file."""
+    """Turn an OSError inside a `with` block into an error that names the file."""
     try:
         yield
     except OSError as error:
@@ -117,7 +106,7 @@ def name_failures(path: str, refusal: type[ExactSweepError] = FormatError) -> It
 
 
 def split_lines(file: BinaryIO) -> Iterator[bytes]:
-    """Yield the lines of a file; of one with more bytes than `limits` allow, one byte too many."""
+    """Yield the lines of a file; cut one that exceeds the limit a byte above it."""
     most = get_max_bytes()
     while line := file.readline(most + 1):
         yield line

@@ -1,4 +1,4 @@
-"""The polygons of files, folders and patterns of file names, with names and omissions."""
+"""Polygons of files, folders and patterns of file names, with names and omissions."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class ListedPart(NamedTuple):
     """A possible polygon among several.
 
     Attributes:
-        name: its name among all of them; another polygon may have the same.
+        name: its name, not necessarily unique.
         file: the name of the file in messages.
         candidate: the Candidate.
     """
@@ -42,8 +42,8 @@ class Listing(NamedTuple):
     Attributes:
         files: the number of files.
         parts: list of ListedPart.
-        left_out: the omitted elements, a line each with the file and the reason.
-        notes: further remarks, a line each.
+        left_out: the omitted elements, each with its file and the reason.
+        notes: further remarks.
         coordinates: the direction of Y and the unit.
     """
 
@@ -59,14 +59,14 @@ def find_files(path: str) -> list[str]:
 
     Args:
         path: a file, "-", a folder, or a pattern such as `parts/*.dxf`; `**` matches any folders.
-            A file of that name has priority over a pattern.
+            An existing file has priority over a pattern.
 
     Returns:
-        For a folder, the files in it and below with a suffix of ENDINGS, without hidden files, by
-        name. For a pattern, the matching files, by name. Otherwise the path itself.
+        For a folder, the files in it and below with a suffix of ENDINGS, without hidden ones; for a
+        pattern, the matching files; both sorted. Otherwise the path itself.
 
     Raises:
-        FormatError: the folder has no such files, or no file matches the pattern.
+        FormatError: no such files.
 
     Example:
         >>> find_files("part.json"), find_files("-")
@@ -98,19 +98,17 @@ def list_parts(
     """Find the polygons of files, folders and patterns, and name them.
 
     Args:
-        paths: each as for `find_files`, perhaps with "#" and a choice after it, as for
-            `read_polygons`; the choice applies to each of the files.
+        paths: each as for `find_files`, perhaps with "#" and a choice that applies to each file.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
 
     Returns:
-        A Listing. The name of a polygon is its id, or its layer, or the name of the file if it is
-        the only polygon, or its index. With several files, the name of the file comes first, as in
-        "left.dxf#cut", without the given folder. If Y points down in some files and up in others,
-        it is turned up in all, and a note says so.
+        A Listing. The name of a polygon is its id, its layer, the name of the file if it is the
+        only one, or its index; with several files after that of the file, as in "left.dxf#cut". If
+        Y points down in some files and up in others, it is flipped in the former, with a note.
 
     Raises:
-        FormatError: no file exists, or none can be read.
+        FormatError: no file can be read.
     """
     files = [found for path in paths for found in _split_files(path)]
     parts: list[ListedPart] = []
@@ -145,13 +143,13 @@ _Turned = TypeVar("_Turned", Candidate, NamedRegion)
 
 
 def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordinates, list[str]]:
-    """Turn Y up in some files if it points up in others.
+    """Flip the Y axis of files in which it points down if it points up in others.
 
     Args:
-        files: the name of each file, and its polygons, which are turned in place.
+        files: the name of each file, and its polygons, which are flipped in place.
 
     Returns:
-        The coordinates of all files, without a unit if they have several; and remarks.
+        The coordinates of all files, without a unit if they have several; and notes.
     """
     systems = {found.coordinates for _, found in files}
     notes = []
@@ -168,7 +166,6 @@ def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordi
 
 
 def _split_files(path: str) -> Iterator[tuple[str, str]]:
-    """Find the files of a path with a choice, and name each."""
     file, choice = split_choice(path)
     ending = "" if choice is None else f"#{choice}"
     for found in find_files(file):

@@ -1,4 +1,4 @@
-"""A reader of GeoJSON (RFC 7946): Polygons with their holes, at any depth of a document."""
+"""Reader of GeoJSON (RFC 7946): Polygons with their holes, at any depth of a document."""
 
 from __future__ import annotations
 
@@ -24,18 +24,15 @@ def read_geojson(
     Args:
         document: an object with a "type", as `parse_json` returns it.
         path: its JSON path, for messages.
-        notes: collects notes of ignored parts.
+        notes: collects notes of ignored third coordinates.
 
     Returns:
-        list with a Candidate for each Polygon, named by the id of its Feature. Candidates of other
-        geometries refuse, and so do those of Polygons with an open ring. Third coordinates, which
-        are heights, are ignored.
+        A Candidate for each Polygon, named by the id of its Feature; those of other geometries and
+        of open rings raise.
 
     Raises:
-        FormatError: an id is neither a string nor a number, a collection has no list, or the
-            document is nested too deeply; the message starts with the JSON path.
-
-    Cost: linear.
+        FormatError: an invalid id, a collection without a list, or too deep nesting; the message
+            starts with the JSON path.
 
     Example:
         >>> ring = [["0", "0"], ["1", "0"], ["0", "1"], ["0", "0"]]
@@ -73,7 +70,6 @@ def _read(
 
 
 def _outline(node: JsonNode, name: str | None, notes: dict[str, None]) -> Candidate:
-    """Make the outline of the rings of a Polygon."""
     try:
         rings = [*node.each("a list of rings")]
         level = [JsonNode(_drop_heights(ring.entries(_VERTICES)), ring.path) for ring in rings]

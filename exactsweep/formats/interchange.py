@@ -41,8 +41,7 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
 
     Raises:
         FormatError: another geometry.
-        PolygonError: not simple, or not a region.
-        NumberError: nan or an infinity.
+        PolygonError, NumberError: as by `Region`.
 
     Example:
         >>> import shapely
@@ -67,10 +66,10 @@ def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[Named
             whose index names the parts.
 
     Returns:
-        PartList, a list of NamedRegion, in order; `left_out` lists elements that are not polygons.
+        A PartList of NamedRegion, in order; `left_out` lists elements that are not polygons.
 
     Raises:
-        FormatError: nothing can be read.
+        FormatError: no readable polygon.
 
     Example:
         >>> import shapely
@@ -101,17 +100,14 @@ def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str 
 
 @tells_arguments
 def from_wkt(text: str) -> AnyPolygon:
-    """Read a polygon of WKT exactly.
-
-    Args:
-        text: one POLYGON, or a MULTIPOLYGON of one.
+    """Read one POLYGON of WKT exactly, or a MULTIPOLYGON of one.
 
     Returns:
         A Polygon, or a Region if there are inner rings.
 
     Raises:
-        FormatError: not WKT, or several polygons; for these there is `parse_regions`.
-        PolygonError: not simple, or not a region.
+        FormatError: not WKT, or several polygons, which `parse_regions` reads.
+        PolygonError: not a region.
 
     Example:
         >>> print(from_wkt("POLYGON ((0 0, 0.1 0, 0 1, 0 0))"))
@@ -127,12 +123,11 @@ def to_shapely(shape: HasGeoInterface, *, nearest: bool = False) -> shapely.Geom
     Args:
         shape: a Polygon, a Region, a Polyline, or an answer: a Sweep (its area), a NoFitPolygon, an
             InnerFit, or a Layout (its placed parts).
-        nearest: whether to round a coordinate that is not a float to the nearest float. This may
-            change a polygon, even to one that crosses itself.
+        nearest: whether to round other numbers to the nearest float, which may make edges cross.
 
     Returns:
-        A shapely Polygon, its holes as interiors; for an InnerFit a MultiPolygon; for an answer
-        with exact fits and for a Layout a GeometryCollection; for a Polyline a LineString or Point.
+        A shapely Polygon; for an InnerFit a MultiPolygon; for an answer with exact fits and for a
+        Layout a GeometryCollection; for a Polyline a LineString or Point.
 
     Raises:
         FormatError: a coordinate is not a float, unless `nearest`; or it is beyond all floats.
@@ -145,10 +140,10 @@ def to_shapely(shape: HasGeoInterface, *, nearest: bool = False) -> shapely.Geom
         import shapely.geometry
 
     if not isinstance(shape, (Polygon, Region)):
-        told = getattr(shape, "__geo_interface__", None)
-        if told is None:
+        described = getattr(shape, "__geo_interface__", None)
+        if described is None:
             raise FormatError(f"{quote(shape)} is neither a shape nor an answer")
-        return shapely.geometry.shape(_to_floats(told, nearest))
+        return shapely.geometry.shape(_to_floats(described, nearest))
     shell, *holes = shape.rings
     rows = _floats(shell, nearest)
     inner = [_floats(hole, nearest, f"hole {k}, ") for k, hole in enumerate(holes)]
@@ -169,14 +164,10 @@ def _to_floats(node: Any, nearest: bool) -> Any:
 
 @tells_arguments
 def from_numpy(array: numpy.ndarray) -> Polygon:
-    """Read a polygon from an array with a row for each vertex.
+    """Read a polygon from an array of shape (n, 2).
 
     Args:
-        array: an array of shape (n, 2) of ints, floats with their exact binary values, or objects
-            that `to_fraction` reads.
-
-    Returns:
-        A Polygon.
+        array: of ints, floats with their exact binary values, or objects that `to_fraction` reads.
 
     Raises:
         FormatError: another shape.
@@ -194,18 +185,15 @@ def from_numpy(array: numpy.ndarray) -> Polygon:
 
 @tells_arguments
 def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) -> numpy.ndarray:
-    """Make an array with a row for each vertex.
+    """Make an array of shape (n, 2) of the vertices.
 
     Args:
         polygon: a Polygon.
         dtype: "object" for Fractions, "int64" or "float64".
         nearest: as for `to_shapely`; for "float64" only.
 
-    Returns:
-        An array of shape (n, 2).
-
     Raises:
-        FormatError: another dtype; a coordinate that the dtype cannot hold.
+        FormatError: another dtype, or a coordinate that it cannot hold.
 
     Example:
         >>> to_numpy(Polygon([(0, 0), (1, 0), (0, "1/2")]), "float64").tolist()

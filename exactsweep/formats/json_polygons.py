@@ -22,16 +22,15 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
         document: a list of vertices, or of such lists; an object with a list of vertices as
             "vertices", "points" or "polygon", or as "exterior" and with a list of these as "holes";
             an object whose "polygons" is a list of all these; or a result, with "trajectory",
-            "inner", "outer" and "unswept", or with "regions". "id" in an object is the name,
-            "error" the bound on the distance between its rings and the curves that they stand for.
+            "inner", "outer" and "unswept", or with "regions". "id" is the name, "error" the bound
+            on the distance between the rings and the curves that they replace.
         path: where the document is, for messages.
 
     Returns:
-        list of Candidate.
+        list of Candidate, which read the vertices.
 
     Raises:
-        FormatError: anything else; the message starts with the JSON path. The vertices are looked
-            at by the Candidates.
+        FormatError: anything else; the message starts with the JSON path.
 
     Example:
         >>> [found.name for found in read_exact({"polygons": [{"id": "a", "vertices": []}]})]
@@ -59,7 +58,7 @@ def _is_list_of_rings(value: object) -> bool:
 
 
 def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candidate]:
-    """Find the loops of a result, which are named by what they are, after the pair's names."""
+    """Find the loops of a result, each named by its kind after the names of the pair."""
     found: list[Candidate] = []
     for member in _LOOPS:
         if member not in document:
@@ -79,7 +78,7 @@ def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candida
 
 
 def read_record_name(document: Mapping[str, object]) -> str | None:
-    """Return what a record is called: its id, or the names of its pair, or its index; or None."""
+    """Return the id of a record, the names of its pair, its index, or None."""
     for members in (("id",), ("generatrix", "directrix"), ("index",)):
         values = [document.get(member) for member in members]
         if all(isinstance(value, str) for value in values):

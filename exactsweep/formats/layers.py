@@ -13,11 +13,7 @@ from exactsweep.words import count, suggest
 
 
 def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Candidate]:
-    """Keep the outlines on the layers that a reading wants, and note how many it leaves out.
-
-    Args:
-        outlines: those of a file.
-        reading: has the names of layers, which are compared without case.
+    """Keep the outlines on the layers that a reading asks for, and note the number of others.
 
     Raises:
         FormatError: the file has no layer of a given name.
@@ -36,7 +32,7 @@ def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Can
     left = Counter(one.layer for one in outlines if _fold(one) not in wanted)
     for layer, number in left.items():
         place = "on no layer" if layer is None else f"on the layer {quote(layer)}"
-        reading.notes[f"left out: {count(number, 'shape')} {place}"] = None
+        reading.notes[f"skipped: {count(number, 'shape')} {place}"] = None
     return found
 
 

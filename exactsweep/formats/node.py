@@ -1,4 +1,4 @@
-"""A place in a JSON document, which refuses with its path to be read as what it is not."""
+"""Nodes of a JSON document, whose errors name their JSON path."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ Data = dict[str, Any]
 
 
 class JsonNode(NamedTuple):
-    """A value that `parse_json` returned, and the JSON path to it."""
+    """A value of `parse_json` with its JSON path."""
 
     value: object
     path: str = "$"
 
     def has(self, name: str) -> bool:
-        """Decide whether this is an object with such a member; null counts as none."""
+        """Whether this is an object with such a member that is not null."""
         return isinstance(self.value, Mapping) and self.value.get(name) is not None
 
     def __truediv__(self, name: str) -> JsonNode:
-        """Return a member that has to be there."""
+        """Return a required member."""
         if not isinstance(self.value, Mapping):
             self.refuse(f"{describe_kind(self.value)}, not an object")
         if name not in self.value:
@@ -34,11 +34,11 @@ class JsonNode(NamedTuple):
         return JsonNode(self.value[name], f"{self.path}.{name}")
 
     def either(self, name: str) -> JsonNode:
-        """Return a member if it is there, else this itself."""
+        """Return a member if there is one, else this."""
         return self / name if self.has(name) else self
 
     def get(self, name: str, default: object) -> JsonNode:
-        """Return a member, or what stands for it."""
+        """Return a member, or a default."""
         return self / name if self.has(name) else JsonNode(default, f"{self.path}.{name}")
 
     def entries(self, what: str = "a list") -> list[Any]:
@@ -54,44 +54,44 @@ class JsonNode(NamedTuple):
 
     @property
     def fraction(self) -> Fraction:
-        """The number that this is."""
+        """The value as a number."""
         return read_number(self.value, self.path)
 
     @property
     def number(self) -> str:
-        """The number that this is, as it is written."""
+        """The value as the text of a number."""
         read_number(self.value, self.path)
         return str(self.value)
 
     @property
     def whole(self) -> int:
-        """The whole number that this is."""
+        """The value as an int."""
         if self.fraction.denominator != 1:
             self.refuse(f"{quote(self.value)}, not a whole number")
         return int(self.fraction)
 
     @property
     def text(self) -> str:
-        """The string that this is."""
+        """The value as a string."""
         if not isinstance(self.value, str):
             self.refuse(f"{describe_kind(self.value)}, not a string")
         return self.value
 
     @property
     def name(self) -> str:
-        """The name that this is; numbers are names, too, which `parse_json` leaves as text."""
+        """The value as a name, a string or a number."""
         if not isinstance(self.value, str):
             self.refuse(f"{describe_kind(self.value)}, not a string or a number")
         return self.value
 
     @property
     def id(self) -> str | None:
-        """The name that this is; None if it is null."""
+        """The value as a name; None for null."""
         return None if self.value is None else self.name
 
     @property
     def pair(self) -> list[str]:
-        """The two numbers of a list, as they are written."""
+        """The two numbers of a list, as texts."""
         numbers = [entry.number for entry in self.each()]
         if len(numbers) != 2:
             raise FormatError(f"{self.path} has {len(numbers)} coordinates, not 2")
@@ -104,24 +104,24 @@ class JsonNode(NamedTuple):
 
     @property
     def is_true(self) -> bool:
-        """Decide whether this is true, which it may be or not."""
+        """The value as a bool."""
         if not isinstance(self.value, bool):
             self.refuse(f"{describe_kind(self.value)}, not true or false")
         return self.value
 
     def refuse(self, reason: str) -> NoReturn:
-        """Raise FormatError: what this is."""
+        """Raise FormatError with the path and a reason."""
         raise FormatError(f"{self.path} is {reason}")
 
 
 def write_ring(points: Sequence[Point]) -> list[list[str]]:
-    """Write points as Layout JSON has them, without a last one that repeats the first."""
+    """Write points as Layout JSON has them, without a repeated last one."""
     closed = len(points) > 1 and points[0] == points[-1]
     return [[*map(format_fraction, point)] for point in points[: -1 if closed else None]]
 
 
 def write_shape(exterior: list[list[str]], holes: Sequence[list[list[str]]]) -> Data:
-    """Write rings as Layout JSON has them, holes only where there are any."""
+    """Write rings as Layout JSON has them; holes only if there are any."""
     return {"exterior": exterior} | ({"holes": [*holes]} if holes else {})
 
 

@@ -85,15 +85,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
 
 
 def measure_written(text: str) -> int:
-    r"""Count the bytes that a text of `format_polygons` counts for where it is read, or some more.
-
-    Args:
-        text: JSON of any other kind, too.
-
-    Returns:
-        A number of bytes.
-
-    Cost: linear.
+    r"""Bound the size of a text of `format_polygons`, or of JSON, for the limit of its reader.
 
     Example:
         >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")
@@ -108,7 +100,6 @@ def measure_written(text: str) -> int:
 
 
 def _count_vertices(text: str) -> int:
-    """Count the possible vertices of CSV or WKT."""
     return csv.count_vertices(text) if csv.is_csv(text) else text.count(",")
 
 
@@ -152,13 +143,7 @@ def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candi
 def find_candidates(
     document: object, path: str = "$", notes: dict[str, None] | None = None
 ) -> Sequence[Candidate]:
-    """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON.
-
-    Args:
-        document: the document.
-        path: where it is, for messages.
-        notes: collects notes of ignored parts.
-    """
+    """Find the polygons of a document of `parse_json`: exact JSON or GeoJSON."""
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
         found = read_geojson(document, path, notes)
         return found if len(found) > 1 else [one._replace(place="") for one in found]

@@ -1,4 +1,4 @@
-"""The contents of a file: polygons, direction of Y, unit, and the list of omissions."""
+"""The contents of a file: polygons, direction of Y, unit and omissions."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ class PartList(list[_Listed]):
     """Polygons of a file, in order.
 
     Attributes:
-        coordinates: a Coordinates, the meaning of their coordinates.
+        coordinates: the direction of Y and the unit.
         left_out: the reason for each omitted element: hidden, an ornament, or not a polygon.
-        notes: further remarks, one per line.
+        notes: further remarks.
     """
 
     def __init__(
@@ -49,13 +49,13 @@ class PartList(list[_Listed]):
         return PartList(items, self.coordinates, [*self.left_out, *left_out], self.notes)
 
     def read_each(self, read: Callable[[_Listed, Said], Iterable[_Read]]) -> PartList[_Read]:
-        """Read all items, and leave out those that are refused.
+        """Read all items, and omit those that raise.
 
         Args:
-            read: returns what one item is read as; it may add notes and omissions.
+            read: returns the results for one item; it may add notes and omissions.
 
         Raises:
-            ValueError: nothing is left; of the class of the first refusal.
+            ValueError: nothing is left; of the class of the first error.
         """
         found: list[_Read] = []
         said = Said([*self.notes], [*self.left_out])
@@ -73,12 +73,7 @@ class PartList(list[_Listed]):
 
 
 class Said(NamedTuple):
-    """Remarks on the outlines of a file that are read.
-
-    Attributes:
-        notes: remarks.
-        left_out: the reason for each that is omitted.
-    """
+    """Notes on the outlines of a file, and the reasons of omissions."""
 
     notes: list[str]
     left_out: list[str]

@@ -1,4 +1,4 @@
-"""Vertices as people paste them: lines of two numbers, tuples, braces, or a count before them."""
+"""Pasted vertices: lines of two numbers, tuples, braces, or a count before them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _G_CODE = re.compile(r"(?:%\s*|[;(][^\n]*\n\s*)*+(?:N\d+\s*)?[GMO]\d", re.IGNORE
 
 
 def require_known(text: str) -> None:
-    """Refuse formats of no polygons that are known by their first letters.
+    """Reject formats without polygons that the first letters identify.
 
     >>> require_known("G21 G90")
     Traceback (most recent call last):
@@ -43,7 +43,7 @@ def require_known(text: str) -> None:
 
 
 def is_plain(text: str) -> bool:
-    """Decide whether a text consists of numbers, separators and brackets."""
+    """Whether a text consists of numbers, separators and brackets."""
     return bool(_PLAIN.fullmatch(text))
 
 
@@ -58,12 +58,9 @@ def to_json_text(text: str) -> str:
 
 
 def parse_numbers(text: str) -> list[Candidate]:
-    """Find the polygons of lines of two numbers, an empty line between two of them.
+    """Find the polygons of lines of two numbers, separated by empty lines.
 
-    Or of polygons of a count and as many pairs, as CGAL writes them.
-
-    Raises:
-        FormatError: neither of both.
+    Or of polygons as CGAL writes them, each a count and as many pairs.
 
     Example:
         >>> text = chr(10).join(("0 0", "1 0", "0 1"))

@@ -1,4 +1,4 @@
-"""Readers of polygons from text and files; they recognize the format by the content."""
+"""Readers of polygons from text and files; the content decides the format."""
 
 import os
 from collections.abc import Callable
@@ -26,23 +26,17 @@ def parse_polygon(
     tolerance: object = None,
     **options: Unpack[Options],
 ) -> Polygon:
-    """Read a polygon from exact JSON, GeoJSON, WKT, CSV, SVG or DXF.
+    """Read one polygon from JSON, GeoJSON, WKT, CSV, SVG or DXF.
 
     Args:
         text: as for `parse_polygons`.
-        choice: the name, the index or the layer of one polygon, tried in this order; not needed
-            for a single polygon.
-        tolerance: as for `parse_polygons`.
-        options: likewise.
-
-    Returns:
-        A Polygon.
+        choice: the name, index, layer or group of one polygon; None for the only one.
+        tolerance: as for `parse_polygons`, but curves are rejected without it.
+        options: as for `parse_polygons`.
 
     Raises:
         FormatError: as by `parse_polygons`, or the choice is ambiguous.
-        PolygonError: not a simple polygon; the message names vertices by their index.
-
-    Cost: linear in the length of the text, and that of `Polygon`.
+        PolygonError: not a simple polygon; the message names vertices by index.
 
     Example:
         >>> parse_polygon("[[0, 0], [0.5, 0], [0, 1e0]]") == parse_polygon(
@@ -64,26 +58,23 @@ def parse_polygons(
     """Read all polygons of a text.
 
     Args:
-        text: JSON as `exactsweep.formats.json_polygons.read_exact` reads it, or a line of it for
-            each polygon or result; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; CSV with columns x and
-            y; an SVG document; an ASCII DXF file. Numbers are decimals, exactly as they are
-            written; in JSON, strings such as "-7/2" are numbers, too.
-        tolerance: the largest distance between curves of SVG and DXF and the lines that replace
-            them, a positive number as `to_fraction` reads it; None to refuse curves.
-        options: "nested", "join", "unit", "hidden" and "y_down"; see
-            `exactsweep.formats.reading.Options`.
+        text: JSON as for `exactsweep.formats.json_polygons.read_exact`, or one such document per
+            line; GeoJSON, WKT, CSV, SVG or ASCII DXF. Decimals are exact; JSON strings may be
+            fractions.
+        tolerance: the largest distance between a curve and the lines that replace it, a positive
+            number; None for about a thousandth of each outline.
+        options: see `exactsweep.formats.reading.Options`.
 
     Returns:
-        PartList, a list of NamedPolygon, in order. Its `left_out` lists hidden elements, elements
-        that are not polygons, and polygons with holes (`parse_regions` reads those), each with its
-        line and column or JSON path. Its `coordinates` has the direction of Y and the unit.
+        A PartList of NamedPolygon, in order. `left_out` lists hidden elements, rejected elements
+        and polygons with holes, each with its place. `coordinates` has the direction of Y and the
+        unit.
 
     Raises:
-        FormatError: the text has none of these formats, or nothing in it can be read.
-        PolygonError: nothing can be read, and the first element is not a simple polygon; the
-            message names vertices by their index.
+        FormatError: an unknown format, or no readable polygon.
+        PolygonError: no readable polygon, and the first element is not a simple polygon.
 
-    Cost: linear in the length of the text, and that of `Polygon`.
+    Cost: linear in the length of the text, plus that of `Polygon`.
 
     Example:
         >>> a, b = parse_polygons("POLYGON ((0 0, 1 0, 0 1, 0 0)) POLYGON ((0 0, 2 0, 0 2, 0 0))")
@@ -100,22 +91,7 @@ def parse_region(
     tolerance: object = None,
     **options: Unpack[Options],
 ) -> Region:
-    """Read a polygon with its holes.
-
-    Args:
-        text: as for `parse_regions`.
-        choice: as for `parse_polygon`.
-        tolerance: as for `parse_polygons`.
-        options: likewise.
-
-    Returns:
-        A Region, perhaps without holes.
-
-    Raises:
-        FormatError: as by `parse_regions`, or the choice is ambiguous.
-        PolygonError: not a region; the message names rings, and vertices by their index.
-
-    Cost: linear in the length of the text, and that of `Region`.
+    """Read one polygon with its holes; arguments and errors as for `parse_polygon`.
 
     Example:
         >>> parse_region("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1))").area
@@ -131,21 +107,8 @@ def parse_regions(
 ) -> PartList[NamedRegion]:
     """Read all polygons of a text with their holes.
 
-    Args:
-        text: as for `parse_polygons`, and with inner rings: in JSON, an object with a list of
-            vertices as "exterior" and a list of these as "holes"; a path of SVG with several closed
-            subpaths, whose fill rule determines the holes.
-        tolerance: as for `parse_polygons`.
-        options: likewise.
-
-    Returns:
-        PartList, a list of NamedRegion, in order, as by `parse_polygons`, with holes.
-
-    Raises:
-        FormatError, PolygonError: as by `parse_polygons`, holes excepted.
-
-    Cost: linear in the length of the text, and that of `Region`; for paths with several subpaths
-        and with `nested` that of `exactsweep.formats.depth.nest_outlines`.
+    Arguments, results and errors are those of `parse_polygons`. Holes are inner rings, "holes" in
+    JSON, and in SVG subpaths that the fill rule leaves empty.
 
     Example:
         >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'
@@ -159,18 +122,16 @@ def parse_regions(
 def read_polygon(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Polygon:
-    """Read a polygon from a file, or from standard input.
+    """Read one polygon from a file, or from standard input.
 
     Args:
-        path: a path, or "-" for standard input. For a file with several polygons, "#" and the name,
-            the index or the layer of one follow.
-        tolerance: as for `parse_polygons`.
-
-    Returns:
-        A Polygon, as `parse_polygon` does.
+        path: a path, or "-" for standard input, perhaps with "#" and a choice as for
+            `parse_polygon`.
+        tolerance: as for `parse_polygon`.
+        options: as for `parse_polygon`.
 
     Raises:
-        FormatError: anything wrong with the file or in it; the message names the file.
+        FormatError: any error; the message names the file.
     """
     return _read_file(
         path, lambda f, c: _read_one(choose(f, c), Candidate.polygon, tolerance), tolerance, options
@@ -181,19 +142,7 @@ def read_polygon(
 def read_region(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Region:
-    """Read a polygon with its holes from a file, or from standard input.
-
-    Args:
-        path: as for `read_polygon`.
-        tolerance: as for `parse_polygons`.
-        options: likewise.
-
-    Returns:
-        A Region, as `parse_region` does.
-
-    Raises:
-        FormatError: anything wrong with the file or in it; the message names the file.
-    """
+    """Read one polygon with its holes from a file, as `read_polygon` does."""
     return _read_file(
         path, lambda f, c: _read_one(choose(f, c), Candidate.region, tolerance), tolerance, options
     )
@@ -203,17 +152,9 @@ def read_region(
 def read_polygons(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedPolygon]:
-    """Read all polygons of a file, or of standard input.
+    """Read all polygons of a file, or those that the choice after "#" names.
 
-    Args:
-        path: as for `read_polygon`; with a choice, only those that it names.
-        tolerance: as for `parse_polygons`.
-
-    Returns:
-        PartList, a list of NamedPolygon, in order, as by `parse_polygons`.
-
-    Raises:
-        FormatError: nothing can be read; the message names the file.
+    Arguments are those of `read_polygon`, results those of `parse_polygons`.
     """
     return _read_file(
         path, lambda f, c: _select(f, c).read_each(Candidate.named_polygons), tolerance, options
@@ -224,19 +165,7 @@ def read_polygons(
 def read_regions(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedRegion]:
-    """Read all polygons of a file, or of standard input, with their holes.
-
-    Args:
-        path: as for `read_polygon`; with a choice, only those that it names.
-        tolerance: as for `parse_polygons`.
-        options: likewise.
-
-    Returns:
-        PartList, a list of NamedRegion, in order, as by `parse_regions`.
-
-    Raises:
-        FormatError: nothing can be read; the message names the file.
-    """
+    """Read all polygons of a file with their holes, as `read_polygons` does."""
     return _read_file(
         path, lambda f, c: _select(f, c).read_each(Candidate.named_regions), tolerance, options
     )
@@ -265,7 +194,7 @@ def read_choice(
 def _read_one(
     one: Candidate, read: Callable[[Candidate], _OneRead], tolerance: object = None
 ) -> _OneRead:
-    """Read the only polygon of a candidate; a curve only at a tolerance that the caller knows."""
+    """Read the only polygon of a candidate; a curve only if the caller knows its tolerance."""
     if one.error and tolerance is None:
         raise FormatError(
             f"{one.place}: curves need a tolerance, for example 0.01; "
@@ -296,7 +225,6 @@ def _read_file(
     tolerance: object,
     options: Options,
 ) -> _Taken:
-    """Apply a function to the polygons of a file and the choice after its path."""
     file, choice = split_choice(path)
     with name_file(file):
         return take(parse_candidates(read_text(file), tolerance, **options), choice)
@@ -313,12 +241,12 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     places = [k for k, letter in enumerate(path) if letter == "#" and k > 0]
     if not places:
         return path, None
-    # The longest existing file is the one; if no file exists, the message names the shortest.
+    # The longest existing path; if none exists, the shortest, for the message.
     there = (k for k in reversed(places) if path[:k] == "-" or os.path.lexists(path[:k]))
     k = next(there, places[0])
     return path[:k], path[k + 1 :]
 
 
 def name_file(file: str) -> name_refusals:
-    """Begin the message of every refusal inside a `with` block with the name of the file."""
+    """Prefix the errors inside a `with` block with the name of the file."""
     return name_refusals(show_path(file), FormatError)

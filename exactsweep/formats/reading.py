@@ -1,4 +1,4 @@
-"""Settings of reading: the options of a caller, and the most lines that curves may become."""
+"""Settings of reading: the options of a caller, and limits."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import to_fraction
 
 MAX_LINES = 20_000
-"""The most lines that one curve becomes."""
+"""Maximum number of lines of one curve."""
 
 MAX_COPIES = 20_000
-"""The most things that blocks or uses draw, so that a small file cannot keep its reader busy."""
+"""Maximum number of elements that blocks or uses draw; bounds the work for a small file."""
 
 UNITS = {
     "mm": Fraction(1),
@@ -42,25 +42,22 @@ INSUNITS = dict(enumerate(map(Fraction, _INSUNITS.split()), 1))
 
 
 class Options(TypedDict, total=False):
-    """The options of a reader of files, besides the tolerance for curves.
+    """Options of a reader of files, besides the tolerance for curves.
 
     Attributes:
-        nested: whether closed outlines inside others are holes, outlines inside a hole polygons
-            again, and so on; see `exactsweep.formats.depth`. By default only in layouts.
-        layers: the names of the layers to read, in any case; by default all. DXF and Inkscape's SVG
+        nested: whether outlines inside others are holes, outlines inside a hole polygons again, and
+            so on; see `exactsweep.formats.depth`. By default only in layouts.
+        layers: the layers to read, compared without case; by default all. DXF and Inkscape's SVG
             have layers.
-        ignored_layers: the names of layers to leave out.
-        join: the largest distance of ends of lines of SVG and DXF to be joined, a positive number.
-            By default only equal ends are joined, and ends of curves within a fourth of the
-            tolerance.
-        unit: the unit of the result, one of UNITS. SVG and DXF that state their unit are scaled
-            exactly, and all others refused. By default numbers are unchanged.
-        hidden: whether to read hidden geometry, too: invisible entities of DXF, its layers that are
-            off or frozen, and its paper space; elements of SVG without display or visibility, or in
-            `defs`.
+        ignored_layers: the layers to omit.
+        join: the largest distance between ends of lines of SVG and DXF to be joined. By default
+            equal ends are joined, and ends of curves within a fourth of the tolerance.
+        unit: the unit of the result, one of UNITS. Files that state their unit are scaled exactly,
+            others rejected. By default numbers are unchanged.
+        hidden: whether to read hidden geometry: invisible entities, layers that are off or frozen,
+            and paper space of DXF; undisplayed and invisible elements and unused `defs` of SVG.
         y_down: whether Y points down in the file; by default in SVG only.
-        clean: the least area of a polygon, a positive number; smaller ones are left out, with the
-            reason. By default none are.
+        clean: the least area of a polygon; smaller ones are omitted, with the reason.
     """
 
     nested: bool | None
@@ -74,29 +71,28 @@ class Options(TypedDict, total=False):
 
 
 class Reading:
-    """The state of reading one text.
+    """The settings and the state of reading one text.
 
     Args:
-        tolerance: the largest distance between curves and the lines that replace them, a positive
-            number as `to_fraction` reads it; None for about a thousandth of each outline.
+        tolerance: the largest distance between curves and the lines that replace them; None for
+            about a thousandth of each outline.
         nested, layers, ignored_layers, join, unit, hidden, y_down, clean: as for `Options`.
 
     Attributes:
         tolerance, join: Fractions, or None.
-        joining: the tolerance by whose fourth ends of curves are joined; None to choose one by the
+        joining: the tolerance by whose fourth ends of curves are joined; None to choose it by the
             size of the drawing.
-        nested, layers, ignored_layers, unit, hidden, y_down: as given.
         is_svg: whether the text is SVG, where Y points down.
         found_unit: the millimetres of the file's unit; None if the file does not state it.
-        passed: the number of omitted elements for each reason.
-        notes: further remarks.
-        lines: the number of lines that curves have become.
+        passed: the number of hidden elements for each reason.
+        notes: remarks.
+        lines: the number of lines that replace curves.
         vertices: the number of drawn vertices.
-        copies: the number of things that blocks or uses have drawn.
+        copies: the number of elements that blocks or uses draw.
         copied: their bytes, in addition to those of the file.
 
     Raises:
-        FormatError: a number that is not positive, no such unit.
+        FormatError: a number that is not positive, or an unknown unit.
     """
 
     def __init__(
@@ -127,7 +123,7 @@ class Reading:
         self.lines = self.vertices = self.copies = self.copied = 0
 
     def without_nesting(self) -> Reading:
-        """Return the same settings, but that no outline is a hole of another."""
+        """Return the same settings for another reading, without nesting."""
         found = copy(self)
         found.nested = False
         found.passed, found.notes = Counter(), {}
@@ -149,16 +145,13 @@ class Reading:
         }
 
     def at(self, tolerance: Fraction) -> Reading:
-        """Return the settings for another reading of the same text, at another tolerance."""
+        """Return the settings for another reading at another tolerance."""
         found = self.without_nesting()
         found.tolerance, found.nested = tolerance, self.nested
         return found
 
     def allow_lines(self, count: int) -> None:
-        """Count the lines that a curve becomes; raises FormatError beyond the limits.
-
-        There is one limit for one curve, and one for all curves of a file.
-        """
+        """Count the lines of a curve; raises FormatError beyond the limits of curve and file."""
         if count > MAX_LINES:
             shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
@@ -177,18 +170,14 @@ class Reading:
         require_count(self.vertices, VERTEX, "vertices are drawn")
 
     def allow_copies(self, count: int, size: int, draw: str, things: str) -> None:
-        """Count repeated things and their bytes; raises FormatError beyond the limits."""
+        """Count repeated elements and their bytes; raises FormatError beyond the limits."""
         self.copies, self.copied = self.copies + count, self.copied + size
         if self.copies > MAX_COPIES:
             raise FormatError(f"{draw} more than {MAX_COPIES:,} {things}")
         require_size(self.copied, f"{draw} ")
 
     def scale(self, unit: Fraction | None) -> Fraction:
-        """Return the factor for the numbers of a file.
-
-        Args:
-            unit: the millimetres of the file's unit; None if the file does not state it.
-        """
+        """Return the factor for the numbers of a file by the millimetres of its unit."""
         self.found_unit = unit
         if self.unit is None:
             return Fraction(1)
@@ -198,23 +187,18 @@ class Reading:
         return unit / self.found_unit
 
     def hides(self, reason: str) -> bool:
-        """Decide whether to leave out an element for a reason, and count it if so.
-
-        Args:
-            reason: the reason that hides the element; "" for none.
-        """
+        """Whether to omit an element for a reason ("" for none); counts it if so."""
         if not reason or self.hidden:
             return False
         self.passed[reason] += 1
         return True
 
     def list_hidden(self) -> list[str]:
-        """List what `hides` left out, a remark for each reason."""
+        """List the hidden elements, one remark for each reason."""
         return [f"hidden: {many} {what} (--hidden)" for what, many in self.passed.items()]
 
     def require_level(self, heights: Sequence[Fraction]) -> None:
-        """Refuse heights above the plane that differ by more than the distance of joined ends."""
-        # Most are one object, so that no two are compared.
+        """Reject heights that differ by more than the distance of joined ends."""
         if all(height is heights[0] for height in heights):
             return
         if max(heights) - min(heights) > (self.join or 0):
@@ -223,7 +207,7 @@ class Reading:
 
 
 def read_positive(value: object, name: str) -> Fraction | None:
-    """Read a positive number of a caller, as `to_fraction` does; None stays None."""
+    """Read a positive number of a caller; None stays None."""
     if value is None:
         return None
     with name_refusals(name, FormatError):

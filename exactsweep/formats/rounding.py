@@ -1,21 +1,19 @@
-"""Rounding of regions to a decimal grid: to the closest points, outwards, or inwards.
+"""Rounding of regions to a decimal grid: to the closest points, outward, or inward.
 
 Outward. Let a ring run with its region on the left; let v be a vertex, e and f the edges before and
 after it.
 
-1. Let the new vertices for v be on the right of the lines of e and f, or on them. Then a new edge
-   runs between two points that are right of one line. So both edges are left of the new edges, or
-   on them.
-2. At a left turn these are the corners of the grid's cell around v that are extreme in a direction
-   between the normals of e and f; at a right turn one point close to v, if there is one.
-3. In a notch narrower than a cell, new edges may cross, or a right turn may find no point. Then the
-   algorithm drops the vertex of a right turn, which fills the notch; the smallest ears go first.
-   The last resort is the hull of all cells.
-4. A test proves that the result is a polygon that contains the old one.
+1. Let the new vertices for v lie right of the lines of e and f, or on them. Then both edges are
+   left of the new edges, or on them: a new edge connects two points right of one line. 2. At a left
+   turn these are the corners of the grid cell around v that are extreme in a direction between the
+   normals of e and f; at a right turn one point close to v, if there is one. 3. In a notch narrower
+   than a cell, new edges may cross, or a right turn may have no point. Then the vertex of a right
+   turn is dropped, which fills the notch; the smallest ears go first. The last resort is the hull
+   of all cells. 4. A test proves that the result is a polygon that contains the old one.
 
-A hole is a clockwise ring. Its new ring, found in the same way, lies inside the hole. If there is
-no such ring, the hole is left out. Inward, holes that grow may meet: the rest of the region may
-have several parts, which are rounded again until all vertices are on the grid.
+A hole is a clockwise ring, and its new ring lies inside it; without one the hole is dropped.
+Inward, growing holes may meet: the rest of the region may have several parts, which are rounded
+again until all vertices are on the grid.
 """
 
 from __future__ import annotations
@@ -49,7 +47,7 @@ MAX_PLACES = 4000
 
 
 class Rounding(NamedTuple):
-    """The way in which results are rounded.
+    """How to round results.
 
     Attributes:
         places: the number of decimal places.
@@ -61,13 +59,13 @@ class Rounding(NamedTuple):
 
 
 class Rounded(NamedTuple):
-    """The result of rounding a region.
+    """A rounded region.
 
     Attributes:
-        regions: the new regions: one, or none, or several if free ones fall apart.
-        distance: a bound on the distance of old and new rings, without those left out, and without
-            gaps between holes that closed.
-        left_out: the number of holes and of parts of the region left out.
+        regions: the new regions: one, or for "inward" any number.
+        distance: a bound on the distance of old and new rings, except dropped ones and gaps between
+            holes that closed.
+        left_out: the number of dropped holes and parts.
     """
 
     regions: tuple[Region, ...]
@@ -76,7 +74,7 @@ class Rounded(NamedTuple):
 
     @property
     def region(self) -> Region | None:
-        """The new region; None if nothing is left. Raises FormatError if it fell apart."""
+        """The new region; None if nothing is left. Raises FormatError if there are several."""
         if len(self.regions) > 1:
             raise FormatError(f"rounding leaves {len(self.regions)} regions; see `regions`")
         return self.regions[0] if self.regions else None
@@ -88,7 +86,7 @@ class Changes(NamedTuple):
     Attributes:
         changed: the number of changed regions.
         distance: the greatest of their distances.
-        left_out: the number of regions and holes left out.
+        left_out: the number of dropped regions and holes.
     """
 
     changed: int
@@ -105,10 +103,7 @@ def round_regions(
     Args:
         regions: the regions.
         places: the number of decimal places.
-        side_of: a function that returns the `side` of each region.
-
-    Returns:
-        The regions that are left, and the changes.
+        side_of: returns the `side` of each region.
 
     Example:
         >>> third = NamedRegion(Region([(0, 0), (1, 0), (0, "1/3")]), "third", None)
@@ -133,7 +128,7 @@ def round_regions(
 
 
 def round_fits(fits: Sequence[Fit], rounding: Rounding) -> tuple[list[Fit], int]:
-    """Round exact fits, and count those that move; outward these are left out, as fits no longer.
+    """Round exact fits, and count those that move; outward, these are dropped.
 
     >>> zero, third = (Point(Fraction(k, 3), Fraction(0)) for k in (0, 1))
     >>> round_fits([(zero, third), (zero, zero)], Rounding(0, outward=True))[1]
@@ -157,16 +152,13 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
         region: a Region.
         places: the number of decimal places.
         side: "closest" moves each vertex to the closest point of the grid; "outward" gives a region
-            that contains the old one, "inward" a region inside the old one.
-
-    Returns:
-        A Rounded, of one region, but of any number for "inward".
+            that contains the old one, "inward" regions inside the old one.
 
     Raises:
         PolygonError: the closest points do not form a region.
 
     Cost: O(n log n) for n vertices, plus the proof, an `Overlap` for each ring; a few times this if
-        the algorithm has to drop vertices.
+        vertices are dropped.
 
     Example:
         >>> part = Region([(0, 0), ("10/3", 0), ("10/3", "7/3"), (0, "7/3")])
@@ -208,20 +200,17 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
 
 def contains(outer: Region, inner: Region) -> bool:
-    """Decide whether a region contains another one, boundaries included.
+    """Whether a region contains another one; boundaries may touch.
 
-    Example:
-        >>> square, larger = (Region([(0, 0), (k, 0), (k, k), (0, k)]) for k in (1, 2))
-        >>> contains(larger, square), contains(square, larger), contains(square, square)
-        (True, False, True)
+    >>> square, larger = (Region([(0, 0), (k, 0), (k, k), (0, k)]) for k in (1, 2))
+    >>> contains(larger, square), contains(square, larger), contains(square, square)
+    (True, False, True)
     """
     _, (around, within) = share_lattice([outer, inner])
     return overlap.contains(around, within)
 
 
 class _Moved(NamedTuple):
-    """A new ring, and a bound on its distance from the old one."""
-
     polygon: Polygon
     distance: Fraction
 
@@ -260,7 +249,7 @@ def _scale(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
 
 
 def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
-    """Decide whether a new ring is simple, equally oriented, and right of the old one."""
+    """Whether a new ring is simple, equally oriented, and right of the old one."""
     try:
         new = Polygon(ring)
     except PolygonError:
@@ -286,20 +275,19 @@ def _chains(corners: Sequence[Point]) -> list[list[Point]]:
 
 
 def _extremes(v: Point, e: Vertex, f: Vertex) -> list[Point]:
-    """The corners of v's cell that are extreme between the normals of e and f, on their right."""
+    """Return the corners of the cell of v that are extreme between the normals, right of both."""
     first = _quadrant(e[1], -e[0])
-    # The quadrant that ends with the other normal, not the one that begins with it: the first one
-    # of its mirror image.
+    # The quadrant that ends with the other normal: the first one of its mirror image.
     last = -_quadrant(-f[0], f[1]) % 4
     corners = [(ceil, ceil), (floor, ceil), (floor, floor), (ceil, floor)]
     count = (last - first) % 4 + 1
-    # Of a straight line along an axis, which has no directions between, either corner will do.
+    # A straight line along an axis has no directions between; either corner will do.
     turns = [corners[(first + k) % 4] for k in range(count if count < 4 else 1)]
     return [Point(Fraction(x(v.x)), Fraction(y(v.y))) for x, y in turns]
 
 
 def _quadrant(x: Rational, y: Rational) -> int:
-    """The quadrant of a direction, its first axis included."""
+    """Return the quadrant of a direction, its first axis included."""
     if y >= 0 and x > 0:
         return 0
     if y > 0:
@@ -308,7 +296,7 @@ def _quadrant(x: Rational, y: Rational) -> int:
 
 
 def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
-    """The closest point on the right of the lines of e and f."""
+    """Return the closest point on the right of the lines of e and f."""
     near = [
         (by[0] * by[0] + by[1] * by[1], Point(Fraction(x), Fraction(y)))
         for x in range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
@@ -320,7 +308,7 @@ def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
 
 
 def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
-    """The right turns: twice the area that is filled without each, and its place."""
+    """Return for each right turn twice the area of its ear, and its index."""
     turns = (
         turn(corners[i - 1], v, corners[(i + 1) % len(corners)]) for i, v in enumerate(corners)
     )
@@ -328,7 +316,7 @@ def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
 
 
 def _hull(points: Sequence[Point]) -> list[Point]:
-    """The convex hull of the cells around points."""
+    """Return the convex hull of the cells around points."""
     return find_hull(
         Point(Fraction(x), Fraction(y))
         for v in points
@@ -342,7 +330,7 @@ def _distance(
 ) -> Fraction:
     """Bound the distance of the old and the new ring.
 
-    Along an edge the distance is largest at an end; what was left out lies along one new edge.
+    Along an edge the distance is largest at an end; dropped vertices lie along one new edge.
     """
     largest = Fraction(0)
     for position, (i, new) in enumerate(zip(alive, chains, strict=True)):
@@ -356,5 +344,4 @@ def _distance(
 
 
 def _measure(point: Point, edge: Edge) -> Fraction:
-    """The squared distance of a point from a segment."""
     return divide_exactly(*measure_to_edge(point, edge))

@@ -6,8 +6,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.numbers.limits import DEFAULT_MIB, get_max_bytes, get_max_mib
 
 VERTEX, ELEMENT, ENTITY, FAULT = 16, 32, 64, 1600
-"""For how many bytes a vertex counts, an element of SVG, an entity of DXF, and what is no polygon,
-of which a reason is kept."""
+"""Bytes charged per vertex, SVG element, DXF entity and rejected element."""
 
 # Lists without vertices have as many numbers as commas.
 _NUMBER = 4
@@ -15,13 +14,6 @@ _NUMBER = 4
 
 def measure_text(text: str, vertices: int) -> int:
     """Count the bytes of a text, or those of its vertices and numbers, whichever is more.
-
-    Args:
-        text: a text with commas between numbers or vertices.
-        vertices: the number of vertices.
-
-    Returns:
-        A number of bytes.
 
     Example:
         >>> measure_text("POLYGON ((0 0, 1 0, 0 1, 0 0))", 4), measure_text("é", 0)
@@ -31,60 +23,48 @@ def measure_text(text: str, vertices: int) -> int:
 
 
 def weigh(size: int, vertices: int, numbers: int) -> int:
-    """Return the size of a text by its bytes, and by its number of vertices and other numbers.
+    """Return the size of a text by its bytes, vertices and other numbers.
 
-    Example:
-        >>> weigh(70, 4, 6)
-        70
+    >>> weigh(70, 4, 6)
+    70
     """
     return max(size, VERTEX * vertices, _NUMBER * numbers)
 
 
 def require_text(text: str, vertices: int) -> None:
-    """Refuse, with a FormatError, a text beyond the limit."""
+    """Reject a text beyond the limit."""
     require_size(_count_bytes(text))
     require_count(vertices, VERTEX, "vertices")
     require_count(text.count(","), _NUMBER, "numbers")
 
 
 def require_size(size: int, what: str = "") -> None:
-    """Refuse more bytes than the limit; the message begins with the given name.
+    """Reject more bytes than the limit; the message begins with the given name.
 
-    Example:
-        >>> require_size(2**24 + 1)
-        Traceback (most recent call last):
-        exactsweep.formats.error.FormatError: more than 16 MiB (max_mib)
+    >>> require_size(2**24 + 1)
+    Traceback (most recent call last):
+    exactsweep.formats.error.FormatError: more than 16 MiB (max_mib)
     """
     if size > get_max_bytes():
         raise FormatError(f"{what}more than {get_max_mib():g} MiB (max_mib)")
 
 
 def require_count(count: int, each: int, what: str) -> None:
-    """Refuse more items than the limit.
+    """Reject more items of a size than the limit allows.
 
-    Args:
-        count: the number of items.
-        each: the size of an item in bytes.
-        what: the name of the items in the plural.
-
-    Raises:
-        FormatError: there are too many items.
-
-    Example:
-        >>> require_count(2**21, VERTEX, "vertices")
-        Traceback (most recent call last):
-        exactsweep.formats.error.FormatError: more than 1,048,576 vertices (max_mib)
+    >>> require_count(2**21, VERTEX, "vertices")
+    Traceback (most recent call last):
+    exactsweep.formats.error.FormatError: more than 1,048,576 vertices (max_mib)
     """
     if count * each > get_max_bytes():
         raise FormatError(f"more than {get_max_bytes() // each:,} {what} (max_mib)")
 
 
 def find_needed_mib(size: int) -> int | None:
-    """Find the limit in MiB that allows that many bytes; None if the default allows them.
+    """Find the limit in MiB that allows a size in bytes; None if the default does.
 
-    Example:
-        >>> find_needed_mib(2**24), find_needed_mib(2**24 + 1)
-        (None, 17)
+    >>> find_needed_mib(2**24), find_needed_mib(2**24 + 1)
+    (None, 17)
     """
     return ceil(size / 2**20) if size > DEFAULT_MIB * 2**20 else None
 

@@ -1,4 +1,4 @@
-"""A reader of WKT (OGC 06-103r4, 7.2): POLYGON, MULTIPOLYGON, collections, and PostGIS's SRID."""
+"""Reader of WKT (OGC 06-103r4, 7.2): polygons, collections, and PostGIS's SRID."""
 
 import re
 from bisect import bisect_right
@@ -21,7 +21,7 @@ _TOKEN = re.compile(
     r"|(?P<unknown>[^\s(),]++)"
 )
 
-# The other geometries of results: exact fits.
+# Exact fits in results.
 _OTHERS = ("LINESTRING", "POINT")
 _SRID = re.compile(r"\s*(?i:SRID)\s*=\s*[0-9]{1,9}\s*;")
 _MAX_DEPTH = 32
@@ -33,19 +33,16 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
     """Read WKT polygons.
 
     Args:
-        text: `POLYGON ((x y, ...))` or `MULTIPOLYGON (((x y, ...)), ...)`, one after another,
-            in upper or lower case, or several in a GEOMETRYCOLLECTION; numbers as `read_decimal`
-            reads them; Z is allowed if it is constant along a polygon.
-        notes: collects a note on rings that are not closed.
+        text: POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, one after another, in any case; numbers
+            as for `read_decimal`. Z is allowed if it is constant along a polygon.
+        notes: collects a note on open rings.
 
     Returns:
         list of Candidate, the first point of each ring repeated at its end.
 
     Raises:
-        FormatError: other geometries, M coordinates, different Z, or text that is not WKT; the
-            message starts with line and column.
-
-    Cost: linear in the length of the text.
+        FormatError: other geometries, M coordinates, varying Z, or a syntax error; the message
+            starts with line and column.
 
     Example:
         >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
@@ -62,8 +59,6 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
 
 
 class _Reader:
-    """A reader of a WKT polygon, from left to right."""
-
     def __init__(self, text: str) -> None:
         self.text = text
         self.kind: str | None = None
@@ -119,7 +114,6 @@ class _Reader:
             yield from chain(*self._list(lambda: [*self._geometry(depth + 1)]))
 
     def _list(self, read: Callable[[], _Enclosed]) -> list[_Enclosed]:
-        """Read a list in parentheses."""
         self._expect("(")
         found = [read()]
         while self.word == ",":
@@ -188,11 +182,10 @@ class _Reader:
 
 
 def parse_wkt_path(text: str) -> list[Point] | None:
-    """Read the points of a WKT LINESTRING or POINT; None if the text is any other geometry.
+    """Read the points of a WKT LINESTRING or POINT; None for any other geometry.
 
     Raises:
-        FormatError: text after the path, or a path that is not WKT; the message starts with line
-            and column.
+        FormatError: a syntax error, or text after the path; with line and column.
 
     >>> [tuple(map(int, point)) for point in parse_wkt_path("LINESTRING (0 0, 2 1)") or ()]
     [(0, 0), (2, 1)]

@@ -1,4 +1,4 @@
-"""Writers of polygons, which write exactly or refuse."""
+"""Writers of polygons, exact or failing."""
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -32,26 +32,23 @@ def format_polygons(
 ) -> str:
     """Write polygons as text that `parse_regions` reads back as the same polygons.
 
-    DXF has no holes: each ring is a closed polyline, like the exterior. SVG output has lines
-    without filling, and a margin.
+    DXF has no holes: each ring is a closed polyline. SVG has unfilled lines and a margin.
 
     Args:
-        polygons: Polygons and Regions, or NamedPolygons and NamedRegions. Formats with names keep
-            theirs; in DXF the name is that of the layer, "0" by default.
+        polygons: Polygons and Regions, named or not. In DXF the name is that of the layer, by
+            default "0".
         form: one of FORMATS.
-        fits: exact fits, pairs of points. They become LINESTRINGs and POINTs in WKT and GeoJSON,
-            lines of the layer "exact fits" in DXF, open lines in SVG, separate rows in CSV.
+        fits: exact fits, pairs of points: LINESTRINGs and POINTs in WKT and GeoJSON, lines of the
+            layer "exact fits" in DXF, open lines in SVG, separate rows in CSV.
         decimals: whether to write numbers of JSON as decimals instead of strings.
-        coordinates: the meaning of the coordinates, as from `read_regions`. Y is turned if it
-            points the other way in the format (down in SVG, up in all others), and SVG and DXF
-            state the unit. By default numbers are unchanged.
-
-    Returns:
-        The text of a file.
+        coordinates: the direction of Y and the unit, as from `read_regions`. Y is flipped where the
+            format points it the other way (down in SVG, up in all others); SVG and DXF state the
+            unit.
+            By default numbers are unchanged.
 
     Raises:
-        FormatError: no such format; no polygon; a coordinate that is not a finite decimal, such as
-            1/3, which only "json" can hold; a name that the format cannot hold.
+        FormatError: an unknown format, no polygon, a coordinate such as 1/3, which only "json" can
+            hold, or a name that the format cannot hold.
 
     Cost: linear in the length of the result, times the cost of a division of that length.
 
@@ -59,12 +56,6 @@ def format_polygons(
         >>> from exactsweep import Polygon
         >>> print(format_polygons([Polygon([(0, 0), ("1/2", 0), (0, 1)])], "wkt"), end="")
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
-        >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
-        >>> print(format_polygons([plate], "svg"), end="")
-        <svg xmlns="http://www.w3.org/2000/svg" viewBox="-0.1 -0.1 4.2 4.2" fill="none" \
-stroke="black" stroke-width="0.01">
-          <path fill-rule="evenodd" d="M0,0 4,0 0,4z M1,2 2,1 1,1z"/>
-        </svg>
     """
     if form not in FORMATS:
         raise FormatError(f"{quote(form)} is none of the formats {', '.join(FORMATS)}")
@@ -118,7 +109,7 @@ def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
     r"""Write one WKT POLYGON, a line.
 
     Args:
-        rings: the exterior and the holes, each by the name that a refusal gives it.
+        rings: the exterior and the holes, by their names in messages.
 
     Raises:
         FormatError: a coordinate that is not a finite decimal.
@@ -133,7 +124,7 @@ def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
 
 
 def write_wkt_points(name: str, points: Sequence[Point]) -> str:
-    """Write points as a list of WKT, in parentheses; refuses as `write_wkt_polygon` does."""
+    """Write points as a list of WKT, in parentheses; raises as `write_wkt_polygon` does."""
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
@@ -204,7 +195,7 @@ def _length(number: Fraction, unit: Fraction) -> str:
 
 
 def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
-    # Without a word, some readers take metres.
+    # Some readers assume metres where no unit is stated.
     code = next((code for code, known in INSUNITS.items() if known == unit), 0)
     tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code)]
     tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
@@ -256,7 +247,7 @@ def _name(polygon: AnyPolygon | NamedPolygon | NamedRegion) -> NamedRegion:
 
 
 def _name_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
-    """Return the rings of region k by their names in refusals."""
+    """Return the rings of region k by their names in messages."""
     name = f"polygon {k}" if region.name is None else ascii(region.name)[1:-1]
     exterior, *holes = region.region.rings
     return {name: exterior} | {f"{name}, hole {j}": hole for j, hole in enumerate(holes)}

@@ -1,10 +1,9 @@
-"""The regions that rings fill that cross or touch themselves or each other, exactly.
+"""The regions that rings fill which cross or touch themselves or each other.
 
-All edges are cut where they meet. From left to right, in the order of a sweep line, each piece gets
-the winding numbers on both of its sides. Pieces with the filled area on one side only are its
-boundary. Walked with the area on the left, and at each vertex by the next piece clockwise, they
-make the faces. Faces are cut into two rings at vertices that
-they visit twice.
+All edges are cut where they meet. A sweep line finds the winding numbers on both sides of each
+piece; pieces with the filled area on one side are its boundary. Followed with the area on the left,
+and at each vertex by the next piece clockwise, they make the faces. Faces are cut into two rings at
+vertices that they visit twice.
 """
 
 from __future__ import annotations
@@ -25,10 +24,10 @@ from exactsweep.geometry.vectors import compare_angles, minus, turn, way_key
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
 
 MAX_PAIRS = 1_000_000
-"""The greatest number of pairs of edges that are looked at."""
+"""Maximum number of pairs of near edges."""
 
 Rule = Literal["nonzero", "evenodd", "positive"]
-"""A rule that says by its winding number whether a point is filled."""
+"""A fill rule: which winding numbers are inside."""
 
 _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
     "nonzero": lambda number: number != 0,
@@ -38,13 +37,12 @@ _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
 
 
 class Filled(NamedTuple):
-    """The regions that rings fill.
+    """Regions that rings fill.
 
     Attributes:
         regions: of each, the exterior, counter-clockwise, and the holes.
-        touching: whether edges meet anywhere but at ends, or coincide.
-        hidden: a bound on the squared distance of edges inside from the boundary, if it is
-            measured.
+        touching: whether edges coincide, or meet elsewhere than at ends.
+        hidden: a bound on the squared distance of edges inside from the boundary, if measured.
     """
 
     regions: list[list[list[Point]]]
@@ -56,13 +54,12 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
     """Find the regions that rings fill.
 
     Args:
-        rings: the vertices of each ring, the first one perhaps again at the end.
-        rule: the points that are filled: those with a winding number that is not 0, odd or
-            positive.
+        rings: the vertices of each ring; the first one may be repeated at the end.
+        rule: the filled points: those with a winding number that is not 0, odd or positive.
         measured: whether to measure `hidden` where rings touch.
 
     Returns:
-        The Filled; regions in the order in which their exteriors are drawn.
+        A Filled; regions in the order in which their exteriors are drawn.
 
     Raises:
         PolygonError: more than MAX_PAIRS pairs of edges meet.
@@ -140,9 +137,9 @@ class _Wound(NamedTuple):
     """Pieces by the winding numbers on both of their sides.
 
     Attributes:
-        boundary: those with the filled area on one side, which is their left.
-        inside: other ones with a winding number.
-        below: for each of the boundary, from left to right, the next one of it below its start.
+        boundary: pieces with the filled area on their left only.
+        inside: other pieces with a winding number.
+        below: for each of the boundary, from left to right, the next one below its start.
     """
 
     boundary: list[Edge]
@@ -191,7 +188,7 @@ def _compare_slopes(one: Edge, other: Edge) -> int:
 
 
 def _walk(boundary: Sequence[Edge]) -> Iterator[list[Vertex]]:
-    """Yield the rings that edges make, the area on their left."""
+    """Yield the rings of the boundary, the area on their left."""
     leaving: defaultdict[Vertex, list[Vertex]] = defaultdict(list)
     for a, b in boundary:
         leaving[a].append(b)
@@ -217,7 +214,7 @@ def _walk(boundary: Sequence[Edge]) -> Iterator[list[Vertex]]:
 
 
 def _find_next(a: Vertex, b: Vertex, ends: Sequence[Vertex]) -> Vertex:
-    """Return the end of the next edge clockwise from the one back."""
+    """Return the end of the next edge clockwise from the edge back."""
     if len(ends) == 1:
         return ends[0]
     back = minus(a, b)
@@ -229,7 +226,7 @@ def _find_next(a: Vertex, b: Vertex, ends: Sequence[Vertex]) -> Vertex:
 def _gather(
     rings: Sequence[list[Vertex]], below: Mapping[Edge, Edge | None], order: Mapping[Edge, int]
 ) -> list[list[list[Vertex]]]:
-    """Put each hole to the exterior around it."""
+    """Assign each hole to its exterior."""
     edges = [[(min(a, b), max(a, b)) for a, b in pairwise((*ring, ring[0]))] for ring in rings]
     owner = {edge: k for k, row in enumerate(edges) for edge in row}
     found = {k: [ring] for k, ring in enumerate(rings) if find_doubled_area(ring) > 0}

@@ -1,4 +1,4 @@
-"""A sweep explained in words: its steps, the holes of the no-fit polygon, and exact fits."""
+"""Explanations of a sweep in words: steps, holes of the no-fit polygon, and exact fits."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ _HALVES: dict[Half, str] = {
 
 
 def tell(s: SweepAnswer) -> Iterator[str]:
-    r"""Explain a sweep in words, step by step, as `explain` finds it.
+    r"""Explain a sweep in words, step by step.
 
-    The way around D comes first, then the holes of the no-fit polygon and the exact fits, each with
-    its contacts. Features have the index and the coordinates of the caller's input. Positions are
-    those of the reference point.
+    The steps around D come first, then the holes of the no-fit polygon and the exact fits, each
+    with its contacts. Features have the index and the coordinates of the caller's input, positions
+    are those of the reference point.
 
     Yields:
         Lines of text, with ASCII characters only.
@@ -62,7 +62,7 @@ def tell(s: SweepAnswer) -> Iterator[str]:
 
 
 class _FeatureNames:
-    """The names of the features of a polygon, of vertices "V" and of edges "E", by index."""
+    """The names of the vertices and edges of a polygon, by index."""
 
     def __init__(self, shape: AnyPolygon, letter: str) -> None:
         self.names: dict[str, dict[int, str]] = {"V": {}, "E": {}}
@@ -82,8 +82,6 @@ class _FeatureNames:
 
 
 class _Teller:
-    """A writer of the steps of one sweep in words."""
-
     def __init__(self, s: SweepAnswer) -> None:
         self.sweep = s
         self.g = _FeatureNames(s.generatrix, "G")
@@ -149,9 +147,9 @@ class _Teller:
                 yield from (f"  {self._slide(contact)}" for contact in contacts)
 
     def fits(self) -> Iterator[str]:
-        """Describe the exact fits, each with the contacts that last all along."""
+        """Describe the exact fits, each with the contacts along all of it."""
         s = self.sweep
-        ways = iter(s.contacts_along([fit for fit in s.exact_fits if fit[0] != fit[1]]))
+        segments = iter(s.contacts_along([fit for fit in s.exact_fits if fit[0] != fit[1]]))
         for k, (start, end) in enumerate(s.exact_fits):
             yield ""
             if start == end:
@@ -163,10 +161,9 @@ class _Teller:
                 way = name_heading((end.x - start.x, end.y - start.y))
                 there = f"from {write_pair(start)} to {write_pair(end)}"
                 yield f"-- Exact fit {k}: G could go {way}, {there} --"
-                yield from (f"  {self._slide(contact)}" for contact in next(ways)[0])
+                yield from (f"  {self._slide(contact)}" for contact in next(segments)[0])
 
     def _name(self, contact: Contact) -> tuple[str, str]:
-        """Name the feature of G and that of D."""
         event, i, j = contact
         return self.g.names[event[0]][i], self.d.names[event[1]][j]
 
@@ -209,7 +206,7 @@ class _Teller:
         return f"{g}, runs into {d}"
 
     def _choose_telling(self, contacts: Iterable[Contact]) -> list[Contact]:
-        """Drop the contacts at the ends of two edges that touch."""
+        """Drop contacts at the ends of two edges that touch."""
         contacts = list(contacts)
         implied: set[Contact] = set()
         for event, e, d in contacts:

@@ -26,10 +26,7 @@ class NamedOverlap(NamedTuple):
 
 
 def sum_to_json(a: AnyPolygon, b: AnyPolygon | Polyline, found: Region) -> str:
-    """Write a Minkowski sum, its summands included, as JSON with one name per line.
-
-    Cost: linear in the length of the result.
-    """
+    """Write a Minkowski sum and its summands as JSON with one name per line."""
     path = {"path": b.points, "closed": b.closed} if isinstance(b, Polyline) else None
     return write_object(
         {
@@ -43,11 +40,7 @@ def sum_to_json(a: AnyPolygon, b: AnyPolygon | Polyline, found: Region) -> str:
 
 
 def sum_to_wkt(found: Region) -> str:
-    """Write a Minkowski sum as a WKT POLYGON, exactly.
-
-    Raises:
-        FormatError: a coordinate is not a finite decimal.
-    """
+    """Write a Minkowski sum as a WKT POLYGON; raises FormatError for 1/3."""
     rings = {"exterior": found.exterior.vertices}
     return write_wkt_polygon(rings | {f"hole {k}": h.vertices for k, h in enumerate(found.holes)})
 
@@ -62,9 +55,6 @@ def report_sum(
         b: the second one.
         found: the sum.
         terminal_width: as for `report`.
-
-    Returns:
-        Lines of text.
 
     Example:
         >>> from exactsweep import Polygon, minkowski_sum
@@ -92,7 +82,7 @@ def report_sum(
 
 
 def overlap_to_json(o: Overlap) -> str:
-    """Write an overlap, the shapes included, as JSON with one name per line."""
+    """Write an overlap and its shapes as JSON with one name per line."""
     return write_object(
         {
             "a": write_json(write_json_value(o.a)),
@@ -122,14 +112,11 @@ def _list_results(o: Overlap) -> dict[str, object]:
 
 
 def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
-    """Describe the overlap of two shapes: verdict, area, depth, the least move, a witness.
+    """Describe the overlap of two shapes: verdict, area, depth, least move, witness.
 
     Args:
         o: an Overlap.
         terminal_width: as for `report`.
-
-    Returns:
-        Lines of text.
 
     Example:
         >>> from exactsweep import overlap
@@ -162,7 +149,7 @@ def report_overlaps(
 
     Args:
         found: the pairs that are not free.
-        free: the number of those that are.
+        free: the number of free pairs.
         terminal_width: as for `report`.
     """
     numbers = ("area about", "depth about")

@@ -1,4 +1,4 @@
-"""Text reports of sweeps, no-fit polygons and inner fits, for people to read."""
+"""Text reports of sweeps, no-fit polygons and inner fits."""
 
 from __future__ import annotations
 
@@ -41,18 +41,17 @@ def report(
 ) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
-    Areas are exact. A decimal approximation stands beside an area if it is a different number. The
-    report shows the first vertices of a long loop, and counts the rest.
+    Areas are exact, with a decimal approximation if that differs. Of a long loop, the first
+    vertices and the number of others are shown.
 
     Args:
         sweep: a Sweep.
-        terminal_width: the width of the terminal in columns; None for plain text, with lines of any
-            length.
+        terminal_width: the width of the terminal in columns; None for plain text without a width.
         everything: whether to show all vertices, and all digits of their coordinates.
         files: the files of the polygons, by role, such as "moves" and "stays".
 
     Returns:
-        Lines of text with ASCII characters only; for a terminal also control sequences.
+        Lines of ASCII text; for a terminal also control sequences.
 
     Example:
         >>> from exactsweep import sweep
@@ -109,9 +108,6 @@ def report_no_fit(
         everything: likewise.
         files: likewise.
 
-    Returns:
-        Lines of text, as by `report`.
-
     Example:
         >>> from exactsweep import no_fit_polygon
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -157,9 +153,6 @@ def report_inner_fit(
         terminal_width: as for `report`.
         everything: likewise.
         files: likewise.
-
-    Returns:
-        Lines of text, as by `report`.
 
     Example:
         >>> from exactsweep import inner_fit_polygon
@@ -219,8 +212,10 @@ def _tell(
     if everything:
         # A table takes long for long numbers.
         lines = {n: loop.vertices for n, loop in loops.items()} | ends
-        told = (f"{n:<{width}}  {' '.join(map(_write_point, line))}\n" for n, line in lines.items())
-        return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
+        shown = (
+            f"{n:<{width}}  {' '.join(map(_write_point, line))}\n" for n, line in lines.items()
+        )
+        return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(shown)
     return lay_out([*tables, *([list_facts(texts, width)] if texts else [])], terminal_width)
 
 
@@ -229,16 +224,7 @@ def _write_point(point: Point) -> str:
 
 
 def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
-    """Write tables as text, an empty line between them.
-
-    Args:
-        tables: the tables.
-        terminal_width: the width of the terminal in columns; None for plain text, with lines of any
-            length.
-
-    Returns:
-        Lines of text; for a terminal also control sequences.
-    """
+    """Write tables as text, separated by empty lines; the width is as for `report`."""
     from rich.console import Console
 
     text = StringIO()
@@ -258,12 +244,12 @@ def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
 
 
 def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 0) -> Table:
-    """Make a table without lines, its first column bold.
+    """Make a borderless table with a bold first column.
 
     Args:
         heads: of the columns.
-        numbers: the heads of those that are right-aligned.
-        width: the least one of the first column.
+        numbers: the heads of right-aligned columns.
+        width: the least width of the first column.
     """
     from rich.table import Table
 
@@ -280,7 +266,7 @@ def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 
 
 
 def list_facts(texts: Mapping[str, str], width: int) -> Table:
-    """Make a table of names and texts; names take at least the given number of columns."""
+    """Make a table of names and texts; the width is the least one of the names."""
     from rich.table import Table
 
     table = Table.grid(padding=(0, 2, 0, 0))
@@ -297,7 +283,7 @@ def _area(area: Fraction) -> tuple[str, str]:
 
 
 def approximate(value: Fraction, *, up: bool = False) -> str:
-    """Round a number to six significant digits, the nearest ones or the next ones up.
+    """Round a number to six significant digits, to nearest or up.
 
     >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
     ('-6.66667', '30', '6.33825e+29')
@@ -309,7 +295,7 @@ def approximate(value: Fraction, *, up: bool = False) -> str:
     n, d = value.as_integer_ratio()
     exponent = find_magnitude(abs(value)) - _SHOWN + 1 if n else 0
     n, d = n * 10 ** max(0, -exponent), d * 10 ** max(0, exponent)
-    # To the nearest int, of two to the even one; or to the next one up.
+    # Ties go to even.
     whole, rest = divmod(2 * n + d, 2 * d)
     whole = -(-n // d) if up else whole - (whole % 2 if not rest else 0)
     rounded = Decimal(whole).scaleb(exponent, _ANY_EXPONENT).normalize(_ANY_EXPONENT)
@@ -317,7 +303,7 @@ def approximate(value: Fraction, *, up: bool = False) -> str:
 
 
 def take_root(square: Fraction) -> Fraction:
-    """Return the square root of a number of any size: exactly, or rounded up to about 60 bits.
+    """Return the square root of a number of any size: exact, or rounded up to about 60 bits.
 
     >>> take_root(Fraction(1, 4)), float(take_root(Fraction(2)))
     (Fraction(1, 2), 1.4142135623730951)

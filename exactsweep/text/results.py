@@ -26,7 +26,7 @@ _ZERO = Fraction(0)
 
 
 def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
-    """Write a sweep, its input included, as JSON.
+    """Write a sweep and its input as JSON.
 
     Args:
         sweep: a Sweep.
@@ -35,11 +35,9 @@ def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
     Returns:
         One object with one name per line: "kind", "direction", "reference", "area", and the vertex
         lists "generatrix", "directrix", "trajectory", "inner" and "outer". The direction is a pair
-        of integers; all other numbers are strings that `to_fraction` reads. For the kind "SS" the
-        direction is null, "unswept" lists the other holes of the swept area, and a polygon with
-        holes is an object with "exterior" and "holes".
-
-    Cost: linear in the length of the result.
+        of integers, null for kind "SS"; all other numbers are strings that `to_fraction` reads.
+        "unswept" lists the other holes of the swept area of kind "SS". A polygon with holes is an
+        object with "exterior" and "holes".
     """
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     texts = {
@@ -53,7 +51,7 @@ def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
 
 
 def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
-    """Write a no-fit polygon, its input included, as JSON.
+    """Write a no-fit polygon and its input as JSON.
 
     Args:
         n: a NoFitPolygon.
@@ -61,10 +59,8 @@ def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
 
     Returns:
         One object with one name per line: "stationary", "orbiting", "kind", "reference",
-        "exterior", "holes", "exact_fits" and "area", in the form of `sweep_to_json`. An exact fit
-        is a pair of points.
-
-    Cost: linear in the length of the result.
+            "exterior",
+        "holes", "exact_fits", pairs of points, and "area", in the form of `sweep_to_json`.
     """
     return write_object(
         {
@@ -82,18 +78,16 @@ def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
 
 
 def inner_fit_to_json(f: InnerFitAnswer, error: Fraction = _ZERO) -> str:
-    """Write the positions of a part inside a container, its input included, as JSON.
+    """Write the positions of a part inside a container and their input as JSON.
 
     Args:
         f: an InnerFit.
         error: as for `sweep_to_json`.
 
     Returns:
-        One object with one name per line: "container", "part", "placed" if there are placed
-        shapes, "reference", "regions", "exact_fits" and "area", in the form of `no_fit_to_json`.
-        Each region is an object with "exterior" and "holes".
-
-    Cost: linear in the length of the result.
+        One object with one name per line: "container", "part", "placed" if there are placed shapes,
+        "reference", "regions", objects with "exterior" and "holes", "exact_fits" and "area", in the
+        form of `no_fit_to_json`.
     """
     return write_object(
         {
@@ -114,7 +108,7 @@ def _tell_error(error: Fraction) -> dict[str, str]:
 
 
 def write_json_value(shape: AnyPolygon) -> object:
-    """Convert a shape to a list of vertices, or a shape with holes to an object of its rings."""
+    """Convert a shape to a list of vertices, or with holes to an object of its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
 
@@ -127,16 +121,7 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
 
 
 def certificate_to_json(result: SweepAnswer | NoFitAnswer | InnerFitAnswer) -> str:
-    """Write the certificate of a result as JSON.
-
-    Args:
-        result: a Sweep, a NoFitPolygon or an InnerFit.
-
-    Returns:
-        One object with one name per line.
-
-    Cost: that of its `certificate`.
-    """
+    """Write the certificate of a Sweep, a NoFitPolygon or an InnerFit as JSON."""
     found = result.certificate()
     return write_object(
         {name: json.dumps(value, separators=(",", ":")) for name, value in found.items()}
@@ -144,21 +129,15 @@ def certificate_to_json(result: SweepAnswer | NoFitAnswer | InnerFitAnswer) -> s
 
 
 def explanation_to_json(sweep: SweepAnswer) -> str:
-    """Write the steps of a sweep, as `exactsweep.evidence.steps` finds them, as JSON.
-
-    Args:
-        sweep: a Sweep.
+    """Write the steps of a sweep as JSON.
 
     Returns:
-        One object: the input as by `sweep_to_json`, "undercuts", "exact_fits", and "steps" with one
-        step per line. Names are those of `Undercut` and `Step`. All numbers are strings, except the
-        shared direction and the numbers of features, undercuts and exact fits. Features have the
-        numbers of the caller's input. "features" maps each listed vertex, and the edge from it to
-        the next, to that number. "holes" are the holes of the no-fit polygon, each with its "loop"
-        and its "contacts", a list for each edge. "exact_fit_contacts" has a list for each exact
-        fit.
-
-    Cost: that of `exactsweep.evidence.steps`.
+        One object: the input as by `sweep_to_json`, "undercuts", "exact_fits", and "steps", one per
+        line, with the names of `Undercut` and `Step`. All numbers are strings, except the shared
+        direction and the numbers of features, undercuts and exact fits. "features" maps each listed
+        vertex, and the edge from it to the next, to its number in the caller's input. "holes" are
+        those of the no-fit polygon, each with its "loop" and its "contacts", a list for each edge.
+        "exact_fit_contacts" has a list for each exact fit.
     """
     steps = [_write(_step(step)) for step in explain(sweep)]
     return write_object(
@@ -186,21 +165,15 @@ def _holes(sweep: SweepAnswer) -> list[dict[str, object]]:
 
 
 def _fit_contacts(sweep: SweepAnswer) -> list[Sequence[Contact]]:
-    ways = iter(sweep.contacts_along([fit for fit in sweep.exact_fits if fit[0] != fit[1]]))
+    segments = iter(sweep.contacts_along([fit for fit in sweep.exact_fits if fit[0] != fit[1]]))
     return [
-        sweep.contacts_at(fit[0]) if fit[0] == fit[1] else next(ways)[0] for fit in sweep.exact_fits
+        sweep.contacts_at(fit[0]) if fit[0] == fit[1] else next(segments)[0]
+        for fit in sweep.exact_fits
     ]
 
 
 def verification_to_json(verification: Verification) -> str:
-    """Write a verdict of `exactsweep.check.verify` as JSON: "proved", "reason" and "witness".
-
-    Args:
-        verification: a Verification.
-
-    Returns:
-        One object; the witness is a point, two strings, or null.
-    """
+    """Write a Verification as one JSON object: "proved", "reason" and "witness", or null."""
     return write_object({name: _write(part) for name, part in verification._asdict().items()})
 
 
@@ -245,7 +218,7 @@ def _step(step: Step) -> dict[str, object]:
 
 
 def write_object(texts: Mapping[str, str]) -> str:
-    """Write an object of JSON, whose values are written already, one name per line."""
+    """Write an object of JSON of written values, one name per line."""
     lines = (f"  {json.dumps(name)}: {text}" for name, text in texts.items())
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
@@ -257,9 +230,10 @@ def _write(value: object) -> str:
 def sweep_to_regions(
     sweep: SweepAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Name the loops of a sweep: "trajectory", "inner", "outer", and "unswept 0" and so on.
+    """Name the loops of a sweep: "trajectory", "inner", "outer", "unswept 0" and so on.
 
-    With the errors of the directrix and of the generatrix, which passes by twice, each has its own.
+    Each loop has the errors of the directrix and of the generatrix, which counts twice in the outer
+    one.
     """
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     loops |= {f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)}
@@ -272,7 +246,7 @@ def sweep_to_regions(
 def no_fit_to_regions(
     n: NoFitAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Make one Region of a no-fit polygon, without its exact fits: "nfp"."""
+    """Make one Region "nfp" of a no-fit polygon, without its exact fits."""
     return [NamedRegion(Region(n.exterior, n.holes), "nfp", None, stays + moves)]
 
 
@@ -287,16 +261,8 @@ def inner_fit_to_regions(
 def sweep_to_wkt(sweep: SweepAnswer) -> str:
     """Write the loops of a sweep as WKT: trajectory, inner loop, outer loop, unswept holes.
 
-    Args:
-        sweep: a Sweep.
-
-    Returns:
-        A POLYGON per line, in exact decimals: three, and one for each unswept hole.
-
     Raises:
-        FormatError: a coordinate, such as 1/3, is not a finite decimal, so WKT cannot hold it.
-
-    Cost: linear in the length of the result, times the cost of a division of that length.
+        FormatError: a coordinate, such as 1/3, is not a finite decimal.
     """
     loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
     loops |= {f"unswept hole {k}": loop for k, loop in enumerate(sweep.unswept)}
@@ -304,13 +270,7 @@ def sweep_to_wkt(sweep: SweepAnswer) -> str:
 
 
 def no_fit_to_wkt(n: NoFitAnswer) -> str:
-    """Write a no-fit polygon as WKT: a POLYGON with its holes, then its exact fits.
-
-    Args:
-        n: a NoFitPolygon.
-
-    Returns:
-        Lines of WKT in exact decimals: a POLYGON, and a LINESTRING or a POINT for each exact fit.
+    """Write a no-fit polygon as WKT: a POLYGON, then a LINESTRING or POINT per exact fit.
 
     Raises:
         FormatError: as by `sweep_to_wkt`.
@@ -329,12 +289,9 @@ def no_fit_to_wkt(n: NoFitAnswer) -> str:
 def inner_fit_to_wkt(f: InnerFitAnswer) -> str:
     """Write the positions of a part inside a container as WKT.
 
-    Args:
-        f: an InnerFit.
-
     Returns:
-        Lines of WKT in exact decimals: a POLYGON for each region, a LINESTRING or a POINT for each
-        exact fit; "POLYGON EMPTY" if the part does not fit.
+        A POLYGON for each region, a LINESTRING or POINT for each exact fit; "POLYGON EMPTY" if the
+        part does not fit.
 
     Raises:
         FormatError: as by `sweep_to_wkt`.

@@ -10,11 +10,11 @@ if TYPE_CHECKING:
 
 
 def make_environment(loader: BaseLoader | None = None, *, html: bool = True) -> Environment:
-    """Make an environment in which an unknown name is an error, and lines of tags leave no trace.
+    """Make an environment with strict names and without traces of tag lines.
 
     Args:
         loader: a loader of the templates that others refer to.
-        html: whether values are escaped.
+        html: whether to escape values.
     """
     from jinja2 import Environment, StrictUndefined
 

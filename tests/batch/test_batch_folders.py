@@ -1,4 +1,4 @@
-"""Batches of folders of drawings: names, what is left out, rotations, and tables of numbers."""
+"""Batches of folders of drawings: names, omissions, rotations, and tables of numbers."""
 
 import csv
 import io
@@ -110,7 +110,7 @@ def test_rotations_are_exact(tmp_path: Path) -> None:
         assert run("batch", "--all", "a", "b", "-o", "x", "--rotations", wrong).exit_code == 2
 
 
-def test_other_angles_are_told(tmp_path: Path) -> None:
+def test_rational_rotations_are_reported(tmp_path: Path) -> None:
     part, output = tmp_path / "part.json", tmp_path / "out.jsonl"
     part.write_text("[[0,0],[2,0],[0,1]]")
     options = ("--rotations", "0,33.3", "--compute", "nfp", "-o", str(output), "--workers", "1")
@@ -136,7 +136,7 @@ def test_rounded_records_permit_no_overlap(one: Polygon, other: Polygon) -> None
     assert abs(Fraction(record["area"]) - exact.area) <= Fraction(1, 20)
 
 
-def test_exact_fits_that_rounding_moves_are_left_out_where_overlap_must_be() -> None:
+def test_exact_fits_that_rounding_moves_are_dropped() -> None:
     fits: list[list[tuple[Any, Any]]] = [
         [("4/3", 1), ("4/3", 3)],
         [("1.5", "0.25"), ("1.5", "0.25")],

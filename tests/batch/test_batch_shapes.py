@@ -68,7 +68,7 @@ def test_holes_are_read_from_parts_and_pairs(tmp_path: Path) -> None:
     assert one["holes"] == two["holes"] == [[["5", "1"], ["6", "1"], ["6", "2"], ["5", "2"]]]
 
 
-def test_batches_that_differ_in_holes_are_told_apart() -> None:
+def test_batches_that_differ_in_holes_differ() -> None:
     assert isinstance(PLATE.polygon, Region)
     first, second = PLATE.polygon.holes
     solid = Polygon(PLATE.polygon.exterior)

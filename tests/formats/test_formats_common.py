@@ -134,7 +134,7 @@ def test_readers_of_csv_in_other_threads_keep_their_limit() -> None:
 
 @pytest.mark.parametrize("corners", ["0,0 {},0 0,1", "-1,0 {},0 0,1", "1,0 -{},0 0,1"])
 def test_coordinates_that_grow_too_long_are_refused(corners: str) -> None:
-    """Scaled by 10**19 so many times; the limit is 32 times that of a number, and 7 digits more."""
+    """The limit is 32 times that of a number, and 7 digits more."""
     shape = f'<polygon points="{corners.format("9" * 19)}"/>'
     group = "<g transform='scale(1e19)'>"
     scaled = {n: f"<svg>{group * n}{shape}{'</g>' * n}</svg>" for n in (33, 34)}

@@ -296,7 +296,7 @@ def test_a_spline_that_is_none_is_refused_with_the_reason(
 
 @pytest.mark.parametrize("place", range(4))
 def test_the_ends_of_a_stretched_arc_are_close_to_those_asked_for(place: int) -> None:
-    # Each entry of the image alone decides how far it stretches.
+    # Each entry of the image alone decides the scale.
     entries = [0, 0, 0, 0]
     entries[place] = 10**8
     image = make_affine(*entries, 5, 7)
@@ -365,7 +365,7 @@ def test_a_path_that_is_off_is_refused_beyond_a_sixteenth_of_the_tolerance() -> 
 def test_a_stretched_elliptic_arc_is_as_wide_as_the_one_that_is_meant(
     place: int, sign: int
 ) -> None:
-    """Its center is irrational. Each entry of the image alone decides how far it stretches."""
+    """Its center is irrational. Each entry of the image alone decides the scale."""
     entries = [0, 0, 0, 0]
     entries[place] = sign * 10**4
     one, zero = Fraction(1), Fraction(0)

@@ -174,7 +174,7 @@ def test_layers_are_chosen_without_case() -> None:
     found = parse_regions(text, ignored_layers=["Engrave"])
     assert ([one.name for one in found], found.notes) == (
         ["p"],
-        ["left out: 1 shape on the layer 'engrave'"],
+        ["skipped: 1 shape on the layer 'engrave'"],
     )
     with pytest.raises(FormatError, match="no layer 'cuts'; did you mean 'Cut'"):
         parse_regions(text, layers=["cuts"])

@@ -38,8 +38,8 @@ def find_outcome(case: dict[str, Any]) -> object:
     if case.get("as") == "written":
         return {form: attempt(partial(write, text, form, options)) for form in WRITTEN}
     if case.get("as") == "rounded":
-        ways = product((0, 1), SIDES)
-        return [attempt(partial(round_all, text, *way)) for way in ways]
+        cases = product((0, 1), SIDES)
+        return [attempt(partial(round_all, text, *way)) for way in cases]
     one = attempt(lambda: show(parse_polygon(text, case.get("choice"), **options)))
     every = one if "choice" in case else attempt(lambda: list_contents(text, options))
     return one if one == every else [one, every]
@@ -53,8 +53,8 @@ def attempt(read: Callable[[], object]) -> object:
 
 
 def show_layout(found: FoundLayout) -> list[object]:
-    told = found.name, found.data, found.notes, found.unchecked, found.unit
-    return list(json.loads(json.dumps(told)))
+    outcome = found.name, found.data, found.notes, found.unchecked, found.unit
+    return list(json.loads(json.dumps(outcome)))
 
 
 def show(polygon: AnyPolygon) -> str:
@@ -65,8 +65,8 @@ def list_contents(text: str, options: dict[str, Any]) -> dict[str, object]:
     found = parse_regions(text, **options)
     parts = [[name, layer, show(region)] for region, name, layer, _ in found]
     unit = None if found.coordinates.unit is None else str(found.coordinates.unit)
-    told = {"left_out": found.left_out, "notes": found.notes, "unit": unit}
-    return {"parts": parts, **{name: value for name, value in told.items() if value}}
+    outcome = {"left_out": found.left_out, "notes": found.notes, "unit": unit}
+    return {"parts": parts, **{name: value for name, value in outcome.items() if value}}
 
 
 def round_all(text: str, places: int, side: Side) -> list[str]:

@@ -1,4 +1,4 @@
-"""Hidden geometry is no part; ornaments lose no file; reports list what is left out."""
+"""Hidden geometry is no part; ornaments lose no file; reports list omissions."""
 
 from collections.abc import Callable
 from io import StringIO
@@ -87,9 +87,9 @@ def test_commands_tell_what_is_hidden(tmp_path: Path) -> None:
     done = run("nfp", f"{path}#part", f"{path}#part")
     assert "skipped: " in done.stderr
     assert "hidden: 1 g with display none (--hidden)" in done.stderr
-    told = [line for line in done.stderr.splitlines() if "hidden: " in line]
+    hidden = [line for line in done.stderr.splitlines() if "hidden: " in line]
     swept = run("sweep", f"{path}#part", f"{path}#used").stderr.splitlines()
-    assert [line for line in swept if "hidden: " in line] == told
+    assert [line for line in swept if "hidden: " in line] == hidden
     assert run("convert", str(path), "--hidden", "--to", "wkt").stdout.count("POLYGON") == 9
 
 
@@ -107,7 +107,7 @@ def test_commands_tell_what_is_hidden(tmp_path: Path) -> None:
         ("<defs><path id='a' fill='red' d='M0 0h2v2z'/></defs><use href='#a' fill='none'/>", ""),
     ],
 )
-def test_a_shape_that_nothing_paints_is_read_and_told(shapes: str, noted: str) -> None:
+def test_an_unpainted_shape_is_read_with_a_note(shapes: str, noted: str) -> None:
     parts = parse_polygons(f"<svg>{shapes}</svg>", tolerance="1/10")
     assert len(parts) == 1 + ("use" in shapes and bool(noted))
     assert parts.notes == ([f"{noted} with neither fill nor stroke is read"] if noted else [])

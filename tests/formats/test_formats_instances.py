@@ -71,8 +71,8 @@ def test_a_whole_turn_changes_nothing(turn: float) -> None:
 
 def test_more_containers_than_in_stock_are_noted() -> None:
     assert {found.unchecked for found in read_jagua(0, 0)} == {()}
-    (told,) = {found.unchecked for found in read_jagua(0, 0, 0)}
-    assert told == ("container 0: 3 used, 2 in stock",)
+    (note,) = {found.unchecked for found in read_jagua(0, 0, 0)}
+    assert note == ("container 0: 3 used, 2 in stock",)
 
 
 def test_a_solution_does_not_change_the_bins_of_its_instance() -> None:
@@ -158,8 +158,8 @@ def test_turns_for_mirrored_copies_are_rules() -> None:
 
 
 def test_fixed_items_are_not_judged_and_defects_may_have_holes() -> None:
-    (told,) = read_packed(bin={"fixed_items": [{"item_type_id": 0}]}).unchecked
-    assert told == "whether the fixed items of $.bin_types[0] are placed"
+    (note,) = read_packed(bin={"fixed_items": [{"item_type_id": 0}]}).unchecked
+    assert note == "whether the fixed items of $.bin_types[0] are placed"
     square = {"type": "rectangle", "width": 2, "height": 2}
     holed = {**square, "holes": [{**square, "width": 1, "height": 1}]}
     (defect,) = read_packed(bin={"defects": [holed]}).data["defects"]

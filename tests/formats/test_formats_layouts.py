@@ -87,7 +87,7 @@ HOSTILE: list[Any] = [None, True, "x", "", -1, 1.5, [], {}, [[]], [None], "1e999
 
 
 def spoilt(value: Any) -> Iterator[Any]:
-    """The document with each part of it replaced by each hostile value, and left out."""
+    """The document with each part of it replaced by each hostile value, and omitted."""
     yield from HOSTILE
     if isinstance(value, dict):
         for name, part in value.items():

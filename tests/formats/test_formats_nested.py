@@ -61,8 +61,8 @@ def test_nested_outlines_are_read_by_commands(tmp_path: Path) -> None:
     assert "contains 2 polygons" in refusal(run("ifp", drawing, unit))
     assert len(run("nfp", drawing, unit).stdout.splitlines()) == 3
     for command, pair in (("nfp", (drawing, unit)), ("sweep", (unit, drawing))):
-        told = run(command, *pair, "--nested").output.replace(drawing, source)
-        assert told == run(command, *(source if p == drawing else p for p in pair)).output
+        output = run(command, *pair, "--nested").output.replace(drawing, source)
+        assert output == run(command, *(source if p == drawing else p for p in pair)).output
 
 
 GROUP = (

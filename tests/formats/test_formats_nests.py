@@ -64,7 +64,7 @@ def test_a_shape_that_is_no_part_is_refused(stray: str) -> None:
 
 
 @pytest.mark.parametrize("how", ['display="none"', 'class="off"', 'visibility="hidden"'])
-def test_hidden_parts_of_sparrow_are_left_out(how: str) -> None:
+def test_hidden_parts_of_sparrow_are_omitted(how: str) -> None:
     style = "<style>.off {display: none}</style>"
     hidden = USE.replace("<use", f"<use {how}")
     found = read_sparrow(style + hidden + USE)
@@ -74,7 +74,7 @@ def test_hidden_parts_of_sparrow_are_left_out(how: str) -> None:
 
 
 @pytest.mark.parametrize("how", ['display="none"', 'class="off"'])
-def test_hidden_parts_of_svgnest_are_left_out(how: str) -> None:
+def test_hidden_parts_of_svgnest_are_omitted(how: str) -> None:
     style = "<style>.off {display: none}</style>"
     found = read_nest(f"{style}{GROUP.replace('<g', f'<g {how}')}{GROUP}<g/>")
     assert len(found.data["placements"]) == 1
@@ -83,7 +83,7 @@ def test_hidden_parts_of_svgnest_are_left_out(how: str) -> None:
     assert inside.data == read_nest(GROUP).data
 
 
-def test_hidden_outlines_of_a_drawing_are_left_out_and_told() -> None:
+def test_hidden_outlines_of_a_drawing_are_omitted_with_a_note() -> None:
     hidden = PART.replace("<path", '<path display="none"')
     drawn = f'<rect width="9" height="9"/>{PART}{hidden}'
     found = read(drawn)

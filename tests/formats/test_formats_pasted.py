@@ -64,7 +64,7 @@ def test_a_table_of_placements_is_no_polygon(column: str) -> None:
         parse_polygons(text)
 
 
-def test_open_rings_of_wkt_are_closed_and_told() -> None:
+def test_open_rings_of_wkt_are_closed_with_a_note() -> None:
     found = parse_polygons("POLYGON ((0 0, 4 0, 4 4, 0 4))")
     assert found[0].polygon.area == 16
     assert found.notes == ["1 ring closed that did not end where it began, first line 1, column 10"]
@@ -110,7 +110,7 @@ def test_a_layer_may_have_the_name_of_an_index() -> None:
     assert parse_polygon(text, "layer:0") == parse_polygon(text, "1")
 
 
-def test_radii_that_are_left_out_are_those_that_are_given() -> None:
+def test_a_missing_radius_equals_the_given_one() -> None:
     text = '<svg><rect width="160" height="80" rx="40"/><ellipse rx="10"/></svg>'
     stadium, disc = parse_regions(text, tolerance="1/1000")
     assert abs(float(stadium.region.area) - (12800 - (4 - 3.141592653589793) * 1600)) < 0.3

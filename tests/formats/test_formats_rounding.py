@@ -44,7 +44,7 @@ def test_regions_grow_and_shrink_for_certain(polygon: Polygon, divisor: int, pla
 
 @fewer
 @given(strategies.simple_polygons(), strategies.simple_polygons())
-def test_what_holds_is_what_leaves_nothing_outside(one: Polygon, other: Polygon) -> None:
+def test_a_container_has_all_points_of_its_content(one: Polygon, other: Polygon) -> None:
     a, b = Region(one), Region(other)
     if contains(a, b):
         assert a.area >= b.area
@@ -60,7 +60,7 @@ def tiny(v: Point) -> Polygon:
 @fewer
 @given(strategies.simple_polygons(), st.integers(0, 3))
 @example(Polygon([(0, 0), (1, 0), (0, 1)]), 0)
-def test_rings_are_no_farther_apart_than_is_said(polygon: Polygon, places: int) -> None:
+def test_the_distance_bounds_that_of_old_and_new_rings(polygon: Polygon, places: int) -> None:
     region = turned(polygon, 77)
     found = round_region(region, places, "outward")
     assert found.region is not None
@@ -71,7 +71,7 @@ def test_rings_are_no_farther_apart_than_is_said(polygon: Polygon, places: int) 
             assert nearest <= found.distance**2
 
 
-def test_the_hull_is_left_where_nothing_closer_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_hull_of_all_cells_is_the_last_resort(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("exactsweep.formats.rounding._is_proved", lambda *rings: False)
     region = Region([("0.5", "0.5"), ("3.5", 1), (4, "4.5"), (2, 2)])
     found = round_region(region, 0, "outward")

@@ -124,7 +124,7 @@ def test_a_shape_has_the_name_of_the_outermost_use_that_draws_it() -> None:
 
 
 @pytest.mark.parametrize(("choice", "left_out"), [("", 1), ("#tile", 0)])
-def test_ornaments_are_told_unless_the_shape_is_named(
+def test_ornaments_are_reported_unless_the_shape_is_named(
     tmp_path: Path, choice: str, left_out: int
 ) -> None:
     path = tmp_path / "a.svg"

@@ -1,4 +1,4 @@
-"""Explanations and results of any sweep: nothing is left out; many steps take linear time."""
+"""Explanations and results of any sweep: nothing is missing; many steps take linear time."""
 
 import json
 from fractions import Fraction
@@ -17,7 +17,7 @@ from exactsweep.text.results import explanation_to_json, no_fit_to_json
 
 @examples(15)
 @given(simple_polygons(), simple_polygons())
-def test_every_sweep_is_told(g: Polygon, d: Polygon) -> None:
+def test_every_sweep_is_explained(g: Polygon, d: Polygon) -> None:
     s = sweep(g, d)
     lines = list(tell(s))
     assert sum(line.startswith("Step ") for line in lines) == len(s.trajectory)
@@ -32,12 +32,12 @@ def test_every_sweep_is_told(g: Polygon, d: Polygon) -> None:
 
 
 @pytest.mark.parametrize("height", [1, 3, 5])
-def test_a_stop_at_a_wall_is_told_without_the_ends_of_its_edges(height: int) -> None:
+def test_a_stop_at_a_wall_omits_the_ends_of_its_edges(height: int) -> None:
     g = [(0, 0), (3, 0), (3, 3), (0, 3)]
     d = [(0, -1), (10, -1), (10, 0), (4, 0), (4, height), (0, height)]
     (stop,) = (line for line in tell(sweep(g, d)) if "Stop: " in line)
-    told = f"edge 3 of G, (0,3)-(0,0), closes flat on edge 3 of D, (4,0)-(4,{height})"
-    assert stop.split(";")[0] == f"  Stop: {told}"
+    line = f"edge 3 of G, (0,3)-(0,0), closes flat on edge 3 of D, (4,0)-(4,{height})"
+    assert stop.split(";")[0] == f"  Stop: {line}"
 
 
 @examples(20)

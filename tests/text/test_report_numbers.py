@@ -33,11 +33,9 @@ def test_digits_are_rounded_up_where_a_number_is_a_bound(value: Fraction, power:
 
 
 @given(st.integers(100_000, 999_999), st.integers(0, 900), st.sampled_from([-1, 0, 1]))
-def test_the_middle_between_two_numbers_is_told_exactly(
-    digits: int, places: int, beside: int
-) -> None:
+def test_ties_are_rounded_exactly(digits: int, places: int, offset: int) -> None:
     """Far closer to it than all first bits can tell."""
-    middle = Fraction(2 * digits + 1, 2) + Fraction(beside, 10**places * 3)
+    middle = Fraction(2 * digits + 1, 2) + Fraction(offset, 10**places * 3)
     for number in (middle, -middle, middle / 10**800, middle * 10**800):
         assert Decimal(approximate(number)) == expected(number)
 
@@ -64,6 +62,6 @@ def test_names_in_brackets_are_shown_as_they_are(width: int | None) -> None:
     assert "[bold]left[/bold]" in lay_out([table], width)
 
 
-def test_a_long_text_beside_its_name_is_shown_whole() -> None:
+def test_a_long_text_is_shown_whole() -> None:
     shown = lay_out([list_facts({"area": "7" * 300}, 6)], 80)
     assert shown.count("7") == 300

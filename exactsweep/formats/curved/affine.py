@@ -12,9 +12,9 @@ _ZERO = Fraction(0)
 
 
 class Affine(NamedTuple):
-    """The map (x, y) -> (a x + c y + e, b x + d y + f), numbers in the order of SVG's `matrix`.
+    """The map (x, y) -> (a x + c y + e, b x + d y + f), in the order of SVG's `matrix`.
 
-    The map that is meant may be irrational: then each of its numbers is within `off` of this one's.
+    If the true map is irrational, each of its numbers is within `off` of this one's.
     """
 
     a: Fraction
@@ -32,7 +32,7 @@ class Affine(NamedTuple):
         x, y = self.vector(first.a, first.b), self.vector(first.c, first.d)
         off = Fraction(0)
         if self.off or first.off:
-            # A number of the product is a sum of two products, and perhaps a number of this map.
+            # A number of the product is a sum of two products, and perhaps of one more number.
             largest, other = max(map(abs, self[:4])), max(map(abs, first[:6]))
             off = 2 * (largest * first.off + other * self.off + self.off * first.off) + self.off
         return Affine(*x, *y, *self.point(first.e, first.f), off)
@@ -49,13 +49,13 @@ class Affine(NamedTuple):
         return Point(_add_products(self.a, x, self.c, y), _add_products(self.b, x, self.d, y))
 
     def error(self, points: Iterable[Point]) -> Fraction:
-        """Return how far, at most, images of points and of their hull are from the meant ones."""
-        # Each coordinate is off by off * (|x| + |y| + 1); two of them, by less than twice that.
+        """Bound the distance of images of points and of their hull from the true ones."""
+        # Each coordinate has an error of off * (|x| + |y| + 1); both, less than twice that.
         return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
 
 
 def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fraction:
-    """Return a x + b y, quickly where a number is 0, as half of those of most maps are."""
+    """Return a x + b y, with a fast path for zeros, half of the numbers of most maps."""
     if b and y:  # pragma: no mutate: time alone
         return a * x + b * y if a and x else b * y
     return a * x if a and x else _ZERO
@@ -77,7 +77,7 @@ def make_shift(x: Rational, y: Rational) -> Affine:
 
 
 def make_scaling(x: Rational, y: Rational) -> Affine:
-    """Make the map that multiplies each coordinate by a factor of its own."""
+    """Make the map that scales each coordinate by its own factor."""
     return make_affine(x, 0, 0, y, 0, 0)
 
 

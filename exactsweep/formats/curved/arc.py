@@ -1,7 +1,7 @@
-"""Angles, whose sines are irrational, and the arcs between two of them.
+"""Angles with irrational sines, and the arcs between two of them.
 
-The end of such an arc is a rational point of the circle that is at most 10**-40 radii from the true
-one, which interval arithmetic proves.
+The end of such an arc is a rational point of the circle at most 10**-40 radii from the true one,
+which interval arithmetic proves.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _FULL = Fraction(360)
 
 
 def make_arc(image: Affine, start: Fraction, end: Fraction) -> Path:
-    """Make an arc of the unit circle's image, between two angles in degrees."""
+    """Make an arc of the image of the unit circle, between two angles in degrees."""
     span = (end - start) % _FULL or _FULL
     points = [image.point(*find_unit_point(angle, _NEAR)) for angle in (start, end)]
     radians = pi / 180
@@ -36,11 +36,7 @@ def make_arc(image: Affine, start: Fraction, end: Fraction) -> Path:
 
 
 def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
-    """Make the rotation by an angle: exactly by quarter turns, others very nearly.
-
-    Args:
-        degrees: the angle.
-        power: to which power of 10**-40 it is true.
+    """Make the rotation by an angle in degrees, with an error of at most 10**-40 to a power.
 
     >>> make_rotation(Fraction(90)).point(Fraction(1), Fraction(0))
     Point(x=Fraction(0, 1), y=Fraction(1, 1))
@@ -51,7 +47,7 @@ def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
 
 
 def to_degrees(radians: Fraction) -> Fraction:
-    """Return an angle in degrees, off by less than a part in 10**100."""
+    """Convert radians to degrees, with a relative error below 10**-100."""
     if abs(radians) > _MAX_TURN:
         raise FormatError(f"an angle beyond {_MAX_TURN} radians")
     return radians * 180 / _pi()

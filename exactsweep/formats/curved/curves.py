@@ -39,16 +39,16 @@ class Curve(Protocol):
     """A curve without its ends."""
 
     def bend(self) -> Fraction:
-        """Return a bound on the second derivative by the parameter."""
+        """Bound the second derivative by the parameter."""
 
     def least(self) -> int:
         """Return the least number of chords."""
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at some places, rounded to multiples of 1 / grid."""
+        """Return the points at some parameters, rounded to multiples of 1 / grid."""
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from places to points as floats, as seen from the start."""
+        """Return a function from parameters to points as floats, relative to the start."""
 
 
 class Bezier(NamedTuple):
@@ -63,11 +63,11 @@ class Bezier(NamedTuple):
     weights: Sequence[Fraction] = ()
 
     def bend(self) -> Fraction:
-        """Return a bound on the second derivative.
+        """Bound the second derivative.
 
-        With weights C = N / W, and so W C'' = N'' - 2 W' C' - W'' C, W C' = N' - W' C; N and W are
-        Bezier curves, whose derivatives are no larger than the differences of their control points
-        times the degree. The origin may be any point; a control point keeps |C| small.
+        With weights C = N / W, so W C'' = N'' - 2 W' C' - W'' C and W C' = N' - W' C; N and W are
+        Bezier curves, whose derivatives are at most the differences of their control points times
+        the degree. A control point as the origin keeps |C| small.
         """
         scale, points = self._lattice()
         n = len(points) - 1
@@ -94,7 +94,7 @@ class Bezier(NamedTuple):
         return scale, [(int(x * scale), int(y * scale)) for x, y in self.controls]
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at some places, rounded to multiples of 1 / grid."""
+        """Return the points at some parameters, rounded to multiples of 1 / grid."""
         scale, controls = self._lattice()
         columns: list[Sequence[int]] = [*zip(*controls, strict=True)]
         if self.weights:
@@ -114,7 +114,7 @@ class Bezier(NamedTuple):
         return make_points(divide_all(xs, grid), divide_all(ys, grid))
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from places to points as floats, as seen from the start."""
+        """Return a function from parameters to points as floats, relative to the start."""
         x, y = self.controls[0]
         weights = [*map(float, self.weights)] or [1.0] * len(self.controls)
         lifted = [
@@ -135,9 +135,9 @@ class Arc(NamedTuple):
     """The image of an arc of the unit circle, counter-clockwise.
 
     Attributes:
-        image: what maps the circle, to an ellipse perhaps.
+        image: the map from the circle.
         first: the angle of its start in radians.
-        span: the angle that it covers, more than 0, at most 2 pi.
+        span: its angle, above 0 and at most 2 pi.
     """
 
     image: Affine
@@ -153,15 +153,15 @@ class Arc(NamedTuple):
         return (sums[0] + sums[1]) / 2
 
     def bend(self) -> Fraction:
-        """Return a bound on the second derivative, by (2)."""
+        """Bound the second derivative, by (2)."""
         return self.radius * Fraction(self.span) ** 2 * _MARGIN
 
     def least(self) -> int:
-        """Return the least number of chords: one for each begun quarter."""
+        """Return the least number of chords: one for each started quarter."""
         return max(1, ceil(self.span / (pi / 2) - 2**-30))
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at some places, rounded to multiples of 1 / grid."""
+        """Return the points at some parameters, rounded to multiples of 1 / grid."""
         image = self.image[:6]
         scale = lcm(*(number.denominator for number in image))
         a, b, c, d, e, f = (int(number * scale) for number in image)
@@ -175,11 +175,11 @@ class Arc(NamedTuple):
         return make_points(divide_all(xs, grid), divide_all(ys, grid))
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from places to points as floats, as seen from the start."""
+        """Return a function from parameters to points as floats, relative to the start."""
         a, b, c, d = map(float, self.image[:4])
 
         def near(place: int) -> complex:
-            # Of small arcs, the difference of two cosines would have few digits.
+            # The difference of two cosines would lose digits of small arcs.
             half = self.span * (place / WHOLE) / 2
             step = 2j * sin(half) * rect(1, self.first + half)
             return complex(a * step.real + c * step.imag, b * step.real + d * step.imag)
@@ -188,7 +188,7 @@ class Arc(NamedTuple):
 
 
 def _find_unit_point(angle: float) -> tuple[int, int, int]:
-    """Return a point of the unit circle at about an angle: two numerators, the denominator."""
+    """Return a point of the unit circle near an angle: two numerators, the denominator."""
     quarters = floor(angle / (pi / 2) + 0.5)
     t = round(tan((angle - quarters * (pi / 2)) / 2) * (1 << _TURN_BITS))
     one, square = 1 << 2 * _TURN_BITS, t * t
@@ -204,7 +204,7 @@ def _find_unit_point(angle: float) -> tuple[int, int, int]:
 
 
 def find_angle(x: Fraction, y: Fraction) -> float:
-    """Return the angle of a vector of any length, from 0 to less than 2 pi.
+    """Return the angle of a vector, at least 0 and below 2 pi.
 
     >>> find_angle(Fraction(0), Fraction(3))
     1.5707963267948966
@@ -215,13 +215,13 @@ def find_angle(x: Fraction, y: Fraction) -> float:
 
 
 def bound_root(square: Fraction, scale: int = 1) -> Fraction:
-    """Return a number not below the square root, by less than 1/scale plus a part in 2**30.
+    """Return the square root, rounded up by less than 1/scale plus a relative 2**-30.
 
     >>> bound_root(Fraction(4)), bound_root(Fraction(0))
     (Fraction(2, 1), Fraction(0, 1))
     """
     n, d = square.as_integer_ratio()
-    # The root of n / d is that of n * d, over d; short arguments are widened for more digits.
+    # sqrt(n / d) = sqrt(n d) / d; short arguments are scaled for more digits.
     widen = scale * (1 << max(0, 60 - (n * d).bit_length()) // 2)
     widened = n * d * widen * widen
     root = isqrt(widened)
@@ -229,7 +229,7 @@ def bound_root(square: Fraction, scale: int = 1) -> Fraction:
 
 
 def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
-    """Return the center of an arc over a chord, `height` half chords to the left of its middle."""
+    """Return the center of an arc, `height` half chords left of the middle of its chord."""
     dx, dy = (end.x - start.x) / 2, (end.y - start.y) / 2
     return Point(start.x + dx - height * dy, start.y + dy + height * dx)
 
@@ -242,12 +242,12 @@ def make_round_arc(
     Args:
         center: the center of the circle.
         start: a point of the circle.
-        end: another one, or the start for a full turn.
-        image: what maps the circle.
+        end: another one, or the start for a full circle.
+        image: the map of the circle.
         left: whether the arc runs counter-clockwise.
 
     Returns:
-        The Arc, and whether it runs from the start to the end; else it runs back.
+        The Arc, and whether it runs from the start to the end, or back.
     """
     if not left:
         start, end = end, start
@@ -258,7 +258,7 @@ def make_round_arc(
 
 
 def make_bezier(controls: Sequence[Point], weights: Sequence[Fraction] = ()) -> tuple[Bezier, bool]:
-    """Make a Bezier curve in one of both directions, and say whether in this one."""
+    """Make a Bezier curve in its canonical direction; return whether that is the given one."""
     if [*controls] <= [*controls[::-1]]:
         return Bezier(controls, weights), True
     return Bezier(controls[::-1], weights[::-1]), False
@@ -276,7 +276,7 @@ def _find_powers(column: Sequence[int]) -> list[int]:
 
 
 def _evaluate(powers: Sequence[int], place: int) -> int:
-    """Return a value at a place, times the scale of places to the power of the degree."""
+    """Return a value times the scale of parameters to the power of the degree."""
     value, shift = powers[0], 0
     for power in powers[1:]:
         shift += BITS

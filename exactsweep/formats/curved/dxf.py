@@ -1,7 +1,4 @@
-"""DXF in: the closed outlines of lines and polylines, and of curves on request.
-
-Decimals are read exactly, and blocks are placed exactly wherever their angles allow it.
-"""
+"""Reader of DXF: closed outlines of lines, polylines and curves, and placed blocks."""
 
 from __future__ import annotations
 
@@ -22,10 +19,10 @@ from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import Point
 
-# Entities without an outline: fillings, which repeat one, and lines without an end.
+# Entities without an outline of their own: fills and infinite lines.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
-# Those whose ends are irrational.
+# Entities with irrational ends.
 _ROUND = {"ARC", "ELLIPSE"}
 _FULL, _ZERO = Fraction(360), Fraction(0)
 
@@ -35,14 +32,15 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
 
     Args:
         text: an ASCII DXF file.
-        reading: has the tolerance of curves, the distance of ends that are joined, and the unit.
+        reading: the settings.
 
     Returns:
         list of Candidate, in order: closed polylines, circles, ellipses, splines, and open lines of
-        one layer whose ends meet. Entities that draw anything else are Candidates that refuse.
+            one
+        layer that form outlines. Candidates of other entities raise.
 
     Raises:
-        FormatError: not DXF; no unit where one is wanted; blocks that draw too much.
+        FormatError: not DXF, no unit where one is wanted, or limits exceeded.
 
     Cost: linear in the length of the text, and in what blocks draw.
     """
@@ -99,7 +97,7 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> Path:
 
 
 def _follow(points: Sequence[Point], bulges: Sequence[Fraction], image: Affine) -> Path:
-    """Go along a polyline; a bulge is the tangent of a fourth of the angle of an arc."""
+    """Draw a polyline; a bulge is the tangent of a fourth of the angle of an arc."""
     path = draw_lines(points, image)
     if any(bulges):
         for k, (start, end) in enumerate(pairwise(points)):
@@ -133,7 +131,7 @@ def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> Path:
 
 
 def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> Path:
-    """Draw the image of an arc of the unit circle, or all of it where no gap can be seen."""
+    """Draw the image of an arc of the unit circle; all of it if the gap is invisible."""
     span = (end - start) % _FULL
     gap = min(span, _FULL - span) / 50  # no less than in radians
     size = Fraction(sum(map(abs, image[:4])))
@@ -157,7 +155,7 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> Path:
 
 
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> Path:
-    """Read a filled triangle or quadrangle, whose last two corners are the wrong way round."""
+    """Read a filled triangle or quadrangle, whose last two corners are swapped."""
     reading.require_level(entity.take(30, 31, 32, 33, default="0"))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
     return draw_lines([entity.point(code) for code in (*codes, 10)], image @ entity.plane)

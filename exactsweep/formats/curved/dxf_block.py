@@ -1,4 +1,4 @@
-"""The blocks of DXF: what INSERT draws, wherever it puts, turns, mirrors and scales it."""
+"""Blocks of DXF: what INSERT draws, wherever it moves, rotates, mirrors and scales it."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ class PlacedEntity(NamedTuple):
     """An entity where it is drawn.
 
     Attributes:
-        entity: as it stands in the file.
-        image: what maps it to the drawing.
-        layer: the layer it is on: "0" inside a block is the layer of what draws the block.
-        around: where the INSERTs are that draw it, for messages.
+        entity: the entity in the file.
+        image: the map to the drawing.
+        layer: its layer: "0" inside a block is the layer of the INSERT.
+        around: the places of the INSERTs that draw it, for messages.
         fault: why an INSERT cannot be drawn, else "".
     """
 
@@ -44,29 +44,26 @@ class PlacedEntity(NamedTuple):
 
 
 class Blocks:
-    """The blocks of a drawing, being drawn.
+    """The blocks of a drawing.
 
     Args:
         drawing: the drawing.
-        reading: says whether angles may be irrational.
+        reading: the settings.
     """
 
     def __init__(self, drawing: Drawing, reading: Reading) -> None:
         self.drawing, self.blocks, self.reading = drawing, drawing.blocks, reading
-        # The maps of each INSERT, by its line, computed once.
+        # The maps of each INSERT by its line, cached.
         self._maps: dict[int, list[Affine]] = {}
 
     def place(self, entity: Entity, image: Affine) -> Iterator[PlacedEntity]:
-        """Yield an entity, or what it draws if it is an INSERT, each with its own fault.
-
-        Hidden ones are counted, and yielded only where those are read.
-        """
+        """Yield an entity, or what an INSERT draws, each with its own fault; count hidden ones."""
         return self._place(PlacedEntity(entity, image, entity.layer), ())
 
     def _is_hidden(self, placed: PlacedEntity) -> bool:
         layer = placed.layer.upper()
         reason = self.drawing.hidden.get(layer, "")
-        # Entities of a block on other layers are visible even if the layer of its INSERT is off.
+        # Entities of a block on other layers are visible if the layer of the INSERT is off.
         if placed.entity.kind == "INSERT" and reason != FROZEN:
             reason = ""
         if layer in self.drawing.unplotted and placed.entity.kind != "INSERT":
@@ -99,7 +96,7 @@ class Blocks:
                 yield from self._place(inner, (*around, name))
 
     def _images(self, placed: PlacedEntity, name: str, around: tuple[str, ...]) -> list[Affine]:
-        """The maps of a block: as many as there are rows and columns of it."""
+        """Return the maps of a block, one for each row and column."""
         insert = placed.entity
         if name not in self.blocks:
             raise FormatError(f"there is no block {quote(insert.name)}")
@@ -113,7 +110,7 @@ class Blocks:
 
     def _own_maps(self, insert: Entity, block: list[Entity]) -> list[Affine]:
         columns, rows = (max(1, int(insert.number(code, "1"))) for code in (70, 71))
-        # Copies of an empty block would be maps without end.
+        # Copies of an empty block count, too.
         drawn = len(block) - 1 or 1
         if columns * rows * drawn > MAX_COPIES:
             raise FormatError(f"expands to more than {MAX_COPIES:,} entities")

@@ -1,4 +1,4 @@
-"""The entities of a DXF text, their values being text still."""
+"""Entities of a DXF text, whose values are still text."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from exactsweep.numbers.number import Point, make_points, to_fraction
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
 _FROZEN = 1
-# Where the normal of an entity's own plane is, and what it is in the plane of x and y.
+# The groups of the normal of an entity's plane, and its defaults.
 _NORMAL = {210: "0", 220: "0", 230: "1"}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
 _FRAME = 16
 # The shown letters of an unknown kind.
 _LONG = 40
-# A group code and two ends of lines, at least.
+# A group code and two line ends, at least.
 _GROUP = 4
 FROZEN = "frozen"
-"""Why a layer does not show, and no block that is put on it."""
+"""The reason of a layer that hides blocks inserted on it, too."""
 
 
 class Entity:
@@ -63,17 +63,17 @@ class Entity:
 
     @property
     def layer(self) -> str:
-        """The name of the entity's layer."""
+        """The name of its layer."""
         return self._text(_LAYER, "0")
 
     @property
     def size(self) -> int:
-        """For how many bytes it counts: for those of its values, and as an entity."""
+        """The bytes charged for it and its vertices."""
         own = ENTITY + sum(len(text) + _GROUP for text in self.texts)
         return own + sum(vertex.size for vertex in self.vertices)
 
     def number(self, code: int, default: str | None = None) -> Fraction:
-        """Return the number with a group code; refuse if it is missing without a default."""
+        """Return the number with a group code; a missing one needs a default."""
         if default is not None and code not in self._first:
             return to_fraction(default)
         text = self._text(code, None)
@@ -81,7 +81,7 @@ class Entity:
             return read_decimal(text)
 
     def point(self, code: int) -> Point:
-        """Return the point whose x has a group code, and its y that code plus ten."""
+        """Return the point of a group code for x; that of y is ten more."""
         return Point(*self.take(code, code + 10))
 
     def flags(self) -> int:
@@ -90,7 +90,7 @@ class Entity:
 
     @property
     def hidden(self) -> str:
-        """The reason why it is hidden, whatever its layer: "" for none."""
+        """Why it is hidden regardless of its layer; "" if it is not."""
         if self._text(_PAPER, "0") == "1":
             return "in paper space"
         return "made invisible" if self._text(_INVISIBLE, "0") == "1" else ""
@@ -100,7 +100,7 @@ class Entity:
         return _read_group(code, [*compress(self.texts, map(code.__eq__, self.codes))])
 
     def points(self, code: int) -> list[Point]:
-        """Return all points whose x has a group code."""
+        """Return all points of a group code for x."""
         xs, ys = self.numbers(code), self.numbers(code + 10)
         if len(xs) != len(ys):
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
@@ -112,7 +112,7 @@ class Entity:
 
     @property
     def plane(self) -> Affine:
-        """The map of the entity's own plane to that of x and y, as seen from above."""
+        """The map from the entity's plane to that of x and y, seen from above."""
         normal = [self.number(code, default) for code, default in _NORMAL.items()]
         if normal[:2] == [0, 0] and normal[2]:
             return IDENTITY if normal[2] > 0 else _MIRRORED
@@ -124,9 +124,9 @@ class Entity:
         return self._text(_NAME, None)
 
     def corners(self) -> tuple[list[Point], list[Fraction]]:
-        """Return the vertices of an LWPOLYLINE, and the bulges of the edges that follow them."""
+        """Return the vertices of an LWPOLYLINE, and the bulges of the edges after them."""
         points = self.points(10)
-        # The last one is for a bulge before all points.
+        # The last one takes a bulge before all points.
         bulges = [Fraction(0)] * (len(points) + 1)
         place = -1
         for code, text in zip(self.codes, self.texts, strict=True):
@@ -159,11 +159,11 @@ class Drawing(NamedTuple):
     """The drawing of a DXF text.
 
     Attributes:
-        entities: those that are drawn, in order; the vertices of a POLYLINE in its `vertices`.
-        blocks: the entities of each block, after its own, which says where its base is.
-        unit: how many millimetres its numbers count; None if it does not say.
-        hidden: by the names of layers in upper case, why those do not show that do not; and
-        unplotted: those that show and do not plot.
+        entities: the drawn entities, in order.
+        blocks: the entities of each block, after its own, which has the base point.
+        unit: the millimetres of its unit; None if it does not state one.
+        hidden: why a layer is hidden, by its name in upper case.
+        unplotted: visible layers that do not plot.
     """
 
     entities: list[Entity]
@@ -174,19 +174,7 @@ class Drawing(NamedTuple):
 
 
 def read_drawing(text: str) -> Drawing:
-    """Read a DXF text.
-
-    Args:
-        text: an ASCII DXF file.
-
-    Returns:
-        A Drawing.
-
-    Raises:
-        FormatError: not DXF.
-
-    Cost: linear.
-    """
+    """Read a DXF text; raises FormatError if it is not DXF."""
     sections = _read_sections(text)
     blocks: dict[str, list[Entity]] = {}
     current: list[Entity] = []
@@ -200,7 +188,7 @@ def read_drawing(text: str) -> Drawing:
 
 
 def _read_sections(text: str) -> dict[str, list[Entity]]:
-    """Find the entities of each section, after its own, which has the values of a header."""
+    """Find the entities of each section, after its own, which has the header values."""
     require_size(len(text))
     sections: dict[str, list[Entity]] = {}
     section: list[Entity] | None = None
@@ -227,7 +215,7 @@ def _read_sections(text: str) -> dict[str, list[Entity]]:
 
 
 def _divide(text: str) -> Iterator[Entity]:
-    """Divide a text into entities; a line has a group code, the next one its value."""
+    """Divide a text into entities; group codes and values alternate by line."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     words, values = lines[::2], lines[1::2]
     known: dict[str, int] = {}
@@ -235,12 +223,12 @@ def _divide(text: str) -> Iterator[Entity]:
         with suppress(ValueError):
             known[word] = int(word)
     found = [*map(known.get, words[: len(values)])]
-    # The end of the file may come before a line that is no group code.
+    # Text after the end of the file may have no group codes.
     codes = cast(list[int], found[: found.index(None)] if None in found else found)
     starts = [k for k, code in enumerate(codes) if code == 0]
     # Vertices of old polylines among them.
     require_count(len(starts), ENTITY, "entities")
-    # Equal ones are one object, so that few are kept.
+    # Equal rows of codes share one object.
     same: dict[tuple[int, ...], tuple[tuple[int, ...], dict[int, int]]] = {}
     for start, end in pairwise([*starts, len(codes)]):
         own = tuple(codes[start:end])
@@ -255,7 +243,7 @@ def _divide(text: str) -> Iterator[Entity]:
 
 
 def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
-    """Find the layers that do not show, and those that do not plot."""
+    """Find hidden layers, and visible ones that do not plot."""
     hidden = {"DEFPOINTS": "for the points of dimensions"}
     unplotted = set()
     for layer in found:
@@ -272,7 +260,7 @@ def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
 
 
 def _gather(found: Iterable[Entity]) -> list[Entity]:
-    """List entities, and give a POLYLINE the vertices that follow it."""
+    """List entities; a POLYLINE gets the vertices that follow it."""
     entities: list[Entity] = []
     vertices: list[Entity] | None = None
     for entity in found:

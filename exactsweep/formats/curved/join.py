@@ -25,9 +25,9 @@ from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
-# Joints within reach of an end that are looked at before it is refused.
+# Maximum number of joints near an end.
 _MAX_CROWD = 64
-# Ends within this part of the reach of a joint differ by the rounding of decimals.
+# Ends within this fraction of the reach of a joint differ by rounding.
 _ROUNDED = 250
 
 
@@ -35,13 +35,12 @@ class OpenLine(NamedTuple):
     """An open line.
 
     Attributes:
-        place: what and where it is, for messages.
+        place: its kind and line in the file, for messages.
         ends: its first and its last point.
-        path: how it runs between them; None for a straight one.
-        is_exact: whether its ends are those that are meant, not just close to them.
-        name: its id, or None.
-        layer: its layer, or None.
-        rule: its fill rule, if it is filled, which closes it; else None.
+        path: the path between them; None for a straight one.
+        is_exact: whether its ends are exact.
+        name, layer: its id and its layer, or None.
+        rule: its fill rule, if it is filled and so closed; else None.
         groups: as for `Candidate`.
     """
 
@@ -60,12 +59,12 @@ class OpenLine(NamedTuple):
         return self.path.key if self.path else ()
 
     def run(self, start: Point, end: Point) -> Path:
-        """Return its path between the places that its ends are moved to."""
+        """Return its path between its moved ends."""
         return (self.path or Path(self.ends)).moved(start, end)
 
 
 class _Joined(NamedTuple):
-    """A line, its place in the order of the file, and the joints that its ends are moved to."""
+    """A line, its number in the file, and the joints of its ends."""
 
     order: int
     line: OpenLine
@@ -87,23 +86,20 @@ def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Cand
 
 
 def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int, Candidate]]:
-    """Join lines whose ends are equal, or close to each other where that is allowed.
+    """Join lines whose ends are equal or close to each other.
 
-    Each end is moved to the closest joint within reach, or becomes one itself: first those that are
-    exact, within `reading.join`, then those that are not, within that and a fourth of the
-    tolerance, all in order. A line that is there twice counts once. One whose ends move to one
-    joint vanishes in an outline through that joint; others are refused, for they may be a hole.
+    Each end moves to the closest joint within reach, or becomes one: exact ends first, within
+    `reading.join`, then others, within that and a fourth of the tolerance, all in order. A repeated
+    line counts once. A line whose ends move to one joint vanishes in an outline through that joint;
+    elsewhere it is rejected, for it may be a hole.
 
     Args:
-        lines: open lines of one layer, by their places in the order of the file.
-        reading: has the distances.
+        lines: open lines of one layer, by their numbers in the file.
+        reading: the settings.
 
     Yields:
-        (order, Candidate) for each set of lines that hang together; where not every end meets
-        exactly one other, it has a fault that names the place. A straight line alone is an
-        ornament.
-
-    Cost: linear.
+        (number, Candidate) for each connected set of lines, with a fault if not every end meets
+        exactly one other. A straight line alone is an ornament.
     """
     joints = Joints(reading.join or Fraction(0))
     find = joints.find
@@ -160,7 +156,7 @@ def _is_long(line: OpenLine, reach: Fraction) -> bool:
 
 
 def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
-    """Return the tolerance by whose fourth ends are joined, by the size of what is drawn."""
+    """Return the tolerance by whose fourth ends are joined, by the size of the drawing."""
     xs, ys = zip(*(end for line in lines for end in line.ends), strict=True)
     return find_share(max(max(xs) - min(xs), max(ys) - min(ys)), CURVED)
 
@@ -168,7 +164,7 @@ def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
 def _note_gaps(
     placed: Sequence[tuple[int, OpenLine, list[int]]], joints: Joints, reading: Reading
 ) -> None:
-    """Note ends of curves that meet others with a gap that is more than rounding of decimals."""
+    """Note gaps between joined ends of curves that exceed the rounding of decimals."""
     first: dict[int, Point] = {}
     gaps = []
     for _, line, ends in placed:
@@ -179,17 +175,17 @@ def _note_gaps(
                 gaps.append((gap, line.place))
     if gaps:
         gap, where = max(gaps)
-        note = f"{count(len(gaps), 'gap')} up to {float(gap):.2g} closed beside curves ({where})"
+        note = f"{count(len(gaps), 'gap')} up to {float(gap):.2g} closed at curves ({where})"
         reading.notes[note] = None
 
 
 class Joints:
-    """Points that ends of lines are moved to, found by the square of a grid that they are in.
+    """Points to which ends of lines are moved, in the cells of a grid.
 
     Args:
-        reach: how far an end may be moved.
-        known: joints that there are from the start.
-        tolerance: new ones are rounded as `round_points` does; None not to round them.
+        reach: the greatest distance by which an end may move.
+        known: joints from the start.
+        tolerance: new ones are rounded as by `round_points`; None not to round them.
 
     Attributes:
         points: the joints.
@@ -207,7 +203,7 @@ class Joints:
             self._add(joint)
 
     def find(self, end: Point) -> int:
-        """Return the number of the closest joint within reach; if there is none, make one."""
+        """Return the number of the closest joint within reach; make one if there is none."""
         key = end.x.numerator, end.x.denominator, end.y.numerator, end.y.denominator
         if key not in self._found:
             self._found[key] = self._find_closest(end) if self.reach else self._add(end)
@@ -295,7 +291,7 @@ def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
 def _walk(
     lines: Sequence[_Joined], at: Mapping[int, Sequence[int]], points: Sequence[Point], first: int
 ) -> Path:
-    """Walk along lines, each of whose ends meets one other, back to the first."""
+    """Follow lines whose ends each meet one other, back to the first."""
     outline = Path()
     k, joint = first, lines[first].joints[0]
     while True:
@@ -315,7 +311,7 @@ def _walk(
 
 
 def draw_outline(path: Path, line: OpenLine, reading: Reading) -> Candidate:
-    """Make the candidate of a closed path, which is filled as SVG fills it if it is not simple."""
+    """Make the candidate of a closed path, filled by SVG's rule if it is not simple."""
     vertices = partial(flatten_named, line.place, path, reading)
     found = Candidate(line.place, vertices, line.name, line.layer, error=path.find_error(reading))
     finer = partial(_draw_finer, path, line, reading) if found.error else None
@@ -328,6 +324,6 @@ def _draw_finer(path: Path, line: OpenLine, reading: Reading, tolerance: Fractio
 
 
 def flatten_named(place: str, path: Path, reading: Reading) -> list[Point]:
-    """Turn a path into lines; a refusal names its place."""
+    """Flatten a path; an error names its place."""
     with name_refusals(place):
         return path.flatten(reading)

@@ -1,15 +1,14 @@
 """Paths of lines and curves, and the lines that replace their curves.
 
-A curve becomes chords between rational points of it. Of the tolerance, chords take less than a
-half, by (1) of `curves`, rounding less than a fifth, and ends that are moved to other lines a
-fourth. So the path and its lines, parameter by parameter, are less than the tolerance apart.
+A curve becomes chords between rational points of it. Chords take less than half of the tolerance,
+by (1) of `curves`, rounding less than a fifth, and ends moved to other lines a fourth. So the path
+and its lines are less than the tolerance apart, parameter by parameter.
 
-Lines of two curves that leave a vertex in nearly one direction could cross even though the curves
-do not. So both have vertices at the same distances from there, up to where they are apart: segments
-that go away from a point cross only if their order around it changes.
+Lines of two curves that leave a vertex in nearly one direction could cross although the curves do
+not. So both get vertices at the same distances from there, until they are apart: segments that lead
+away from a point cross only if their order around it changes.
 
-If the lines of a closed path cross nevertheless, because the tolerance is too coarse for it, finer
-ones are tried.
+If the lines of a closed path cross nevertheless, finer tolerances are tried.
 """
 
 from __future__ import annotations
@@ -30,11 +29,11 @@ from exactsweep.numbers.number import Point
 _Found = TypeVar("_Found")
 _CHORDS = Fraction(12, 25)
 _LEVELS = 3
-# Curves that leave a vertex apart by this many tolerances, or by more than 60 degrees, are apart.
+# Curves are apart at this many tolerances, or at more than 60 degrees.
 _APART = 8
 _SAMPLES = 8
 _BISECTIONS = 32
-# By default the share of its size within which a path is drawn: with curves, and without.
+# The default tolerance as a share of the size of a path: with curves, and without.
 CURVED, _STRAIGHT = 1000, 10**9
 
 
@@ -46,7 +45,6 @@ class _End:
         self._whole = 0j if at_start else self._near(WHOLE)
 
     def near(self, place: int) -> complex:
-        """Return the point at a place, counted from this end."""
         return self._near(place if self.at_start else WHOLE - place) - self._whole
 
 
@@ -62,13 +60,13 @@ class Path:
     """A path: points, and the curves between some of them.
 
     Args:
-        points: the points, the first one again at the end if it is closed.
-        curves: by the number of the point where it starts, a curve, and whether it runs forward.
-        off: how far the points and curves may be from the meant ones.
+        points: the points; a closed path repeats the first at the end.
+        curves: the curve that starts at the point with a number, and whether it runs forward.
+        off: a bound on the error of points and curves.
 
     Attributes:
         points, curves, off: as given.
-        soft: the numbers of points that are rounded, such as those where pieces of a spline meet.
+        soft: the numbers of points that may be rounded, such as joints of a spline.
         gap: how far ends have been moved to those of other lines.
     """
 
@@ -124,7 +122,7 @@ class Path:
 
     @property
     def key(self) -> Hashable:
-        """A value that equal paths share in either direction; () for a straight line."""
+        """A value that equal paths share in both directions; () for a straight line."""
         if len(self.points) == 2 and not self.curves:
             return ()
         curves = frozenset(curve for curve, _ in self.curves.values())
@@ -132,12 +130,12 @@ class Path:
 
     @property
     def is_closed(self) -> bool:
-        """Decide whether its last point is its first."""
+        """Whether its last point is its first."""
         return self.points[0] == self.points[-1]
 
     @property
     def is_exact(self) -> bool:
-        """Decide whether it has neither a curve nor an irrational place."""
+        """Whether it has neither a curve nor an irrational point."""
         return not self.curves and not self.off
 
     @property
@@ -154,7 +152,7 @@ class Path:
         return max(max(xs) - min(xs), max(ys) - min(ys))
 
     def find_tolerance(self, reading: Reading) -> Fraction:
-        """Return the tolerance: that of the reading, or a power of ten by the size of the path."""
+        """Return the tolerance of the reading, or a power of ten by the size of the path."""
         if self.is_exact:
             return Fraction(0)
         if reading.tolerance is not None:
@@ -162,30 +160,27 @@ class Path:
         return find_share(self.size, CURVED if self.curves else _STRAIGHT)
 
     def find_error(self, reading: Reading) -> Fraction:
-        """Return the bound on the distance of the path and its lines."""
+        """Bound the distance of the path and its lines."""
         tolerance = self.find_tolerance(reading)
         return tolerance + (self.gap if 4 * self.gap > tolerance else 0)
 
     def flatten(self, reading: Reading, finer: int = 0) -> list[Point]:
-        """Turn the path into lines, and a closed one into simple ones, if a finer tolerance helps.
+        """Replace curves by lines; those of a closed path are simple if a finer tolerance helps.
 
         Args:
             reading: has the tolerance, and counts lines.
-            finer: by how many powers of ten the tolerance is finer.
-
-        Returns:
-            list of Point, the first one again at the end of a closed path.
+            finer: the number of powers of ten by which the tolerance is finer.
 
         Raises:
-            FormatError: more lines than are allowed.
+            FormatError: too many lines.
 
-        Cost: O(k) for k vertices, k being O((size / tolerance) ** 0.5) for each curve.
+        Cost: O((size / tolerance) ** 0.5) vertices for each curve, and as much time.
         """
         if self.is_exact:
             return self.points
         tolerance = self.find_tolerance(reading) / 10**finer
         if self._lines and self._lines[0] == tolerance:
-            # They are read several times: for their box, their shape and their vertices.
+            # Cached: read for the box, the shape and the vertices.
             return self._lines[1]
         found = self.draw(tolerance, reading, fine=finer > 0)
         if not finer:
@@ -198,7 +193,7 @@ class Path:
         return found
 
     def draw(self, tolerance: Fraction, reading: Reading, *, fine: bool = False) -> list[Point]:
-        """Turn the path into lines within a tolerance."""
+        """Replace curves by lines within a tolerance."""
         grid = find_grid(tolerance / (1000 if fine else 1))
         places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
         if self.off * 16 > tolerance:
@@ -233,7 +228,7 @@ class Path:
     def _part(
         self, before: int, after: int, places: dict[int, list[int]], tolerance: Fraction
     ) -> None:
-        """Give two curves that meet vertices at the same distances, while they are not apart."""
+        """Give two curves that meet vertices at the same distances, until they are apart."""
         (one, one_way), (other, other_way) = self.curves[before], self.curves[after]
         try:
             ends = _End(one, at_start=not one_way), _End(other, at_start=other_way)
@@ -267,7 +262,7 @@ class Path:
 
 
 def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
-    """Return the places between chords that are within their share of the tolerance."""
+    """Return the parameters between chords that keep their share of the tolerance."""
     bend = curve.bend() / (8 * _CHORDS * tolerance)
     count = max(curve.least(), -(-bound_root(bend) // 1))
     reading.allow_lines(count)
@@ -275,7 +270,7 @@ def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
 
 
 def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]:
-    """List distances from an end, and the places there, as far as they grow."""
+    """List distances from an end with their parameters, while they grow."""
     row: list[tuple[float, int]] = [(0.0, 0)]
     ordered = sorted(places) if end.at_start else [WHOLE - p for p in sorted(places)[::-1]]
     for place in [*ordered, WHOLE]:
@@ -287,7 +282,7 @@ def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]
 
 
 def _find_place(end: _End, row: Sequence[tuple[float, int]], distance: float) -> int:
-    """Find the place at a distance from an end."""
+    """Find the parameter at a distance from an end."""
     low = high = 0
     for known, place in row:
         if known == distance:
@@ -307,17 +302,16 @@ def flatten_together(
     use: Callable[[list[list[Point]]], _Found],
     *first: list[Point],
 ) -> tuple[list[list[Point]], _Found | None]:
-    """Turn paths into lines that can be used, with a finer tolerance where necessary.
+    """Flatten paths, with a finer tolerance where the lines are unusable.
 
     Args:
         paths: the paths.
         reading: has the tolerance, and counts lines.
         use: raises PolygonError if the lines cross.
-        first: the lines at the tolerance itself, if they are known.
+        first: the lines at the tolerance itself, if known.
 
     Returns:
-        The lines, and what was made of them; None if they cross at all tolerances, and the lines
-        are those of the first.
+        The lines and the result of `use`; None and the first lines if they cross at all tolerances.
     """
     found = rings = [*first] or [path.flatten(reading) for path in paths]
     for finer in range(1, _LEVELS + 2):
@@ -350,7 +344,7 @@ def find_share(size: Fraction, share: int) -> Fraction:
 
 
 def find_grid(tolerance: Fraction) -> int:
-    """Return a power of ten, the parts of a grid on which rounding takes a fifth of a tolerance."""
+    """Return the power of ten for a grid on which rounding takes a fifth of a tolerance."""
     grid = 1
     while tolerance * grid < 4:
         grid *= 10
@@ -365,7 +359,7 @@ def round_points(points: Iterable[Point], grid: int) -> list[Point]:
 
 
 def place_points(points: Sequence[Point], image: Affine) -> list[Point]:
-    """Map points exactly, by a map that may be off itself."""
+    """Map points exactly."""
     return [*points] if image is IDENTITY else [image.point(*point) for point in points]
 
 

@@ -1,8 +1,8 @@
-"""B-splines as Bezier curves, exactly: each control point is a value of the polar form.
+"""B-splines as exact Bezier curves: each control point is a value of the polar form.
 
 The polar form (blossom) of a polynomial piece of degree p is symmetric in p arguments, affine in
-each, and gives the curve where all are equal. The Bezier points of the piece from u to v are its
-values at (u, ..., u, v, ..., v), and de Boor's recursion finds it with another argument in each
+each, and equals the curve where all are equal. The Bezier points of the piece from u to v are its
+values at (u, ..., u, v, ..., v); de Boor's recursion computes them with another argument in each
 step (L. Ramshaw, "Blossoms are polar forms", Computer Aided Geometric Design 6, 1989).
 """
 
@@ -21,7 +21,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.numbers.number import Point
 
 MAX_DEGREE = 11
-"""The highest degree that CAD programs have."""
+"""The highest degree in CAD programs."""
 
 _Lifted = tuple[Fraction, ...]
 
@@ -32,7 +32,7 @@ class Spline(NamedTuple):
     Attributes:
         degree: of its pieces.
         points: the control points.
-        knots: in order, as many as there are points, and degree + 1 more.
+        knots: in order, as many as points, and degree + 1 more.
         weights: one for each point, all positive; () for 1.
     """
 
@@ -43,13 +43,11 @@ class Spline(NamedTuple):
 
     @classmethod
     def through(cls, points: Sequence[Point]) -> Spline:
-        """Return the spline that CAD programs draw through points for which they give no other.
+        """Return the natural cubic spline through fit points, which CAD programs draw.
 
-        That is the natural cubic one, over the lengths of the chords: its second derivatives m are
-        0 at the ends, and m[k-1] a + 2 m[k] (a + b) + m[k+1] b = 6 (d[k+1] - d[k]), where a and b
-        are the lengths before and after point k, d the slopes there.
-
-        Cost: linear.
+        Over the lengths of the chords, its second derivatives m are 0 at the ends, and
+        m[k-1] a + 2 m[k] (a + b) + m[k+1] b = 6 (d[k+1] - d[k]), with the lengths a and b before
+        and after point k, and the slopes d there.
         """
         points = [p for p, _ in groupby(points)]
         if len(points) < 2:
@@ -74,7 +72,7 @@ class Spline(NamedTuple):
         return cls(3, controls, [ends[0], *(u for u in ends for _ in range(3)), ends[-1]])
 
     def require_sound(self) -> None:
-        """Refuse what is no spline."""
+        """Reject an invalid degree, knots or weights."""
         size = len(self.points)
         if not 1 <= self.degree <= MAX_DEGREE:
             raise FormatError(f"the degree is {self.degree}, not 1 to {MAX_DEGREE}")
@@ -90,7 +88,7 @@ class Spline(NamedTuple):
             raise FormatError("expected one positive weight for each control point")
 
     def pieces(self) -> Iterator[tuple[list[Point], list[Fraction]]]:
-        """Yield the Bezier curves that it consists of: control points, and weights if it has any.
+        """Yield its Bezier curves: control points, and weights if it has any.
 
         Cost: O(p**2) for each piece of degree p.
 
@@ -114,10 +112,10 @@ class Spline(NamedTuple):
             yield points, [w for _, _, w in values] if self.weights else []
 
     def _bezier(self, lifted: Sequence[_Lifted], k: int) -> list[_Lifted]:
-        """Values of the polar form at (u, ..., u, v, ..., v), u and v being knot k and the next.
+        """Return the values of the polar form at (u, ..., u, v, ..., v) for a piece from u to v.
 
-        With u in place of the knots before the piece, one after another, what is last in each row
-        has u that often and then the knots after the piece; the same again with v.
+        Replacing the knots before the piece by u, one after another, the last value of each row has
+        u that often and then the knots after the piece; likewise with v.
         """
         p, knots = self.degree, self.knots
         u, v = knots[k], knots[k + 1]
@@ -151,7 +149,7 @@ class Spline(NamedTuple):
         if image.off:
             found.off = image.error(self.points)
         if self.degree > 1:
-            # Where pieces meet, and where a closed one begins, is as good rounded as other points.
+            # Joints of pieces, and the start of a closed spline, may be rounded like other points.
             found.soft = {*range(0 if found.is_closed else 1, len(found.points) - 1)}
             if found.is_closed:
                 found.soft.add(len(found.points) - 1)

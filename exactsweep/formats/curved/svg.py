@@ -1,4 +1,4 @@
-"""SVG in (SVG 1.1): the shapes that are drawn, and open lines that make outlines together."""
+"""Reader of SVG (SVG 1.1): drawn shapes, and open lines that form outlines together."""
 
 from __future__ import annotations
 
@@ -50,18 +50,18 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
 
     Args:
         text: the document.
-        reading: has the tolerance of curves, the distance of ends that are joined, and the unit.
+        reading: the settings.
 
     Returns:
-        list of Candidate, for each region that a shape draws, or open lines of one layer together,
-        in order, with its id as the name. Coordinates are the user units of the document unless a
-        unit is wanted, y as it is there, downward; transformations are applied.
+        A Candidate for each region that a shape draws, or open lines of one layer together, in
+        order, with its id as the name. Coordinates are user units unless a unit is wanted, with Y
+        downward; transformations are applied.
 
     Raises:
-        FormatError: not XML, entities, nested too deeply, not SVG; no unit where one is wanted;
-            more vertices than are read; uses that draw too much.
+        FormatError: not XML or not SVG, entities, too deep nesting, no unit where one is wanted, or
+            limits exceeded.
 
-    Cost: linear in the length of the text, and in what uses draw; that of
+    Cost: linear in the length of the text and in what uses draw; that of
         `exactsweep.geometry.filling.fill` for paths with several subpaths.
 
     Example:
@@ -77,7 +77,7 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
 
     Args:
         root: the document, or a part of it.
-        reading: as for `parse_svg`.
+        reading: the settings.
         style: that of the whole document, if the root is a part of it.
     """
     if name_kind(root) != "svg":
@@ -89,7 +89,7 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
         only = "only names, classes and ids are read"
         reading.notes[f"{number} of style sheets ignored, first {first}: {only}"] = None
     placed = PlacedElement(root, None, reading, style=style)
-    # That there is no unit concerns all of the file.
+    # A missing unit concerns the whole file.
     _ = placed.unit if reading.unit is None else placed.matrix
     try:
         return gather(allow_faults(_draw(document.shapes(placed, 0), reading)), reading)
@@ -100,7 +100,7 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
 def _draw(shapes: Iterator[PlacedElement], reading: Reading) -> Iterator[Candidate | OpenLine]:
     for shape in shapes:
         parts = _read(shape, reading)
-        # That there are too many concerns all of the file.
+        # Too many vertices concern the whole file.
         reading.allow_vertices(0)
         yield from parts
 
@@ -160,7 +160,7 @@ class Document:
         link = find_link(placed.element)
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
-            # The target is missing. The reader of shapes reports it.
+            # The reader of shapes reports the missing target.
             yield placed
             return
         drawn = PlacedElement(target, placed, self.reading, used=placed)
@@ -171,7 +171,7 @@ class Document:
 
 
 def find_reason_hidden(placed: PlacedElement) -> str:
-    """Find why an element that draws is hidden, as `Reading.hides` counts it; "" for no reason."""
+    """Return why an element is hidden, as `Reading.hides` counts it; "" for none."""
     name = name_kind(placed.element)
     if name in SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
         return f"{name} that is not visible"
@@ -215,7 +215,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
 
 
 def is_filled(shape: PlacedElement) -> bool:
-    """Decide whether a shape is filled."""
+    """Whether a shape is filled."""
     return shape.inherited("fill", "black") not in _UNPAINTED
 
 
@@ -263,7 +263,7 @@ def _draw_finer(
 
 
 def _name(shape: PlacedElement) -> str | None:
-    """The id of a shape, or that of the outermost `use` that draws it."""
+    """Return the id of the outermost `use` that draws a shape, or its own."""
     name = shape.element.get("id")
     placed: PlacedElement | None = shape
     while placed is not None:
@@ -308,7 +308,7 @@ def _require_room(width: Fraction, height: Fraction) -> None:
 
 
 def _read_radii(shape: PlacedElement) -> tuple[Fraction, Fraction]:
-    """Read both radii; one that is left out, or auto, is as long as the other."""
+    """Read both radii; a missing or auto one equals the other."""
     auto = {None, "auto"}
     found = [
         None if shape.element.get(name, shape.styled.get(name)) in auto else shape.size(name)

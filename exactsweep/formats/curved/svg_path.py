@@ -1,4 +1,4 @@
-"""The path data of SVG (SVG 1.1, 8.3): closed outlines of lines, and of curves on request."""
+"""Path data of SVG (SVG 1.1, 8.3)."""
 
 import re
 from contextlib import suppress
@@ -26,11 +26,11 @@ from exactsweep.numbers.number import ORIGIN, Point, divide_all, make_points
 
 _GAP = re.compile(r"[\s,]*")
 _NUMBER = re.compile(rf"[\s,]*({DECIMAL})")
-# The pairs of lines, between which the command may be repeated; not more at a time, so that
-# vertices are counted before there are too many.
+# Runs of pairs of lines, perhaps with the command between them; bounded, so that vertices are
+# counted in time.
 _PAIR = rf"[\s,]*+{DECIMAL}[\s,]*+{DECIMAL}"
 _LINES = {letter: re.compile(rf"(?:[\s,]*+{letter}?+{_PAIR}){{1,4096}}+") for letter in "Ll"}
-# Of one part of a unit, the parts by which the height of an arc may be off.
+# The height of an arc is rounded to a multiple of 1 / _HEIGHTS.
 _HEIGHTS = 10**40
 _FLAG = re.compile(r"[\s,]*([01])")
 # The arguments of each command: coordinates, numbers, and flags.
@@ -39,28 +39,20 @@ _ARGUMENTS |= {"Q": "xyxy", "T": "xy", "A": "nnnffxy", "Z": ""}
 
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
-    """Read what a path draws.
+    """Read path data as a Path for each subpath.
 
     Args:
-        data: the `d` attribute of a path.
+        data: the `d` attribute.
         matrix: the transformation of the path.
         reading: counts vertices.
 
-    Returns:
-        A Path for each subpath.
-
     Raises:
-        FormatError: not path data; the message says at which character. More vertices than are
-            read.
-
-    Cost: linear in the length of the data and the number of the vertices.
+        FormatError: not path data, with the character; or too many vertices.
     """
     return _PathData(data, matrix, reading).lines()
 
 
 class _PathData:
-    """Path data, read from left to right."""
-
     def __init__(self, data: str, matrix: Affine, reading: Reading) -> None:
         self.data, self.matrix, self.reading = data, matrix, reading
         self.place = 0
@@ -100,7 +92,7 @@ class _PathData:
         return found
 
     def _draw(self, kind: str, start: int) -> None:
-        """Read the arguments of a command, and draw it; those of all lines after it at once."""
+        """Read the arguments of a command and draw it; of lines, all at once."""
         before, (kinds, control) = self.current, self.control
         if kind in "ML":
             self._draw_lines(kind)
@@ -177,7 +169,7 @@ class _PathData:
         self._let_off(ends)
 
     def _curve(self, drawn: tuple[Curve, bool], end: Point, around: list[Point]) -> None:
-        """Add a curve that some points are around."""
+        """Add a curve in the hull of some points."""
         curve, forward = drawn
         self.reading.allow_vertices(1)
         self.current = end
@@ -190,7 +182,7 @@ class _PathData:
             self.found[-1].off = max(self.found[-1].off, self.matrix.error(points))
 
     def _argument(self, sort: str) -> Fraction:
-        """Read a number; of a small letter, a coordinate counts from the current point."""
+        """Read a number; of a small letter, relative to the current point."""
         if sort == "f":
             return Fraction(self._match(_FLAG, "a flag, 0 or 1")[0])
         text, start = self._match(_NUMBER, "a number")
@@ -229,27 +221,24 @@ def make_elliptic_arc(
 ) -> tuple[Arc, bool]:
     """Make an arc of an ellipse (SVG 1.1, F.6).
 
-    In the plane in which the ellipse is a unit circle, its center is k half chords from the middle
-    of the chord, k**2 being rational. Taking k by d too large moves the arc by no more than 2 d,
-    for a ray from one end meets both arcs 2 d or less apart. An irrational angle is replaced by one
-    whose sine and cosine are rational, so that turning back and forth leaves the ends where they
-    are.
+    In the plane in which the ellipse is a unit circle, the center is k half chords from the middle
+    of the chord, with rational k**2. An error d of k moves the arc by at most 2 d, because a ray
+    from one end meets both arcs at most 2 d apart. An irrational angle is replaced by one with
+    rational sine and cosine, so that rotating back and forth preserves the ends.
 
     Args:
         ends: the start of the arc and its end, another point.
         radii: along the axes; both are enlarged where they are too short for the chord.
         angle: from x to the first axis, in degrees.
-        flags: whether it is the longer one of the two arcs, and whether it runs counter-clockwise,
-            from x to y.
-        matrix: what maps the arc to the result.
+        flags: whether it is the longer one of the two arcs, and whether it runs from x to y.
+        matrix: the map from the arc to the result.
 
     Returns:
         The Arc, and whether it runs from the start to the end.
     """
     (rx, ry), (large, left) = radii, flags
-    # Half a chord's height is a root, so that it is as good as the root of the angle's error.
+    # The height is a root, so its error is the root of that of the angle.
     turn = make_rotation(angle, power=2)
-    # The inverse of a rotation has the same sine, negative.
     back = turn._replace(b=-turn.b, c=-turn.c)
     start, end = (Point(x / rx, y / ry) for x, y in (back.vector(*point) for point in ends))
     zero = Fraction(0)

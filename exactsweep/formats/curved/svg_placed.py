@@ -1,4 +1,4 @@
-"""Elements of SVG where they are drawn: transformations, views, units, layers and fill rules."""
+"""Placed elements of SVG: transformations, views, units, layers and fill rules."""
 
 from __future__ import annotations
 
@@ -26,20 +26,20 @@ _VIEWS = {"svg", "symbol"}
 _STYLED = "transform", "rotate", "scale", "translate"
 _ORIGIN = re.compile(r"(?:\s*0(?:px)?\b){2,3}\s*")
 _BOXES = None, "view-box"
-# The units of lengths, in px; what a percentage is of depends on the place.
+# Units of length in px; a percentage depends on the attribute.
 _PX = {unit: UNITS[unit] / UNITS["px"] for unit in ("mm", "cm", "in", "pt", "pc", "px")}
 _PX |= {"": Fraction(1), "%": Fraction(1)}
 
 
 class PlacedElement:
-    """An element among its ancestors; its transformation is read when it is wanted.
+    """An element among its ancestors; its transformation is read on demand.
 
     Args:
         element: the element.
-        parent: that of which it is drawn, None for the root.
-        reading: has the tolerance of irrational angles, and the unit.
+        parent: the PlacedElement that draws it; None for the root.
+        reading: the settings.
         used: the `use` that draws a symbol or a nested svg, which has its size.
-        style: of the document; that of the parent if left out.
+        style: that of the document; by default that of the parent.
     """
 
     def __init__(
@@ -60,11 +60,11 @@ class PlacedElement:
         return self._style.read(self.element) if self._style else {}
 
     def style(self, name: str) -> str | None:
-        """Find a property of its own, or its attribute; None if it is not given."""
+        """Return its own property or attribute; None if it has none."""
         return self.styled.get(name, self.element.get(name))
 
     def inherited(self, name: str, initial: str) -> str:
-        """Find a property that is inherited; each element is asked once."""
+        """Return an inherited property; cached for all ancestors."""
         asked: list[PlacedElement] = []
         placed: PlacedElement | None = self
         while placed is not None and name not in placed._inherited:
@@ -78,13 +78,13 @@ class PlacedElement:
 
     @cached_property
     def place(self) -> str:
-        """The name and the place of the element, for messages."""
+        """The line, the kind and the id of the element, for messages."""
         name = f" {quote(self.element.attrib['id'])}" if "id" in self.element.attrib else ""
         return f"line {line(self.element)}: {name_kind(self.element)}{name}"
 
     @property
     def transform(self) -> str:
-        """The attribute of that name; raises FormatError where a style moves the element, too."""
+        """The attribute of that name; raises FormatError if a style moves the element, too."""
         found: str = self.element.get("transform", "")
         if any(map(self.styled.get, _STYLED)):
             raise FormatError("transformations in a style are not supported")
@@ -95,7 +95,7 @@ class PlacedElement:
 
     @cached_property
     def matrix(self) -> Affine:
-        """The map of the element's coordinates to those of the drawing."""
+        """The map from the element's coordinates to those of the drawing."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
         with name_refusals(self.place, FormatError):
             product = compose(outer, read_transform(self.transform))
@@ -115,19 +115,19 @@ class PlacedElement:
 
     @cached_property
     def groups(self) -> tuple[str, ...]:
-        """The ids of the groups around it, the outermost first, and its own if it is one."""
+        """The ids of the groups around it, outermost first, and its own if it is one."""
         around = self.parent.groups if self.parent else ()
         own = self.element.get("id") if name_kind(self.element) == "g" else None
         return (*around, own) if own else around
 
     @property
     def rule(self) -> Rule | None:
-        """The inherited fill rule; None for one that SVG does not have."""
+        """The inherited fill rule; None for an unknown one."""
         rule = self.inherited("fill-rule", "nonzero")
         return "evenodd" if rule == "evenodd" else "nonzero" if rule == "nonzero" else None
 
     def length(self, name: str, default: str | None = "0") -> Fraction:
-        """Return an attribute in user units; one with another unit at 96 px to the inch."""
+        """Return an attribute in user units, at 96 px to the inch."""
         text = self.element.get(name, default)
         if text is None:
             raise FormatError(f"{name} is missing")
@@ -138,7 +138,7 @@ class PlacedElement:
             return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
 
     def _whole(self, name: str) -> Fraction:
-        """The length of which an attribute may be a percentage: a side of what is around."""
+        """Return the length to which a percentage refers: a side of the viewport."""
         width, height = self.parent.viewport if self.parent else (None, None)
         across = name in ("x", "x1", "x2", "cx", "rx", "width")
         found = width if across or width == height else None if name == "r" else height
@@ -148,7 +148,7 @@ class PlacedElement:
 
     @cached_property
     def viewport(self) -> tuple[Fraction | None, Fraction | None]:
-        """The width and the height of the view that it is or is in, as far as they are known."""
+        """The width and the height of the viewport, None if unknown."""
         if name_kind(self.element) not in _VIEWS:
             return self.parent.viewport if self.parent else (None, None)
         if "viewBox" in self.element.attrib:
@@ -170,7 +170,7 @@ class PlacedElement:
 
     @cached_property
     def unit(self) -> Fraction:
-        """By what the numbers of the document are multiplied: the root's own."""
+        """The factor for the numbers of the document, from its root."""
         attributes = self.element.attrib
         unit = None
         text = attributes.get("width", "").strip()
@@ -191,7 +191,7 @@ class PlacedElement:
         return box
 
     def _view(self) -> Affine:
-        """Compute the map of the inside of a nested svg, or of a symbol, to the outside."""
+        """Compute the map from the inside of a nested svg or a symbol to the outside."""
         attributes = self.element.attrib
         x, y = (self.length(axis) if name_kind(self.element) == "svg" else 0 for axis in "xy")
         at = make_shift(x, y)
@@ -212,7 +212,7 @@ class PlacedElement:
         return at @ make_shift(*rests) @ make_scaling(*fitted) @ make_shift(-left, -top)
 
     def _fit(self, scales: list[Fraction]) -> tuple[list[Fraction], list[Fraction]]:
-        """Return the scales across and down as drawn, and the share of unused room before each."""
+        """Return both scales as drawn, and the share of unused room before each."""
         ratio = self.element.get("preserveAspectRatio", "xMidYMid")
         fit, _, how = ratio.strip().partition(" ")
         if fit == "none":
@@ -223,7 +223,7 @@ class PlacedElement:
         return [scale, scale], [_SHARES[fit[1:4]], _SHARES[fit[5:]]]
 
     def _measure_unit(self) -> Fraction:
-        """The length of one unit of the root's view box, in px, by its width and its height."""
+        """Return the length in px of one unit of the root's view box."""
         _, _, width, height = self._box()
         across = down = self.size("width") / width
         text = self.element.get("height", "%").strip()
@@ -235,7 +235,7 @@ class PlacedElement:
         return fitted[0]
 
     def _extent(self, name: str) -> Fraction:
-        """A size of a view: that of the `use` that draws it, or its own, or all that there is."""
+        """Return a size of a view: that of the `use` that draws it, its own, or 100%."""
         used = self.used if self.used and name in self.used.element.attrib else self
         return used.size(name, "100%")
 
@@ -245,7 +245,6 @@ _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
 
 
 def _split(text: str) -> tuple[str, str]:
-    """Split a length from its unit, if it is one that there is."""
     for unit in _PX:
         if unit and text.endswith(unit):
             return text.removesuffix(unit).rstrip(), unit

@@ -1,4 +1,4 @@
-"""The style of SVG elements: their attributes, their `style`, and the rules of style sheets."""
+"""Style of SVG elements: attributes, `style`, and rules of style sheets."""
 
 from __future__ import annotations
 
@@ -31,13 +31,10 @@ _NAME_RANK, _STYLE_RANK = 1, 4
 
 
 class Style:
-    """The style sheets of a document, as far as their selectors are a name, a class or an id.
-
-    Args:
-        root: the document.
+    """The style sheets of a document, with selectors by name, class or id only.
 
     Attributes:
-        ignored: the other selectors, where their rules could change what is drawn.
+        ignored: other selectors whose rules could change the drawing.
     """
 
     def __init__(self, root: Element) -> None:
@@ -51,7 +48,6 @@ class Style:
                     self._add(selectors, body)
 
     def _add(self, selectors: str, body: str) -> None:
-        """Add the declarations of a rule that are read."""
         declared: dict[str, _Declared] = {}
         for name, value, important in _declarations(body):
             if name in _READ:
@@ -67,7 +63,7 @@ class Style:
                 self.ignored.append(selector)
 
     def read(self, element: Element) -> dict[str, str]:
-        """Read the properties that styles give an element, by the cascade of CSS."""
+        """Return the properties that styles give an element, by the cascade of CSS."""
         attributes = element.attrib
         found: dict[str, _Declared] = {}
         if self._rules:
@@ -82,7 +78,7 @@ class Style:
 
 
 def _declare(found: dict[str, _Declared], name: str, declared: _Declared) -> None:
-    """Add a declaration, unless it loses against the one that is there."""
+    """Add a declaration, unless it loses against the present one."""
     found[name] = max(declared, found.get(name, declared))
 
 
@@ -101,5 +97,5 @@ def name_kind(element: Element) -> str:
 
 
 def find_link(element: Element) -> str:
-    """Return the reference of an element, such as "#part"; "" if it has none."""
+    """Return the reference of an element, such as "#part"; "" for none."""
     return element.get("href", element.get("{http://www.w3.org/1999/xlink}href", ""))

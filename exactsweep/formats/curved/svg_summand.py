@@ -1,4 +1,4 @@
-"""SVG in, as a path: a summand of a Minkowski sum."""
+"""SVG paths as summands of Minkowski sums."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from exactsweep.numbers.error import name_refusals
 
 
 def read_svg_path(text: str, reading: Reading, *, filled: bool = False) -> Polyline | None:
-    """Read an SVG document as a path, if all that it draws is one open path without a fill.
+    """Read an SVG document as a path, if it draws only one open path without a fill.
 
     Args:
         text: the document.
-        reading: as for `parse_svg`.
+        reading: the settings.
         filled: whether a filled or closed path counts, too.
 
     Returns:

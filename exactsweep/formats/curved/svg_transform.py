@@ -1,4 +1,4 @@
-"""The transformations of SVG (SVG 1.1, 7.6), exactly where they are rational."""
+"""Transformations of SVG (SVG 1.1, 7.6), exact where they are rational."""
 
 import re
 from collections.abc import Callable, Sequence
@@ -17,16 +17,10 @@ _MAX_BITS = 50_000
 
 
 def read_transform(text: str) -> Affine:
-    """Read a `transform` attribute.
-
-    Args:
-        text: functions one after another, the last one applied first.
-
-    Returns:
-        The map.
+    """Read a `transform` attribute, whose last function applies first.
 
     Raises:
-        FormatError: numbers that grow too long, or whatever is not a list of transformations.
+        FormatError: a syntax error, or too long numbers.
 
     Example:
         >>> text = "translate(10) rotate(90)"
@@ -53,7 +47,7 @@ def read_transform(text: str) -> Affine:
 
 
 def compose(outer: Affine, inner: Affine) -> Affine:
-    """Return the map that does `inner` and then `outer`; refuse numbers that grow too long."""
+    """Return the map that does `inner` and then `outer`; reject too long numbers."""
     product = outer @ inner
     if any(n.numerator.bit_length() + n.denominator.bit_length() > _MAX_BITS for n in product):
         raise FormatError("the numbers of the product of transformations are too long")
@@ -70,7 +64,7 @@ def _rotate(numbers: Sequence[Fraction]) -> Affine:
 
 
 def _skew_x(numbers: Sequence[Fraction]) -> Affine:
-    """A map whose c is the tangent, within its `off`."""
+    """Return a map whose c is the tangent, within its `off`."""
     (angle,) = numbers
     if angle % 45 == 0 and angle % 180 != 90:
         return make_affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)

@@ -1,4 +1,4 @@
-"""Untrusted XML: no entities but short names, nothing fetched, nothing nested too deeply."""
+"""Untrusted XML: short entities only, nothing fetched, bounded depth."""
 
 from __future__ import annotations
 
@@ -14,32 +14,26 @@ if TYPE_CHECKING:
 MAX_DEPTH = 100
 """The greatest depth of nested elements."""
 
-# The references to entities that a parser leaves, outside comments and similar sections.
+# References to entities outside comments and similar sections.
 _REFERENCE = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:]]>|\Z)|<\?.*?(?:\?>|\Z)"
     r"|&(?!(?:lt|gt|amp|quot|apos);|#)(?P<entity>[^\s;&<]++);",
     re.DOTALL,
 )
-# No name of XML can be this, so that no attribute of the document is hidden.
+# Not a name in XML, so that it hides no attribute.
 _LINE = "#line"
-# The most entities, and the most letters of one.
+# Maximum number of entities, and of the letters of one.
 _MAX_ENTITY = 200
 
 
 def parse_xml(text: str) -> Element:
-    """Parse an XML document.
+    """Parse an XML document; `line` returns the line of an element.
 
-    Args:
-        text: the document; a document type may be declared, but it is not fetched.
-
-    Returns:
-        The root, whose elements `line` tells the line of.
+    A document type may be declared, but it is not fetched.
 
     Raises:
-        FormatError: not XML, an entity that is not declared, or long, or that refers to others,
-            nested deeper than MAX_DEPTH, more elements than `limits` allow.
-
-    Cost: linear in the length of the text.
+        FormatError: not XML, an undeclared, long or nested entity, nesting deeper than MAX_DEPTH,
+            or more elements than `limits` allow.
 
     Example:
         >>> parse_xml('<a><b c="1"/></a>')[0].get("c")
@@ -93,7 +87,7 @@ def parse_xml(text: str) -> Element:
         raise FormatError(f"declares the entity {error.name!a}, which is not allowed") from None
     except DefusedXmlException as error:
         raise FormatError(f"refers to something outside of it: {error}") from None
-    # Where a document type is declared elsewhere, the parser passes over what it might declare.
+    # With an external document type, the parser skips references that it might declare.
     for match in _REFERENCE.finditer(text):
         if match["entity"] not in {None, *declared}:
             number = text.count("\n", 0, match.start()) + 1
