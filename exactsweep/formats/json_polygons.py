@@ -94,6 +94,8 @@ def _read_one(node: JsonNode) -> Candidate:
         return Candidate.refused(f"{path} is {describe_kind(value)}, not a list of vertices")
     member = next((name for name in _RINGS if name in value), "exterior")
     if member not in value:
+        if "placements" in value:
+            raise FormatError(f"{path} is a layout; 'exactsweep layout' judges it")
         raise FormatError(
             f'{path} has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'
             if path.endswith("$")

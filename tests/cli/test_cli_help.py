@@ -124,3 +124,9 @@ def test_a_path_is_the_second_summand(tmp_path: Path) -> None:
     path = tmp_path / "line.wkt"
     path.write_text("LINESTRING (0 0, 1 0)")
     assert "is a path; give it second, as B." in run("sum", str(path), str(path)).stderr
+
+
+def test_a_layout_is_not_a_list_of_polygons(tmp_path: Path) -> None:
+    path = tmp_path / "nest.json"
+    path.write_text(json.dumps(find_layout_case("layouts-slot").data))
+    assert refusal(run("overlap", str(path))).endswith("a layout; 'exactsweep layout' judges it")

@@ -5,10 +5,14 @@ import re
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 from command import refusal, run
+from hypothesis import given
 from shown import Open
+from strategies import simple_polygons
+from tiers import examples
 
 from exactsweep import (
     InnerFit,
@@ -23,7 +27,8 @@ from exactsweep import (
 from exactsweep.draw import make_figure, plot_positions, save_svg
 from exactsweep.draw.no_fits import Positions
 from exactsweep.geometry.vectors import is_between
-from exactsweep.view.data import gather_positions
+from exactsweep.numbers.digits import format_fraction
+from exactsweep.view.data import gather_page_data, gather_positions
 
 PLATE = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(2, 2), (7, 2), (7, 4), (2, 4)]])
 PART = Polygon([(0, 0), (2, 0), (2, 1), (0, 1)])
@@ -151,3 +156,24 @@ def _luminance(color: str) -> float:
     shares = [int(part) / 255 for part in re.findall(r"[0-9]+", color)[:3]]
     red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in shares)
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def list_stops(data: dict[str, Any]) -> dict[str, set[tuple[str, str]]]:
+    tracks = {track["name"]: track["exact"] for track in data["tracks"]}
+    exterior = tracks.pop("the trajectory", None) or tracks.pop("the exterior")
+    return {
+        name: set(zip(exact[::2], exact[1::2], strict=True))
+        for name, exact in {**tracks, "exterior": exterior}.items()
+    }
+
+
+@given(simple_polygons(), simple_polygons())
+@examples(40)
+def test_a_no_fit_polygon_has_the_stops_of_the_sweep(g: Polygon, d: Polygon) -> None:
+    s = sweep(g, d)
+    closing = {tuple(map(format_fraction, p)) for one in s.undercuts for p in one.positions}
+    stops = list_stops(gather_positions(no_fit_polygon(d, g)))
+    expected = list_stops(gather_page_data(s))
+    assert stops.keys() == expected.keys()
+    for name, positions in expected.items():
+        assert positions - closing <= stops[name] <= positions
