@@ -97,7 +97,7 @@ def no_fit_polygon(
 ) -> NoFitPolygon:
     """Find the positions where an orbiting polygon overlaps a stationary one (first argument).
 
-    Keywords allow any order. Note that the first argument of `sweep` is the moving polygon.
+    Keywords allow any order; the first argument of `sweep` is the moving polygon.
 
     Args:
         stationary: D, a Polygon, a Region or the vertices of a polygon.
@@ -106,15 +106,13 @@ def no_fit_polygon(
 
     Returns:
         A NoFitPolygon with its exterior, the trajectory of the sweep (G, D); its holes, where G
-        fits inside D without overlap; and its exact fits, free positions without room to either
-        side.
+        fits inside D; and its exact fits, free positions without room to either side.
 
     Raises:
-        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
-            name.
+        PolygonError: a shape is not valid; the message begins with its name.
         NumberError: a coordinate is not an exact number; likewise.
 
-    Cost: as for the trajectory of `sweep`; for other shapes as for `ss.no_fit_ss`.
+    Cost: as for the trajectory of `sweep`; for other shapes as for `positions.find_no_fit`.
 
     Example:
         >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (2, 0), (1, 2)]
@@ -137,9 +135,7 @@ def inner_fit_polygon(
     *,
     reference: Iterable[object] = (0, 0),
 ) -> InnerFit:
-    """Find all positions of a part inside a container (first argument).
-
-    Keywords allow any order.
+    """Find all positions of a part inside a container (first argument); keywords allow any order.
 
     Args:
         container: a Polygon, a Region, whose holes are defects, or the vertices of a polygon.
@@ -151,11 +147,10 @@ def inner_fit_polygon(
         the part. Both are empty if the part does not fit.
 
     Raises:
-        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
-            name.
+        PolygonError: a shape is not valid; the message begins with its name.
         NumberError: a coordinate is not an exact number; likewise.
 
-    Cost: as for `ss.inner_fit_ss`.
+    Cost: as for `positions.find_inner_fit`.
 
     Example:
         >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -215,11 +210,10 @@ def free_positions(
         least two sides. It is false if there is no position.
 
     Raises:
-        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
-            name.
+        PolygonError: a shape is not valid; the message begins with its name.
         NumberError: a coordinate is not an exact number; likewise.
 
-    Cost: as for `ss.inner_fit_ss`.
+    Cost: as for `positions.find_inner_fit`.
 
     Example:
         >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -22,8 +22,7 @@ def refuse_to_set(answer: object, name: str, value: object) -> None:
 class Certified:
     """An answer. Two answers are equal if they answer the same question about equal polygons.
 
-    Polygons are equal as sets of points. The order of their vertices in the input does not matter
-    here, though the numbers of features depend on it.
+    Polygons are equal as sets of points; the numbers of features depend on the order of vertices.
     """
 
     asked: ClassVar[tuple[str, ...]]
@@ -43,15 +42,11 @@ class Certified:
         return hash(tuple(getattr(self, name) for name in self.asked))
 
     def certificate(self) -> dict[str, Any]:
-        """Return plain JSON data that proves the answer, as `check/CERTIFICATES.md` describes it.
+        """Return plain JSON data that proves the answer to `check/standalone.py`.
 
-        `check/standalone.py`, one file, checks it. Positions are those of the origin of the polygon
-        that moves.
-
-        Raises:
-            PolygonError: shapes are placed; certificates do not cover them.
-
-        Cost: see `evidence.proof.add_proof`.
+        `check/CERTIFICATES.md` describes the format. Positions are those of the origin of the
+        polygon that moves. Raises PolygonError if shapes are placed. Cost: see
+        `evidence.proof.add_proof`.
 
         Example:
             >>> from exactsweep import no_fit_polygon

@@ -30,11 +30,11 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
         b: likewise; at most one of the two is a Polyline.
 
     Returns:
-        The sum as a Region. It has a hole where points are enclosed that are no sums.
+        The sum as a Region; a hole encloses points that are no sums.
 
     Raises:
         PolygonError: a polygon is not simple; the message begins with "a" or "b"; or both are
-            paths, whose sum has no interior in general.
+            paths.
         NumberError: a coordinate is not an exact number; likewise.
 
     Cost: that of `no_fit_polygon`; O(m n log(m n) + c) for a shape and a path, c crossings of

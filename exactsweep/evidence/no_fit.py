@@ -62,17 +62,11 @@ class NoFitAnswer(Certified):
         return place_fits(self.solution.fits, self.reference)
 
     def locate(self, position: Iterable[object]) -> Literal["overlap", "contact", "free"]:
-        """Locate a position of the orbiting polygon.
-
-        Args:
-            position: a pair of numbers, the place of the orbiting polygon's reference point.
+        """Locate a position of the orbiting polygon's reference point, a pair of numbers.
 
         Returns:
             "overlap" if the interiors overlap; "contact" if the polygons only touch, on a loop or
             in an exact fit; "free" if they are apart.
-
-        Raises:
-            NumberError: a coordinate is not an exact number.
 
         Cost: that of the loops and exact fits, and linear in their size.
 
@@ -147,17 +141,11 @@ class InnerFitAnswer(Certified):
         return bool(self.regions or self.exact_fits)
 
     def locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
-        """Locate a position: "inside" where the part can move in all directions.
-
-        Args:
-            position: a pair of numbers, the place of the part's reference point.
+        """Locate a position of the part's reference point, a pair of numbers.
 
         Returns:
-            "inside" for a position inside a region; "boundary" on the boundary of a region or in an
-            exact fit, where the part touches an obstacle; "outside" where the part overlaps one.
-
-        Raises:
-            NumberError: a coordinate is not an exact number.
+            "inside" in a region; "boundary" on the boundary of a region or in an exact fit, where
+            the part touches an obstacle; "outside" where the part overlaps one.
 
         Cost: that of the positions, and linear in their size.
 

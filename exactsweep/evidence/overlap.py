@@ -37,8 +37,7 @@ _VERDICTS: dict[Relation, _RelationName] = {
 class Overlap:
     """The relation of two shapes where they are; made by `overlap`.
 
-    Each property is computed on first access, exactly. Two of them are equal if they are about
-    equal shapes.
+    Each property is computed on first access, exactly. Overlaps of equal shapes are equal.
 
     Attributes:
         a: a Region.
@@ -149,14 +148,13 @@ def overlap(a: Region | Vertices, b: Region | Vertices) -> Overlap:
 
     Returns:
         An Overlap with `verdict`, `area`, `witness`, `distance_squared`, `move` and
-        `depth_squared`, each computed on first access.
+        `depth_squared`.
 
     Raises:
-        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with "a"
-            or "b".
+        PolygonError: a shape is not valid; the message begins with "a" or "b".
         NumberError: a coordinate is not an exact number; likewise.
 
-    Cost: O((m + n) log(m + n)) for the verdict, where few edges are near each other; that of
+    Cost: O((m + n) log(m + n)) for the verdict, if few edges are near each other; that of
     `no_fit_polygon` for the least move.
 
     Example:

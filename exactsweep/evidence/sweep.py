@@ -117,10 +117,10 @@ class SweepAnswer(Certified):
 
     @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
-        """The segments of positions in slots of D that are exactly as wide as G, sorted.
+        """The exact fits, sorted: segments of positions in slots of D exactly as wide as G.
 
-        Each segment is (the end on a loop, the end inside the slot). G touches D there without
-        overlap, but has no room to either side, so the trajectory does not show these positions.
+        Each segment is (the end on a loop, the end inside the slot). The trajectory does not show
+        these positions.
 
         >>> from exactsweep import sweep
         >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
@@ -159,9 +159,8 @@ class SweepAnswer(Certified):
         """The contacts along each edge of the trajectory (Table 1).
 
         Item k has the EV, VE and EE contacts that last along a piece of positive length of edge k,
-        from vertex k of the trajectory to the next. It omits VV, contacts at single positions (see
-        `vertex_contacts`), and each EV and VE contact at an end of an edge of an EE contact.
-        Features are numbered as in the input: vertex i, and edge i from vertex i to the next.
+        from vertex k of the trajectory to the next. Features are numbered as in the input: vertex
+        i, and edge i from vertex i to the next.
 
         >>> from exactsweep import sweep
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]

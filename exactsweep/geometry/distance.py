@@ -40,15 +40,14 @@ class SquaredDistance(NamedTuple):
 
 @tells_arguments
 def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDistance:
-    """Find the squared distance of two shapes, and two nearest points.
+    """Find the squared distance of two shapes, closed sets, and two nearest points.
 
     Args:
-        a: a Polygon, a Region or the vertices of a polygon, as a closed set with its interior.
+        a: a Polygon, a Region or the vertices of a polygon.
         b: likewise.
 
     Returns:
-        The square, 0 if the shapes meet, and two nearest points, one of each shape; any if there
-        are several.
+        The square, 0 if the shapes meet, and two nearest points, one of each shape.
 
     Raises:
         PolygonError: a polygon is not simple. The message begins with "a" or "b".

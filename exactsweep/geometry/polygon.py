@@ -128,12 +128,10 @@ class Polygon(PointSet):
         return (self.vertices,)
 
     def lattice(self) -> tuple[int, tuple[Vertex, ...]]:
-        """Return the polygon on the coarsest integer lattice that holds it.
+        """Return `(scale, points)`, the polygon on the coarsest integer lattice that holds it.
 
-        Returns:
-            `(scale, points)`: the least positive int, and pairs of ints that are the vertices times
-            the scale. If that int has more than 8192 bits, the scale is 1 and the pairs are the
-            vertices.
+        The points are pairs of ints, the vertices times the scale, the least positive int. If it
+        has more than 8192 bits, the scale is 1 and the pairs are the vertices.
 
         Example:
             >>> Polygon([(0, 0), ("1/2", 0), (0, "1/3")]).lattice()
@@ -146,10 +144,9 @@ class Polygon(PointSet):
         return self._lattice
 
     def vertex_index(self, k: int) -> int:
-        """Return the index in the caller's input of canonical vertex k.
+        """Return the index in the caller's input of canonical vertex k, negative from the end.
 
-        Raises:
-            PolygonError: there is no vertex k. As in a list, negative k count from the end.
+        Raises PolygonError if there is no vertex k.
         """
         try:
             return self._vertex_index[k]
@@ -159,11 +156,8 @@ class Polygon(PointSet):
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of canonical edge k, from vertex k to k + 1.
 
-        Of several collinear input edges, it is the first. Input edge i runs from input vertex i to
-        the next.
-
-        Raises:
-            PolygonError: there is no edge k. As in a list, negative k count from the end.
+        Of several collinear input edges, it is the first. Raises PolygonError, as `vertex_index`
+        does.
 
         Example:
             >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
@@ -229,8 +223,8 @@ class Polygon(PointSet):
     def to_sympy(self) -> "sympy.Polygon":
         """Return the polygon as a `sympy.geometry.Polygon`.
 
-        sympy detects collinear vertices in floating point. Raises PolygonError if the vertices are
-        so close together that sympy would make a different figure.
+        sympy detects collinear vertices in floating point. Raises PolygonError if it would drop
+        vertices.
         """
         import sympy
 

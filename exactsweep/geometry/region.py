@@ -131,10 +131,8 @@ class Region(PointSet):
     def vertex_index(self, k: int) -> int:
         """Return the index in the caller's input of vertex k, counted through all `rings`.
 
-        In the input, too, the count begins with the exterior; the holes follow in the given order.
-
-        Raises:
-            PolygonError: there is no vertex k. As in a list, negative k count from the end.
+        In the input, too, the exterior comes first; the holes follow in the given order. Raises
+        PolygonError if there is no vertex k; negative k count from the end.
         """
         first, ring, k = self._ring_of(k, "vertex")
         return first + ring.vertex_index(k)
@@ -142,10 +140,7 @@ class Region(PointSet):
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of edge k, from vertex k to the next of its ring.
 
-        The count is that of `vertex_index`. For collinear edges, the result is the first of them.
-
-        Raises:
-            PolygonError: there is no edge k.
+        The count is that of `vertex_index`. Of collinear input edges, it is the first.
         """
         first, ring, k = self._ring_of(k, "edge")
         return first + ring.edge_index(k)

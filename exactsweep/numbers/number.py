@@ -215,19 +215,6 @@ def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]
     return found
 
 
-def negate(value: int | Fraction) -> int | Fraction:
-    """Change the sign; faster than `-` for Fractions.
-
-    Example:
-        >>> negate(Fraction(1, 2))
-        Fraction(-1, 2)
-    """
-    if type(value) is Fraction:
-        n, d = value.as_integer_ratio()
-        return _make_reduced(-n, d)
-    return -value
-
-
 def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
     """Find the fraction q/p of least terms strictly between a/b and c/d, as (p, q).
 

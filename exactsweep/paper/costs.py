@@ -86,8 +86,7 @@ class Cost:
     def compare(self) -> Iterator[str]:
         """Report where the output at the three least sizes differs from Sweep_MM to the letter.
 
-        Sweep_MM accepts pairs of any class: a convex chain is one part. Counts of wrong outputs are
-        worthless.
+        Sweep_MM accepts pairs of any class: a convex chain is one part.
         """
         for m, n in self.sizes(self.first, 2):
             chains = SweepPair(*self.family(m, n)).chains

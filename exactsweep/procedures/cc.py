@@ -35,7 +35,7 @@ def trajectory_cc(generatrix: Chain, directrix: Chain) -> Chain:
 def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
     """Inner boundary of the sweep of a convex G_t along a convex D_b: D_b (Lemma 3.2).
 
-    Procedure SweepI_CC: return the edges of D_b. Arguments as for `trajectory_cc`. Cost: O(1).
+    Procedure SweepI_CC: return the edges of D_b. Arguments as for `trajectory_cc`.
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
     >>> sweep_inner_cc(lid, valley).points

@@ -21,7 +21,7 @@ from math import gcd, inf
 from typing import NamedTuple, TypeVar
 
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Rational, Vertex, divide_exactly, negate, ratio
+from exactsweep.numbers.number import Rational, Vertex, divide_exactly, ratio
 
 T = TypeVar("T")
 
@@ -118,9 +118,7 @@ def inverse(points: Iterable[Vertex]) -> list[Vertex]:
     >>> inverse([(2, 0), (1, 3), (0, 0)])
     [(-2, 0), (-1, -3), (0, 0)]
     """
-    return [
-        (-x, -y) if type(x) is int and type(y) is int else (negate(x), negate(y)) for x, y in points
-    ]
+    return [(-x, -y) for x, y in points]
 
 
 def reverse(edges: Iterable[tuple[T, T]]) -> list[tuple[T, T]]:

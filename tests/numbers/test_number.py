@@ -22,7 +22,7 @@ from exactsweep.numbers.limits import (
     limits,
     list_limits,
 )
-from exactsweep.numbers.number import negate, ratio, to_fraction
+from exactsweep.numbers.number import ratio, to_fraction
 
 NINES = "9" * 5000
 
@@ -253,10 +253,3 @@ def test_quotients_are_ints_where_they_can_be(value: int | Fraction) -> None:
         assert found == Fraction(value) / divisor
         assert is_reduced(found)
         assert (type(found) is int) == (found.denominator == 1)
-
-
-@pytest.mark.parametrize("value", NUMBERS)
-def test_negated_ints_stay_ints_and_fractions_reduced(value: int | Fraction) -> None:
-    assert negate(value) == -value
-    assert type(negate(value)) is type(value)
-    assert is_reduced(negate(value))

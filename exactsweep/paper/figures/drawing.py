@@ -141,16 +141,11 @@ class PanelDrawer:
         dy: float = 0,
         how: Mapping[str, Any] | None = None,
     ) -> None:
-        """Write words at some distance from one place or several.
+        """Write words, with "=" those of the figure, near one place or several.
 
-        Args:
-            at: the places.
-            words: the same for each place; with "=", those of the figure.
-            dx: the distance to the right in points, or the name of a shape with a vector for each
-                place.
-            dy: the distance upwards.
-            how: "ha" and "va", the alignment; "leader", whether a thin line leads to the place;
-                "small", whether letters are small.
+        `dx` and `dy` are distances to the right and upwards, or the name of a shape with vectors.
+        `how` has "ha" and "va", the alignment; "leader", whether a thin line leads to the place;
+        "small" letters.
         """
         from matplotlib.patheffects import withStroke
 
