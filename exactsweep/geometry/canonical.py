@@ -214,9 +214,6 @@ def find_least(points: Sequence[Point]) -> int:
     """Return the index of the lexicographically least point, the first of equal ones.
 
     Fractions are compared only if their floors are equal, which is rare.
-
-    >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
-    1
     """
     floors = [*map(floordiv, *split_ratios([x for x, _ in points]))]
     least = min(floors)
@@ -227,9 +224,6 @@ def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
     """Return twice the signed area, positive for a counter-clockwise ring.
 
     Cost: O(n) for ints, that of `add_up` for Fractions.
-
-    >>> find_doubled_area([(0, 0), (2, 0), (2, Fraction(1, 2))])
-    Fraction(1, 1)
     """
     after = (*ring[1:], ring[0])
     if all(type(part) is int for point in ring for part in point):

@@ -93,9 +93,6 @@ def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
 
     Cost: for each reflex vertex that of the vertices and the edges around it, O(n) at worst, times
     the number of tried diagonals.
-
-    >>> len(cut_to_convex([[(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]]))
-    2
     """
     plan = _Plan(rings)
     cones = _find_cones(plan.edges)

@@ -143,12 +143,7 @@ class Directions:
 
 
 def reduce_direction(direction: Vertex) -> Vector:
-    """Reduce a direction to coprime ints, the first one positive or both (0, 1).
-
-    >>> from fractions import Fraction
-    >>> reduce_direction((-4, 6)), reduce_direction((Fraction(1, 2), Fraction(1, 3)))
-    ((2, -3), (3, 2))
-    """
+    """Reduce a direction to coprime ints, the first one positive or both (0, 1)."""
     (p, a), (q, b) = direction[0].as_integer_ratio(), direction[1].as_integer_ratio()
     if a != 1 or b != 1:
         p, q = p * b, q * a

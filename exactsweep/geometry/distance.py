@@ -97,10 +97,6 @@ def find_nearest(
 
     Returns None if the squared distance is not below the bound `below`, where the search ends.
     Cost: as for `distance_squared`.
-
-    >>> square, other = [[(0, 0), (1, 0), (1, 1), (0, 1)]], [[(3, 0), (4, 0), (3, 5)]]
-    >>> find_nearest(EdgeTree(square), EdgeTree(other), below=4) is None
-    True
     """
     common = _find_vertex_inside(first, second)
     if common is not None:

@@ -58,9 +58,6 @@ class BoxRows:
         """Yield the numbers of the boxes that meet a box, each once.
 
         Cost: O(1) for each box that meets one of the rows of the box and does not begin beyond it.
-
-        >>> sorted(BoxRows([(0, 1, 0, 1), (1, 2, 1, 2), (3, 4, 0, 9)]).find((1, 2, 0, 1)))
-        [0, 1]
         """
         left, right, low, high = box
         if not self._rows:
@@ -105,8 +102,5 @@ def find_near(boxes: Sequence[Bounds], reach: int = 0) -> Iterator[tuple[int, in
 
     The lesser number comes first. Cost: O(n log n + k) for n boxes and k pairs, if the boxes are
     not much longer than their distances.
-
-    >>> sorted(find_near([(0, 1, 0, 1), (1, 2, 1, 2), (3, 4, 0, 9), (3, 9, 2, 3)], 1))
-    [(0, 1), (1, 2), (1, 3), (2, 3)]
     """
     return BoxRows(boxes, reach).find_pairs()

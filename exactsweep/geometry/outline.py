@@ -99,13 +99,7 @@ def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
 def number_features(
     shape: AnyPolygon,
 ) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
-    """Return the vertices by input number, and by edge number the numbers of its two ends.
-
-    >>> from exactsweep import Polygon
-    >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
-    >>> sorted(corners), edges[2]
-    ([0, 1, 2], (0, 2))
-    """
+    """Return the vertices by input number, and by edge number the numbers of its two ends."""
     numbers = [shape.vertex_index(k) for k in range(len(shape))]
     return (
         dict(zip(numbers, shape.vertices, strict=True)),

@@ -204,9 +204,6 @@ def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
     """Return the outside of a ring, within a frame around the ring and a room.
 
     A shape inside the room overlaps the outside of the ring if and only if it overlaps this shape.
-
-    >>> find_outside([(0, 0), (2, 0), (0, 2)], (0, 5, 0, 1))
-    [[(-1, -1), (6, -1), (6, 3), (-1, 3)], [(0, 2), (2, 0), (0, 0)]]
     """
     (left, right, low, high), (west, east, south, north) = EdgeIndex([ring]).box, room
     left, right, low, high = min(left, west), max(right, east), min(low, south), max(high, north)

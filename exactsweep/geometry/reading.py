@@ -87,23 +87,12 @@ def _is_geojson(shape: object) -> bool:
 
 
 def has_heights(ring: Sequence[object]) -> bool:
-    """Decide whether some point of a ring has a Z coordinate.
-
-    >>> has_heights([(0, 0), (1, 0, 5)])
-    True
-    """
+    """Decide whether some point of a ring has a Z coordinate."""
     return any(isinstance(point, Sequence) and len(point) == 3 for point in ring)
 
 
 def drop_heights(ring: list[Any]) -> list[Any]:
-    """Drop the Z coordinates of a ring, with a warning that names the caller of the package.
-
-    >>> import warnings
-    >>> with warnings.catch_warnings():
-    ...     warnings.simplefilter("ignore")
-    ...     drop_heights([(0, 0), (1, 0, 5)])
-    [(0, 0), (1, 0)]
-    """
+    """Drop the Z coordinates of a ring, with a warning that names the caller of the package."""
     level, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals.get("__name__", "").startswith(_PACKAGE):
         level, frame = level + 1, frame.f_back
@@ -175,9 +164,6 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
     Returns the scale, the least common denominator, and the points times the scale, as pairs of
     ints. If the scale had more than 8192 bits, it is 1 and the points are unchanged, because with
     unrelated denominators each number would be longer than all coordinates together.
-
-    >>> to_lattice([Fraction(1, 2), Fraction(0)], [Fraction(1), Fraction(1, 3)])
-    (6, [(3, 6), (0, 2)])
     """
     xs, ys = tuple(xs), tuple(ys)
     (px, qx), (py, qy) = split_ratios(xs), split_ratios(ys)
@@ -207,11 +193,7 @@ def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[V
 
 
 def lcm_within(denominators: Iterable[int]) -> int | None:
-    """Return the least common multiple, or None if it has more bits than a scale may have.
-
-    >>> lcm_within([4, 6]), lcm_within([2**8191, 3])
-    (12, None)
-    """
+    """Return the least common multiple, or None if it has more bits than a scale may have."""
     scale = 1
     for denominator in denominators:
         scale = lcm(scale, denominator)

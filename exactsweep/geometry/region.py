@@ -214,11 +214,7 @@ def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
 
 
 def to_region(shape: Region | Vertices, name: str) -> Region:
-    """Read a shape as `to_shape` does, but always as a Region.
-
-    >>> to_region([(0, 0), (1, 0), (0, 1)], "part").area
-    Fraction(1, 2)
-    """
+    """Read a shape as `to_shape` does, but always as a Region."""
     return shape if isinstance(shape, Region) else Region(to_shape(shape, name))
 
 
@@ -252,9 +248,6 @@ def share_lattice(
     If the scale had more than 1024 bits, all numbers would be longer than any vertex. Then the
     result has the given `scale` of a lattice with most vertices, or 1; other vertices are
     Fractions.
-
-    >>> share_lattice([Region([(0, 0), ("1/2", 0), (0, "1/3")])])
-    (6, [[[(0, 0), (3, 0), (0, 2)]]])
     """
     lattices = [region.lattice() for region in regions]
     common = lcm_within(own for own, _ in lattices)

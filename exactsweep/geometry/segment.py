@@ -83,10 +83,6 @@ def choose_cover(whole: Segment, pieces: Iterable[tuple[Segment, int]]) -> list[
     """Choose few pieces on a segment's line that cover it; their numbers, or None.
 
     Cost: O(k log k) for k pieces.
-
-    >>> s = Segment((1, 0), 0, 0, 3)
-    >>> choose_cover(s, [(Segment((1, 0), 0, 2, 4), 7), (Segment((1, 0), 0, -1, 2), 8)])
-    [8, 7]
     """
     chosen: list[int] = []
     reached, best, number = whole.low, whole.low, -1

@@ -28,9 +28,6 @@ def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
     The ring has at least three integer points, not all collinear, no two neighbours equal, no edge
     that turns back onto the edge before it; collinear vertices are allowed. Edge i runs from vertex
     i to the next. Cost: O(n log n) comparisons, and moves in the status list.
-
-    >>> find_conflict([(0, 0), (2, 2), (2, 0), (0, 2)])
-    Conflict(kind='edges cross', first=0, second=2)
     """
     order = sorted(range(len(ring)), key=ring.__getitem__)
     for i, j in pairwise(order):

@@ -133,11 +133,7 @@ def _turn_by(degrees: Fraction) -> Turn:
 
 @lru_cache(maxsize=1024)
 def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
-    """Find a rational rotation of few digits with an error of at most 2**-bits, by (2).
-
-    >>> find_rational_turn(Fraction(270), 9)
-    RationalTurn(cosine=Fraction(0, 1), sine=Fraction(-1, 1), error=Fraction(0, 1))
-    """
+    """Find a rational rotation of few digits with an error of at most 2**-bits, by (2)."""
     if not 1 <= bits <= MAX_TURN_BITS:
         raise NumberError(f"bits={bits}: not from 1 to {MAX_TURN_BITS}")
     quarter, rest = divmod(degrees % 360, 90)
@@ -155,9 +151,6 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
     """Find a rational point of the unit circle within `allowed` of the point at an angle.
 
     Its half tangent is a decimal.
-
-    >>> find_unit_point(Fraction(270), Fraction(1))
-    Point(x=Fraction(0, 1), y=Fraction(-1, 1))
     """
     quarter, rest = divmod(degrees % 360, 90)
     return _to_circle(_round_half_tangent(rest, allowed / 2) if rest else _ZERO, quarter)

@@ -29,11 +29,7 @@ def turn(p: Vertex, q: Vertex, r: Vertex) -> Rational:
 
 
 def compare_angles(u: Vertex, v: Vertex) -> int:
-    """Compare two directions, counter-clockwise from that of the X axis: -1, 0 or 1.
-
-    >>> compare_angles((1, 0), (0, -1)), compare_angles((-1, 2), (-2, 4))
-    (-1, 0)
-    """
+    """Compare two directions, counter-clockwise from that of the X axis: -1, 0 or 1."""
     halves = ((u[1], u[0]) < (0, 0)) - ((v[1], v[0]) < (0, 0))
     return halves or (cross(v, u) > 0) - (cross(v, u) < 0)
 
@@ -43,21 +39,13 @@ way_key = cmp_to_key(compare_angles)
 
 
 def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is on a segment, ends included.
-
-    >>> [is_on_segment(point, (2, 2), (0, 0)) for point in [(0, 0), (1, 1), (3, 3), (1, 0)]]
-    [True, True, False, False]
-    """
+    """Decide whether a point is on a segment, ends included."""
     (tx, ty), (px, py), (qx, qy) = point, p, q
     return (qx - px) * (ty - py) == (qy - py) * (tx - px) and min(p, q) <= point <= max(p, q)
 
 
 def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is inside a segment, ends excluded.
-
-    >>> [is_between((x, x), (0, 0), (2, 2)) for x in (0, 1, 2)]
-    [False, True, False]
-    """
+    """Decide whether a point is inside a segment, ends excluded."""
     return is_on_segment(point, p, q) and p != point != q
 
 

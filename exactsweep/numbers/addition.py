@@ -31,11 +31,7 @@ def add_up(terms: Iterable[Fraction]) -> Fraction:
 
 
 def add_ratios(terms: Iterable[_Pair]) -> Fraction:
-    """Add fractions as pairs of a numerator and a positive denominator, not in lowest terms.
-
-    >>> add_ratios([(2, 4), (3, 6)])
-    Fraction(1, 1)
-    """
+    """Add fractions as pairs of a numerator and a positive denominator, not in lowest terms."""
     pairs = [*terms]
     while len(pairs) > 1 and max(d for _, d in pairs).bit_length() < _BITS:
         pairs = _in_pairs(_add_unreduced, pairs)

@@ -92,13 +92,7 @@ class Limits(TypedDict):
 
 
 def list_limits() -> Limits:
-    """List the changed limits as arguments of `limits`, for another process.
-
-    Example:
-        >>> with limits(max_mib=2):
-        ...     list_limits()
-        {'max_digits': None, 'max_mib': 2}
-    """
+    """List the changed limits as arguments of `limits`, for another process."""
     return {"max_digits": _max_digits.get(), "max_mib": _max_mib.get()}
 
 

@@ -173,12 +173,7 @@ def find_first_failure(failures: Iterable[str]) -> str:
 
 
 def gather(parts: Iterable[Observation]) -> Evidence:
-    """Make one Evidence of all parts of what a check finds; a growth fails beyond its bound.
-
-    >>> gather(["", Evidence("Some."), "it fails", Evidence("More.", searched=3)])
-    Evidence(tried='Some. More.', failure='it fails', cases=(), tables=(), growth=(), sampled=0, \
-searched=3)
-    """
+    """Make one Evidence of all parts of what a check finds; a growth fails beyond its bound."""
     found = [part if isinstance(part, Evidence) else _READ[type(part)](part) for part in parts]
     cases, tables, growth = (
         tuple(one for part in found for one in getattr(part, name))

@@ -149,12 +149,7 @@ def count_operations(run: Callable[..., Iterable[Any]], *arguments: Any) -> int:
 
 
 def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
-    """Multiplications, comparisons and additions of coordinates, and vertices that come out.
-
-    >>> from exactsweep.paper.pairs import Chains
-    >>> operations(lambda chains: chains.directrix, Chains([(1, 1)], [(0, 0)], [(0, 0), (1, 0)]))
-    2
-    """
+    """Multiplications, comparisons and additions of coordinates, and vertices that come out."""
     return count_operations(run, Chains(*map(make_counted, chains)))
 
 

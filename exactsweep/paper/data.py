@@ -34,11 +34,7 @@ PACKAGES = ("sympy", "matplotlib", "jinja2")
 
 
 def make_slug(text: str) -> str:
-    """Make a name for a file.
-
-    >>> make_slug("Figure 10's count")
-    'figure-10-s-count'
-    """
+    """Make a name for a file."""
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
 
 

@@ -32,11 +32,7 @@ def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
 
 
 def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
-    """Evaluate a chain, from left to right, over an x at which it does not jump.
-
-    >>> str(evaluate([(0, 0), (3, 1)], Fraction(1)))
-    '1/3'
-    """
+    """Evaluate a chain, from left to right, over an x at which it does not jump."""
     k = bisect_left(chain, x, key=itemgetter(0))
     if k == len(chain) or x < chain[0][0]:
         raise ExactSweepError(f"the chain does not reach {x}")
@@ -167,11 +163,7 @@ def show_fits(fits: Iterable[Fit]) -> str:
 
 
 def list_edges(corners: Iterable[P]) -> list[tuple[P, P]]:
-    """List the edges of a polygon.
-
-    >>> list_edges([(0, 0), (1, 0), (0, 1)])[-1]
-    ((0, 1), (0, 0))
-    """
+    """List the edges of a polygon."""
     first, *others = corners
     return list(pairwise([first, *others, first]))
 

@@ -190,9 +190,5 @@ def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
 
 
 def double(first: int, doublings: int) -> list[tuple[int, int]]:
-    """List sizes m = n from a first one on, each twice the one before.
-
-    >>> double(8, 2)
-    [(8, 8), (16, 16), (32, 32)]
-    """
+    """List sizes m = n from a first one on, each twice the one before."""
     return [(first << k, first << k) for k in range(doublings + 1)]

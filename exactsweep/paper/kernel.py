@@ -81,11 +81,7 @@ def sweep_inner_mm(
 
 
 def find_convex_parts(points: Sequence[Vertex]) -> list[VertexList]:
-    """Split a bottom chain at its reflex vertices and vertical edges (Section 4, step 1).
-
-    >>> find_convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
-    [[(0, 0), (1, -2), (2, -1)], [(2, -1), (3, -3)], [(3, -4), (5, -4)]]
-    """
+    """Split a bottom chain at its reflex vertices and vertical edges (Section 4, step 1)."""
     made = Chain.of(points)
     return [
         made.points[part.first : part.first + len(part.edges) + 1]

@@ -63,11 +63,7 @@ def _smaller(pair: SweepPair) -> Iterator[SweepPair]:
 
 
 def is_x_monotone(ring: Ring) -> bool:
-    """Decide whether a canonical ring consists of two X-monotone chains.
-
-    >>> is_x_monotone([(0, 0), (2, 1), (3, 3)]), is_x_monotone([(0, 0), (4, 1), (1, 2), (3, 3)])
-    (True, False)
-    """
+    """Decide whether a canonical ring consists of two X-monotone chains."""
     with suppress(ValueError):
         bottom, top = split(ring)
         return all(map(Chain.of, (bottom, inverse(top))))

@@ -23,11 +23,7 @@ from exactsweep.procedures.chain import split
 
 @cache
 def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
-    """List all strictly X-monotone polygons with k corners on a grid, moved to (0, 0).
-
-    >>> list_polygons(2, 3)[0]
-    ((0, 0), (1, 0), (2, 1))
-    """
+    """List all strictly X-monotone polygons with k corners on a grid, moved to (0, 0)."""
     found = set()
     for chosen in combinations(sorted(product(range(side + 1), repeat=2)), vertices):
         first, *others, last = chosen

@@ -36,10 +36,6 @@ def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
     """Inner boundary of the sweep of a convex G_t along a convex D_b: D_b (Lemma 3.2).
 
     Procedure SweepI_CC: return the edges of D_b. Arguments as for `trajectory_cc`.
-
-    >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
-    >>> sweep_inner_cc(lid, valley).points
-    [(0, 0), (1, -1), (2, 0)]
     """
     return directrix
 
@@ -61,9 +57,6 @@ def merge_by_slope(*chains: Chain) -> Chain:
     """Lay the edges of convex chains end to end by slope, from the sum of their left ends.
 
     Cost: O(n) for n edges, which `sorted` merges as sorted lists.
-
-    >>> merge_by_slope(Chain.of([(0, 0), (1, -1), (2, 0)]), Chain.of([(0, 0), (2, 0)])).points
-    [(0, 0), (1, -1), (3, -1), (4, 0)]
     """
     unit = measure_unit(*chains)
     edges = [

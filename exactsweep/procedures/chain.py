@@ -187,11 +187,7 @@ def find_point(line: Line, at: Break) -> Homogeneous:
 
 
 def take_corners(vertices: Iterable[Homogeneous]) -> list[Homogeneous]:
-    """Drop repeated vertices, and vertices between collinear neighbours. Cost: O(n).
-
-    >>> take_corners([(0, 0, 1), (1, 1, 1), (1, 1, 1), (5, 5, 2), (3, 0, 1)])
-    [(0, 0, 1), (5, 5, 2), (3, 0, 1)]
-    """
+    """Drop repeated vertices, and vertices between collinear neighbours. Cost: O(n)."""
     kept: list[Homogeneous] = []
     for vertex, _ in groupby(vertices):
         if len(kept) > 1 and _are_collinear(kept[-2], kept[-1], vertex):
@@ -257,10 +253,6 @@ def find_convex_parts(
         chain: the chain, which caches its parts: nesting sweeps each polygon around many others.
         whose: the second item of each `SlopedEdge`.
         unit: that of the slopes; by default that of the chain alone.
-
-    >>> parts = find_convex_parts(Chain.of([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)]))
-    >>> [(part.first, len(part.edges)) for part in parts]
-    [(0, 2), (2, 1), (4, 1)]
     """
     unit = measure_unit(chain) if unit is None else unit
     if known := chain._parts.get((whose, unit)):

@@ -148,11 +148,7 @@ def _find_left_over(
 
 
 def find_point(line: LatticeLine, n: int, d: int) -> HomogeneousPoint:
-    """Return the point of a line at the parameter n / d.
-
-    >>> find_point((1, 1, 0), 2, 4), find_point((0, 2, -1), 3, 1)
-    ((1, 1, 2), (1, 6, 2))
-    """
+    """Return the point of a line at the parameter n / d."""
     dx, dy, c = line
     x, y, w = (n * dx, n * dy + c * d, dx * d) if dx else (-c * d, n * dy, dy * d)
     common = gcd(x, y, w)

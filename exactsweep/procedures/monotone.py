@@ -115,10 +115,6 @@ def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
 
     The lattice is that of `Polygon.lattice`. Chains are cached: nesting sweeps each part around
     many others.
-
-    >>> bottom, top = split_polygon((1, ((0, 0), (1, 0), (1, 1), (0, 1))), Frame((1, 0), 2))
-    >>> bottom.points, top.points
-    ([(0, 0), (2, 0)], [(-2, -2), (0, -2)])
     """
     bottom, top = split(frame.enter(*lattice))
     return Chain.of(bottom), Chain.of(inverse(top))

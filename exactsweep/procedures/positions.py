@@ -143,11 +143,7 @@ def find_inner_fit(
 
 
 def path_rings(points: Sequence[Vertex], *, closed: bool = False) -> list[list[Vertex]]:
-    """Return the rings of a path of two points or more: forth and back.
-
-    >>> path_rings([(0, 0), (1, 0), (2, 1)])
-    [[(0, 0), (1, 0), (2, 1), (1, 0)]]
-    """
+    """Return the rings of a path of two points or more: forth and back."""
     return [[*points], [*points[::-1]]] if closed else [[*points, *points[-2:0:-1]]]
 
 

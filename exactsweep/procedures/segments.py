@@ -130,11 +130,6 @@ def find_contact_segments(
 
     The rings are those of D and of H = I(G); `leave_out` returns the parts of facing edges that may
     bound a free region. Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
-
-    >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
-    >>> left, *_ = find_contact_segments(square, square)
-    >>> left.line, left.low, left.high, left.sides
-    ((0, 1, 0), (0, 1), (1, 1), (False, True))
     """
     shapes = [[_list_edges(ring) for ring in rings] for rings in (stationary, moving)]
     angle, turn = _measure_angles([edge for rings in shapes for ring in rings for edge in ring])

@@ -34,11 +34,7 @@ RECORDS = tuple(map(read_pair, _DATA["records"]))
 
 
 def count_pieces(segments: Sequence[Stroke]) -> int:
-    """Count the pieces of the lower envelope of some segments, without holes.
-
-    >>> count_pieces([(0, 0, 4, 0), (1, -1, 2, -1)])
-    3
-    """
+    """Count the pieces of the lower envelope of some segments, without holes."""
     lines = [
         (x0, x1, Fraction(y1 - y0, x1 - x0), y0 - Fraction(y1 - y0, x1 - x0) * x0)
         for x0, y0, x1, y1 in segments
