@@ -104,7 +104,7 @@ def list_of_positions(part: str) -> Iterator[tuple[str, Mistake]]:
 
     for words, point in REFERENCE.items():
         says = words if is_loop else words + other
-        yield row(f"about {words}", refer_to(part, point), says=says)
+        yield row(words.removesuffix(" as reference"), refer_to(part, point), says=says)
     for words, matrix in AXES.items():
         says = words if is_loop else words + other
         yield row(words, turn(part, *matrix), says=says)

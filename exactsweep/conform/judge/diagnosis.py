@@ -78,6 +78,8 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         # Within so large a rounding, nearly everything equals everything.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
+    if not exact:
+        return (f"the exact {LOOP_NAMES[name]} has no rings",)
     theirs = _DiagnosedRings(case, name, exact, rings, rounding, low, high)
     left = list(rings)
     missing = list(take_pairs(exact, left, rounding))
