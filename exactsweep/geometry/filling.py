@@ -23,8 +23,8 @@ from exactsweep.geometry.reading import to_lattice
 from exactsweep.geometry.vectors import compare_angles, minus, turn, way_key
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
 
-MAX_PAIRS = 1_000_000
-"""Maximum number of pairs of near edges."""
+MAX_PAIRS = 200_000
+"""Maximum number of pairs of near edges, in addition to ten for each edge."""
 
 Rule = Literal["nonzero", "evenodd", "positive"]
 """A fill rule: which winding numbers are inside."""
@@ -62,7 +62,7 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
         A Filled; regions in the order in which their exteriors are drawn.
 
     Raises:
-        PolygonError: more than MAX_PAIRS pairs of edges meet.
+        PolygonError: too many pairs of edges meet, by MAX_PAIRS.
 
     Cost: O((n + k) log n) for n edges and k points where they meet, if the sweep line meets few.
 
@@ -98,9 +98,10 @@ def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
     edges = [*numbers]
     boxes = [(a[0], b[0], min(a[1], b[1]), max(a[1], b[1])) for a, b in edges]
     cuts: defaultdict[int, set[Vertex]] = defaultdict(set)
+    most = MAX_PAIRS + 10 * len(edges)
     for count, (i, k) in enumerate(find_near(boxes)):
-        if count == MAX_PAIRS:
-            raise PolygonError(f"more than {MAX_PAIRS:,} pairs of edges meet")
+        if count == most:
+            raise PolygonError(f"more than {most:,} pairs of edges meet")
         for point in _meet(edges[i], edges[k]):
             for number in (i, k):
                 if point not in edges[number]:

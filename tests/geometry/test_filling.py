@@ -8,7 +8,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from tiers import examples
 
-from exactsweep import Point, Region
+from exactsweep import Point, PolygonError, Region
 from exactsweep.geometry.filling import Rule, fill
 
 RULES: dict[Rule, Callable[[int], object]] = {
@@ -78,3 +78,12 @@ def test_regions_keep_the_order_of_drawing() -> None:
     assert [exterior[0] for (exterior,) in fill(drawn, "nonzero").regions] == [
         ring[0] for ring in drawn
     ]
+
+
+def test_the_number_of_pairs_of_near_edges_is_limited(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("exactsweep.geometry.filling.MAX_PAIRS", 100)
+    zigzag = [Point(Fraction(k % 2 * 9), Fraction(k)) for k in range(40)]
+    grid = [Point(p.y, p.x * 9) for p in zigzag]
+    assert fill([zigzag], "evenodd").touching
+    with pytest.raises(PolygonError, match="more than 900 pairs of edges meet"):
+        fill([zigzag, grid], "evenodd")
