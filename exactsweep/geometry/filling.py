@@ -23,8 +23,8 @@ from exactsweep.geometry.reading import to_lattice
 from exactsweep.geometry.vectors import compare_angles, minus, turn, way_key
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
 
-MAX_PAIRS = 200_000
-"""Maximum number of pairs of near edges, in addition to ten for each edge."""
+MAX_PAIRS = 5_000_000
+"""Maximum number of pairs of near edges; each cut of an edge counts as 20."""
 
 Rule = Literal["nonzero", "evenodd", "positive"]
 """A fill rule: which winding numbers are inside."""
@@ -62,7 +62,7 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
         A Filled; regions in the order in which their exteriors are drawn.
 
     Raises:
-        PolygonError: too many pairs of edges meet, by MAX_PAIRS.
+        PolygonError: too many edges cross or are close together, by MAX_PAIRS.
 
     Cost: O((n + k) log n) for n edges and k points where they meet, if the sweep line meets few.
 
@@ -98,14 +98,16 @@ def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
     edges = [*numbers]
     boxes = [(a[0], b[0], min(a[1], b[1]), max(a[1], b[1])) for a, b in edges]
     cuts: defaultdict[int, set[Vertex]] = defaultdict(set)
-    most = MAX_PAIRS + 10 * len(edges)
-    for count, (i, k) in enumerate(find_near(boxes)):
-        if count == most:
-            raise PolygonError(f"more than {most:,} pairs of edges meet")
+    left = MAX_PAIRS
+    for i, k in find_near(boxes):
+        left -= 1
         for point in _meet(edges[i], edges[k]):
             for number in (i, k):
                 if point not in edges[number]:
                     cuts[number].add(point)
+                    left -= 20
+        if left < 0:
+            raise PolygonError("too many edges cross or are close together")
     found: defaultdict[Edge, int] = defaultdict(int)
     for k, (a, b) in enumerate(edges):
         for piece in pairwise((a, *sorted(cuts.get(k, ())), b)):

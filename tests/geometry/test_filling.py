@@ -80,10 +80,17 @@ def test_regions_keep_the_order_of_drawing() -> None:
     ]
 
 
-def test_the_number_of_pairs_of_near_edges_is_limited(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("exactsweep.geometry.filling.MAX_PAIRS", 100)
-    zigzag = [Point(Fraction(k % 2 * 9), Fraction(k)) for k in range(40)]
-    grid = [Point(p.y, p.x * 9) for p in zigzag]
-    assert fill([zigzag], "evenodd").touching
-    with pytest.raises(PolygonError, match="more than 900 pairs of edges meet"):
-        fill([zigzag, grid], "evenodd")
+@pytest.mark.parametrize(("most", "refused"), [(10_000, False), (1_000, True)])
+def test_edges_that_cross_very_often_are_rejected(
+    most: int, refused: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("exactsweep.geometry.filling.MAX_PAIRS", most)
+    bars = [
+        [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (12, k), (12, k + 1), (0, 12 - k)]]
+        for k in range(1, 12)
+    ]
+    if refused:
+        with pytest.raises(PolygonError, match="too many edges cross"):
+            fill(bars, "nonzero")
+    else:
+        assert len(fill(bars, "nonzero").regions) == 1
