@@ -67,7 +67,7 @@ class Cost:
     slack: float = LIMITS["bytes"]
 
     def sizes(self, first: int, doublings: int) -> list[tuple[int, int]]:
-        """The (m, n) from a first size on."""
+        """List the (m, n) from a first size on."""
         doubled = [first << k for k in range(doublings + 1)]
         return [
             (x if "m" in self.varied else self.fixed, x if "n" in self.varied else self.fixed)
@@ -104,7 +104,7 @@ class Cost:
         return series
 
     def measure(self, effort: Effort) -> Iterator[Growth]:
-        """All of these; seconds only where it has not to be quick."""
+        """Measure all of these; seconds in full runs only."""
         sizes = self.sizes(self.first, self._doublings(effort, QUICK))
         yield self.grow("operations", sizes, self.limit)
         yield self.grow("bytes", self.sizes(self.first, self._doublings(effort, 2)), self.slack)

@@ -137,19 +137,19 @@ class PairFamily(Protocol):
 
 
 def count_chains(pair: SweepPair) -> Chains:
-    """The chains of a pair in counted ints."""
+    """Convert the chains of a pair to counted ints."""
     return Chains(*map(make_counted, pair.chains))
 
 
 def count_operations(run: Callable[..., Iterable[Any]], *arguments: Any) -> int:
-    """Multiplications, comparisons and additions of counted ints, and what comes out."""
+    """Count multiplications, comparisons and additions of counted ints; return the output, too."""
     with watch_operations() as tally:
         out = sum(1 for _ in run(*arguments))
     return tally.total + out
 
 
 def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
-    """Multiplications, comparisons and additions of coordinates, and vertices that come out."""
+    """Count multiplications, comparisons and additions of coordinates, and output vertices."""
     return count_operations(run, Chains(*map(make_counted, chains)))
 
 

@@ -39,7 +39,7 @@ def make_slug(text: str) -> str:
 
 
 def describe_environment(effort: Effort) -> dict[str, Any]:
-    """Commit, versions, system, processor and seed of a run."""
+    """Return commit, versions, system, processor and seed of a run."""
     return {
         "exactsweep": __version__,
         "commit": _commit(),
@@ -79,7 +79,7 @@ def _processor() -> str:
 
 
 def as_json(rows: Sequence[Finding], effort: Effort) -> dict[str, Any]:
-    """All that a run found, in plain types."""
+    """Return all findings of a run in plain types."""
     return {
         "format": FORMAT,
         "version": 1,
@@ -120,7 +120,7 @@ def _growth_as_json(series: Growth) -> dict[str, Any]:
 
 
 def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample]]:
-    """The counterexamples of a row, and the names of their files."""
+    """List the counterexamples of a row with the names of their files."""
     for number, case in enumerate(found.cases, 1):
         stem = make_slug(name) + (f"-{number}" if number > 1 else "")
         yield f"counterexamples/{stem}.json", case

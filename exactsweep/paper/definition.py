@@ -157,12 +157,11 @@ class _IntegerFrame:
         return tuple(Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in ring)
 
     def segment(self, ends: Edge) -> Fit:
-        """The segment in the plane."""
         hanging, inner = self._leave(self._back(x, y) for x, y in ends)
         return hanging, inner
 
     def loop(self, bottom: PiecewiseLinear, top: PiecewiseLinear) -> tuple[Point, ...]:
-        """The canonical loop between two functions on the same range."""
+        """Return the canonical loop between two functions on the same range."""
         there = [xy for p in bottom for xy in ((p.x0, p.y0), (p.x1, p.y1))]
         return_ = [xy for p in reversed(top) for xy in ((p.x1, p.y1), (p.x0, p.y0))]
         finer = lcm(*(c.denominator for xy in there + return_ for c in xy))
@@ -192,7 +191,7 @@ def _trajectory(d_bottom: PiecewiseLinear, g_top: PiecewiseLinear) -> PiecewiseL
 def _fits_from_below(
     d_bottom: PiecewiseLinear, g_top: PiecewiseLinear
 ) -> Iterator[tuple[Rational, Rational, Rational]]:
-    """Triples x0, height on the trajectory, height of the inner end."""
+    """List triples x0, height on the trajectory, height of the inner end."""
     trajectory = _trajectory(d_bottom, g_top)
     d_cuts = {x for x, _ in list_ends(d_bottom)}
     g_cuts = {x for x, _ in list_ends(g_top)}
@@ -207,7 +206,7 @@ def _fits_from_below(
 
 
 def _least_gap(d_bottom: PiecewiseLinear, g_top: PiecewiseLinear, x0: Rational) -> Rational | None:
-    """The least limit of D_b(a) - G_t(a - x0) inside intervals without breakpoints."""
+    """Return the least limit of D_b(a) - G_t(a - x0) inside intervals without breakpoints."""
     gaps = []
     i = j = 0
     while i < len(d_bottom) and j < len(g_top):

@@ -27,7 +27,7 @@ P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
-    """A chain with corners only, so that equal chains are equal lists."""
+    """Drop all vertices but corners, so that equal chains are equal lists."""
     return [(x, y) for x, y, _ in take_corners((Fraction(x), Fraction(y), 1) for x, y in chain)]
 
 
@@ -41,7 +41,7 @@ def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
 
 
 def sample_between(*chains: Sequence[Vertex]) -> Iterator[Fraction]:
-    """Points inside every interval of x between vertices of some chains."""
+    """List points inside every interval of x between vertices of some chains."""
     xs = sorted({Fraction(x) for chain in chains for x, _ in chain})
     for left, right in pairwise(xs):
         yield (5 * left + 3 * right) / 8
@@ -65,28 +65,28 @@ def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> lis
 
 
 def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Vertex]:
-    """The part of a chain over a closed x-range at whose ends it does not jump."""
+    """Return the part of a chain over a closed x-range at whose ends it does not jump."""
     inside = [(x, y) for x, y in chain if left < x < right]
     return keep_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
 
 def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
-    """The part of a chain over the x-range of another one, likewise."""
+    """Return the part of a chain over the x-range of another one, likewise."""
     return clip(chain, Fraction(other[0][0]), Fraction(other[-1][0]))
 
 
 def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
-    """The bottom chain of a canonical loop, without vertical edges at the ends."""
+    """Return the bottom chain of a canonical loop, without vertical edges at the ends."""
     return keep_corners(split([(x, y) for x, y in loop])[0])
 
 
 def look_up(pair: SweepPair) -> ReferenceLoops:
-    """The three loops of a pair by the definition; those of the last pairs are kept."""
+    """Return the three loops of a pair by the definition; cached for the last pairs."""
     return _reference(tuple(pair.generatrix), tuple(pair.directrix))
 
 
 def look_up_bottom(pair: SweepPair, loop: str) -> list[Vertex]:
-    """The bottom chain of the trajectory, the inner or the outer loop of the definition."""
+    """Return the bottom chain of the trajectory, the inner or the outer loop of the definition."""
     return take_bottom(getattr(look_up(pair), loop))
 
 
@@ -126,7 +126,7 @@ def tell_boundaries(pair: SweepPair, **loops: Iterable[Vertex]) -> Iterator[str]
 
 
 def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vertex]]]:
-    """The sub-trajectories and the sub-outer chains of a convex G, one for each part of D_b."""
+    """List sub-trajectories and sub-outer chains of a convex G, one for each part of D_b."""
     top, bottom, directrix = pair.chains
     parts = find_convex_parts(directrix)
     paths = [trajectory_cc(top, part) for part in parts]
@@ -134,7 +134,7 @@ def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vert
 
 
 def lower_undercuts(s: Sweep) -> list[Undercut]:
-    """The undercuts of the lower sweep."""
+    """Return the undercuts of the lower sweep."""
     return [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
 
 
@@ -150,7 +150,7 @@ def tell_unproved(answer: Sweep | NoFitPolygon | InnerFit) -> str:
 
 
 def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
-    """A frame around a polygon, with room for a part between the two rims."""
+    """Build a frame around a polygon, with room for a part between the two rims."""
     room = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
     (left, low), (right, high) = shape.bounding_box
     left, low, right, high = left - room, low - room, right + room, high + room
@@ -158,7 +158,7 @@ def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
 
 
 def show_fits(fits: Iterable[Fit]) -> str:
-    """Exact fits on one line."""
+    """Write exact fits on one line."""
     return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
 
 
@@ -169,5 +169,5 @@ def list_edges(corners: Iterable[P]) -> list[tuple[P, P]]:
 
 
 def write_chain(chain: Iterable[Vertex]) -> str:
-    """A chain on one line."""
+    """Write a chain on one line."""
     return " ".join(f"({x}, {y})" for x, y in chain)

@@ -105,7 +105,7 @@ class Growth:
         return self._ratios[-1] / self._ratios[-2]
 
     def exponent(self, last: int = 0) -> float:
-        """The exponent of the count over all sizes, or over the last few."""
+        """Return the exponent of the count over all sizes, or over the last few."""
         return self._exponent([point.count for point in self.points], last)
 
     def claimed(self, last: int = 0) -> float:
@@ -125,7 +125,7 @@ class Growth:
         return fit_exponent(self.sizes[-last:], values[-last:])
 
     def least(self, other: Growth) -> Growth:
-        """The lesser count at each size, of two series over the same sizes."""
+        """Return the lesser count at each size, of two series over the same sizes."""
         points = (
             min(p, q, key=attrgetter("count"))
             for p, q in zip(self.points, other.points, strict=True)

@@ -39,7 +39,7 @@ def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
 
 
 def find_wrong(law: Law, pair: SweepPair) -> str:
-    """Ask a law about a pair; an exception is wrong too."""
+    """Check a law on a pair; an exception counts as a failure."""
     try:
         return find_first_failure(law(pair))
     except Exception as error:

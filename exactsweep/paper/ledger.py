@@ -70,7 +70,7 @@ def _load() -> dict[str, Any]:
 
 
 def read_rows() -> list[dict[str, Any]]:
-    """The tables of the rows."""
+    """Read the tables of the rows."""
     rows: list[dict[str, Any]] = _load()["claim"]
     return rows
 

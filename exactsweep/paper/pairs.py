@@ -45,7 +45,7 @@ class SweepPair(NamedTuple):
 
 
 def read_pair(rings: Iterable[Iterable[Sequence[int]]]) -> SweepPair:
-    """The pair of two lists of vertices, read from a file."""
+    """Read the pair of two lists of vertices from a file."""
     return SweepPair(*([(x, y) for x, y in ring] for ring in rings))
 
 
@@ -59,7 +59,7 @@ def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
 
 
 def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
-    """A convex or a monotone ring, strict if no edge is vertical; or one of any shape."""
+    """Draw a convex or a monotone ring, strict if no edge is vertical; or one of any shape."""
     if letter == "S":
         return _draw_any(random)
     if letter == "C":
@@ -83,7 +83,7 @@ def _draw_any(random: Prng) -> Ring:
 
 
 def list_corners(ring: Ring) -> Ring:
-    """The canonical ring, without collinear vertices."""
+    """Return the canonical ring, without collinear vertices."""
     return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
 
 

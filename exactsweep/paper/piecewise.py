@@ -22,7 +22,7 @@ class LinearPiece(NamedTuple):
     y1: Rational
 
     def at(self, x: Rational) -> Rational:
-        """The value at x, or the limit if x is an end."""
+        """Return the value at x, or the limit if x is an end."""
         if x == self.x0 or self.y0 == self.y1:
             return self.y0
         if x == self.x1:
@@ -43,17 +43,16 @@ class _ScaledLine(NamedTuple):
     constant: int
 
     def at(self, x: Rational) -> Rational:
-        """The value at x."""
         return self.slope * x + self.constant
 
 
 def mirror(function: Iterable[LinearPiece]) -> PiecewiseLinear:
-    """The function with the sign of its values changed."""
+    """Return the function with the sign of its values changed."""
     return tuple(LinearPiece(x0, -y0, x1, -y1) for x0, y0, x1, y1 in function)
 
 
 def list_ends(function: Iterable[LinearPiece]) -> set[tuple[Rational, Rational]]:
-    """The breakpoints with the limits there: one where the function goes on, two at a jump."""
+    """List the breakpoints with their limits: one if continuous, two at a jump."""
     return {end for x0, y0, x1, y1 in function for end in ((x0, y0), (x1, y1))}
 
 
@@ -105,7 +104,7 @@ def take_least_sum(
 def _lower_envelope(
     left: int, right: int, lines: Iterable[_ScaledLine]
 ) -> Iterator[tuple[_ScaledLine, Rational]]:
-    """The lowest of some lines over an interval, each with where it becomes the lowest."""
+    """Find the lowest of some lines over an interval, each with its left end there."""
     _, _, line = min((line.at(left), line.slope, line) for line in lines)
     yield line, left
     # Invariant: `line` is lowest just right of where it was yielded with, so it is first left by a

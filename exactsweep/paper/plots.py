@@ -28,7 +28,7 @@ def available() -> bool:
 
 
 def ratios(growth: Sequence[Growth]) -> bytes:
-    """An SVG of counts divided by their bounds over the sizes, one line for each series."""
+    """Plot counts divided by their bounds over the sizes as SVG, one line for each series."""
     from matplotlib.figure import Figure
     from matplotlib.style import context
     from matplotlib.ticker import NullFormatter, NullLocator

@@ -93,7 +93,7 @@ def count_verdicts(rows: Sequence[Finding]) -> str:
 
 
 def render_row(row: Finding) -> str:
-    """One row in Markdown, as the terminal shows it."""
+    """Write one row in Markdown, as the terminal shows it."""
     template = _environment(html=False).from_string(
         '{% from "row.md.j2" import show %}{{ show(row, {}, {}) }}'
     )
@@ -179,7 +179,7 @@ def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def growth_row(series: Growth) -> list[str]:
-    """A series in one line: sizes, the first and the last ratio, and exponents."""
+    """Write a series in one line: sizes, the first and the last ratio, and exponents."""
     ends = series.points[0], series.points[-1]
     ranges = [[str(p.m) for p in ends], [str(p.n) for p in ends], [f"{p.ratio:.3g}" for p in ends]]
     m, n, ratio = (" to ".join(dict.fromkeys(values)) for values in ranges)
@@ -204,12 +204,12 @@ def miss(sampled: int) -> str:
 
 
 def name_plot(name: str) -> str:
-    """The name of the file of a row's plot, without its suffix."""
+    """Name the file of a row's plot, without its suffix."""
     return f"growth-{make_slug(name)}"
 
 
 def draw_case(case: Counterexample) -> Markup:
-    """The pair of a counterexample, drawn by `pair_svg`, which writes numbers only."""
+    """Draw the pair of a counterexample by `pair_svg`, which writes numbers only."""
     pair = SweepPair(list(case.generatrix), list(case.directrix))
     return Markup(pair_svg(pair) if case.generatrix else "")
 
@@ -242,7 +242,7 @@ doi:10.1007/s00454-005-1206-y'
 
 
 def read_bibtex() -> str:
-    """The BibTeX entries alone."""
+    """Read the BibTeX entries alone."""
     return files("exactsweep.paper").joinpath("references.bib").read_text(encoding="utf-8")
 
 

@@ -29,7 +29,7 @@ SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
 
 
 def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
-    """For each edge of the trajectory a position on it, and one on its inside and its outside."""
+    """List for each edge of the trajectory a position on it, on its inside and on its outside."""
     corners = s.trajectory.vertices
     for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True):
         x, y = ax + SHARE * (bx - ax), ay + SHARE * (by - ay)

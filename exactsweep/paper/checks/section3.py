@@ -54,13 +54,13 @@ def returns(
 
 
 def slope(edge: Edge) -> Fraction:
-    """The slope of an edge, growing counter-clockwise; the same for the reversed edge."""
+    """Return the slope of an edge, growing counter-clockwise; the same for the reversed edge."""
     (px, py), (qx, qy) = edge
     return Fraction(qy - py) / (qx - px)
 
 
 def lay_by_slope(start: Vertex, edges: Sequence[Edge], sign: int = 1) -> list[Vertex]:
-    """Edges laid end to end, each to the right, in ascending order of slope (or descending)."""
+    """Lay edges end to end, each to the right, in ascending order of slope (or descending)."""
     ordered = sorted(edges, key=lambda edge: sign * slope(edge))
     return keep_corners(walk((minus(*sorted(edge)[::-1]) for edge in ordered), start))
 

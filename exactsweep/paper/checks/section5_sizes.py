@@ -43,7 +43,7 @@ def outgrows_its_parts(pair: SweepPair) -> Iterator[str]:
 
 
 def pieces_at_the_sides(segments: Sequence[Stroke]) -> int:
-    """Pieces of the envelopes of the first and of the last 1, ..., s - 1 of s segments."""
+    """Count pieces of the envelopes of the first and of the last 1, ..., s - 1 of s segments."""
     return sum(
         count_pieces(segments[:k]) + count_pieces(segments[k:]) for k in range(1, len(segments))
     )
@@ -81,7 +81,7 @@ def _tell_fall(rates: Sequence[str], words: str) -> str:
 
 
 def find_outer(pair: SweepPair) -> list[Vertex]:
-    """The outer boundary of the lower sweep, which must be that of the definition."""
+    """Find the outer boundary of the lower sweep, which must be that of the definition."""
     outer = keep_corners(RUNS["Sweep_MM, outer loop"](pair.chains))
     if failure := tell_difference("the outer boundary", outer, look_up_bottom(pair, "outer")):
         raise ExactSweepError(failure)
@@ -139,7 +139,7 @@ def fill_windows_of_windows(effort: Effort) -> Iterator[Observation]:
 
 
 def sizes_of(half: Chains) -> tuple[int, int, int]:
-    """m_b, n_t and n_b of a lower sweep."""
+    """Return m_b, n_t and n_b of a lower sweep."""
     return len(half.directrix) - 1, len(half.top) - 1, len(half.bottom) - 1
 
 

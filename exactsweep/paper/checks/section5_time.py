@@ -57,7 +57,7 @@ def count_one_merge(effort: Effort) -> Iterator[Observation]:
 
 
 def _tiny_chains() -> list[list[Vertex]]:
-    """Chains over 0, 1 and 2, at heights 0 to 2, those of one edge first."""
+    """List chains over 0, 1 and 2, at heights 0 to 2, those of one edge first."""
     straight: list[list[Vertex]] = [[(0, a), (2, b)] for a, b in product(range(3), repeat=2)]
     bends: list[list[Vertex]] = [
         [(0, a), (1, b), (2, c)] for a, b, c in product(range(3), repeat=3) if a + c != 2 * b
@@ -129,14 +129,14 @@ def _sub_trajectories(chains: Chains) -> list[Graph]:
 
 
 def inner_again(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """The inner boundary to the letter: Trajectory_MM along all of T's inside."""
+    """Compute the inner boundary to the letter: Trajectory_MM along all of T's inside."""
     bottom, path = inverse(chains.top), list(trajectory)
     found = kernel.slide_inside(bottom, path, kernel.merge_sub_trajectories)
     return clip_to(found, chains.directrix)
 
 
 def inner_by_gaps(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """The inner boundary as the kernel computes it: in the undercuts alone."""
+    """Compute the inner boundary as the kernel does: in the undercuts alone."""
     return kernel.sweep_inner_mm(chains.top, chains.directrix, trajectory)
 
 

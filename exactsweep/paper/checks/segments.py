@@ -112,7 +112,7 @@ def _peaks(count: int, apart: int, high: int) -> list[tuple[int, int]]:
 
 
 def pieces_in(trajectory: Sequence[Vertex], segments: Sequence[Stroke]) -> int:
-    """Edges of a trajectory that come from one of the segments, by their slopes."""
+    """Select edges of a trajectory that come from one of the segments, by their slopes."""
     slopes = {Fraction(y1 - y0, x1 - x0) for x0, y0, x1, y1 in segments}
     return sum(
         Fraction(qy - py) / (qx - px) in slopes

@@ -63,7 +63,7 @@ def list_moments(s: Sweep, start: Point, end: Point) -> list[Point]:
 
 
 def list_lasting(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int, int]]:
-    """The contacts of G + t and D that last: two edges that touch stand for their ends, too."""
+    """List lasting contacts of G + t and D: two edges that touch stand for their ends, too."""
     found = list_touching(g, d, t)
     (_, g_ends), (_, d_ends) = map(number_features, (g, d))
     flat = [(i, j) for event, i, j in found if event == "EE"]
@@ -73,14 +73,13 @@ def list_lasting(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int,
 
 
 def list_touching(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int, int]]:
-    """All contacts of G + t and D, every feature of one tried with every one of the other."""
+    """List all contacts of G + t and D, trying every feature with every other."""
     (g_corners, g_edges), (d_corners, d_edges) = map(number_features, (g, d))
     moved = {i: (x + t.x, y + t.y) for i, (x, y) in g_corners.items()}
     # Ints compare much faster than Fractions.
     scale = lcm(*(c.denominator for p in (*moved.values(), *d_corners.values()) for c in p))
 
     def lay(corners: Mapping[int, Vertex], edges: Mapping[int, tuple[int, int]]) -> list[_Bounded]:
-        """The features with their ends, the lesser one first."""
         points = {k: (int(x * scale), int(y * scale)) for k, (x, y) in corners.items()}
         ends = {k: sorted((points[a], points[b])) for k, (a, b) in edges.items()}
         return [("V", k, [p, p]) for k, p in points.items()] + [("E", *e) for e in ends.items()]

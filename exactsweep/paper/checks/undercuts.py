@@ -44,12 +44,12 @@ def find_long_undercut(effort: Effort) -> Iterator[Observation]:
 
 
 def find_longest(pair: SweepPair) -> int:
-    """The edges of the longest bottom chain of an undercut."""
+    """Find the edges of the longest bottom chain of an undercut."""
     return max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
 
 
 def long_undercut(pair: SweepPair) -> Iterator[str]:
-    """An undercut whose bottom chain has more edges than G_t."""
+    """Find an undercut whose bottom chain has more edges than G_t."""
     longest, most = find_longest(pair), len(pair.chains.top) - 1
     if longest > most:
         yield f"an undercut of {longest} edges, G_t having {most}"
@@ -73,7 +73,7 @@ def undercuts_are_closed(pair: SweepPair) -> Iterator[str]:
 
 
 def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point]]:
-    """The edges of G at some positions, and the paths of its vertices along edges of T."""
+    """List the edges of G at some positions, and the paths of its vertices along edges of T."""
     drawn = [edge for t in positions for edge in list_edges(place_generatrix(s, t).vertices)]
     for edge in list_edges(s.trajectory.vertices):
         low, high = sorted(edge)

@@ -37,7 +37,7 @@ def _load() -> dict[str, Any]:
 
 
 def find_look(name: str) -> Look:
-    """A look by its name: one of drawings.toml, or else one of the style."""
+    """Find a look by its name, in drawings.toml or the style."""
     if name not in _load()["looks"]:
         found: Look = getattr(style, name)
         return found
@@ -85,7 +85,7 @@ class PanelDrawer:
         self.instructions = instructions
 
     def frame(self, entry: Mapping[str, Any]) -> Extent:
-        """The frame of the panel: around some shapes, with a title and margins."""
+        """Frame the panel around some shapes, with a title and margins."""
         points = chain.from_iterable(map(self._points, entry["around"]))
         (title,) = self._words(entry.get("title", ""))
         return Extent.around(points, title, entry.get("margins", (4, 4, 4, 4)))

@@ -39,7 +39,7 @@ class PaperFigure(NamedTuple):
     sweeps: Sequence[tuple[Sweep, Sequence[Point]]] = ()
 
     def list_shapes(self) -> dict[str, Any]:
-        """All shapes by name, those of the sweeps among them: D, G, the loops, the undercuts."""
+        """List all shapes by name, with D, G, the loops and the undercuts of the sweeps."""
         shapes: dict[str, Any] = {}
         for s, positions in self.sweeps:
             for name in ("directrix", "trajectory", "inner", "outer"):
@@ -99,13 +99,13 @@ def _compare_positions(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
 
 
 def take_half(s: Sweep) -> Chains:
-    """The chains of the lower half of a sweep."""
+    """Return the chains of the lower half of a sweep."""
     bottom, top = split(s.generatrix.vertices)
     return Chains(top, bottom, split(s.directrix.vertices)[0])
 
 
 def place(s: Sweep, positions: Iterable[Point]) -> list[Loop]:
-    """G with its reference point at each of some positions."""
+    """Place G with its reference point at each of some positions."""
     return [place_generatrix(s, position).vertices for position in positions]
 
 

@@ -46,16 +46,16 @@ class Widths(NamedTuple):
     width: Fraction
 
     def go(self, start: Vertex, along: Fraction, across: Fraction = Fraction(0)) -> Point:
-        """A point by its distances from another one, along e and to the left of e."""
+        """Find a point by its distances from another one, along e and to the left of e."""
         dx, dy = self.direction
         return Point(start[0] + along * dx - across * dy, start[1] + along * dy + across * dx)
 
     def turn_at(self, p: Vertex) -> list[Vertex]:
-        """I(G) at a position."""
+        """Return I(G) at a position."""
         return shift(invert_generatrix(self.sweep).vertices, p)
 
     def find_foot(self, p: Point) -> Point:
-        """The foot of the perpendicular from a point to e."""
+        """Find the foot of the perpendicular from a point to e."""
         (dx, dy), (x, y) = self.direction, self.at
         return self.go(self.at, Fraction((p.x - x) * dx + (p.y - y) * dy))
 
@@ -85,7 +85,7 @@ def _measure(s: Sweep) -> Iterator[Widths]:
 
 
 def measure_widths() -> tuple[Widths, Widths]:
-    """At the longest such edge of Figure 1's pair; and of a pair that refutes the statement."""
+    """Measure at the longest such edge of Figure 1's pair, and for a counterexample."""
     g, d = ([(x * THIRD, y * THIRD) for x, y in ring] for ring in NARROW)
     return (
         max(_measure(sweep_example()), key=lambda found: found.length),

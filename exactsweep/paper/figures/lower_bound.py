@@ -27,7 +27,7 @@ COLUMNS = (3, 10, 16)
 
 
 def sweep_example(teeth: int) -> Sweep:
-    """The pair of the paper's sizes (2 teeth, 4, 6), flatter and with a wider tip than `bumps`."""
+    """Sweep the pair of the paper's sizes (2 teeth, 4, 6), flatter and wider than `bumps`."""
     bottom = [(40 * k, -120 if k % 2 else 0) for k in range(2 * teeth + 1)]
     rings = PEAKS + TIP, [*bottom, (40 * teeth, 60)]
     g, d = ([(Fraction(x, 4), Fraction(y, 20)) for x, y in ring] for ring in rings)
@@ -35,7 +35,7 @@ def sweep_example(teeth: int) -> Sweep:
 
 
 def _place_numbers(edges: Sequence[Edge]) -> Iterator[Vertex]:
-    """The offset of each edge's number: below, but above where the chain turns right."""
+    """Return the offset of each edge's number: below, but above where the chain turns right."""
     vectors = [(Fraction(q[0] - p[0]), Fraction(q[1] - p[1])) for p, q in edges]
     right = [dx * ny < dy * nx for (dx, dy), (nx, ny) in pairwise(vectors)]
     for k, (dx, dy) in enumerate(vectors):

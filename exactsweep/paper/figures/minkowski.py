@@ -18,12 +18,12 @@ ALONG = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 5), (12, -1), (16, 2),
 
 
 def sweep_example() -> Sweep:
-    """The sweep, which Figure 8 shows, too."""
+    """Compute the sweep that Figure 8 shows, too."""
     return sweep(GENERATRIX, DIRECTRIX, reference=(2, 1))
 
 
 def invert_generatrix(s: Sweep) -> Polygon:
-    """I(G), its reference point at the origin."""
+    """Return I(G), its reference point at the origin."""
     return s.generatrix.exterior.translated((-s.reference.x, -s.reference.y)).reflected()
 
 

@@ -66,7 +66,7 @@ def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> s
 
 
 def watch_kernel() -> set[tuple[str, str]]:
-    """The calls that the kernel makes, for a pair of each class."""
+    """List the calls that the kernel makes, for a pair of each class."""
     words = {function.__code__: name for name, (function, _) in KERNEL.items()}
     example = SweepPair(GENERATRIX, DIRECTRIX)
     convex, toothed = SweepPair(*growing.cc(8, 8)), SweepPair(*growing.cm_undercut(16, 8))

@@ -35,7 +35,7 @@ class Extent(NamedTuple):
 
     @classmethod
     def around(cls, points: Iterable[Vertex], title: str, margins: Sequence[float]) -> Self:
-        """The bounding box of some points."""
+        """Return the bounding box of some points."""
         xs, ys = zip(*points, strict=True)
         return cls((min(xs), min(ys)), (max(xs), max(ys)), title, margins)
 
@@ -45,7 +45,7 @@ class Extent(NamedTuple):
         return 12 if self.title else 0
 
     def measure(self, unit: float) -> tuple[float, float]:
-        """Width and height with margins and title, in points; `unit` is that of the plane."""
+        """Return width and height with margins and title, in points; `unit` is one of the plane."""
         left, bottom, right, top = self.margins
         wide, high = (float(high - low) for low, high in zip(self.low, self.high, strict=True))
         return wide * unit + left + right, high * unit + bottom + top + self.title_height

@@ -41,12 +41,12 @@ class Move(NamedTuple):
 
 
 def sweep_example() -> Sweep:
-    """The CC sweep of Figures 4 and 5; the reference point is the right end of G."""
+    """Compute the CC sweep of Figures 4 and 5; the reference point is the right end of G."""
     return sweep(GENERATRIX, DIRECTRIX, reference=(6, 1))
 
 
 def list_edges() -> dict[str, list[Move]]:
-    """The edges of D_b, of reversed G_t and of G_b, each from left to right."""
+    """List the edges of D_b, of reversed G_t and of G_b, each from left to right."""
     half = take_half(sweep_example())
     chains = {"D_b": half.directrix, "G_t": inverse(half.top), "G_b": half.bottom}
     return {
@@ -56,23 +56,23 @@ def list_edges() -> dict[str, list[Move]]:
 
 
 def sort_by_slope(*owners: str) -> list[Move]:
-    """The edges of some chains, sorted."""
+    """Sort the edges of some chains."""
     found = list_edges()
     return sorted((move for owner in owners for move in found[owner]), key=lambda m: m.slope)
 
 
 def lay(start: Vertex, moves: Sequence[Move]) -> list[Point]:
-    """Edges laid end to end."""
+    """Lay edges end to end."""
     return [Point(Fraction(x), Fraction(y)) for x, y in walk((m.by for m in moves), start)]
 
 
 def find_stations() -> list[Point]:
-    """The path of the right end of G, from the left end of D_b on, by Lemma 3.1."""
+    """Find the path of the right end of G, from the left end of D_b on, by Lemma 3.1."""
     return lay(take_half(sweep_example()).directrix[0], sort_by_slope("D_b", "G_t"))
 
 
 def write_slope(move: Move) -> str:
-    """A slope, with a true minus sign."""
+    """Write a slope, with a true minus sign."""
     return format_fraction(Fraction(move.slope)).replace("-", "\N{MINUS SIGN}")
 
 

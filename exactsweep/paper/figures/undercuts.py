@@ -25,7 +25,7 @@ REFERENCES = ((5, -4), (6, -4))
 
 
 def sweep_examples() -> tuple[Sweep, Sweep]:
-    """The two sweeps; the reference points are the lowest vertices of G."""
+    """Compute the two sweeps; the reference points are the lowest vertices of G."""
     first, second = (
         sweep(g, DIRECTRIX, reference=r) for g, r in zip(GENERATRICES, REFERENCES, strict=True)
     )
@@ -33,7 +33,7 @@ def sweep_examples() -> tuple[Sweep, Sweep]:
 
 
 def find_undercut(s: Sweep) -> Undercut:
-    """The only one."""
+    """Return the only undercut."""
     (found,) = s.undercuts
     return found
 
