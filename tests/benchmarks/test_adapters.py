@@ -94,7 +94,7 @@ def test_klayout_makes_polygons_as_its_users_do() -> None:
 
 
 @pytest.mark.parametrize(("name", "bits"), [("pyclipper", 62), ("clipper2", 61)])
-def test_what_is_beyond_the_promised_range_is_not_asked(name: str, bits: int) -> None:
+def test_cases_beyond_the_promised_range_are_skipped(name: str, bits: int) -> None:
     for reach, is_asked in ((2**bits - 2, True), (2**bits - 1, False), (2**62, False)):
         case = Case.of("large", "", [(0, 0), (reach, 0), (0, reach)], [(0, 0), (1, 0), (0, 1)])
         assert (verdicts(name, iter([case])) != {Verdict.UNSUPPORTED}) == is_asked
@@ -153,7 +153,7 @@ def test_answers_are_written_exactly() -> None:
     assert json.dumps([Fraction(1, 3), 0.1], default=_write) == '["1/3", 0.1]'
 
 
-def test_what_is_not_installed_is_refused_by_name(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_programs_are_rejected_by_name(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "shapely", None)
     with pytest.raises(MissingError, match=r"shapely is not installed.*exactsweep\[peers\]"):
         load("shapely")
@@ -166,7 +166,7 @@ def test_what_is_not_installed_is_refused_by_name(monkeypatch: pytest.MonkeyPatc
 
 
 @pytest.mark.parametrize("name", ["shapely", "klayout", "pysfcgal", "cgal-reduced"])
-def test_a_plate_and_a_bin_are_right_for_who_takes_holes(name: str) -> None:
+def test_a_plate_and_a_bin_are_right_for_programs_with_holes(name: str) -> None:
     plate = [(0, 0), (9, 0), (9, 9), (0, 9)]
     hole = [(2, 2), (6, 2), (6, 6), (2, 6)]
     part = [(0, 0), (3, 0), (3, 3), (0, 3)]
@@ -181,7 +181,7 @@ def test_a_plate_and_a_bin_are_right_for_who_takes_holes(name: str) -> None:
     adapter.close()
 
 
-def test_a_program_is_asked_what_it_claims() -> None:
+def test_a_program_gets_its_own_questions() -> None:
     adapter = installed("pyclipper")
     with pytest.raises(MissingError, match="is not asked for inner_fit, but for minkowski_sum"):
         adapter.limited("inner_fit")
@@ -335,7 +335,7 @@ def test_a_program_on_the_path_is_asked(
     eventually(lambda: not processes(str(tmp_path)))
 
 
-def test_a_frame_is_wider_than_what_moves_inside() -> None:
+def test_a_frame_is_wider_than_the_moving_shape() -> None:
     container, moving = [(0, 0), (4, 0), (4, 3)], [(5, 7), (6, 7), (6, 9)]
     frame = [(-2, -3), (6, -3), (6, 6), (-2, 6)]
     assert build_frame(container, moving) == [frame, container[::-1]]
@@ -360,7 +360,7 @@ def test_a_ring_is_prepared_exactly() -> None:
     assert prepare_ring(tiny[::-1]) == tiny[::-1]
 
 
-def test_the_peers_of_the_test_environment_are_there() -> None:
+def test_the_peers_of_the_test_environment_are_installed() -> None:
     """So that nothing above is skipped unseen: all but CGAL come with the extra."""
     modules = ("shapely", "pyclipper", "clipper2", "klayout", "pysfcgal")
     if not all(map(find_spec, modules)):

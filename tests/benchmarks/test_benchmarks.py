@@ -166,7 +166,7 @@ traced = pytest.mark.skipif(sys.version_info >= TOO_NEW, reason="needs CPython 3
 
 
 @traced
-def test_what_a_pair_is_spent_on_is_counted_the_same_each_time() -> None:
+def test_instruction_counts_are_deterministic() -> None:
     pair = [Polygon(ring) for ring in FAMILIES["stair"](8, 8, 0)]
     size = len(sweep(*pair).trajectory)
     first, second = (count(lambda: sweep(*pair).trajectory.vertices) for _ in "ab")
@@ -176,7 +176,7 @@ def test_what_a_pair_is_spent_on_is_counted_the_same_each_time() -> None:
 
 
 @traced
-def test_instructions_are_counted_by_what_they_do() -> None:
+def test_instructions_are_counted_by_their_work() -> None:
     x = 3
     found = count(lambda: ([x * x, x // 2], x < 6))
     assert [found[name] for name in COUNTED[1:]] == [1, 2, 0, 2, 1]

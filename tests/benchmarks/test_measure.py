@@ -21,7 +21,7 @@ from exactsweep.conform.run.run import Run
 from exactsweep.corpus import Case
 
 
-def test_who_is_exact_on_what_is_one_page(tmp_path: Path) -> None:
+def test_the_exactness_of_programs_is_one_page(tmp_path: Path) -> None:
     square = [(0, 0), (8, 0), (8, 8), (0, 8)]
     case = Case.of("squares", "", square, [(0, 0), (1, 0), (1, 1), (0, 1)])
     loop = case.trajectory.vertices
@@ -49,7 +49,7 @@ def test_who_is_exact_on_what_is_one_page(tmp_path: Path) -> None:
     assert row == "| a program | outer path | 2 | 1 | 1 | squares |"
 
 
-def test_a_page_says_what_was_asked(tmp_path: Path) -> None:
+def test_a_page_lists_the_questions(tmp_path: Path) -> None:
     page, folder = tmp_path / "page", tmp_path / "journals"
     asked = [str(folder), "--no-judging", "--most", "6", "--each", "3"]
     shown = CliRunner().invoke(measure, asked)

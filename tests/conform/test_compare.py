@@ -137,14 +137,14 @@ def test_the_worst_part_decides() -> None:
     assert found.worst is found.parts[2]
 
 
-def test_what_is_missing_is_unsupported_unless_promised() -> None:
+def test_missing_parts_are_unsupported_unless_promised() -> None:
     assert compare(CASE, {}).verdict is Verdict.UNSUPPORTED
     found = compare(CASE, {"inner": BLOCK}, promised=("inner", "outer"))
     assert found.verdict is Verdict.MALFORMED
     assert found.reason == "$.outer is missing"
 
 
-def test_a_case_that_is_wrong_itself_is_found_out() -> None:
+def test_a_wrong_case_is_detected() -> None:
     lying = replace(CASE, trajectory=CASE.trajectory.translated((1, 0)))
     with pytest.raises(WitnessError, match="case slot: its trajectory is refuted near"):
         compare(lying, {"trajectory": CASE.trajectory.vertices})

@@ -27,7 +27,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_what_is_not_compared_in_time_is_undecided_and_does_not_pass(
+def test_a_comparison_out_of_time_is_undecided_and_does_not_pass(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def compare(*_: object, **options: object) -> NoReturn:
@@ -39,7 +39,7 @@ def test_what_is_not_compared_in_time_is_undecided_and_does_not_pass(
     assert done.stdout.startswith("fits-square: undecided, there is an answer, but")
 
 
-def test_a_case_that_is_wrong_itself_is_refused(folder: Path) -> None:
+def test_a_wrong_case_is_rejected(folder: Path) -> None:
     lying = case_to_json(CASE)
     lying["expected"]["inner"] = ANSWER["outer"]
     lying["expected"]["counts"]["inner"] = len(ANSWER["outer"])

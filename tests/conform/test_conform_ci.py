@@ -91,7 +91,7 @@ def test_the_command_writes_them(tmp_path: Path) -> None:
         (["./nfp"], "nfp", "C++"),
     ],
 )
-def test_the_language_is_that_of_the_command(command: list[str], name: str, language: str) -> None:
+def test_the_command_determines_the_language(command: list[str], name: str, language: str) -> None:
     assert guess_language(command, name) == language
 
 
@@ -135,7 +135,7 @@ def list_steps(recipe: str) -> list[str]:
 RECIPES = re.findall(r"^```yaml\n(.*?)^```$", PAGE, re.M | re.S)
 
 
-def test_recipes_use_options_that_there_are() -> None:
+def test_recipes_use_existing_options() -> None:
     assert len(RECIPES) == 2
     for recipe in RECIPES:
         *_, command = list_steps(recipe)

@@ -85,7 +85,7 @@ def test_a_second_answer_spoils_the_next_case_and_not_the_one_after(peer: Proces
 
 
 @pytest.mark.parametrize("peer", ["crash"], indirect=True)
-def test_what_it_said_last_is_kept(peer: ProcessPeer) -> None:
+def test_the_end_of_standard_error_is_kept(peer: ProcessPeer) -> None:
     outcome = judge_case(peer, CASES["notch"])
     assert (outcome.reason, outcome.stderr) == (
         "exited with code 3; it says: about to fail",

@@ -105,7 +105,7 @@ def test_a_process_without_a_hello_is_refused(kind: str, mark: str) -> None:
 
 
 @pytest.mark.parametrize("command", ["no-such-program", "", "/", "\0"])
-def test_what_does_not_start_is_refused(command: str) -> None:
+def test_a_program_that_cannot_start_is_rejected(command: str) -> None:
     with pytest.raises(ProtocolError, match="cannot run"):
         ProcessPeer(Terms([command]))
 

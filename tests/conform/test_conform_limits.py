@@ -93,7 +93,7 @@ def test_faults_without_end_are_bounded() -> None:
     )
 
 
-def test_what_could_not_be_compared_neither_fails_nor_passes() -> None:
+def test_undecided_cases_neither_fail_nor_pass() -> None:
     report = Run(Hello("mine"))
     report.add(Outcome("a", "CC", (), Verdict.EXACT))
     assert report.passed
@@ -189,7 +189,7 @@ def test_memory_is_limited_and_reported(tmp_path: Path) -> None:
 # Messages to a user who has forgotten something.
 
 
-def test_a_hello_that_is_not_flushed_is_hinted_at() -> None:
+def test_an_unflushed_hello_gets_a_hint() -> None:
     with pytest.raises(ValueError, match=r"no hello within 0\.2 s; does the program"):
         ProcessPeer(Terms([*HOSTILE, "no-hello", "--"]), to_start=0.2)
 

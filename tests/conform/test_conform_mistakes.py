@@ -50,7 +50,7 @@ def test_a_mistake_is_convicted_and_named(name: str) -> None:
         ("integer", round, "within"),
     ],
 )
-def test_who_makes_none_passes(numbers: str, to: Callable[[Any], Any], verdict: str) -> None:
+def test_correct_programs_pass(numbers: str, to: Callable[[Any], Any], verdict: str) -> None:
     """The correct program, and the best that doubles and integers can do."""
     few = find_cases()[::12]
 

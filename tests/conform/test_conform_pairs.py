@@ -151,7 +151,7 @@ def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
         (json.dumps(LINES[0]) + "\n" + json.dumps(LINES[0]), "duplicate case id '7'"),
     ],
 )
-def test_what_is_no_pair_is_refused_by_line(tmp_path: Path, text: str, message: str) -> None:
+def test_invalid_pairs_are_rejected_by_line(tmp_path: Path, text: str, message: str) -> None:
     with pytest.raises(ValueError, match=re.escape(message)):
         list(require_distinct(read_pairs(write(tmp_path, text))))
 
@@ -161,6 +161,6 @@ def test_options_that_contradict_each_other_are_refused(options: tuple[str, ...]
     assert run("conform", *options, "--", *CONVEX).exit_code == 2
 
 
-def test_a_file_that_is_not_there_is_refused() -> None:
+def test_a_missing_file_is_rejected() -> None:
     said = refusal(run("conform", "--pairs", "/none", "--", *CONVEX))
     assert said == "/none: No such file or directory"

@@ -61,7 +61,7 @@ def test_an_error_beyond_floats_is_enlarged_too(error: str) -> None:
     assert "times larger, at the witness" in enlarged.caption
 
 
-def test_what_is_thin_is_not_a_line() -> None:
+def test_a_thin_ring_is_not_a_line() -> None:
     needle = [(0, 0), (10**9, 0), (10**9, 1)]
     case = Case.of("a", "", needle, needle)
     (panel, *_) = draw_panels(outcome_of(case, [(0, 0), (1, 0), (0, 1)]))
@@ -70,7 +70,7 @@ def test_what_is_thin_is_not_a_line() -> None:
     assert max(ys) - min(ys) > SIDE / 2
 
 
-def test_what_is_far_off_does_not_hide_the_rest() -> None:
+def test_a_far_answer_does_not_hide_the_rest() -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
     whole, near = draw_panels(outcome_of(case, [(-1, -1), (10**9, -1), (1, 1), (-1, 1)]))
     assert in_sight(near, "exact")
@@ -82,7 +82,7 @@ def test_what_is_far_off_does_not_hide_the_rest() -> None:
 
 
 @pytest.mark.parametrize(("far", "panels"), [(39, 1), ("39.001", 2)])
-def test_what_is_twenty_times_as_far_is_seen_in_the_whole(far: Any, panels: int) -> None:
+def test_points_twenty_times_as_far_are_visible(far: Any, panels: int) -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
     assert len(draw_panels(outcome_of(case, [(-1, -1), (far, -1), (1, 1), (-1, 1)]))) == panels
 

@@ -30,7 +30,7 @@ def test_generated_cases_are_judged_in_a_pipe() -> None:
     )
 
 
-def test_what_is_judged_before_an_interrupt_is_reported(
+def test_outcomes_before_an_interrupt_are_reported(
     two: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupt(*_: object) -> Iterator[Outcome]:

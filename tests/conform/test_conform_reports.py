@@ -28,7 +28,7 @@ def two(tmp_path: Path) -> str:
 
 
 @pytest.mark.parametrize("spoil", ["complaint", "interrupted", "too few", "nothing"])
-def test_no_run_that_fails_is_green_in_junit(spoil: str) -> None:
+def test_failed_runs_are_red_in_junit(spoil: str) -> None:
     run = Run(Hello("mine"), least_judged=Fraction(1, 2) if spoil == "too few" else Fraction(0))
     if spoil != "nothing":
         run.add(Outcome("a", "CC", (), Verdict.EXACT))
@@ -75,7 +75,7 @@ def test_failures_are_made_smaller_for_the_page_and_the_json(tmp_path: Path) -> 
     assert json.loads(data.read_text())["shrunk"] == {}
 
 
-def test_the_page_is_whole_and_quotes_what_is_foreign(two: str, tmp_path: Path) -> None:
+def test_the_page_is_complete_and_escapes_untrusted_text(two: str, tmp_path: Path) -> None:
     evil = "<script>alert(1)</script>"
     program = tmp_path / "evil.py"
     program.write_text(

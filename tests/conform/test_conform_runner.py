@@ -129,7 +129,7 @@ def test_two_cases_with_one_id_are_refused() -> None:
 @pytest.mark.parametrize(
     "changes", [{"loops": "inner"}, {"loops": []}, {"numbers": "real"}, {"reference": 1}]
 )
-def test_what_a_function_cannot_be_is_refused(changes: dict[str, Any]) -> None:
+def test_invalid_descriptions_of_a_function_are_rejected(changes: dict[str, Any]) -> None:
     with pytest.raises(ProtocolError):
         conform(exact, [], name="mine", **changes)
 
@@ -181,7 +181,7 @@ def test_a_case_that_contradicts_itself_ends_the_run() -> None:
     assert [outcome.id for outcome in run.outcomes] == [FEW[2].id]
 
 
-def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_slow_comparison_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
     from exactsweep.conform.run import outcome as judging
 
     def endless(*arguments: object, **options: object) -> None:
@@ -213,7 +213,7 @@ def test_a_worker_that_is_killed_ends_the_run() -> None:
 @pytest.mark.usefixtures("heed_interrupts")
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
 @pytest.mark.long
-def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -> None:
+def test_an_interrupted_run_resumes(tmp_path: Path, how: signal.Signals) -> None:
     journal, log, gate = tmp_path / "journal", tmp_path / "log", tmp_path / "gate"
     command = [
         *("conform", "--cases", write_cases(tmp_path / "cases", FEW), "--journal", str(journal)),
@@ -244,7 +244,7 @@ def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -
     assert all(times[id] == 1 for id in done)
 
 
-def test_what_is_started_ends_at_once_with_a_killed_run(tmp_path: Path) -> None:
+def test_a_killed_run_kills_its_processes(tmp_path: Path) -> None:
     path = write_cases(tmp_path / "cases", FEW)
     mark = f"--{os.urandom(8).hex()}"
     hostile = [*HOSTILE, "ignores-termination", mark]

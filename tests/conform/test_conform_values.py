@@ -65,7 +65,7 @@ def test_rings_of_regions_are_rings() -> None:
     assert [len(make_plain(shape)) for shape in (one, several)] == [2, 3]
 
 
-def test_what_is_no_shape_stays_as_it_is() -> None:
+def test_other_values_are_unchanged() -> None:
     assert judge("POLYGON").reason == "returns str, not a mapping"
     assert judge({"trajectory": "POLYGON"}).reason == (
         "$.trajectory is 'POLYGON', not a list of vertices"

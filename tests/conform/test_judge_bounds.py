@@ -72,9 +72,7 @@ def test_a_large_noisy_answer_is_judged(
 
 
 @pytest.mark.parametrize("k", [-1, 1])
-def test_what_is_too_large_to_be_compared_is_never_called_better(
-    k: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_loops_too_large_to_compare_are_wrong(k: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """One that lies inside, or outside, is no worse than wrong; and it is never called sound."""
     low, high = CASE.trajectory.bounding_box
     ring = [(low.x - k, low.y - k), (high.x + k, low.y - k), (high.x + k, high.y + k)]
@@ -205,7 +203,7 @@ def test_doubles_are_as_far_apart_as_they_are(value: str) -> None:
     assert _unit_in_last_place(number) == Fraction(math.ulp(float(number)))
 
 
-def test_what_no_double_is_near_stays_as_it_is() -> None:
+def test_numbers_beyond_doubles_are_unchanged() -> None:
     assert _to_double(_BEYOND) == _BEYOND
     assert _to_double(-_BEYOND) == -_BEYOND
     assert _to_double(_BEYOND - 1) == Fraction(sys.float_info.max)

@@ -47,7 +47,7 @@ def test_many_rings_are_judged_as_few_are() -> None:
     assert judge(SLOT, tiny).verdict is Verdict.WRONG
 
 
-def test_what_is_no_ring_is_named() -> None:
+def test_invalid_rings_are_named() -> None:
     assert judge(SLOT, [[[0, 0]], 7]).reason == "$.trajectory[1] is 7, not a ring"
 
 
@@ -93,7 +93,7 @@ def test_a_segment_as_a_region_that_is_nearly_none_is_within() -> None:
     assert compare(case, {"inner_fit": [wide]}, numbers="binary64").verdict == "unsound"
 
 
-def test_a_loop_that_is_smaller_than_its_rounding_is_not_taken_for_a_fit() -> None:
+def test_a_loop_smaller_than_its_rounding_is_no_fit() -> None:
     """Far from the origin doubles are integers; the whole loop is near a fit, and is no fit."""
     far = 2**53
     d = [(x + far, y) for x, y in BLOCK]
@@ -243,7 +243,7 @@ G = [(2, 1), (5, 2), (3, 4)]
 CASE = Case.of("odd", "", D, G, ("1/2", 7))
 
 
-def test_no_mistake_is_named_that_is_none() -> None:
+def test_exact_answers_have_no_diagnosis() -> None:
     assert judge(CASE, [[0, 0], [1, 0], [0, 1]]).diagnosis == ()
     moved = [*CASE.trajectory.vertices[1:], Point(Fraction(-9), Fraction(5))]
     assert judge(CASE, moved).diagnosis == ("one vertex is wrong, the others are exact",)
@@ -259,7 +259,7 @@ def test_no_mistake_is_named_that_is_none() -> None:
         ("wraps around at 8 bits", 1, lambda c: (c + 128) % 256 - 128 if c == int(c) else c),
     ],
 )
-def test_what_numbers_do_to_all_coordinates_is_named(words: str, x: Any, change: Any) -> None:
+def test_arithmetic_errors_are_named(words: str, x: Any, change: Any) -> None:
     case = Case.of("far", "", [(3 * x + 117, 70 * y) for x, y in D], G, (x, 5))
     ring = [[change(x), change(y)] for x, y in case.trajectory.vertices]
     assert words in judge(case, ring, numbers="rational").diagnosis

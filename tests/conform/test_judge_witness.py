@@ -21,7 +21,7 @@ def box(side: int, low: int = 0) -> Ring:
         (10, [box(8, 1)], 9, "the inner loop"),
     ],
 )
-def test_a_point_that_g_cannot_reach_is_in_what_the_sweep_encloses(
+def test_a_point_out_of_reach_is_enclosed_by_the_sweep(
     directrix: int, hole: list[Ring], side: int, place: str
 ) -> None:
     case = Case.of("enclosed", "", box(directrix), box(side), directrix_holes=hole)

@@ -144,7 +144,7 @@ def test_roles_exchanged_are_diagnosed_in_any_shape() -> None:
     )
 
 
-def test_the_old_hello_is_asked_what_it_was_asked() -> None:
+def test_the_old_hello_gets_the_old_questions() -> None:
     said = read_hello(json.dumps(OLD))
     assert said == Hello("old")
     assert said.to_json() == OLD

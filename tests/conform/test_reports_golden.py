@@ -91,5 +91,5 @@ def write_reports() -> str:
     return POINT.sub(r"\1\2...", text)
 
 
-def test_reports_say_what_they_said() -> None:
+def test_reports_are_golden() -> None:
     assert write_reports() == FILE.read_text(encoding="utf-8")

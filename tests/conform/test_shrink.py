@@ -71,7 +71,7 @@ def test_fractions_and_the_reference_point_go() -> None:
     assert small.reference == ORIGIN
 
 
-def test_no_flag_comes_in_that_was_not_there() -> None:
+def test_shrinking_adds_no_flag() -> None:
     """A program that loses what is long fails on repeated vertices, too: that is another story."""
 
     def loses_long_rings(case: Case) -> Verdict:

@@ -61,7 +61,7 @@ def test_a_case_is_asked_as_two_summands() -> None:
     assert judge_answer(ROOM, ROOM, read_answer(answer), hello).verdict == "exact"
 
 
-def test_the_page_shows_what_is_asked() -> None:
+def test_the_page_shows_the_questions() -> None:
     page = (ROOT / "exactsweep/conform/MINKOWSKI.md").read_text(encoding="utf-8")
     hello, lines = re.findall(r"^```json\n(.*?)^```$", page, re.M | re.S)
     line, answer = lines.splitlines()

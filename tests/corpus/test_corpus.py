@@ -96,7 +96,7 @@ def test_integer_scale_is_the_least_that_makes_the_input_integer(shipped: list[C
 
 
 @pytest.mark.long
-def test_representable_means_that_the_type_holds_every_coordinate(shipped: list[Case]) -> None:
+def test_representable_types_hold_every_coordinate(shipped: list[Case]) -> None:
     for case in shipped:
         scale = case.integer_scale
         for values, held in [

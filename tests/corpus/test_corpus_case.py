@@ -99,7 +99,7 @@ def test_long_numbers_are_refused() -> None:
 
 
 @pytest.mark.parametrize("data", [None, [], "x", 7, {}, {"id": {}}])
-def test_what_is_no_case_is_refused(data: Any) -> None:
+def test_invalid_cases_are_rejected(data: Any) -> None:
     with pytest.raises(CaseError, match=r"^\$"):
         case_from_json(data)
 

@@ -61,7 +61,7 @@ def test_a_range_that_is_no_part_of_all_draws_is_drawn_evenly() -> None:
     assert 160 < low < 240
 
 
-def test_nothing_lies_between_bounds_that_are_exchanged() -> None:
+def test_exchanged_bounds_are_an_empty_range() -> None:
     with pytest.raises(ValueError, match=r"^empty range: 2 to 1$"):
         Prng("").between(2, 1)
 

@@ -58,7 +58,7 @@ def test_answers_are_those_of_another_exact_program() -> None:
 
 
 @needs_sfcgal
-def test_the_other_program_notices_what_is_wrong_and_goes_on_after_a_crash() -> None:
+def test_the_other_program_finds_errors_and_continues_after_a_crash() -> None:
     (case,) = cases(prefix="caves-two-rooms-thirds")
     (crashing,) = cases(prefix="spirals-two-thirds")
     assert not case.unswept

@@ -134,7 +134,7 @@ def test_readers_have_at_most_thirty_lines(folder: Path) -> None:
 
 @pytest.mark.long
 @pytest.mark.parametrize("name", READERS)
-def test_a_reader_reads_what_is_there(name: str, folder: Path, tmp_path: Path) -> None:
+def test_readers_read_the_cases(name: str, folder: Path, tmp_path: Path) -> None:
     needed, build, call = READERS[name]
     if which(needed) is None:
         pytest.skip(f"no {needed} here")

@@ -286,7 +286,7 @@ OTHERS: dict[str, tuple[Change, tuple[str, ...], str]] = {
     "always the same": (
         put(LOOP, lambda c: [CONSTANT]),
         DIFFERS,
-        f"more than the exact|part of the exact|neither holds{OR_ELSE}",
+        f"more than the exact|part of the exact|neither contains{OR_ELSE}",
     ),
 }
 
