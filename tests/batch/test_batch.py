@@ -75,7 +75,7 @@ def test_deep_pairs_and_strange_directions_are_error_records() -> None:
     assert line_record('{"generatrix":' + "[" * 100_000)["error"] == "nested too deeply"
 
 
-def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
+def test_a_bad_pair_stops_no_other(tmp_path: Path) -> None:
     good = PAIR + "}\n"
     long = "[" + " " * 2**24 + "]\n"
     (tmp_path / "pairs.jsonl").write_text(f"\n{good}x\n \n{long}{good}{good[:-1]}")
@@ -102,7 +102,7 @@ def test_records_do_not_depend_on_the_chunks(polygons: list[Polygon], size: int)
         assert job.work.lines([pair]) == [line]
 
 
-def test_parts_are_read_once_and_bad_ones_stay(tmp_path: Path) -> None:
+def test_parts_are_read_once_and_bad_ones_are_kept(tmp_path: Path) -> None:
     path = tmp_path / "parts.json"
     path.write_text(
         '{"polygons": [{"id": "a", "vertices": [[0,0],[1,0],[0,1]]}, [[0,0]], [[0,1,2]]]}'
@@ -116,7 +116,7 @@ def test_parts_are_read_once_and_bad_ones_stay(tmp_path: Path) -> None:
     assert record["error"] == f"generatrix: {reason}"
 
 
-def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
+def test_invalid_batches_are_rejected(tmp_path: Path) -> None:
     with pytest.raises(BatchError, match=r"^'all' is none of trajectory, loops, areas, nfp$"):
         take_all_pairs([], [], "all")
     (tmp_path / "pairs").write_text("")
@@ -161,7 +161,7 @@ def test_chunks_hold_all_pairs_after_the_first_ones(
         assert len(chunk) == CHUNK_PAIRS or sum(before) + last > most
 
 
-def test_lines_that_come_later_do_not_count(tmp_path: Path) -> None:
+def test_lines_appended_later_are_ignored(tmp_path: Path) -> None:
     pairs, path = tmp_path / "pairs.jsonl", tmp_path / "out.jsonl"
     pairs.write_text(f"{PAIR}}}\n" * 2)
     job = take_listed_pairs(str(pairs), PARTS)
@@ -180,7 +180,7 @@ def test_lines_that_come_later_do_not_count(tmp_path: Path) -> None:
         (MemoryError(), "out of memory"),
     ],
 )
-def test_a_fault_of_the_program_is_an_error_record(
+def test_a_bug_becomes_an_error_record(
     error: Exception, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(*_: object) -> None:

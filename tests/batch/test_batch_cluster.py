@@ -64,7 +64,7 @@ def cluster(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[str]]]]
 
 
 @pytest.mark.long
-def test_neither_a_lost_worker_nor_a_lost_scheduler_costs_a_record(
+def test_lost_workers_and_schedulers_cost_no_record(
     tmp_path: Path, command: list[str], cluster: tuple[str, list[subprocess.Popen[str]]]
 ) -> None:
     address, processes = cluster
@@ -104,7 +104,9 @@ def test_a_cluster_of_its_own_survives_a_killed_worker(tmp_path: Path, command: 
 
 
 @pytest.mark.long
-def test_no_scheduler_is_one_line_and_leaves_nothing(tmp_path: Path, command: list[str]) -> None:
+def test_a_missing_scheduler_is_one_line_and_leaves_no_file(
+    tmp_path: Path, command: list[str]
+) -> None:
     done = subprocess.run(
         [*command, "--scheduler", "tcp://127.0.0.1:9"],
         capture_output=True,

@@ -83,7 +83,7 @@ def test_folders_and_patterns_without_files_are_refused(folder: Path, tmp_path: 
     assert find_files(str(strange)) == [str(strange)]
 
 
-def test_a_batch_of_which_all_is_refused_says_so(tmp_path: Path) -> None:
+def test_a_batch_of_rejected_pairs_fails(tmp_path: Path) -> None:
     pairs, output = tmp_path / "pairs.jsonl", tmp_path / "out.jsonl"
     pairs.write_text('{"generatrix": [[0,0]], "directrix": [[0,0],[1,0],[0,1]]}\n')
     done = run("batch", str(pairs), "-o", str(output), "--workers", "1")

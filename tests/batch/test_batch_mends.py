@@ -16,7 +16,7 @@ UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
 
 
 @pytest.mark.parametrize("output", ["b.json", "link.json", "c.part", "parts/a.json"])
-def test_a_batch_never_writes_over_what_it_reads(
+def test_a_batch_never_overwrites_its_input(
     output: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -39,27 +39,25 @@ def test_a_batch_never_writes_over_what_it_reads(
     ["9" * 400, "9" * 40, "host:0", "host:65536", f"host:{'9' * 300}", "a b:1", "tcp://", "[::1"],
     ids=lambda address: address[:12],
 )
-def test_what_is_no_address_is_refused_before_any_connection(address: str, tmp_path: Path) -> None:
+def test_invalid_addresses_are_rejected_before_connecting(address: str, tmp_path: Path) -> None:
     job = take_all_pairs([NamedPolygon(UNIT, "a")], [NamedPolygon(UNIT, "b")])
     with pytest.raises(BatchError, match=r"^no Dask scheduler at .*: not as in tcp://host:8786$"):
         run_batch(job, str(tmp_path / "o.jsonl"), scheduler=address)
 
 
-def test_addresses_have_a_port_or_none() -> None:
+def test_addresses_may_have_a_port() -> None:
     for address in ("local", "127.0.0.1", "tcp://host:1", "[::1]:65535"):
         _require_address(address)
 
 
-def test_without_distributed_no_scheduler_is_asked(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_schedulers_need_distributed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     job = take_all_pairs([NamedPolygon(UNIT, "a")], [NamedPolygon(UNIT, "b")])
     with pytest.raises(FormatError, match=r"needs distributed: pip install distributed$"):
         run_batch(job, str(tmp_path / "o.jsonl"), scheduler="local")
 
 
-def test_areas_beyond_floats_are_no_infinities(tmp_path: Path) -> None:
+def test_areas_beyond_floats_are_not_infinities(tmp_path: Path) -> None:
     output = tmp_path / "o.parquet"
     (tmp_path / "a.json").write_text("[[0, 0], [1e160, 0], [0, 1e160]]")
     given = (
@@ -77,7 +75,7 @@ def test_areas_beyond_floats_are_no_infinities(tmp_path: Path) -> None:
     assert "inf" not in (tmp_path / "o.csv").read_text()
 
 
-def test_one_file_is_not_for_two_reports(tmp_path: Path) -> None:
+def test_two_reports_need_two_files(tmp_path: Path) -> None:
     one = str(tmp_path / "out")
     for pair in (("--json", "--html"), ("--journal", "--json"), ("--html", "--junit")):
         options = [word for name in pair for word in (name, one)]
@@ -113,7 +111,7 @@ def test_a_write_that_fails_leaves_the_old_file(
     assert [path.name for path in tmp_path.iterdir()] == ["old.svg"]
 
 
-def test_names_of_files_that_are_no_utf_8_are_named(tmp_path: Path) -> None:
+def test_file_names_of_invalid_utf_8_are_named(tmp_path: Path) -> None:
     path = tmp_path / "part-\udcff.json"
     try:
         path.write_text(Path(HOUSE).read_text())

@@ -64,9 +64,7 @@ def test_killed_at_random_and_resumed(
 
 
 @pytest.mark.parametrize("done", [0, 1])
-def test_what_fails_leaves_its_records_if_it_has_any(
-    tmp_path: Path, whole: list[bytes], done: int
-) -> None:
+def test_failed_batches_leave_their_records(tmp_path: Path, whole: list[bytes], done: int) -> None:
     output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
 
     def fail() -> None:
@@ -80,7 +78,7 @@ def test_what_fails_leaves_its_records_if_it_has_any(
     assert len([*tmp_path.iterdir()]) == 2 * done
 
 
-def test_cut_anywhere_it_goes_on(tmp_path: Path, whole: list[bytes]) -> None:
+def test_truncated_records_are_resumed(tmp_path: Path, whole: list[bytes]) -> None:
     everything = b"".join(whole)
     output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
     random = Random(3)
@@ -98,7 +96,7 @@ def test_cut_anywhere_it_goes_on(tmp_path: Path, whole: list[bytes]) -> None:
 @pytest.mark.parametrize(
     "garbage", [b"\0" * 5000, b"x\n", b'{"index": 7, "kind": "CC"}\n', b"\n\n"]
 )
-def test_what_is_no_record_is_cut_off(tmp_path: Path, garbage: bytes, whole: list[bytes]) -> None:
+def test_incomplete_records_are_dropped(tmp_path: Path, garbage: bytes, whole: list[bytes]) -> None:
     output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
     with Output(str(output), JOB):
         part.write_bytes(whole[0] + garbage + whole[1])
@@ -189,7 +187,7 @@ with open(sys.argv[1], "w") as file:
 """
 
 
-def test_locks_end_with_the_process_that_has_them_before_its_workers_do(tmp_path: Path) -> None:
+def test_locks_end_with_their_process_before_its_workers(tmp_path: Path) -> None:
     path = tmp_path / "locked"
     subprocess.run([sys.executable, "-c", LOCKED, str(path)], timeout=PATIENCE, check=False)
     worker = int(path.read_text())

@@ -82,7 +82,7 @@ def test_batches_that_differ_in_holes_differ() -> None:
     assert len({job.digest for job in jobs}) == len(others)
 
 
-def test_no_part_of_the_part_list_is_refused() -> None:
+def test_a_part_list_without_parts_is_rejected() -> None:
     parts = part_list(30)
     job = take_all_pairs(parts, parts[:3], "nfp")
     for chunk in job.chunks(0):

@@ -26,7 +26,7 @@ POLYGONS = Path(__file__).parents[1] / "support" / "polygons"
     ("name", "polygon"),
     [("house.json", GENERATRIX), ("notch.wkt", DIRECTRIX), ("notch.geojson", DIRECTRIX)],
 )
-def test_files_hold_the_built_in_example(name: str, polygon: Polygon) -> None:
+def test_files_have_the_built_in_example(name: str, polygon: Polygon) -> None:
     assert read_polygon(str(POLYGONS / name)) == polygon
 
 
@@ -48,7 +48,7 @@ def test_wkt_is_read_exactly(polygon: Polygon, exponent: int, divisor: int) -> N
 
 @given(strategies.pairs("CM"), strategies.translations())
 @examples(50)
-def test_json_of_a_sweep_holds_everything(
+def test_json_of_a_sweep_is_complete(
     pair: tuple[Polygon, Polygon], reference: tuple[Fraction, Fraction]
 ) -> None:
     result = sweep(*pair, reference=reference)
@@ -84,7 +84,7 @@ def test_long_texts_are_refused_by_name(text: str, message: str) -> None:
 
 
 @given(st.text(alphabet="[]{}(),:\"'POLYGNtypevrics0123456789.eE+-/ \n\x00é", max_size=30))
-def test_any_text_is_read_or_refused(text: str) -> None:
+def test_any_text_is_read_or_rejected(text: str) -> None:
     try:
         message = str(parse_polygon(text))
     except ValueError as error:

@@ -43,7 +43,7 @@ TRIANGLE = polyline((1, 2), (4, 2), (1, 4))
 
 @fewer
 @given(st.fractions(-360, 360, max_denominator=100), points)
-def test_turned_blocks_stay_within_the_tolerance(degrees: Fraction, third: Point) -> None:
+def test_rotated_blocks_stay_within_the_tolerance(degrees: Fraction, third: Point) -> None:
     tolerance = Fraction(1, 1000)
     corners = [(1, 2), (4, 2), (str(float(third.x)), str(float(third.y) + 20))]
     angle = f"{float(degrees):.6f}"
@@ -61,12 +61,12 @@ BOMB = {f"b{k}": [*insert(f"b{k + 1}"), *insert(f"b{k + 1}")] for k in range(40)
 
 
 @pytest.mark.long
-def test_blocks_that_draw_each_other_end() -> None:
+def test_recursive_blocks_are_rejected() -> None:
     with pytest.raises(FormatError, match="blocks expand to more than 20,000 entities"):
         parse_polygon(with_blocks({**BOMB, "b20": TRIANGLE}, insert("b0")))
 
 
-def test_uses_that_draw_each_other_end(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_recursive_uses_are_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     uses = [f'<use href="#g{k + 1}"/>' * 10 for k in range(9)]
     bomb = "".join(f'<g id="g{k}">{drawn}</g>' for k, drawn in enumerate(uses))
     with limits(max_mib=1), pytest.raises(FormatError, match=r"655 .* the first: line 1: use"):
@@ -78,7 +78,7 @@ def test_uses_that_draw_each_other_end(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @fewer
 @given(strategies.simple_polygons(), st.randoms(use_true_random=False))
-def test_joined_ends_are_moved_no_farther_than_allowed(polygon: Polygon, random: object) -> None:
+def test_joined_ends_move_within_the_distance(polygon: Polygon, random: object) -> None:
     step = Fraction(1, 10**9)
     ring = [Point(Fraction(x), Fraction(y)) for x, y in polygon.lattice()[1]]
 
@@ -110,7 +110,7 @@ def test_joined_ends_are_moved_no_farther_than_allowed(polygon: Polygon, random:
     ],
     ids=["equal", "star", "chain", "two stars"],
 )
-def test_joining_takes_time_in_proportion(ends: object) -> None:
+def test_joining_takes_linear_time(ends: object) -> None:
     def join_lines(size: int) -> None:
         lines = {}
         for k in range(size):
@@ -167,7 +167,7 @@ def cox_de_boor(knots: list[Fraction], k: int, degree: int, t: Fraction) -> Frac
     return found
 
 
-def test_as_many_entities_are_drawn_by_a_block_as_are_allowed(
+def test_a_block_draws_up_to_the_limit(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("exactsweep.formats.curved.dxf_block.MAX_COPIES", 6)

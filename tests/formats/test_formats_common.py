@@ -33,7 +33,7 @@ from exactsweep.formats.size import ELEMENT
 UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
 
 
-def test_entities_that_draw_too_much_are_refused() -> None:
+def test_entities_beyond_the_limit_are_rejected() -> None:
     text = f'<!DOCTYPE svg [<!ENTITY a "{"x" * 200}">]><svg>{"&a;" * 100_000}</svg>'
     with pytest.raises(FormatError, match="the entity 'a' draws more than 16 MiB"):
         parse_polygons(text)
@@ -78,7 +78,7 @@ def test_splines_through_points_are_those_of_ezdxf(points: list[tuple[float, flo
         assert abs(a - c) + abs(b - d) < 1e-6
 
 
-def test_splines_take_memory_as_their_points() -> None:
+def test_memory_of_splines_is_linear_in_their_points() -> None:
     """With a matrix of all points, these took 6 GB."""
     points = [Point(Fraction(k), Fraction(k * k % 17)) for k in range(16_000)]
     assert len(Spline.through(points).points) == 3 * 16_000 - 2
@@ -100,12 +100,12 @@ def test_pieces_of_high_degree_are_values_of_the_curve() -> None:
     assert len(spline.draw(IDENTITY).flatten(Reading("1/100"))) > 10
 
 
-def test_names_that_are_no_utf_8_are_named() -> None:
+def test_names_of_invalid_utf_8_are_rejected() -> None:
     with pytest.raises(FormatError, match=r"the name 'left\\udcff' is not valid UTF-8"):
         format_polygons([NamedPolygon(UNIT, "left\udcff")], "csv")
 
 
-def test_a_table_counts_for_its_lines() -> None:
+def test_a_table_is_charged_for_its_lines() -> None:
     assert measure_written("id,x,y\na,0,0\na,1,0\na,0,1\n") == 4 * 16
     assert measure_written("x,y\n0,0\n1,0\n0,1\n") == 4 * 16
     assert measure_written("<svg>" + "<g/>" * 9) == 10 * ELEMENT
@@ -118,7 +118,7 @@ def test_a_table_counts_for_its_lines() -> None:
         dxf(*([polyline((0, 0), (1, 0), (0, 1))] * 5)),
     ],
 )
-def test_a_text_is_read_where_what_it_counts_for_is_allowed(text: str) -> None:
+def test_a_text_is_read_at_its_own_limit(text: str) -> None:
     with limits(max_mib=measure_written(text) / 2**20):
         assert parse_regions(text)
 
@@ -133,7 +133,7 @@ def test_readers_of_csv_in_other_threads_keep_their_limit() -> None:
 
 
 @pytest.mark.parametrize("corners", ["0,0 {},0 0,1", "-1,0 {},0 0,1", "1,0 -{},0 0,1"])
-def test_coordinates_that_grow_too_long_are_refused(corners: str) -> None:
+def test_too_long_coordinates_are_rejected(corners: str) -> None:
     """The limit is 32 times that of a number, and 7 digits more."""
     shape = f'<polygon points="{corners.format("9" * 19)}"/>'
     group = "<g transform='scale(1e19)'>"

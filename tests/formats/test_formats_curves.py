@@ -77,7 +77,7 @@ def assert_close_to_circle(
 
 
 @given(st.integers(0, 10**12), st.sampled_from([1, 10**6, 10**60]))
-def test_a_root_is_as_fine_as_asked_for(square: int, scale: int) -> None:
+def test_roots_have_the_requested_error(square: int, scale: int) -> None:
     above = bound_root(Fraction(square), scale)
     assert max(above - Fraction(1, scale), Fraction(0)) ** 2 <= square <= above * above
 
@@ -217,12 +217,12 @@ SHAPES = {
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_areas_come_close_to_the_true_ones(shape: str) -> None:
+def test_areas_converge(shape: str) -> None:
     polygon = parse_polygon(f"<svg>{shape}</svg>", tolerance="1e-5")
     assert abs(float(polygon.area) - SHAPES[shape]) < 2e-4
 
 
-def test_too_many_lines_are_refused_before_they_are_made() -> None:
+def test_too_many_lines_are_rejected_early() -> None:
     with pytest.raises(FormatError, match=r"circle: a curve needs 3,206,376,105 lines at"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-18")
     with pytest.raises(FormatError, match=r"needs more than 10\*\*12 lines at this"):
@@ -285,7 +285,7 @@ def rational_point(corners: list[Point], weights: list[Fraction], t: Fraction) -
         (2, 3, [0, 0, 0, 1, 1, 1], [1, 0, 1], "expected one positive weight"),
     ],
 )
-def test_a_spline_that_is_none_is_refused_with_the_reason(
+def test_invalid_splines_are_rejected(
     degree: int, count: int, knots: list[int], weights: list[int], says: str
 ) -> None:
     corners = [Point(Fraction(k), Fraction(k * k)) for k in range(count)]
@@ -295,7 +295,7 @@ def test_a_spline_that_is_none_is_refused_with_the_reason(
 
 
 @pytest.mark.parametrize("place", range(4))
-def test_the_ends_of_a_stretched_arc_are_close_to_those_asked_for(place: int) -> None:
+def test_ends_of_scaled_arcs_are_accurate(place: int) -> None:
     # Each entry of the image alone decides the scale.
     entries = [0, 0, 0, 0]
     entries[place] = 10**8
@@ -316,7 +316,7 @@ offs = st.sampled_from([Fraction(0), Fraction(1, 3), Fraction(2)])
 
 @example([ONE] * 6, [ONE] * 6, [1] * 6, [1] * 6, ONE, ONE)  # As far off as can be.
 @given(numbers, numbers, signs, signs, offs, offs)
-def test_products_of_maps_bound_how_far_they_are_off(
+def test_products_of_maps_bound_their_error(
     one: list[Fraction],
     two: list[Fraction],
     up: list[int],
@@ -335,7 +335,7 @@ def test_products_of_maps_bound_how_far_they_are_off(
     st.lists(st.tuples(*[st.integers(-9, 9)] * 2, st.integers(1, 9)), min_size=2, max_size=5),
     st.tuples(*[st.integers(-99, 99)] * 2),
 )
-def test_the_bend_of_a_curve_is_the_same_anywhere(
+def test_the_bend_is_invariant_under_translation(
     given: list[tuple[int, int, int]], by: tuple[int, int]
 ) -> None:
     weights = [Fraction(w) for _, _, w in given]
@@ -345,7 +345,7 @@ def test_the_bend_of_a_curve_is_the_same_anywhere(
     assert Bezier(here, weights).bend() == Bezier(there, weights).bend()
 
 
-def test_a_number_of_lines_is_shown_as_far_as_a_million_millions() -> None:
+def test_huge_numbers_of_lines_are_abridged() -> None:
     reading = Reading(tolerance=Fraction(1))
     with pytest.raises(FormatError, match="needs 1,000,000,000,000 lines"):
         reading.allow_lines(10**12)
@@ -353,7 +353,7 @@ def test_a_number_of_lines_is_shown_as_far_as_a_million_millions() -> None:
         reading.allow_lines(10**12 + 1)
 
 
-def test_a_path_that_is_off_is_refused_beyond_a_sixteenth_of_the_tolerance() -> None:
+def test_errors_beyond_a_sixteenth_of_the_tolerance_are_rejected() -> None:
     ends = Point(Fraction(0), Fraction(0)), Point(Fraction(3), Fraction(4))
     assert Path(ends, off=Fraction(1, 16)).draw(Fraction(1), Reading()) == [*ends]
     with pytest.raises(FormatError, match="too large for an irrational"):
@@ -362,9 +362,7 @@ def test_a_path_that_is_off_is_refused_beyond_a_sixteenth_of_the_tolerance() -> 
 
 @pytest.mark.parametrize("place", range(4))
 @pytest.mark.parametrize("sign", [1, -1])
-def test_a_stretched_elliptic_arc_is_as_wide_as_the_one_that_is_meant(
-    place: int, sign: int
-) -> None:
+def test_scaled_elliptic_arcs_have_their_width(place: int, sign: int) -> None:
     """Its center is irrational. Each entry of the image alone decides the scale."""
     entries = [0, 0, 0, 0]
     entries[place] = sign * 10**4

@@ -182,7 +182,7 @@ def test_layers_are_chosen_without_case() -> None:
         parse_regions(text, layers="Cut")
 
 
-def test_a_fault_on_a_layer_of_outlines_names_the_way_out() -> None:
+def test_a_fault_on_a_layer_names_the_option() -> None:
     text = on_layers(layer("cut", SHEET, PART)).replace(
         "</g>", '<path fill="none" d="M5 5H6V6"/></g>'
     )

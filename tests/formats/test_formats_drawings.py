@@ -11,7 +11,7 @@ from exactsweep.formats import parse_regions
 DRAWINGS = every_drawing()
 
 
-def test_there_are_sixty_and_nearly_all_are_read() -> None:
+def test_nearly_all_of_sixty_drawings_are_read() -> None:
     assert len(DRAWINGS) == len({drawing.name for drawing in DRAWINGS}) == 60
     assert sum(bool(drawing.areas) for drawing in DRAWINGS) >= 58
     for drawing in DRAWINGS:
@@ -19,7 +19,7 @@ def test_there_are_sixty_and_nearly_all_are_read() -> None:
 
 
 @pytest.mark.parametrize("drawing", DRAWINGS, ids=lambda drawing: drawing.name)
-def test_drawings_are_read_or_refused_with_the_reason(drawing: Drawing, tmp_path: Path) -> None:
+def test_drawings_are_read_or_rejected_with_the_reason(drawing: Drawing, tmp_path: Path) -> None:
     path = tmp_path / drawing.name
     path.write_text(drawing.text, encoding="utf-8", newline="")
     result = run("convert", str(path), *drawing.options, "--to", "json")

@@ -58,7 +58,7 @@ def written(draw: object) -> str:
 
 
 @pytest.mark.parametrize("count", [1, 2, 3])
-def test_a_number_that_is_none_is_named_in_a_run_of_any_length(count: int) -> None:
+def test_an_invalid_number_is_named(count: int) -> None:
     lines = [line(0, 0, 2, k) for k in range(count - 1)]
     with pytest.raises(FormatError, match="'x'"):
         parse_polygons(dxf(*lines, line(2, 0, "x", 2)))
@@ -74,7 +74,7 @@ def test_each_corner_of_a_solid_is_at_one_level(code: int) -> None:
 
 
 @given(st.data(), strategies.simple_rings(), strategies.simple_rings())
-def test_lines_in_any_order_and_direction_are_the_polygons_that_they_bound(
+def test_lines_form_their_polygons_in_any_order_and_direction(
     data: st.DataObject, one: strategies.Ring, other: strategies.Ring
 ) -> None:
     rings = [one, [(x + 10**6, y) for x, y in other]]
@@ -124,7 +124,7 @@ def test_drawings_of_ezdxf_are_read(draw: object) -> None:
     assert parse_polygon(written(draw).replace("\n", "\r\n")) == SQUARE
 
 
-def test_what_is_on_paper_is_not_read() -> None:
+def test_paper_space_is_not_read() -> None:
     document = files.new()
     document.layout("Layout1").add_line((0, 0), (1, 1))
     document.modelspace().add_lwpolyline(CORNERS, close=True)
@@ -158,7 +158,7 @@ def test_old_code_pages_and_binary_files(tmp_path: Path) -> None:
 
 @examples(40)
 @given(strategies.simple_polygons())
-def test_what_is_written_is_a_drawing_to_ezdxf(polygon: Polygon) -> None:
+def test_ezdxf_reads_written_drawings(polygon: Polygon) -> None:
     whole = Polygon(polygon.lattice()[1])
     if max(abs(c) for v in whole.vertices for c in v) > 2**50:
         return
@@ -170,7 +170,7 @@ def test_what_is_written_is_a_drawing_to_ezdxf(polygon: Polygon) -> None:
     assert [tuple(v.dxf.location)[:2] for v in entity.vertices] == list(whole.vertices)
 
 
-def test_what_is_refused_in_a_block_does_not_hide_what_comes_after() -> None:
+def test_rejected_entities_of_a_block_hide_no_others() -> None:
     """The refusal is reported, and the polygon after it is read."""
 
     def draw(space: Modelspace) -> None:
@@ -183,7 +183,7 @@ def test_what_is_refused_in_a_block_does_not_hide_what_comes_after() -> None:
     assert parse_polygon(written(draw)) == SQUARE
 
 
-def test_a_section_in_a_section_is_refused() -> None:
+def test_nested_sections_are_rejected() -> None:
     start = "0\nSECTION\n2\n"
     text = f"{start}HEADER\n{start}ENTITIES\n0\nENDSEC\n0\nEOF\n"
     with pytest.raises(FormatError, match="missing ENDSEC tag"):
@@ -191,14 +191,14 @@ def test_a_section_in_a_section_is_refused() -> None:
 
 
 @pytest.mark.parametrize("turn", [1, 119, 121, 179])
-def test_an_arc_too_short_to_be_seen_is_no_circle(turn: int) -> None:
+def test_a_very_short_arc_is_not_a_circle(turn: int) -> None:
     arc: Tags = [(0, "ARC"), (10, 0), (20, 0), (40, "0.01"), (50, 7), (51, 7 + turn)]
     with pytest.raises(FormatError, match="ARC: dropped 1 line"):
         parse_polygons(dxf(arc), tolerance=1)
 
 
 @pytest.mark.parametrize("turned", [False, True])
-def test_a_long_thin_outline_whose_ends_are_joined_is_no_short_line(turned: bool) -> None:
+def test_a_thin_outline_with_joined_ends_is_kept(turned: bool) -> None:
     corners: list[tuple[object, ...]] = [(0, 0), (10, 0), (10, "0.03"), (0, "0.001")]
     thin = polyline(*(corner[::-1] if turned else corner for corner in corners), flags=0)
     (part,) = parse_polygons(dxf(thin), join="0.01")
@@ -220,7 +220,7 @@ def draw_outlines(shapes: list[list[tuple[int, int]]], point: str = "") -> list[
     st.randoms(use_true_random=False),
     st.sampled_from(["", ".0"]),
 )
-def test_lines_of_outlines_are_read_as_each_by_itself(
+def test_lines_of_several_outlines_are_independent(
     shapes: list[list[tuple[int, int]]], random: Random, point: str
 ) -> None:
     lines = draw_outlines([CORNERS, *shapes], point)
@@ -232,7 +232,7 @@ def test_lines_of_outlines_are_read_as_each_by_itself(
     assert [part.polygon for part in together] == [part.polygon for part in alone]
 
 
-def test_lines_in_any_order_take_about_as_long_as_in_order() -> None:
+def test_the_order_of_lines_does_not_cost_time() -> None:
     lines = draw_outlines([CORNERS] * 100)
     in_order, shuffled = (
         count_calls(partial(parse_polygons, dxf(*entities)))

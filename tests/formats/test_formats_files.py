@@ -79,7 +79,7 @@ def test_decimals_come_back_whole(
 
 
 @pytest.mark.parametrize("form", DECIMALS)
-def test_what_is_no_decimal_is_never_rounded_silently(form: str) -> None:
+def test_other_fractions_are_never_rounded_silently(form: str) -> None:
     third = NamedPolygon(Polygon([(0, 0), ("1/3", 0), (0, 1)]), "third")
     with pytest.raises(FormatError, match=r"^third, vertex 1: 1/3 is not a finite decimal; "):
         format_polygons([NamedPolygon(TRIANGLE), third], form)
@@ -87,7 +87,7 @@ def test_what_is_no_decimal_is_never_rounded_silently(form: str) -> None:
         format_polygons([third.polygon], form)
 
 
-def test_nothing_and_no_format_are_refused() -> None:
+def test_empty_lists_and_unknown_formats_are_rejected() -> None:
     with pytest.raises(FormatError, match=r"^no polygon to write$"):
         format_polygons([], "json")
     with pytest.raises(FormatError, match=r"^'png' is none of the formats json, wkt, geojson, svg"):
@@ -99,7 +99,7 @@ def test_nothing_and_no_format_are_refused() -> None:
 
 @given(strategies.simple_polygons(), st.integers(0, 6))
 @examples(50)
-def test_rounding_says_what_it_changed(polygon: Polygon, places: int) -> None:
+def test_rounding_reports_its_changes(polygon: Polygon, places: int) -> None:
     named = NamedRegion(Region(polygon))
     try:
         (part,), (changed, distance, left_out) = round_regions(
@@ -149,7 +149,7 @@ def test_arrays_of_fractions_come_back_whole(polygon: Polygon) -> None:
 
 @given(strategies.simple_polygons())
 @examples(50)
-def test_floats_come_back_whole_or_are_refused(polygon: Polygon) -> None:
+def test_floats_come_back_whole_or_are_rejected(polygon: Polygon) -> None:
     exact = all(Fraction(float(c)) == c for vertex in polygon.vertices for c in vertex)
     if exact:
         assert from_shapely(to_shapely(polygon)) == polygon
@@ -177,7 +177,7 @@ def test_other_geometries_are_refused(geometry: object, message: str) -> None:
         from_shapely(geometry)
 
 
-def test_arrays_that_are_no_polygons_are_refused() -> None:
+def test_other_arrays_are_rejected() -> None:
     with pytest.raises(FormatError, match=re.escape("an array of shape (2, 3), not (n, 2)")):
         from_numpy(numpy.zeros((2, 3)))
     with pytest.raises(NumberError, match=r"^vertex 0: .*nan.* is not a finite number$"):
@@ -224,7 +224,7 @@ def test_files_are_converted(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("line", ['{"a": [[0, 1], [2, 3]], "b": 7}', f"[{'1,' * 500}1]"])
-def test_a_file_of_records_counts_as_much_as_its_text(line: str, tmp_path: Path) -> None:
+def test_a_file_of_records_has_the_size_of_its_text(line: str, tmp_path: Path) -> None:
     text = f"{line}\n" * 40
     path = tmp_path / "records"
     path.write_text(text)

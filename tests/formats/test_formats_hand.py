@@ -43,7 +43,7 @@ def ells(tmp_path: Path) -> dict[str, str]:
     return {form: str(tmp_path / f"l.{form}") for form in texts}
 
 
-def test_a_pair_of_both_hands_is_brought_to_one(ells: dict[str, str]) -> None:
+def test_pairs_of_both_axis_directions_agree(ells: dict[str, str]) -> None:
     ell = read_region(ells["json"])
     for first, second in (("dxf", "svg"), ("svg", "dxf"), ("svg", "json")):
         done = run("nfp", ells[first], ells[second], "--to", "wkt")
@@ -59,7 +59,7 @@ def test_a_pair_of_both_hands_is_brought_to_one(ells: dict[str, str]) -> None:
     assert "Y axis flipped" in both.stderr
 
 
-def test_a_sheet_of_both_hands_is_brought_to_one(ells: dict[str, str], tmp_path: Path) -> None:
+def test_sheets_of_both_axis_directions_agree(ells: dict[str, str], tmp_path: Path) -> None:
     done = run("convert", str(tmp_path), "--to", "json")
     parts = [part.region for part in parse_regions(done.stdout)]
     assert len(parts) == 3
@@ -80,7 +80,7 @@ def test_converted_parts_look_the_same(source: str, target: str, ells: dict[str,
     assert region.translated((-x, -y)) == Region(ELL)
 
 
-def test_flags_say_otherwise_of_files(ells: dict[str, str]) -> None:
+def test_flags_override_the_axis_direction(ells: dict[str, str]) -> None:
     plain = run("convert", ells["svg"], "--y-up", "--to", "json")
     assert plain.stderr == ""
     assert parse_regions(plain.stdout)[0].region == Region([(x, 9 - y) for x, y in ELL])
@@ -90,7 +90,7 @@ def test_flags_say_otherwise_of_files(ells: dict[str, str]) -> None:
     assert run("convert", ells["json"], "--y-down", "--to", "json").stderr == ""
 
 
-def test_in_python_coordinates_go_along(ells: dict[str, str]) -> None:
+def test_python_keeps_coordinates(ells: dict[str, str]) -> None:
     drawn, cut = read_regions(ells["svg"]), read_regions(ells["dxf"])
     assert drawn.coordinates == Coordinates(y_down=True, unit=Fraction(1))
     assert cut.coordinates == Coordinates(y_down=False, unit=Fraction(1))
@@ -101,7 +101,7 @@ def test_in_python_coordinates_go_along(ells: dict[str, str]) -> None:
 
 @pytest.mark.parametrize("unit", WITH_UNIT)
 @pytest.mark.parametrize("form", ["svg", "dxf"])
-def test_the_unit_is_written_and_read_again(unit: str, form: str, ells: dict[str, str]) -> None:
+def test_units_survive_writing_and_reading(unit: str, form: str, ells: dict[str, str]) -> None:
     done = run("convert", ells["svg"], "--unit", "mm", "--to", form)
     (millimetres,) = parse_regions(done.stdout, unit="mm")
     assert millimetres.region.area == Region(ELL).area
@@ -149,7 +149,7 @@ READ = [drawing for drawing in every_drawing() if drawing.areas]
 @pytest.mark.long
 @pytest.mark.parametrize("form", ["svg", "dxf"])
 @pytest.mark.parametrize("drawing", READ, ids=lambda drawing: drawing.name)
-def test_drawings_keep_area_and_hand_as_other_libraries_read_them(
+def test_other_libraries_read_the_same_area_and_handedness(
     form: str, drawing: Drawing, tmp_path: Path
 ) -> None:
     """ezdxf and ElementTree read; shapely measures areas and where the centroids are."""
@@ -199,7 +199,7 @@ def _read_dxf(text: str) -> list[list[tuple[float, float]]]:
     return [[(p.x, p.y) for p in line.points()] for line in space.query("POLYLINE")]
 
 
-def test_named_regions_turn_with_their_holes() -> None:
+def test_regions_flip_with_their_holes() -> None:
     plate = NamedRegion(Region([(0, 0), (9, 0), (0, 9)], [[(1, 1), (3, 1), (1, 2)]]), "p")
     assert plate.turned().region == Region([(0, 0), (9, 0), (0, -9)], [[(1, -1), (3, -1), (1, -2)]])
     assert plate.turned().turned() == plate

@@ -48,7 +48,7 @@ def hidden(d: Document) -> None:
         space.add_blockref("PART", (0, 0), dxfattribs={"layer": name})
 
 
-def test_hidden_entities_of_dxf_are_counted_and_no_parts() -> None:
+def test_hidden_entities_of_dxf_are_counted() -> None:
     parts = parse_polygons(dxf(hidden))
     # A block on a layer that is off shows what it draws on others; on a frozen one, nothing.
     assert [part.layer for part in parts] == ["cut", "guide", "cut"]
@@ -81,7 +81,7 @@ SVG = """<svg xmlns="http://www.w3.org/2000/svg"><style>
 </g></svg>"""
 
 
-def test_commands_tell_what_is_hidden(tmp_path: Path) -> None:
+def test_commands_count_hidden_elements(tmp_path: Path) -> None:
     path = tmp_path / "a.svg"
     path.write_text(SVG)
     done = run("nfp", f"{path}#part", f"{path}#part")

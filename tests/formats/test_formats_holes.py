@@ -35,7 +35,7 @@ PLATE = Region(OUTER, [INNER])
     ],
 )
 @pytest.mark.parametrize("form", ["path", "polygons"])
-def test_rings_in_rings_are_asked_about_once_each(
+def test_nested_rings_are_compared_once_each(
     rings: list[tuple[int, int]], plates: int | None, form: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """An earlier version compared each with all around it, and refused more than 100 of them."""

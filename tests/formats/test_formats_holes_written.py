@@ -74,7 +74,7 @@ def test_shapely_has_the_same_region(region: Region) -> None:
         assert read(format_polygons([region], text)).equals(made)
 
 
-def test_without_holes_nothing_is_written_otherwise() -> None:
+def test_polygons_and_regions_without_holes_are_written_alike() -> None:
     ring = Region([(0, 0), (4, 0), (0, 4)])
     for form in (*HOLDING, "dxf"):
         assert format_polygons([ring], form) == format_polygons([ring.exterior], form)

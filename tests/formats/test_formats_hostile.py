@@ -50,13 +50,13 @@ def refuse(text: str) -> None:
 
 
 @pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS)
-def test_long_texts_are_refused_in_linear_time(text: Callable[[int], str]) -> None:
+def test_long_texts_are_rejected_in_linear_time(text: Callable[[int], str]) -> None:
     require_linear(lambda n: refuse(text(n)))
 
 
 @pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 @pytest.mark.long
-def test_long_shapes_are_refused_in_linear_time(body: Callable[[int], str]) -> None:
+def test_long_shapes_are_rejected_in_linear_time(body: Callable[[int], str]) -> None:
     require_linear(lambda n: refuse(f"<svg>{body(n)}</svg>"))
 
 
@@ -84,19 +84,19 @@ MAX_FAULTS = 2**24 // FAULT
     ],
     ids=["wkt", "json", "objects", "csv", "points"],
 )
-def test_more_vertices_than_memory_is_for_are_refused_unread(text: Callable[[], str]) -> None:
+def test_too_many_vertices_are_rejected_unread(text: Callable[[], str]) -> None:
     with pytest.raises(FormatError, match=r"more than 1,048,576 vertices .*\(max_mib\)"):
         parse_polygon(text())
 
 
-def test_entities_beyond_counting_are_refused() -> None:
+def test_too_many_entities_are_rejected() -> None:
     few = limits(max_mib=1000 * ENTITY / 2**20)
     with few, pytest.raises(FormatError, match=r"^more than 1,000 entities \(max_mib\)$"):
         parse_polygon("0\nSECTION\n2\nENTITIES\n" + "0\nLINE\n" * 2000)
 
 
 @pytest.mark.parametrize("form", ["svg", "dxf"])
-def test_what_is_drawn_again_counts_again(form: str) -> None:
+def test_repeated_elements_are_charged_again(form: str) -> None:
     """Once 140 kB drew 40 million vertices: more memory than there was, in hours."""
     teeth = [(k, k % 2) for k in range(200)] + [(0, 300)]
     if form == "svg":
@@ -118,7 +118,7 @@ def test_what_is_drawn_again_counts_again(form: str) -> None:
         parse_polygons(text)
 
 
-def test_a_file_stops_at_the_vertex_that_is_too_many() -> None:
+def test_reading_stops_at_the_limit_of_vertices() -> None:
     """In one path or in several; a path that reaches the limit with its last command is read."""
     most = 1000 * VERTEX / 2**20
     with limits(max_mib=most):
@@ -132,7 +132,7 @@ def test_a_file_stops_at_the_vertex_that_is_too_many() -> None:
             parse_polygons(f"<svg>{paths}</svg>", tolerance="1/1000")
 
 
-def test_long_files_that_are_no_text_are_refused_in_linear_time(tmp_path: Path) -> None:
+def test_long_binary_files_are_rejected_in_linear_time(tmp_path: Path) -> None:
     path = tmp_path / "file"
 
     def read(n: int) -> None:
@@ -165,7 +165,7 @@ def test_elements_of_svg_are_read_to_a_depth_of_100(depth: int) -> None:
             parse_polygon(text)
 
 
-def test_uses_in_deep_groups_are_refused() -> None:
+def test_uses_in_deep_groups_are_rejected() -> None:
     groups = (
         f'<g id="g{k}">{"<g>" * 90}<use href="#g{k + 1}"/>{"</g>" * 90}</g>' for k in range(30)
     )
@@ -173,7 +173,7 @@ def test_uses_in_deep_groups_are_refused() -> None:
         parse_polygons(f'<svg><defs>{"".join(groups)}</defs><use href="#g0"/></svg>')
 
 
-def test_nested_transformations_do_not_grow_without_end() -> None:
+def test_nested_transformations_are_bounded() -> None:
     group = f'<g transform="scale({"7" * 4000})">'
     text = f"<svg>{group * 90}<rect width='1' height='1'/>{'</g>' * 90}</svg>"
     with pytest.raises(FormatError, match=r"^line 1: g: the numbers of the product of transform"):
@@ -192,7 +192,7 @@ FAULTS: dict[str, Callable[[int], str]] = {
 
 
 @pytest.mark.parametrize("text", FAULTS.values(), ids=FAULTS)
-def test_of_what_is_no_polygon_a_bounded_number_is_kept(
+def test_the_number_of_rejected_elements_is_bounded(
     text: Callable[[int], str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Once 2 MiB of GeoJSON took 2.8 GB: each refusal held on to all that it came from."""
@@ -210,14 +210,14 @@ def test_of_what_is_no_polygon_a_bounded_number_is_kept(
     assert made == MAX_FAULTS + 1
 
 
-def test_refusals_are_kept_as_words() -> None:
+def test_errors_are_kept_as_text() -> None:
     text = f"[{'[[1]],' * 500}[[1]]]"
     with pytest.raises(FormatError, match=r"; and 497 more$") as caught:
         parse_polygons(text)
     assert caught.value.__context__ is None
 
 
-def test_numbers_elements_and_names_beyond_counting_are_refused() -> None:
+def test_too_many_numbers_elements_or_names_are_rejected() -> None:
     with pytest.raises(FormatError, match=r"^more than 4,194,304 numbers \(max_mib\)$"):
         parse_polygon(f"[{'1,' * (4 * MANY)}1]")
     few = limits(max_mib=20 * ELEMENT / 2**20)
@@ -228,7 +228,7 @@ def test_numbers_elements_and_names_beyond_counting_are_refused() -> None:
         parse_polygon("name,x,y\n" + "".join(f"{k},0,0\n" for k in range(20)))
 
 
-def test_columns_that_are_not_asked_for_cost_nothing_in_each_row() -> None:
+def test_unused_columns_cost_nothing() -> None:
     """Once each row went through all names of columns."""
 
     def read(n: int) -> None:

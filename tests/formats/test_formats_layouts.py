@@ -101,7 +101,7 @@ def spoilt(value: Any) -> Iterator[Any]:
 
 
 @pytest.mark.parametrize("name", [name for name in nests.FILES if name.endswith(".json")])
-def test_spoilt_files_are_read_or_refused(name: str) -> None:
+def test_damaged_files_are_read_or_rejected(name: str) -> None:
     text, instance = nests.FILES[name]
     for other in spoilt(json.loads(text)):
         try_read(other, instance)
@@ -120,7 +120,7 @@ def try_read(text: object, instance: object) -> None:
 
 
 @pytest.mark.parametrize("name", ["instance", "container"])
-def test_an_option_that_is_no_string_is_named(name: str) -> None:
+def test_options_of_other_types_are_named(name: str) -> None:
     wrong: Any = {name: 5}
     with pytest.raises(FormatError, match=rf"^{name} is 5, not a string$"):
         parse_layouts("<svg/>", **wrong)

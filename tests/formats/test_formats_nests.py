@@ -49,14 +49,16 @@ def test_items_are_not_moved_away_from_their_container() -> None:
         ('transform-origin="9 9"', "transform-origin is not supported"),
     ],
 )
-def test_all_that_moves_a_part_is_read(read: Any, attribute: str, reason: str) -> None:
+def test_transformations_of_parts_are_read_or_rejected(
+    read: Any, attribute: str, reason: str
+) -> None:
     part = USE if read is read_sparrow else GROUP
     with pytest.raises(FormatError, match=reason):
         read(part.replace("transform", f"{attribute} transform", 1))
 
 
 @pytest.mark.parametrize("stray", [PART, f"<g><g>{PART}</g></g>", f"<g>{USE}</g>"])
-def test_a_shape_that_is_no_part_is_refused(stray: str) -> None:
+def test_a_shape_outside_all_parts_is_rejected(stray: str) -> None:
     with pytest.raises(FormatError, match="neither a sheet nor a placed part"):
         read_sparrow(USE + stray)
     with pytest.raises(FormatError, match="neither a sheet nor a placed part"):
@@ -93,7 +95,7 @@ def test_hidden_outlines_of_a_drawing_are_omitted_with_a_note() -> None:
 
 
 @pytest.mark.parametrize("unread", ['<circle r="x"/>', '<path fill="none" d="M1 1H3V3H2"/>'])
-def test_a_drawing_with_an_outline_that_cannot_be_read_is_no_valid_layout(unread: str) -> None:
+def test_an_unreadable_outline_rejects_the_layout(unread: str) -> None:
     with pytest.raises(FormatError, match=r"^line 1: (circle|path): "):
         read(f'<rect width="9" height="9"/>{PART}{unread}')
     ornament = read(f'<rect width="9" height="9"/>{PART}<line x2="3"/>')

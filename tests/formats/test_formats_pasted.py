@@ -45,7 +45,7 @@ def test_several_pasted_polygons_are_read() -> None:
         ("<!DOCTYPE html><html></html>", "HTML"),
     ],
 )
-def test_formats_of_no_polygons_are_refused_by_name(text: str, name: str) -> None:
+def test_other_formats_are_rejected_by_name(text: str, name: str) -> None:
     with pytest.raises(FormatError, match=f"^{name}, which is not read; "):
         parse_polygons(text)
 
@@ -58,7 +58,7 @@ def test_rows_with_sizes_are_rectangles() -> None:
 
 
 @pytest.mark.parametrize("column", ["deg", "angle", "rotation", "radius"])
-def test_a_table_of_placements_is_no_polygon(column: str) -> None:
+def test_a_table_of_placements_is_not_a_polygon(column: str) -> None:
     text = f"n,x,y,{column}\n3,0,0,1\n3,1,0,1\n3,0,1,1\n"
     with pytest.raises(FormatError, match=f"with a column '{column}', x and y are places"):
         parse_polygons(text)

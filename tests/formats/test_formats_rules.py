@@ -100,7 +100,7 @@ def test_wrong_orientations_are_refused(orientation: Any, message: str) -> None:
         parse_layouts(solve(orientation, at(2, 2)))
 
 
-def test_fields_that_are_not_understood_are_named() -> None:
+def test_unknown_fields_are_named() -> None:
     text = solve({**FIXED, "tilt": 3}, at(2, 2), curfew=1)
     (found,) = parse_layouts(text)
     assert found.unchecked == (

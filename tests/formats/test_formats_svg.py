@@ -48,7 +48,7 @@ def test_transformations_are_exact(
 
 
 @given(st.text(alphabet="MmLlHhVvZzCcSsQqTtAa0123456789.eE+-, ", max_size=30))
-def test_any_path_is_read_or_refused(data: str) -> None:
+def test_any_path_is_read_or_rejected(data: str) -> None:
     try:
         message = str(parse_polygon(svg(f'<path d="{data}"/>'), tolerance="1"))
     except ValueError as error:
@@ -83,7 +83,7 @@ def test_the_cascade_decides_what_is_hidden(attributes: str, is_drawn: bool) -> 
 
 @pytest.mark.parametrize("style", ["transform-origin: 1px 1px", "transform-box: fill-box"])
 @pytest.mark.parametrize("start", ["<style>rect {{{}}}</style><rect", "<rect style='{}'"])
-def test_a_turn_about_a_center_of_its_own_is_refused(style: str, start: str) -> None:
+def test_transform_origins_are_rejected(style: str, start: str) -> None:
     shape = f"{start.format(style)} width='2' height='1'"
     assert parse_polygon(svg(f"{shape}/>")).area == 2
     with pytest.raises(FormatError, match="transform-origin is not supported"):

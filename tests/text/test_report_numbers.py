@@ -40,16 +40,14 @@ def test_ties_are_rounded_exactly(digits: int, places: int, offset: int) -> None
         assert Decimal(approximate(number)) == expected(number)
 
 
-def test_long_numbers_take_no_longer_than_to_take_their_first_bits() -> None:
+def test_long_numbers_are_rounded_by_their_first_bits() -> None:
     """Once half a second for 137,607 digits, and 30 for a million."""
     numbers = {n: Fraction(7**n, 2 ** (2 * n)) for n in (10_000, 80_000)}
     require_linear(lambda n: approximate(numbers[n]))
 
 
 @given(st.fractions(min_value=0), st.integers(0, 900), st.sampled_from([1, -1]))
-def test_a_root_has_60_bits_however_large_the_number_is(
-    value: Fraction, power: int, sense: int
-) -> None:
+def test_roots_of_any_size_have_60_bits(value: Fraction, power: int, sense: int) -> None:
     square = value * Fraction(10) ** (sense * power)
     root = take_root(square)
     assert square <= root**2 <= square * (1 + Fraction(1, 2**56))
