@@ -45,22 +45,14 @@ def read_decimal(text: str) -> Fraction:
 
 
 def read_decimals(text: str) -> list[Fraction]:
-    """Read decimals between blanks and commas; separators may be missing before a sign or point.
-
-    >>> read_decimals("1,2-3 .5.25")
-    [Fraction(1, 1), Fraction(2, 1), Fraction(-3, 1), Fraction(1, 2), Fraction(1, 4)]
-    """
+    """Read decimals between blanks and commas; separators may be missing before a sign or point."""
     if not _DECIMALS.fullmatch(text):
         raise FormatError(f"{quote(text)} is not a list of decimal numbers")
     return [*map(read_decimal, _DECIMAL.findall(text))]
 
 
 def read_points(text: str) -> list[Point]:
-    """Read an even number of decimals as points.
-
-    >>> read_points("0,0 .5-1")
-    [Point(x=Fraction(0, 1), y=Fraction(0, 1)), Point(x=Fraction(1, 2), y=Fraction(-1, 1))]
-    """
+    """Read an even number of decimals as points."""
     numbers = read_decimals(text)
     if len(numbers) % 2:
         raise FormatError("points: an odd number of coordinates")

@@ -43,14 +43,6 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
     are, because the holes are unknown. Ornaments stay apart.
 
     Cost: that of `nest_outlines`.
-
-    Example:
-        >>> from exactsweep.formats.wkt import parse_wkt
-        >>> text = "POLYGON (({0} {0}, {1} {0}, {1} {1}, {0} {1}, {0} {0}))"
-        >>> squares = "".join(text.format(k, 6 - k) for k in range(3))
-        >>> found = nest_candidates(parse_wkt(squares))
-        >>> [outline.shape().area for outline in found]
-        [Fraction(20, 1), Fraction(4, 1)]
     """
     plain = [outline for outline in outlines if not outline.ornament]
     try:

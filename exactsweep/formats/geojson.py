@@ -33,12 +33,6 @@ def read_geojson(
     Raises:
         FormatError: an invalid id, a collection without a list, or too deep nesting; the message
             starts with the JSON path.
-
-    Example:
-        >>> ring = [["0", "0"], ["1", "0"], ["0", "1"], ["0", "0"]]
-        >>> (outline,) = read_geojson({"type": "Polygon", "coordinates": [ring]})
-        >>> len(outline.vertices())
-        4
     """
     found = _read(JsonNode(document, path), None, 0, {} if notes is None else notes)
     return [*allow_faults(found)]

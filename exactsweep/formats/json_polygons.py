@@ -31,10 +31,6 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
 
     Raises:
         FormatError: anything else; the message starts with the JSON path.
-
-    Example:
-        >>> [found.name for found in read_exact({"polygons": [{"id": "a", "vertices": []}]})]
-        ['a']
     """
     node = JsonNode(document, path)
     if isinstance(document, dict) and "polygons" in document:

@@ -80,10 +80,6 @@ class Said(NamedTuple):
 
 
 def summarize(reasons: Sequence[str]) -> str:
-    """Join the first of many reasons in one line.
-
-    >>> summarize("abcdefg")
-    'a; b; c; d; and 3 more'
-    """
+    """Join the first of many reasons in one line."""
     more = len(reasons) - _SHOWN
     return "; ".join(reasons[:_SHOWN]) + (f"; and {more} more" if more > 0 else "")

@@ -128,12 +128,7 @@ def round_regions(
 
 
 def round_fits(fits: Sequence[Fit], rounding: Rounding) -> tuple[list[Fit], int]:
-    """Round exact fits, and count those that move; outward, these are dropped.
-
-    >>> zero, third = (Point(Fraction(k, 3), Fraction(0)) for k in (0, 1))
-    >>> round_fits([(zero, third), (zero, zero)], Rounding(0, outward=True))[1]
-    1
-    """
+    """Round exact fits, and count those that move; outward, these are dropped."""
     places, outward = rounding
 
     def move(p: Point) -> Point:
@@ -200,12 +195,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
 
 def contains(outer: Region, inner: Region) -> bool:
-    """Whether a region contains another one; boundaries may touch.
-
-    >>> square, larger = (Region([(0, 0), (k, 0), (k, k), (0, k)]) for k in (1, 2))
-    >>> contains(larger, square), contains(square, larger), contains(square, square)
-    (True, False, True)
-    """
+    """Whether a region contains another one; boundaries may touch."""
     _, (around, within) = share_lattice([outer, inner])
     return overlap.contains(around, within)
 

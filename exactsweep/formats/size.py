@@ -13,21 +13,12 @@ _NUMBER = 4
 
 
 def measure_text(text: str, vertices: int) -> int:
-    """Count the bytes of a text, or those of its vertices and numbers, whichever is more.
-
-    Example:
-        >>> measure_text("POLYGON ((0 0, 1 0, 0 1, 0 0))", 4), measure_text("é", 0)
-        (64, 2)
-    """
+    """Count the bytes of a text, or those of its vertices and numbers, whichever is more."""
     return weigh(_count_bytes(text), vertices, text.count(","))
 
 
 def weigh(size: int, vertices: int, numbers: int) -> int:
-    """Return the size of a text by its bytes, vertices and other numbers.
-
-    >>> weigh(70, 4, 6)
-    70
-    """
+    """Return the size of a text by its bytes, vertices and other numbers."""
     return max(size, VERTEX * vertices, _NUMBER * numbers)
 
 
@@ -39,33 +30,19 @@ def require_text(text: str, vertices: int) -> None:
 
 
 def require_size(size: int, what: str = "") -> None:
-    """Reject more bytes than the limit; the message begins with the given name.
-
-    >>> require_size(2**24 + 1)
-    Traceback (most recent call last):
-    exactsweep.formats.error.FormatError: more than 16 MiB (max_mib)
-    """
+    """Reject more bytes than the limit; the message begins with the given name."""
     if size > get_max_bytes():
         raise FormatError(f"{what}more than {get_max_mib():g} MiB (max_mib)")
 
 
 def require_count(count: int, each: int, what: str) -> None:
-    """Reject more items of a size than the limit allows.
-
-    >>> require_count(2**21, VERTEX, "vertices")
-    Traceback (most recent call last):
-    exactsweep.formats.error.FormatError: more than 1,048,576 vertices (max_mib)
-    """
+    """Reject more items of a size than the limit allows."""
     if count * each > get_max_bytes():
         raise FormatError(f"more than {get_max_bytes() // each:,} {what} (max_mib)")
 
 
 def find_needed_mib(size: int) -> int | None:
-    """Find the limit in MiB that allows a size in bytes; None if the default does.
-
-    >>> find_needed_mib(2**24), find_needed_mib(2**24 + 1)
-    (None, 17)
-    """
+    """Find the limit in MiB that allows a size in bytes; None if the default does."""
     return ceil(size / 2**20) if size > DEFAULT_MIB * 2**20 else None
 
 

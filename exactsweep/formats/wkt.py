@@ -186,9 +186,6 @@ def parse_wkt_path(text: str) -> list[Point] | None:
 
     Raises:
         FormatError: a syntax error, or text after the path; with line and column.
-
-    >>> [tuple(map(int, point)) for point in parse_wkt_path("LINESTRING (0 0, 2 1)") or ()]
-    [(0, 0), (2, 1)]
     """
     reader = _Reader(text)
     if reader.kind != "word" or reader.word.upper() not in _OTHERS:

@@ -106,18 +106,13 @@ def write_wkt_fits(fits: Sequence[Fit]) -> str:
 
 
 def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
-    r"""Write one WKT POLYGON, a line.
+    """Write one WKT POLYGON, a line.
 
     Args:
         rings: the exterior and the holes, by their names in messages.
 
     Raises:
         FormatError: a coordinate that is not a finite decimal.
-
-    Example:
-        >>> from exactsweep import Polygon
-        >>> write_wkt_polygon({"ring": Polygon([(0, 0), ("1/2", 0), (0, 1)]).vertices})
-        'POLYGON ((0 0, 0.5 0, 0 1, 0 0))\n'
     """
     rows = [write_wkt_points(name, [*ring, ring[0]]) for name, ring in rings.items()]
     return f"POLYGON ({', '.join(rows)})\n"

@@ -55,17 +55,6 @@ def report_sum(
         b: the second one.
         found: the sum.
         terminal_width: as for `report`.
-
-    Example:
-        >>> from exactsweep import Polygon, minkowski_sum
-        >>> a, b = Polygon([(0, 0), (2, 0), (0, 2)]), Polyline([(0, 0), (1, 0)])
-        >>> print(report_sum(a, b, minkowski_sum(a, b)), end="")
-                  vertices  area about  area exactly
-        a                3              2
-        b (path)         2
-        sum              4              4
-        <BLANKLINE>
-        exterior  (0,0) (3,0) (1,2) (0,2)
     """
     loops = {"exterior": found.exterior}
     loops |= {f"hole {k}": hole for k, hole in enumerate(found.holes)}
@@ -117,16 +106,6 @@ def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
     Args:
         o: an Overlap.
         terminal_width: as for `report`.
-
-    Example:
-        >>> from exactsweep import overlap
-        >>> square, other = ([(k, k), (k + 4, k), (k + 4, k + 4), (k, k + 4)] for k in (0, 2))
-        >>> print(report_overlap(overlap(square, other)), end="")
-        verdict      OVERLAP
-        common area  4
-        depth        2
-        least move   (0,2) of b
-        witness      (3,3), inside both
     """
     facts: dict[str, str] = {"verdict": o.verdict}
     if o.verdict == "OVERLAP":

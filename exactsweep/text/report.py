@@ -107,25 +107,6 @@ def report_no_fit(
         terminal_width: as for `report`.
         everything: likewise.
         files: likewise.
-
-    Example:
-        >>> from exactsweep import no_fit_polygon
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-        >>> print(report_no_fit(no_fit_polygon(slot, square)), end="")
-        class        CM, convex generatrix and monotone directrix
-        reference    (0,0)
-        holes        0
-        exact fits   1
-        <BLANKLINE>
-                     vertices  area about  area exactly
-        stationary          8              7
-        orbiting            4              1
-        exterior            4              16
-        no fit                             16
-        <BLANKLINE>
-        exterior     (-1,-1) (3,-1) (3,3) (-1,3)
-        exact fit 0  (1,3) (1,1)
     """
     loops = {"exterior": n.exterior, **{f"hole {k}": hole for k, hole in enumerate(n.holes)}}
     facts = {
@@ -153,22 +134,6 @@ def report_inner_fit(
         terminal_width: as for `report`.
         everything: likewise.
         files: likewise.
-
-    Example:
-        >>> from exactsweep import inner_fit_polygon
-        >>> bin, part = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (2, 0), (2, 2), (0, 2)]
-        >>> print(report_inner_fit(inner_fit_polygon(bin, part)), end="")
-        the part     fits exactly
-        reference    (0,0)
-        regions      0
-        exact fits   1
-        <BLANKLINE>
-                     vertices  area about  area exactly
-        container           4              8
-        part                4              4
-        positions                          0
-        <BLANKLINE>
-        exact fit 0  (0,0) (2,0)
     """
     exact = "fits exactly" if f.exact_fits else "does not fit"
     facts = {

@@ -274,14 +274,6 @@ def no_fit_to_wkt(n: NoFitAnswer) -> str:
 
     Raises:
         FormatError: as by `sweep_to_wkt`.
-
-    Example:
-        >>> from exactsweep import no_fit_polygon
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-        >>> print(no_fit_to_wkt(no_fit_polygon(slot, square)), end="")
-        POLYGON ((-1 -1, 3 -1, 3 3, -1 3, -1 -1))
-        LINESTRING (1 3, 1 1)
     """
     return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
 

@@ -62,11 +62,7 @@ def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fractio
 
 
 def make_affine(*numbers: int | Fraction) -> Affine:
-    """Make a map of its six numbers.
-
-    >>> make_affine(0, 1, -1, 0, 5, 0).point(Fraction(1), Fraction(0))
-    Point(x=Fraction(5, 1), y=Fraction(1, 1))
-    """
+    """Make a map of its six numbers."""
     found = Affine(*map(Fraction, numbers))
     return IDENTITY if found == IDENTITY else found
 

@@ -36,11 +36,7 @@ def make_arc(image: Affine, start: Fraction, end: Fraction) -> Path:
 
 
 def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
-    """Make the rotation by an angle in degrees, with an error of at most 10**-40 to a power.
-
-    >>> make_rotation(Fraction(90)).point(Fraction(1), Fraction(0))
-    Point(x=Fraction(0, 1), y=Fraction(1, 1))
-    """
+    """Make the rotation by an angle in degrees, with an error of at most 10**-40 to a power."""
     off = _NEAR**power if degrees % 90 else Fraction(0)
     c, s = find_unit_point(degrees, off)
     return make_affine(c, s, -s, c, 0, 0)._replace(off=off)

@@ -328,11 +328,7 @@ def flatten_together(
 
 
 def find_share(size: Fraction, share: int) -> Fraction:
-    """Return the greatest power of ten that is at most a share of a size; 1 for no size.
-
-    >>> find_share(Fraction(250), 1000), find_share(Fraction(4000), 1000)
-    (Fraction(1, 10), Fraction(1, 1))
-    """
+    """Return the greatest power of ten that is at most a share of a size; 1 for no size."""
     found, least = Fraction(1), size / share
     if not size:
         return found

@@ -91,15 +91,6 @@ class Spline(NamedTuple):
         """Yield its Bezier curves: control points, and weights if it has any.
 
         Cost: O(p**2) for each piece of degree p.
-
-        Example:
-            >>> a, b, c, d = (Point(Fraction(x), Fraction(y)) for x, y in
-            ...     [(0, 0), (2, 2), (4, 2), (6, 0)])
-            >>> knots = [Fraction(u) for u in (0, 0, 0, 1, 2, 2, 2)]
-            >>> for points, _ in Spline(2, [a, b, c, d], knots).pieces():
-            ...     print(*(f"{x},{y}" for x, y in points))
-            0,0 2,2 3,2
-            3,2 4,2 6,0
         """
         weights = self.weights or [Fraction(1)] * len(self.points)
         lifted = [(x * w, y * w, w) for (x, y), w in zip(self.points, weights, strict=True)]

@@ -34,10 +34,6 @@ def parse_xml(text: str) -> Element:
     Raises:
         FormatError: not XML, an undeclared, long or nested entity, nesting deeper than MAX_DEPTH,
             or more elements than `limits` allow.
-
-    Example:
-        >>> parse_xml('<a><b c="1"/></a>')[0].get("c")
-        '1'
     """
     require_size(len(text))
     from xml.etree.ElementTree import ParseError, TreeBuilder
