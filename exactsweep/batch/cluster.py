@@ -45,7 +45,7 @@ class Cluster:
         self.own = None
         try:
             if address == LOCAL:
-                # It serves its state by HTTP nevertheless; on any free port.
+                # It serves its state by HTTP nevertheless: on any free port.
                 self.own = dask.LocalCluster(
                     n_workers=count,
                     threads_per_worker=1,

@@ -67,7 +67,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         from exactsweep.formats.curved.dxf import parse_dxf
 
         return parse_dxf(text, reading)
-    # No other format says in which unit its numbers are.
+    # Other formats state no unit.
     reading.scale(None)
     plain.require_known(text)
     if first in "[{":

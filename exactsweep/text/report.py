@@ -175,7 +175,7 @@ def _tell(
     sizes.add_row(name, "", *_area(area))
     tables = [list_facts(facts, width), sizes]
     if everything:
-        # A table takes long for long numbers.
+        # Tables are slow for long numbers.
         lines = {n: loop.vertices for n, loop in loops.items()} | ends
         shown = (
             f"{n:<{width}}  {' '.join(map(_write_point, line))}\n" for n, line in lines.items()

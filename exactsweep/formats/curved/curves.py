@@ -148,7 +148,7 @@ class Arc(NamedTuple):
     def radius(self) -> Fraction:
         """A bound on the distance of the image from its center."""
         a, b, c, d = self.image[:4]
-        # The greatest stretching is that of the sum or the difference of two similarities.
+        # The greatest scale factor is that of a sum or a difference of two similarities.
         sums = bound_root((a + d) ** 2 + (b - c) ** 2), bound_root((a - d) ** 2 + (b + c) ** 2)
         return (sums[0] + sums[1]) / 2
 

@@ -226,7 +226,7 @@ def _divide(text: str) -> Iterator[Entity]:
     # Text after the end of the file may have no group codes.
     codes = cast(list[int], found[: found.index(None)] if None in found else found)
     starts = [k for k, code in enumerate(codes) if code == 0]
-    # Vertices of old polylines among them.
+    # Includes the vertices of old polylines.
     require_count(len(starts), ENTITY, "entities")
     # Equal rows of codes share one object.
     same: dict[tuple[int, ...], tuple[tuple[int, ...], dict[int, int]]] = {}

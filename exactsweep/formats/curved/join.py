@@ -253,7 +253,7 @@ def _outlines(
         seen.add(first)
         for k in together:
             for joint in lines[k].joints:
-                # Each joint once: there may be very many lines at one.
+                # Each joint once: very many lines may meet there.
                 if joint in passed:
                     continue
                 passed.add(joint)

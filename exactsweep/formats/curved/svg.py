@@ -367,7 +367,7 @@ SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[Path]]] = 
     "ellipse": _ellipse,
     "line": _line,
     "path": lambda shape, *how: read_path(shape.element.get("d", ""), *how),
-    # One whose target is not there.
+    # A missing target.
     "use": _refuse_shape,
 }
 DRAWN = _GROUPS | SHAPES.keys() | {"switch"}

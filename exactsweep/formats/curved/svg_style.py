@@ -12,13 +12,13 @@ if TYPE_CHECKING:
 SPACE = "{http://www.w3.org/2000/svg}"
 """The namespace of SVG."""
 
-# A comment, or a rule of its own kind, such as @media, with the rules in it; possessive throughout.
+# A comment, or an at-rule such as @media with the rules in it; possessive throughout.
 _PASSED = re.compile(
     r"/\*.*?(?:\*/|\Z)|<!--|-->|@[^{};]*+(?:;|\{(?:[^{}]*+\{[^{}]*+\})*+[^{}]*+\}|\{?)", re.DOTALL
 )
 _SIMPLE = re.compile(r"[.#]?[^\s.#:>+~\[\]*()]+|\*")
 _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
-# The properties that show, turn or move a shape; and those that are read, with its size and colors.
+# Properties that show, rotate or move a shape; and all that are read, with sizes and colors.
 _DRAWING = {"display", "visibility", "fill-rule", "transform", "transform-origin", "transform-box"}
 _DRAWING |= {"rotate", "scale", "translate"}
 _READ = {*_DRAWING, "fill", "stroke", "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"}
