@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from fractions import Fraction
 from pathlib import Path
 from random import Random
@@ -10,10 +11,19 @@ from typing import Any
 import pytest
 from certified import rect, with_faults
 from checkers import check_agreement, needs_node
-from rounded_pieces import Certificate, draw_pair, find_nearest, of_pair, rounded_layout
+from rounded_pieces import (
+    Certificate,
+    draw_pair,
+    draw_rounded,
+    find_nearest,
+    is_true_rounded,
+    of_pair,
+    rounded_layout,
+)
 from tampering import put
 
 from exactsweep.check.standalone import Refused, prove
+from exactsweep.layout import Layout, judge_layout
 
 DISC: Any = {"points": [["0", "0"]], "radius": "5"}
 
@@ -186,3 +196,13 @@ def test_both_checkers_agree_on_rounded_pieces(tmp_path: Path) -> None:
         certificates += [certificate, with_faults(certificate, fault)]
         certificates += [put(certificate, ("layout", "margin"), "1")]
     assert check_agreement(certificates, tmp_path) > 20
+
+
+def test_certificates_of_judged_layouts_are_proved_and_true() -> None:
+    for rng in map(Random, range(6)):
+        for drawn in draw_rounded(rng):
+            judged = judge_layout(Layout.from_json(drawn["layout"]))
+            certificate = json.loads(json.dumps(judged.certificate()))
+            assert judged.valid is drawn["valid"]
+            assert is_true_rounded(certificate, None)
+            assert prove(certificate)

@@ -86,7 +86,7 @@ def is_true_layout(certificate: Certificate, _: object) -> bool:
     try:
         judgement = judge_layout(Layout.from_json(data))
     except LayoutError as error:
-        if certificate["valid"] or not str(error).startswith("container:"):
+        if certificate["valid"] or not str(error).startswith("container"):
             return False
         # The reader refuses a container that crosses itself. The checker takes it for the set with
         # winding number 1, and faults between parts do not depend on it.
@@ -96,11 +96,14 @@ def is_true_layout(certificate: Certificate, _: object) -> bool:
         return not others or is_true_layout({**changed, "faults": others}, _)
     if certificate["valid"]:
         return judgement.valid
+    # The judge compares no part with a fault of shape; the checker uses its winding number.
+    shapeless = {k for fault in judgement.faults if fault.kind == "shape" for k in fault.placements}
     pairs = {(fault.kind, frozenset(fault.placements)) for fault in judgement.faults}
     pairs |= {("too close", on) for kind, on in pairs if kind in ("overlap", "outside")}
     rules = {(f.kind, f.part) for f in judgement.faults}
     return not judgement.valid and all(
-        (fault["kind"], frozenset(k for k in fault["placements"] if k >= 0)) in pairs
+        shapeless & {*fault["placements"]}
+        or (fault["kind"], frozenset(k for k in fault["placements"] if k >= 0)) in pairs
         if "placements" in fault
         else (fault["kind"], fault["part"]) in rules
         for fault in certificate["faults"]
