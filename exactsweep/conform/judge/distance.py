@@ -105,9 +105,8 @@ def bound_distance(first: PointRings, second: PointRings) -> Squares:
         second: likewise.
 
     Returns:
-        (low, high), Fractions with low <= distance squared <= high: equal if the maximum is at a
-        vertex or at a cut. Otherwise they differ by less than one part in 2^32, unless that takes
-        more than 1000 cuts, or fewer for more than 1500 edges.
+        (low, high) with low <= distance squared <= high. They differ by less than one part in 2^32,
+        unless that takes more than 1000 cuts, or fewer for more than 1500 edges.
 
     Cost: O((m + n + c) (m + n)) operations on rationals for c cuts.
 

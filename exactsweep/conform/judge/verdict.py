@@ -25,28 +25,18 @@ class Verdict(StrEnum):
     around which the rings wind an odd number of times. A loop gets the first of these verdicts
     that holds, malformed before those that compare regions:
 
-    - malformed: the answer determines no region, though its parts may still be measured. A
-      number is nan, infinite or unreadable; a vertex has not two coordinates; a promised loop is
-      missing or empty, or larger than `limits` allow. Or the region is neither exact nor rounded,
-      and readers of the rings would not agree on it: edges cross, rings overlap, a ring encloses
-      nothing (fewer than three distinct vertices, or zero area), or a line is traced in and out
-      that is no exact fit and does not lead to another ring.
-    - exact: the vertices of the exact loop, each once, counter-clockwise, from any of them, which
-      may be repeated at the end.
-    - equivalent: T = E, written differently: clockwise, with collinear or repeated vertices, in
-      other rings, keyholed, crossing itself harmlessly, or with exact fits traced.
-    - within: T equals E except for rounding, as `closeness` defines it. Vertices may coincide and
-      rings may touch or part, but nothing as wide as `rounding` is lost or gained. Rings that
-      close to an exact fit trace it. A rounded answer may permit overlap or lose free space; the
-      witnesses show it.
+    - malformed: a number or a loop is unreadable or missing; or the region is neither exact nor
+      rounded, and readers of the rings would not agree on it: edges cross, rings overlap, a ring
+      encloses nothing, or a line is traced in and out that is no exact fit and does not lead to
+      another ring.
+    - exact: the vertices of the exact loop, each once, counter-clockwise, from any of them.
+    - equivalent: T = E, written differently.
+    - within: T equals E except for rounding, as `closeness` defines it.
     - false exact fits: only for exact fits: a position of the answer is on none.
     - conservative: T contains E. An answered trajectory permits no overlap, but forbids free
       positions.
     - unsound: E contains T. An answered trajectory permits overlap.
     - wrong: neither; also a different region with too many edges (`region.MAX_WORK`).
-
-    The caller declares `rounding`, or `rounding.grant_rounding` derives it from the program's
-    numbers. An answer's own claim is granted up to `rounding.MOST_CLAIMED`.
 
     Exact fits are a part of their own; see `judge_fits`. If they are only missing, too short or
     rounded, that part is "equivalent except for exact fits". Programs for Minkowski sums cannot

@@ -1,18 +1,7 @@
 """The protocol between the runner and a program: JSON lines in both directions.
 
-PROTOCOL.md specifies it. The program first writes a hello:
-
-    {"hello": "my program 1.0", "questions": ["no_fit", "inner_fit"], "shapes": "any",
-     "numbers": "integer", "reference": "given"}
-
-The runner sends one case per line, waits for one line of answer, and sends a last line:
-
-    {"id": "...", "class": "CM", "directrix": [["0", "0"], ...], "generatrix": [...],
-     "reference": ["0", "0"], "directrix_holes": [[["1", "1"], ...]], "ask": ["no_fit"]}
-    {"bye": true}
-
-    {"id": "...", "no_fit": [[["-1", "0"], ...], [["2", "2"], ...]], "exact_fits": []}
-    {"id": "...", "unsupported": "not convex"}
+PROTOCOL.md specifies it. The program first writes a hello. Then the runner sends one case per line,
+waits for one line of answer, and at the end sends a last line.
 """
 
 from __future__ import annotations
