@@ -38,13 +38,7 @@ Solution = MonotoneSolution | ShapeSolution
 
 
 def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | None) -> Solution:
-    """Choose the Solution that computes a pair, on first access.
-
-    Args:
-        generatrix: G.
-        directrix: D.
-        direction: a direction to which both are monotone; None if there is none.
-    """
+    """Choose the Solution that computes a pair; no direction means any shape."""
     if direction is None:
         return ShapeSolution(Region(generatrix), Region(directrix))
     return MonotoneSolution(generatrix.exterior, directrix.exterior, direction)

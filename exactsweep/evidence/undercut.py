@@ -56,12 +56,7 @@ class Undercut(NamedTuple):
 
 
 class TracedPiece(NamedTuple):
-    """A piece of a line that an edge or a vertex of G draws at a vertex or along an edge of T.
-
-    Attributes:
-        positions: the vertex of T, or both ends of the edge.
-        piece: the drawn piece.
-    """
+    """A line piece that G draws at a vertex or along an edge of T, with its positions."""
 
     positions: tuple[Vertex, ...]
     piece: Segment
@@ -105,10 +100,8 @@ class Tracer:
     def choose(self, edge: Edge, whole: Segment) -> list[TracedPiece]:
         """Choose few drawings that together cover an edge.
 
-        The search tries, in this order, until it has covered the edge: edges of G with an end in
-        common; vertices and edges of G along edges of T; other edges of G.
-
-        Raises ExactSweepError if nothing draws the edge, because it does not belong to the sweep.
+        The search tries edges of G with an end in common; then vertices and edges of G along edges
+        of T; then other edges of G. Raises ExactSweepError if nothing draws the edge.
         """
         tried: list[TracedPiece] = []
         for source in (

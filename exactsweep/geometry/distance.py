@@ -27,12 +27,7 @@ _NearestRatio = tuple[Rational, Rational]
 
 
 class SquaredDistance(NamedTuple):
-    """The squared distance of two shapes.
-
-    Attributes:
-        value: the square, 0 if and only if the shapes have a common point.
-        points: a nearest point of the first shape and one of the second.
-    """
+    """The squared distance of two shapes, 0 if they have a common point, and a nearest point of each."""
 
     value: Fraction
     points: tuple[Point, Point]
@@ -184,9 +179,6 @@ def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
 
     Returns the squared distance n / d as n and d; the end, the other segment, and whether the end
     is one of the first segment.
-
-    >>> measure_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
-    (4, 4, (1, 1), ((0, 0), (2, 0)), False)
     """
     best: _NearestEnd | None = None
     for one, side, is_first in ((edge, other, True), (other, edge, False)):
@@ -199,23 +191,14 @@ def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
 
 
 def find_nearest_ends(edge: Edge, other: Edge) -> tuple[Point, Point]:
-    """Return two nearest points of two segments that do not meet.
-
-    >>> p, q = find_nearest_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
-    >>> (int(p.x), int(p.y)), (int(q.x), int(q.y))
-    ((1, 0), (1, 1))
-    """
+    """Return two nearest points of two segments that do not meet."""
     _, _, (x, y), side, is_first = measure_ends(edge, other)
     at, foot = Point(Fraction(x), Fraction(y)), find_foot((x, y), side)
     return (at, foot) if is_first else (foot, at)
 
 
 def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:
-    """Return the squared distance of a point from a segment, as n / d.
-
-    >>> measure_to_edge((0, 2), ((1, 1), (2, 0))), measure_to_edge((0, 0), ((2, 0), (0, 2)))
-    ((2, 1), (16, 8))
-    """
+    """Return the squared distance of a point from a segment, as n / d."""
     (px, py), ((ax, ay), (bx, by)) = point, edge
     dx, dy, x, y = bx - ax, by - ay, px - ax, py - ay
     along, length = x * dx + y * dy, dx * dx + dy * dy
@@ -227,11 +210,7 @@ def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:
 
 
 def find_foot(point: Vertex, edge: Edge) -> Point:
-    """Return the point of a segment that is nearest to a point; the segment may be a point.
-
-    >>> find_foot((0, 0), ((2, 0), (0, 2)))
-    Point(x=Fraction(1, 1), y=Fraction(1, 1))
-    """
+    """Return the point of a segment that is nearest to a point; the segment may be a point."""
     (px, py), ((ax, ay), (bx, by)) = point, edge
     dx, dy = bx - ax, by - ay
     length = dx * dx + dy * dy

@@ -22,10 +22,8 @@ from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exac
 class _Cuts(NamedTuple):
     """Common points of an edge and the other boundary, by parameters from 0 to 1.
 
-    Attributes:
-        places: the parameters of common points.
-        along: the ranges in which an edge of the other shape runs along it, and whether in the same
-            direction.
+    `along` has the ranges in which an edge of the other shape runs along it, and whether in the
+    same direction.
     """
 
     places: set[Rational]
@@ -58,8 +56,6 @@ def find_common_point(boundary: Sequence[Edge], first: Rings, second: Rings) -> 
 
     From a point of the piece, the ray to the left enters the common part. The point is halfway to
     the first edge that the ray meets.
-
-    Cost: O(m + n).
     """
     vertices = {*chain.from_iterable((*first, *second))}
     p, q = max(boundary, key=lambda edge: measure_square(minus(*edge)))
@@ -84,11 +80,7 @@ def find_common_point(boundary: Sequence[Edge], first: Rings, second: Rings) -> 
 
 
 def measure_square(vector: Vertex) -> Rational:
-    """Return the squared length of a vector.
-
-    >>> measure_square((3, 4))
-    25
-    """
+    """Return the squared length of a vector."""
     return vector[0] * vector[0] + vector[1] * vector[1]
 
 

@@ -21,12 +21,7 @@ _Entry = tuple[Rational, Rational, Rational, Rational, int]
 
 
 class BoxRows:
-    """Boxes, arranged for searches.
-
-    Args:
-        boxes: the boxes, on one lattice.
-        reach: the distance to the right and upwards by which the boxes are enlarged.
-    """
+    """Boxes on one lattice, enlarged by `reach` to the right and upwards, arranged for searches."""
 
     def __init__(self, boxes: Sequence[Bounds], reach: int = 0) -> None:
         self._rows: list[list[_Entry]] = []

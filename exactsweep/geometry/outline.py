@@ -24,10 +24,6 @@ class Outline:
         before: for each vertex, the number of the vertex before.
         starts: for each ring, the number of its first vertex.
         numbers: dict from a vertex to its number, the last one of equal vertices.
-
-    >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
-    >>> square.edge(3), square.numbers[1, 1]
-    (((0, 1), (0, 0)), 2)
     """
 
     def __init__(self, rings: Sequence[Sequence[Vertex]]) -> None:
@@ -81,13 +77,7 @@ class Outline:
 
 
 def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
-    """Yield the numbers of each vertex's predecessor, of itself and of its successor in its ring.
-
-    >>> from exactsweep import Region
-    >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
-    >>> list(walk_rings(plate))
-    [(2, 0, 1), (0, 1, 2), (1, 2, 0), (5, 3, 4), (3, 4, 5), (4, 5, 3)]
-    """
+    """Yield the numbers of each vertex's predecessor, of itself, and of its successor in a ring."""
     first = 0
     for ring in shape.rings:
         size = len(ring)

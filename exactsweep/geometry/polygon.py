@@ -240,11 +240,10 @@ class Polygon(PointSet):
 
     @classmethod
     def from_sympy(cls, polygon: "sympy.Polygon") -> "Polygon":
-        """Read a `sympy.geometry.Polygon`, a triangle or a regular polygon, if it is rational.
+        """Read a rational `sympy.geometry.Polygon`, a triangle or a regular polygon.
 
-        Raises:
-            PolygonError: not a polygon of sympy, or refused as by `Polygon`.
-            NumberError: an irrational or symbolic coordinate.
+        Raises PolygonError for other objects, and as `Polygon` does; NumberError for irrational or
+        symbolic coordinates.
         """
         import sympy
 

@@ -34,7 +34,7 @@ class Region(PointSet):
 
     Raises:
         PolygonError: a ring is not simple; a hole is not inside the exterior, or overlaps another
-            hole; two rings run along each other; the interior is disconnected where rings touch.
+            hole; two rings overlap along a segment; the interior is disconnected where rings touch.
             The message names rings "exterior" and "hole k", and vertices and edges by their index
             in the input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.

@@ -38,12 +38,7 @@ class Segment(NamedTuple):
 
 
 def find_direction(edge: Edge) -> Vector:
-    """Return the primitive direction of an edge; both orientations give the same.
-
-    >>> from fractions import Fraction
-    >>> find_direction(((0, 0), (Fraction(-1, 2), Fraction(1, 3))))
-    (3, -2)
-    """
+    """Return the primitive direction of an edge; both orientations give the same."""
     (px, py), (qx, qy) = edge
     return reduce_direction((qx - px, qy - py))
 

@@ -34,13 +34,9 @@ _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
 
 
 class RationalTurn(NamedTuple):
-    """A rational rotation, and its distance from the requested one.
+    """A rational rotation, with a bound on its distance from the requested one on the unit circle.
 
-    Attributes:
-        cosine: a Fraction.
-        sine: a Fraction; both squares add up to 1.
-        error: a bound on the distance from the true point of the unit circle, 0 for an exact
-            rotation.
+    The error is 0 for an exact rotation.
     """
 
     cosine: Fraction

@@ -85,12 +85,7 @@ class LazyNumber:
 
 
 def lazy_points(points: Sequence[Vertex]) -> list[tuple[LazyNumber, LazyNumber]]:
-    """Make points of lazy numbers, all with the same scale.
-
-    >>> (x, y), (u, v) = lazy_points([(Fraction(1, 3), 2), (1, 0)])
-    >>> x * v - y * u < 0, x - x == 0, x == u
-    (True, True, False)
-    """
+    """Make points of lazy numbers, all with the same scale."""
     # The number of bits of the integral part, negative for small numbers; at most half a bit off.
     sizes = (c.numerator.bit_length() - c.denominator.bit_length() for p in points for c in p if c)
     shift = _BITS - max(sizes, default=0)

@@ -160,12 +160,7 @@ def split_ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
 
 
 def divide_exactly(value: int | Fraction, divisor: int | Fraction) -> Fraction:
-    """Divide by a positive number; faster than `/` for two ints.
-
-    Example:
-        >>> divide_exactly(6, 4), divide_exactly(Fraction(1, 2), 3)
-        (Fraction(3, 2), Fraction(1, 6))
-    """
+    """Divide by a positive number; faster than `/` for two ints."""
     if type(divisor) is int:
         if type(value) is int:
             common = gcd(value, divisor)
@@ -194,12 +189,7 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
 
 
 def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
-    """Divide numbers by a positive int; faster for ints.
-
-    Example:
-        >>> divide_all([3, Fraction(1, 2)], 1)
-        [Fraction(3, 1), Fraction(1, 2)]
-    """
+    """Divide numbers by a positive int; faster for ints."""
     if divisor != 1:
         return [divide_exactly(v, divisor) for v in values]
     found: list[Fraction] = []

@@ -85,13 +85,7 @@ for _kind, _make, _names in (
 
 
 def make_counted(chain: Iterable[Vertex]) -> list[tuple[Any, Any]]:
-    """The same points in counted ints.
-
-    >>> with watch_operations() as tally:
-    ...     (x, y), = make_counted([(3, 4)])
-    ...     x * y < 13 * x, tally
-    (True, OperationCount(multiplications=2, comparisons=1, additions=0, slots=0))
-    """
+    """The same points in counted ints."""
     return [(Counted(x), Counted(y)) for x, y in chain]
 
 

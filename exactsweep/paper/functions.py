@@ -108,11 +108,7 @@ def tell_loops(s: Sweep, *names: str) -> Iterator[str]:
 def tell_difference(
     name: str, found: Iterable[Vertex], expected: Iterable[Vertex], by: str = "by the definition"
 ) -> str:
-    """Report that two chains differ; empty if they do not.
-
-    >>> tell_difference("T", [(0, 0), (1, 1)], [(0, 0), (1, 2)])
-    'T is (0, 0) (1, 1), and (0, 0) (1, 2) by the definition'
-    """
+    """Report that two chains differ; empty if they do not."""
     found, expected = keep_corners(found), keep_corners(expected)
     if found == expected:
         return ""

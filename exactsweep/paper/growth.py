@@ -171,20 +171,12 @@ class Growth:
 
 
 def write_power(exponent: float) -> str:
-    """Write an exponent with two decimals, 0 without a sign.
-
-    >>> write_power(-0.004), write_power(1.996)
-    ('0.00', '2.00')
-    """
+    """Write an exponent with two decimals, 0 without a sign."""
     return f"{exponent:z.2f}"
 
 
 def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
-    """Return the slope of the least squares line through the logarithms.
-
-    >>> round(fit_exponent([2, 4, 8], [3, 12, 48]), 9)
-    2.0
-    """
+    """Return the slope of the least squares line through the logarithms."""
     xs, ys = [log(size) for size in sizes], [log(max(value, 1e-9)) for value in values]
     return linear_regression(xs, ys).slope
 

@@ -75,11 +75,7 @@ def render(
 
 
 def title_section(section: str) -> str:
-    """Return the heading of a section of the paper.
-
-    >>> title_section("5.1"), title_section("Appendix")
-    ('Section 5.1', 'Appendix')
-    """
+    """Return the heading of a section of the paper."""
     return f"Section {section}" if section[0].isdigit() else section
 
 
@@ -167,11 +163,7 @@ def split_proof(text: str) -> tuple[str, list[str]]:
 
 
 def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return the HTML class of each column of a table: "number" if it has nothing else.
-
-    >>> find_alignments([["edges", "12"], ["mn", "1,024"]])
-    ['text', 'number']
-    """
+    """Return the HTML class of each column of a table: "number" if it has nothing else."""
     return [
         "number" if all(re.fullmatch(r"-?[0-9.,/]+", cell) for cell in column) else "text"
         for column in zip(*rows, strict=True)
@@ -247,12 +239,7 @@ def read_bibtex() -> str:
 
 
 def pair_svg(pair: SweepPair) -> str:
-    """Draw D, G at one end of its path, and the path of its origin as SVG; names stand below.
-
-    >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> pair_svg(SweepPair(triangle, triangle)).count("<path")
-    6
-    """
+    """Draw D, G at one end of its path, and the path of its origin as SVG; names stand below."""
     g, d = map(Polygon, pair)
     path = sweep(g, d).trajectory
     shapes = (

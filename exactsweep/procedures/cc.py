@@ -17,13 +17,8 @@ from exactsweep.procedures.chain import Chain, Homogeneous, measure_unit
 def trajectory_cc(generatrix: Chain, directrix: Chain) -> Chain:
     """Trajectory T(G_t, D_b) of a convex top chain along a convex bottom chain.
 
-    Procedure Trajectory_CC: merge the lists of edges of reversed G_t and D_b by slope.
-
-    Args:
-        generatrix: reversed G_t, without vertical edges.
-        directrix: D_b, likewise.
-
-    Cost: O(m + n).
+    Procedure Trajectory_CC: merge the lists of edges of reversed G_t (`generatrix`) and D_b
+    (`directrix`) by slope. Neither has vertical edges. Cost: O(m + n).
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
     >>> trajectory_cc(lid, valley).points

@@ -86,13 +86,9 @@ def bound_all(
 
 
 class Ceiling:
-    """An upper bound of the envelope over each strip; infinite at first.
+    """An upper bound of the envelope over each of some strips; infinite at first.
 
-    Args:
-        left: the left end of all strips.
-        right: their right end.
-        count: the number of strips.
-        ranges: the x-ranges in which the envelope is needed; by default all.
+    Where no range needs the envelope, it is -infinity.
     """
 
     def __init__(self, left: Rational, right: Rational, count: int, ranges: Ranges | None) -> None:

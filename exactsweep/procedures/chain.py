@@ -144,13 +144,8 @@ def complement(points: Sequence[T]) -> list[T]:
 def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
     """Split an X-monotone polygon into its bottom and its top chain (Section 2, Figure 2).
 
-    Vertical edges at the left and at the right extreme belong to neither chain. The loop is
-    counter-clockwise and may start anywhere.
-
-    Returns:
-        (bottom, left to right; top, right to left).
-
-    Cost: O(n).
+    The bottom chain runs from left to right, the top chain back; vertical edges at both extremes
+    belong to neither. The loop is counter-clockwise and may start anywhere.
 
     >>> split([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
     ([(0, 0), (2, 0)], [(2, 1), (1, 2), (0, 1)])

@@ -34,16 +34,8 @@ from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, subtrac
 def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
     """Trajectory T(G_t, D_b) of a convex top chain along a monotone bottom chain.
 
-    Procedure Trajectory_CM.
-
-    Args:
-        generatrix: reversed G_t, convex.
-        directrix: D_b.
-
-    Returns:
-        The path of G's origin, each piece with its event.
-
-    Cost: O(m n).
+    Procedure Trajectory_CM, for convex reversed G_t and D_b. Each piece of the result, the path of
+    G's origin, has its event. Cost: O(m n).
 
     >>> list(trajectory_cm(Chain.of([(-1, 0), (0, 0)]), Chain.of([(0, 0), (2, 2), (4, 0)])))
     [(-1, 0), (0, 0), (Fraction(3, 2), Fraction(3, 2)), (3, 0), (4, 0)]
@@ -76,14 +68,8 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
     Procedure SweepI_CM. Where two subtrajectories meet, G touches D_b in two places. The part of
     G_t between them is the bottom chain of an undercut (Figure 7a). Where the subtrajectories share
     a segment, both places are on one edge of G_t (Figure 7b), and all points of the segment give
-    the same bottom chain. At a jump of the trajectory the higher position closes the undercut.
-
-    Args:
-        generatrix: reversed G_t, convex.
-        directrix: D_b.
-        trajectory: the result of `trajectory_cm`, if known.
-
-    Cost: O(m n).
+    the same bottom chain. At a jump of the trajectory the higher position closes the undercut. A
+    known trajectory may be passed. Cost: O(m n).
 
     >>> sweep_inner_cm(Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, 1), (2, 0)])).points
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]

@@ -28,8 +28,8 @@ def find_exact_fits(
     """Find the exact fits of G_t from below in D_b, by x.
 
     Each is a pair: the end on the trajectory, the end inside the slot. The chains are reversed G_t
-    and D_b. Cost: O(d g) for d and g discontinuities; for each x0 at which two pairs meet, O(log m
-    + log n + the edges of D_b and of G_t over each other).
+    and D_b. Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet that
+    of the edges over each other.
 
     >>> from exactsweep.procedures.cm import trajectory_cm
     >>> slot = Chain.of([(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)])

@@ -120,13 +120,7 @@ def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph | None
     """Merge the relevant edges of two convex parts by slope; None if there are none.
 
     This is Trajectory_CC with the events of Table 1. The edges lie end to end from the first
-    contact on; parallel edges become one edge (EE).
-
-    Args:
-        generatrix: a part of reversed G_t, its vertices with w = 1.
-        directrix: a part of D_b.
-
-    Cost: O(m + n).
+    contact on; parallel edges become one edge (EE). Vertices of G have w = 1. Cost: O(m + n).
     """
     gs, ds = generatrix.edges, directrix.edges
     i, i_end = bisect_left(ds, generatrix.flattest), bisect_left(ds, generatrix.steepest)
@@ -171,10 +165,7 @@ def subtrajectories(
 ) -> list[tuple[int, int, Graph]]:
     """Return (i, j, T(G_i, D_j)) for all pairs of parts with relevant edges, by i and j.
 
-    Args:
-        generatrix_parts: the convex parts of reversed G_t.
-        directrix_parts: those of D_b.
-        ranges: the x-ranges in which the envelope is needed; all are computed here.
+    `ranges`, the x-ranges in which the envelope is needed, do not matter here.
     """
     return [
         (i, j, graph)
@@ -202,17 +193,13 @@ def subtrajectories(
 
 
 def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
-    """Extend the partial trajectory T_{i-1} by the subtrajectory T(G_t, D_i) (Appendix).
+    """Extend the partial trajectory T_{i-1} in place by the subtrajectory T(G_t, D_i) (Appendix).
 
     Procedure LowerEnvelope_CM. "We traverse the subtrajectory from right to left. In the beginning,
     T_{i-1} appears above T(G_t, D_i), and then the intersection is detected by a switch in this
-    vertical relationship." Without irrelevant edges a subtrajectory may begin right of T_{i-1}: it
-    is appended. It may also end first: then the walk begins at its end.
-
-    Args:
-        partial: the envelope so far; changed in place and returned.
-        piece: the next subtrajectory; it crosses the partial trajectory at most once, and is lower
-            on the right (Lemma A.3).
+    vertical relationship." They cross at most once, and the subtrajectory is lower on the right
+    (Lemma A.3). Without irrelevant edges it may begin right of T_{i-1}: it is appended. It may also
+    end first: then the walk begins at its end.
 
     Cost: O(edges of the piece + edges trimmed off), and O(log n) if the piece ends first.
     """

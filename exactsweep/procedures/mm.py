@@ -43,17 +43,9 @@ from exactsweep.procedures.graph import Graph, Piece, Ranges, lower_envelope_cm,
 def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = None) -> Graph:
     """Trajectory T(G_t, D_b) of a monotone top chain along a monotone bottom chain.
 
-    Procedure Trajectory_MM. Sums are symmetric, so the rows are the parts of the shorter list.
-
-    Args:
-        generatrix: reversed G_t.
-        directrix: D_b.
-        ranges: disjoint x-ranges; the result is valid over these only. By default all.
-
-    Returns:
-        The path of G's origin, each piece with its event.
-
-    Cost: O(m n log n).
+    Procedure Trajectory_MM, for reversed G_t and D_b. Sums are symmetric, so the rows are the parts
+    of the shorter list. With `ranges`, disjoint x-ranges, the result is valid over these only. Each
+    piece of the path of G's origin has its event. Cost: O(m n log n).
 
     >>> peak = Chain.of([(0, 0), (1, 1), (2, 0)])
     >>> list(trajectory_mm(Chain.of([(-2, -1), (-1, 0), (0, -1)]), peak))
@@ -76,15 +68,8 @@ def sweep_mm(
 ) -> tuple[Chain, Chain]:
     """Inner and outer boundary of the sweep of a monotone G along a monotone D_b.
 
-    Procedure Sweep_MM: `sweep_inner_mm` and `sweep_outer_mm` for T(G_t, D_b).
-
-    Args:
-        generatrix: reversed G_t.
-        bottom: G_b.
-        directrix: D_b.
-        trajectory: the result of `trajectory_mm`, if known.
-
-    Cost: O(m n^2 log n).
+    Procedure Sweep_MM: `sweep_inner_mm` and `sweep_outer_mm` for T(G_t, D_b), which may be passed.
+    The chains are reversed G_t, G_b and D_b. Cost: O(m n^2 log n).
 
     >>> lid, bar, flat = [(-1, -1), (0, -1)], [(0, 0), (1, 0)], [(0, 0), (2, 0)]
     >>> inner, outer = sweep_mm(*map(Chain.of, (lid, bar, flat)))
@@ -114,13 +99,7 @@ def sweep_inner_mm(
 
     After a half turn, G_t slides along the complement of T. Where G touches D_b the boundary is
     D_b, so only the undercuts are computed. This is the faster algorithm that the paper mentions
-    after Corollary 5.8.
-
-    Args:
-        generatrix: reversed G_t.
-        directrix: D_b.
-        trajectory: T(G_t, D_b).
-        path: the same as a chain, if known.
+    after Corollary 5.8. `path` is the trajectory as a chain, if known.
 
     Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' edges of T along which G is
     over an undercut; all t of them at worst.

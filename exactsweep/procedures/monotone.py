@@ -29,13 +29,7 @@ from exactsweep.procedures.pockets import Pocket, find_pockets
 
 
 class LowerMM:
-    """The lower sweep of a monotone generatrix and a monotone directrix (Section 5).
-
-    Args:
-        generatrix: reversed G_t.
-        bottom: G_b.
-        directrix: D_b.
-    """
+    """The lower sweep of monotone chains: reversed G_t, G_b and D_b (Section 5)."""
 
     kind: ClassVar[Kind] = "MM"
 
@@ -121,19 +115,10 @@ def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
 
 
 class MonotoneSolution:
-    """The loops and exact fits of a monotone pair, by the paper's procedures.
+    """The loops and exact fits of a monotone pair (G, D), by the paper's procedures.
 
-    Each is computed on first access. Positions are those of G's origin. Loops are canonical.
-
-    Args:
-        generatrix: G.
-        directrix: D.
-        direction: the shared direction of monotonicity, a primitive integer vector.
-
-    Attributes:
-        kind: the class of the pair.
-        holes: the holes of the no-fit polygon; none.
-        unswept: the unswept holes; none.
+    Each is computed on first access. Positions are those of G's origin. Loops are canonical. There
+    are no holes of the no-fit polygon, and no unswept holes.
     """
 
     holes: Sequence[list[Point]] = ()

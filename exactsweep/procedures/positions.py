@@ -50,15 +50,9 @@ class FreeRegions(NamedTuple):
 
 
 def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
-    """Find the no-fit polygon of two shapes, with its holes and exact fits.
+    """Find the no-fit polygon of two shapes, D and G, with its holes and exact fits.
 
-    Args:
-        stationary: the rings of D, interior on the left.
-        orbiting: the rings of G.
-        scale: the divisor of the positions when they leave the lattice of the rings.
-
-    Returns:
-        Positions of G's origin.
+    Rings have the interior on the left. Positions of G's origin are divided by the scale.
 
     Cost: O(k log k + c + q m n) for k contact segments, c crossings, and q overlap tests of loops
     and exact fits. k <= 2 m n and c <= k^2; real outlines have few of both.
@@ -73,12 +67,8 @@ def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
 def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> Free:
     """Find the boundary of the sum of two shapes, or of a shape and a path.
 
-    The exact fits are positions in the closed sum, but not in the sum of the interiors.
-
-    Args:
-        stationary: the rings of D, or those of a path, as `path_rings` returns them.
-        moving: the rings of H, or those of a path. Not both are paths.
-        scale: as for `find_no_fit`, like the cost.
+    The exact fits are positions in the closed sum, but not in the sum of the interiors. A path has
+    the rings that `path_rings` returns. Scale and cost are as for `find_no_fit`.
 
     >>> square, path = [[(0, 0), (1, 0), (1, 1), (0, 1)]], path_rings([(0, 0), (2, 1)])
     >>> [(int(x), int(y)) for x, y in find_sum(square, path).around[0]]
@@ -96,16 +86,8 @@ def find_inner_fit(
 ) -> FreeRegions:
     """Find the positions of a part inside a container, free of placed shapes.
 
-    Args:
-        container: its rings, interior on the left: the exterior, and defects as clockwise holes.
-        part: the rings of the part.
-        scale: as for `find_no_fit`.
-        placed: the rings of each shape that the part must not overlap.
-
-    Returns:
-        Positions of the part's origin; empty if the part does not fit.
-
-    Cost: as for `find_no_fit`, where k counts contact segments near the room of the part only.
+    Defects are clockwise holes of the container. Scale and cost are as for `find_no_fit`, where k
+    counts contact segments near the room of the part only.
 
     >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [tuple(int(c) for p in fit for c in p) for fit in find_inner_fit(square, unit).fits]

@@ -59,11 +59,7 @@ class PaperFigure(NamedTuple):
 
 
 def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
-    """Join panels by their letters. The key "" has the rest of the figure, whose names stay.
-
-    >>> dict(join_panels({"a": PaperFigure(shapes={"top": [(0, 0)]})}).shapes)
-    {'a_top': [(0, 0)]}
-    """
+    """Join panels by their letters. The key "" has the rest of the figure, whose names stay."""
     shapes: dict[str, Any] = {}
     words: dict[str, Sequence[str]] = {}
     for letter, panel in panels.items():
