@@ -27,7 +27,7 @@ _NearestRatio = tuple[Rational, Rational]
 
 
 class SquaredDistance(NamedTuple):
-    """The squared distance of two shapes, 0 if they have a common point, and a nearest point of each."""
+    """The squared distance of two shapes, 0 if they meet, and a nearest point of each."""
 
     value: Fraction
     points: tuple[Point, Point]

@@ -73,7 +73,7 @@ def comb(teeth: int) -> list[tuple[int, int]]:
     return [vertex for step in steps for vertex in step][::-1]
 
 
-def test_to_lift_a_long_comb_takes_what_lies_over_it() -> None:
+def test_a_long_comb_is_lifted_with_all_above_it() -> None:
     """All of G was walked along at each place where two pairs of walls meet."""
     tongue = [(-3, 0), (0, 0), (0, -9), (2, -9), (2, 0), (5, 0)]
     found = []
@@ -100,7 +100,7 @@ def test_to_lift_a_long_comb_takes_what_lies_over_it() -> None:
     ],
     ids=["unequal rims", "low in the middle", "a tip", "a tip and a slope"],
 )
-def test_how_far_a_lid_goes_up_a_slot(
+def test_a_lid_goes_up_a_slot_to_the_limit(
     lid: list[tuple[str, int]], ceiling: list[tuple[str, int]], rim: int, fit: tuple[int, int]
 ) -> None:
     """One unit wide, with its ceiling at 9 at both walls; the lid is at 0 at both of its ends."""

@@ -116,7 +116,7 @@ def test_steps_are_the_edges_of_the_trajectory(s: Sweep) -> None:
 @patient
 @also_known
 @given(any_sweeps())
-def test_touches_are_the_contacts_and_last_as_said(s: Sweep) -> None:
+def test_touches_are_the_contacts_with_their_intervals(s: Sweep) -> None:
     for step, listed in zip(explain(s), s.contacts, strict=True):
         assert sorted(touch.contact for touch in step.touches) == sorted(listed)
         reached = Fraction(0)
@@ -162,7 +162,7 @@ def ends_of(polygon: Polygon) -> dict[int, set[int]]:
     return {edge(k): {vertex(k), vertex((k + 1) % size)} for k in range(size)}
 
 
-def test_at_a_corner_vertices_meet_of_what_touches_on_the_way() -> None:
+def test_vertices_of_touching_features_meet_at_a_corner() -> None:
     for s in known():
         g_ends, d_ends = ends_of(s.generatrix.exterior), ends_of(s.directrix.exterior)
         for step in explain(s):
@@ -191,7 +191,7 @@ def test_straight_on_into_an_exact_fit_there_is_one(s: Sweep) -> None:
 
 @patient
 @given(pairs(), st.data())
-def test_what_blocks_leads_to_overlap_and_all_else_does_not(
+def test_exactly_blocking_contacts_lead_to_overlap(
     pair: tuple[Polygon, Polygon], data: st.DataObject
 ) -> None:
     s = sweep(*pair)

@@ -72,7 +72,7 @@ def test_an_undercut_is_closed_as_worked_by_hand(id: str) -> None:
 
 
 @pytest.mark.parametrize("id", ["worked-step-up", "worked-step-down", "worked-square-triangle"])
-def test_what_can_be_reached_leaves_no_undercut(id: str) -> None:
+def test_reachable_boundaries_have_no_undercut(id: str) -> None:
     case = find_case(id)
     s = case.sweep()
     assert (s.undercuts, s.exact_fits) == ((), ())

@@ -45,7 +45,7 @@ PAIRS = {"CC": (HOUSE, HOUSE), "CM": (HOUSE, BLOCK), "MM": (NOTCHED, BLOCK), "SS
 
 
 @pytest.mark.parametrize("kind", PAIRS)
-def test_threads_that_read_one_sweep_get_what_one_would(kind: str) -> None:
+def test_threads_get_the_answer_of_one_thread(kind: str) -> None:
     expected = read(sweep(*PAIRS[kind]))
     together = Barrier(4)
 

@@ -63,7 +63,7 @@ def test_vertices_of_one_ring_are_read_once(monkeypatch: pytest.MonkeyPatch) -> 
 @each_kind
 @given(st.data())
 @examples(40)
-def test_sweep_is_what_the_definition_says(kind: own.Kind, data: st.DataObject) -> None:
+def test_sweep_is_that_of_the_definition(kind: own.Kind, data: st.DataObject) -> None:
     generatrix, directrix, direction = data.draw(own.turned_pairs(kind))
     pair = SmallPair([[*generatrix.vertices]], [[*directrix.vertices]])
     assert find_failure(pair, deep=direction[0] % 2 == 0) == ""
@@ -302,5 +302,5 @@ def test_sweeps_and_their_loops_tell_about_themselves() -> None:
 
 
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
-def test_refusals_name_what_is_wrong(call: str, said: str) -> None:
+def test_refusals_name_the_fault(call: str, said: str) -> None:
     require_refused(call, said)

@@ -50,7 +50,7 @@ def feature(rings: list[list[Point]], k: int, event: str) -> tuple[Point, ...]:
     st.integers(0, 5),
 )
 @examples(60)
-def test_contacts_touch_where_they_are_said_to(
+def test_contacts_touch_at_their_positions(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int], turns: bool, by: int
 ) -> None:
     directrix, generatrix = (respell(region(cells, matrix), turns, by) for cells in (d, g))

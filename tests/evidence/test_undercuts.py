@@ -127,7 +127,7 @@ def test_one_position_is_given_where_one_will_do(pair: Pair) -> None:
 
 @given(any_pair)
 @often
-def test_segments_go_as_far_as_they_can(pair: Pair) -> None:
+def test_segments_are_maximal(pair: Pair) -> None:
     s = sweep(*pair)
     for undercut in s.undercuts:
         if undercut.intersection == "segment":

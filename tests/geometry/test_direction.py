@@ -235,7 +235,7 @@ def test_the_simplest_of_single_directions_has_the_least_squares() -> None:
             assert Directions((u, v), (True, True), (False, False)).simplest() == least
 
 
-def test_what_is_shared_turns_where_either_does() -> None:
+def test_shared_directions_change_where_either_changes() -> None:
     flat = Polygon([(0, 0), (9, 1), (18, 0), (9, -1)])
     square, steep = find_monotone_directions(Polygon(UNIT)), find_monotone_directions(flat)
     assert steep.critical == ((1, -9), (1, 9))

@@ -49,7 +49,7 @@ def region(shape: Holed) -> Region:
 
 @examples(60)
 @given(shape_pairs(), translations())
-def test_it_is_the_least_over_all_pairs_of_edges(
+def test_the_distance_is_the_least_over_pairs_of_edges(
     pair: tuple[Holed, Holed], by: tuple[Fraction, Fraction]
 ) -> None:
     one, other = region(pair[0]), region(pair[1]).translated(by)
@@ -63,7 +63,7 @@ def test_it_is_the_least_over_all_pairs_of_edges(
 
 @examples(20)
 @given(shape_pairs(), translations(), st.fractions(0, 40, max_denominator=3))
-def test_a_bound_leaves_out_what_is_not_below_it(
+def test_a_bound_excludes_greater_distances(
     pair: tuple[Holed, Holed], by: tuple[Fraction, Fraction], below: Fraction
 ) -> None:
     one, other = region(pair[0]), region(pair[1]).translated(by)

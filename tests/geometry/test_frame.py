@@ -17,7 +17,7 @@ TRIANGLE = Polygon([(0, 0), (2, HALF), (1, 3)])
 
 @pytest.mark.parametrize("direction", [(1, 0), (0, 1), (2, -1), (1, 3)])
 @pytest.mark.parametrize("scale", [2, 4, 6])
-def test_what_enters_a_frame_leaves_it_where_it_was(direction: Vector, scale: int) -> None:
+def test_entering_and_leaving_a_frame_is_the_identity(direction: Vector, scale: int) -> None:
     frame = Frame(direction, scale)
     p, q = direction
     entered = frame.enter(*TRIANGLE.lattice())
@@ -44,7 +44,7 @@ def test_what_enters_a_frame_leaves_it_where_it_was(direction: Vector, scale: in
         assert place == ((p * u - q * v) / Fraction(square), (q * u + p * v) / Fraction(square))
 
 
-def test_a_lattice_is_reduced_by_what_all_have_in_common() -> None:
+def test_a_lattice_is_reduced_by_the_common_divisor() -> None:
     assert reduce_lattice(12, ((6, 3), (9, 15))) == (4, ((2, 1), (3, 5)))
     assert reduce_lattice(4, ((2, 8), (6, 3))) == (4, ((2, 8), (6, 3)))
     assert reduce_lattice(4, ((-4, 8), (0, 12))) == (1, ((-1, 2), (0, 3)))

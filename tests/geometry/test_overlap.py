@@ -161,7 +161,7 @@ def test_a_tip_in_a_bar(turns: int) -> None:
     assert not overlaps(pair_of(above, tip), ORIGIN)
 
 
-def test_edges_share_what_the_definition_says() -> None:
+def test_shared_parts_of_edges_are_those_of_the_definition() -> None:
     def is_on(v: Vertex, a: Vertex, b: Vertex) -> bool:
         return turn(a, b, v) == 0 and min(a, b) <= v <= max(a, b)
 
@@ -237,7 +237,7 @@ def test_a_hole_touches_the_exterior_inside_an_edge_along_another_shape(upright:
             assert relation(pair_of(one, second), ORIGIN) is expected
 
 
-def test_a_shape_contains_what_does_not_reach_out() -> None:
+def test_a_shape_contains_shapes_without_points_outside() -> None:
     plate: Rings = [[(0, 0), (8, 0), (8, 8), (0, 8)], [(4, 2), (3, 4), (5, 4)]]
     assert contains(plate, [[(0, 0), (2, 0), (0, 8)]])
     assert contains(plate[:1], plate)

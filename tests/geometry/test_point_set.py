@@ -73,7 +73,7 @@ def test_a_shape_is_the_sequence_of_its_vertices(shape: AnyPolygon) -> None:
 
 
 @given(SHAPES, strategies.translations(), st.data())
-def test_a_shape_contains_what_the_definition_locates_in_it(
+def test_contained_points_are_those_of_the_definition(
     shape: AnyPolygon, point: tuple[Fraction, Fraction], data: st.DataObject
 ) -> None:
     k = data.draw(st.integers(0, len(shape.rings[0]) - 1))
@@ -200,7 +200,7 @@ def test_shapely_reads_a_shape_and_is_read() -> None:
         ),
     ],
 )
-def test_what_is_no_polygon_elsewhere_is_none_here(shape: Any, message: str) -> None:
+def test_foreign_objects_other_than_polygons_are_rejected(shape: Any, message: str) -> None:
     with pytest.raises(PolygonError, match=message):
         Polygon(shape)
 
@@ -213,7 +213,7 @@ def test_a_copy_of_a_region_keeps_the_numbers_of_the_input() -> None:
         assert given_features(twin) == given_features(PLATE)
 
 
-def test_what_a_float_can_be_is_one_in_geojson() -> None:
+def test_exact_floats_are_floats_in_geojson() -> None:
     x, y, z = Fraction(1, 2), Fraction(1, 3), Fraction(10**400 + 1, 2)
     (ring,) = Polygon([(0, 0), (x, 0), (y, z)]).__geo_interface__["coordinates"]
     assert [*map(repr, chain.from_iterable(ring))] == [*map(repr, [0, 0, 0.5, 0, y, z, 0, 0])]

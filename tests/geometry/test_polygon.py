@@ -179,7 +179,7 @@ def test_sympy_leftovers_are_no_polygons() -> None:
         Polygon.from_sympy(sympy.Polygon((0, 0), (1, 1), (2, 2)))
 
 
-def test_what_sympy_would_flatten_is_refused() -> None:
+def test_vertices_that_sympy_would_drop_are_rejected() -> None:
     minute = Polygon([(0, 0), ("1e-8", 0), (0, "1e-8")])
     with pytest.raises(PolygonError, match="sympy would drop vertices"):
         minute.to_sympy()

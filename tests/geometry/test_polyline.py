@@ -46,7 +46,7 @@ def test_lines_and_points_of_shapely_are_paths() -> None:
         Polyline(shapely.box(0, 0, 1, 1))
 
 
-def test_what_is_no_path_is_rejected() -> None:
+def test_objects_other_than_paths_are_rejected() -> None:
     with pytest.raises(PolygonError, match="at least one point"):
         Polyline([])
     with pytest.raises(NumberError, match="vertex 1"):

@@ -32,7 +32,7 @@ def test_equal_sets_are_equal() -> None:
     assert one != Region(SQUARE, [SMALL])
 
 
-def test_it_cannot_be_changed_and_can_be_kept() -> None:
+def test_polylines_are_immutable_and_can_be_pickled() -> None:
     one = Region(SQUARE, [SMALL])
     with pytest.raises(AttributeError, match="immutable"):
         one.holes = ()
@@ -114,7 +114,7 @@ def test_a_hole_that_leaves_another_through_two_points(turns: int) -> None:
             )
 
 
-def test_where_rings_touch_is_reported_in_their_own_coordinates() -> None:
+def test_touching_points_are_reported_in_input_coordinates() -> None:
     half = Fraction(1, 2)
     assert refusal([(4, 4), (half, 0), (4, 1), (9 - half, 0)]) in {
         f"the interior is disconnected: the exterior and hole 0 touch at ({x},0) and elsewhere"

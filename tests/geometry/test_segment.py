@@ -44,7 +44,7 @@ def test_of_pieces_that_reach_equally_far_the_first_is_chosen() -> None:
     assert choose_cover(whole, pieces[2:]) == [5, 6]
 
 
-def test_lines_are_named_by_ints_where_they_can_be() -> None:
+def test_lines_have_int_keys_if_possible() -> None:
     half = Fraction(1, 2)
     points: list[Vertex] = [(half, Fraction(2)), (4 * half, half), (3, 1)]
     for point, offset in zip(points, (2, half, 1), strict=True):

@@ -50,7 +50,7 @@ def test_other_turns_are_equal_by_degrees_or_by_cosine_and_sine() -> None:
 
 
 @pytest.mark.parametrize("by", [(1, 1), (0, 0), "left", None, (1, 2, 3)])
-def test_what_is_no_turn_is_refused(by: object) -> None:
+def test_values_other_than_rotations_are_rejected(by: object) -> None:
     with pytest.raises(ValueError, match=r"number|rational length"):
         read_turn(by)
 

@@ -104,7 +104,7 @@ def tell(value: object, hint: object) -> str | None:
         ("Sequence[unseen.Array]", "Sequence[Array]", [[Array()]], [[5]]),
     ],
 )
-def test_annotations_admit_what_they_say(
+def test_annotations_match_their_values(
     hint: object, name: str, admitted: list[object], refused: list[object]
 ) -> None:
     for value in admitted:
@@ -136,7 +136,7 @@ def test_the_first_of_several_is_reported() -> None:
             join(1, **others)
 
 
-def test_refusals_go_through_as_they_are() -> None:
+def test_refusals_are_unchanged() -> None:
     @tells_arguments
     def refuse(argument: int) -> None:
         raise ExactSweepError(f"no {argument}")

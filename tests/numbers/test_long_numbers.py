@@ -37,7 +37,7 @@ def test_rings_of_fractions_are_judged_as_those_of_ints(points: list[tuple[int, 
 
 
 @given(GRID, st.integers(0, 10**9))
-def test_what_first_digits_do_not_tell_is_computed(
+def test_equal_first_digits_need_exact_computation(
     points: list[tuple[int, int]], seed: int
 ) -> None:
     """Each vertex moved by less than its interval, as a lattice of their own shows exactly."""
@@ -158,7 +158,7 @@ def divisor_work(monkeypatch: pytest.MonkeyPatch, action: Callable[[], Fraction]
     return work / bits**2
 
 
-def test_an_area_takes_no_more_than_to_reduce_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_area_costs_as_much_as_its_reduction(monkeypatch: pytest.MonkeyPatch) -> None:
     """Once 400 vertices with denominators of 500 digits took eight seconds for an area, and 200
     and 200 of them 67 for that of a swept area."""
     points = long_star(40, 400)

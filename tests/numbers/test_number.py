@@ -43,7 +43,7 @@ def test_decimals_are_exact_as_objects_and_as_text(value: Decimal) -> None:
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
-def test_floats_are_the_binary_value_that_they_are(value: float) -> None:
+def test_floats_keep_their_binary_value(value: float) -> None:
     expected = Fraction(*value.as_integer_ratio())
     assert to_fraction(value) == to_fraction(np.float64(value)) == expected
     assert to_fraction(sympy.Float(value)) == to_fraction(gmpy2.mpfr(value)) == expected
@@ -84,11 +84,11 @@ def test_grammar_accepts(text: str, value: Fraction) -> None:
 
 
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
-def test_refusals_name_what_is_no_number(call: str, said: str) -> None:
+def test_refusals_name_the_value_that_is_not_a_number(call: str, said: str) -> None:
     require_refused(call, said)
 
 
-def test_what_cannot_be_shown_is_named_by_its_type() -> None:
+def test_values_without_repr_are_named_by_their_type() -> None:
     with pytest.raises(NumberError, match=r"^<Unprintable> is not a rational number$"):
         to_fraction(Unprintable())
 
@@ -104,7 +104,7 @@ def test_limits_can_be_moved_and_end_with_their_block() -> None:
         to_fraction("1e4999")
 
 
-def test_what_is_written_out_may_be_as_long_as_an_answer() -> None:
+def test_written_numbers_may_have_the_digits_of_answers() -> None:
     """Once loops of long numbers could be written and not read."""
     with limits(max_digits=2):
         assert answer_digits() == 71
@@ -136,7 +136,7 @@ def test_limits_are_kept_in_another_process() -> None:
     assert list_limits() == {"max_digits": None, "max_mib": None}
 
 
-def test_limits_bound_what_is_written_not_what_is_exact_already() -> None:
+def test_limits_bound_texts_and_not_numbers() -> None:
     with limits(max_digits=2):
         assert to_fraction("0.12") == Fraction(3, 25)
         assert to_fraction(12345) == 12345
@@ -190,7 +190,7 @@ def test_a_span_of_time_is_refused() -> None:
         to_fraction(np.timedelta64(3, "s"))
 
 
-def test_what_is_quoted_stands_on_one_line() -> None:
+def test_quotes_have_one_line() -> None:
     class Foreign:
         def __repr__(self) -> str:
             return "two\nlines, \u00e9 and \x07"
@@ -207,7 +207,7 @@ def test_five_times_as_many_digits_are_read_as_may_be_left() -> None:
                 to_fraction(text)
 
 
-def test_powers_of_ten_are_as_long_as_they_are() -> None:
+def test_powers_of_ten_have_their_digits() -> None:
     """Of all powers of ten up to there, 10**643 is the one nearest below a power of two."""
     with limits(max_digits=643):
         assert to_fraction("1e642") == 10**642
@@ -216,7 +216,7 @@ def test_powers_of_ten_are_as_long_as_they_are() -> None:
                 to_fraction(text)
 
 
-def test_what_is_as_long_as_may_be_shown_is_shown() -> None:
+def test_numbers_of_the_greatest_shown_length_are_exact() -> None:
     assert quote("7" * 38) == f"'{'7' * 38}'"
     assert quote("7" * 39) == f"'{'7' * 36}..."
     assert abridge(Fraction(10**23)) == f"1{'0' * 23}"
@@ -247,7 +247,7 @@ def is_reduced(value: int | Fraction) -> bool:
 
 
 @pytest.mark.parametrize("value", NUMBERS)
-def test_quotients_are_ints_where_they_can_be(value: int | Fraction) -> None:
+def test_whole_quotients_are_ints(value: int | Fraction) -> None:
     for divisor in (1, 3, 4, Fraction(1), Fraction(3), Fraction(3, 2), Fraction(1, 4)):
         found = ratio(value, divisor)
         assert found == Fraction(value) / divisor

@@ -264,7 +264,7 @@ def test_fits_of_rectilinear_pairs_are_all_the_contacts_inside_the_trajectory(
 
 @patient
 @given(all_pairs(), st.data())
-def test_outer_loop_holds_what_some_contact_covers(pair: Pair, data: st.DataObject) -> None:
+def test_outer_loop_holds_all_covered_points(pair: Pair, data: st.DataObject) -> None:
     g, d = pair
     loops = reference_loops(g, d)
     p = data.draw(translations_near(Polygon(loops.trajectory), Polygon(loops.outer)))
@@ -276,7 +276,7 @@ def test_outer_loop_holds_what_some_contact_covers(pair: Pair, data: st.DataObje
 
 @patient
 @given(all_pairs(), st.data())
-def test_inner_loop_bounds_what_no_free_translation_covers(pair: Pair, data: st.DataObject) -> None:
+def test_inner_loop_bounds_uncovered_points(pair: Pair, data: st.DataObject) -> None:
     g, d = pair
     loops = reference_loops(g, d)
     low, high = Polygon(loops.outer).bounding_box

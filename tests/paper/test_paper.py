@@ -104,7 +104,7 @@ def test_a_claim_names_code_that_exists(claim: Claim) -> None:
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
-def test_what_does_not_hold_as_printed_is_corrected(claim: Claim) -> None:
+def test_refuted_statements_have_a_correction(claim: Claim) -> None:
     assert set(claim.evidence) <= set(KINDS)
     assert claim.words.endswith((".", ")."))
     assert claim.verdict in (ClaimVerdict.REPRODUCED, ClaimVerdict.ADDED) or claim.correction
@@ -306,7 +306,7 @@ def test_of_seconds_that_are_measured_again_the_least_count() -> None:
     assert not slow.least(slow).is_flat
 
 
-def test_all_laws_and_checks_of_the_ledger_say_what_holds() -> None:
+def test_laws_and_checks_of_the_ledger_have_docstrings() -> None:
     named = {name for row in read_rows() for name in row.get("laws", {})}
     named |= {law for row in read_rows() for law, *_ in row.get("search", ())}
     named |= {row["check"] for row in read_rows() if "check" in row}

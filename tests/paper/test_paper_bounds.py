@@ -195,7 +195,7 @@ def test_a_written_chain_is_compared_with_mn(monkeypatch: pytest.MonkeyPatch) ->
     assert found.text == "160 vertices to be written for m = 16 and n = 24, mn being 384"
 
 
-def test_counts_are_compared_with_what_they_say() -> None:
+def test_counts_are_compared_with_their_bounds() -> None:
     for pair in draw_pairs(Effort(), "CM", 5):
         assert slips.calls(pair)[1] == len(look_up_bottom(pair, "trajectory")) - 1
     # Each of the two parts of D_b is merged with all of G.
@@ -224,7 +224,7 @@ def test_like_chains_that_touch_are_reported_at_the_top_and_at_the_bottom(
 
 
 @pytest.mark.parametrize(("is_swept", "words"), [(False, "is between"), (True, "is not between")])
-def test_points_are_reported_between_the_loops_if_they_are(
+def test_points_between_the_loops_are_reported(
     is_swept: bool, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(section1, "swept_by_contact", lambda s, p: is_swept)
@@ -254,7 +254,7 @@ def test_a_count_outgrows_another_by_half_with_each_doubling(
     assert section5_time._outgrows(*growths) == outgrows
 
 
-def test_a_quick_run_says_what_it_leaves_out() -> None:
+def test_a_quick_run_states_what_it_skips() -> None:
     for quick in (False, True):
         first = next(iter(measure_costs("Corollary 3.3", Effort(quick=quick))))
         assert isinstance(first, Evidence)

@@ -67,7 +67,7 @@ def test_all_thirteen_are_rows_of_the_ledger() -> None:
 
 
 @each_figure
-def test_what_a_figure_states_is_borne_out(name: str) -> None:
+def test_statements_of_figures_hold(name: str) -> None:
     assert list(figure(name).find_failures()) == []
     assert all(str(value) for _, value in figure(name).facts)
 

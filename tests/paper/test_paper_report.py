@@ -106,7 +106,7 @@ def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None
     assert "seed 5" in text
 
 
-def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
+def test_words_of_checks_are_escaped(tmp_path: Path) -> None:
     nasty = "<script>alert(1)</script> | & m_b"
     evidence = Evidence(
         nasty, nasty, (Counterexample(nasty, nasty),), tables=(Table(nasty, (nasty,), [[nasty]]),)
@@ -121,7 +121,7 @@ def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
     assert "| <script>alert(1)</script> \\| & m_b |" in markdown.read_text(encoding="utf-8")
 
 
-def test_what_is_measured_is_not_plotted(tmp_path: Path) -> None:
+def test_measurements_are_not_plotted(tmp_path: Path) -> None:
     sizes = tuple(Size(n, n, n, n) for n in (8, 16, 32))
     timed = Growth("seconds of f", "ints", "n", sizes)
     claim = Claim(*("Timed", "1", "", ClaimVerdict.REFUTED, (), ()), lambda effort: [timed], "")

@@ -46,7 +46,9 @@ def draw(rng: Random) -> Chains:
 
 @pytest.mark.parametrize("strips", [1, 8])
 @pytest.mark.parametrize("seed", range(6))
-def test_it_changes_no_boundary(seed: int, strips: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_ceiling_changes_no_boundary(
+    seed: int, strips: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Few strips, so that short chains are pruned, too."""
     chains = draw(Random(seed))
     monkeypatch.setattr(ceiling, "STRIPS", strips)

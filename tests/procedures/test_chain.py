@@ -80,7 +80,7 @@ def test_parts_do_not_depend_on_the_kind_of_numbers(chain: list[Vertex], scale: 
 
 @given(chains())
 @usually
-def test_turned_twice_a_chain_is_itself(points: list[Vertex]) -> None:
+def test_two_half_turns_are_the_identity(points: list[Vertex]) -> None:
     chain = Chain.of(points)
     assert chain.turn().points == inverse(complement(chain.points))
     again = chain.turn().turn()

@@ -123,7 +123,9 @@ def segments(shift: Rational) -> list[ContactSegment]:
 
 @pytest.mark.parametrize("few", [1, 6, 1000])
 @pytest.mark.parametrize("shift", [0, Fraction(1, 3)])
-def test_all_that_cross_are_cut(shift: Rational, few: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_crossing_segments_are_cut(
+    shift: Rational, few: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """With ends and lines between the points of the grid, too."""
     monkeypatch.setattr(near, "_PER_ROW", few)
     found, expected = segments(shift), segments(shift)
@@ -147,7 +149,7 @@ def test_boxes_hold_the_ends() -> None:
             assert 0 <= min(ys) - low < 1 > high - max(ys) >= 0
 
 
-def test_what_is_left_of_a_segment_is_what_no_cut_covers() -> None:
+def test_remaining_pieces_are_those_without_cuts() -> None:
     """Of all places at which something may begin or end, each once."""
     rng = Random(1)
     for _ in range(600):

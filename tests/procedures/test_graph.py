@@ -62,7 +62,7 @@ def graphs_anywhere(draw: st.DrawFn) -> Chain:
 
 @given(st.lists(graphs_anywhere(), min_size=1, max_size=6))
 @usually
-def test_where_there_is_no_chain_there_is_a_hole(chains: list[Chain]) -> None:
+def test_missing_chains_leave_a_gap(chains: list[Chain]) -> None:
     found = lower_envelope_mm([to_graph(chain) for chain in chains])
     start, end = found.breaks[0], found.breaks[-1]
     assert value(start) == min(chain[0][0] for chain in chains)

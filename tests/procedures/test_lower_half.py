@@ -62,7 +62,7 @@ def draw_chain(rng: Random, edges: int) -> list[Vertex]:
 
 @pytest.mark.parametrize("strips", [1, ceiling.STRIPS])
 @pytest.mark.parametrize("seed", mostly_long(range(0, 120, 12), [0]))
-def test_it_is_the_least_or_the_greatest_sum(
+def test_halves_are_the_least_or_the_greatest_sum(
     seed: int, strips: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(ceiling, "STRIPS", strips)

@@ -137,7 +137,7 @@ def test_the_paper_s_procedures_give_the_same(pair: tuple[Polygon, Polygon]) -> 
 
 
 @pytest.mark.long
-def test_it_gives_what_the_corpus_has() -> None:
+def test_answers_are_those_of_the_corpus() -> None:
     for case in cases(max_size=150):
         n = NoFitPolygon(Region(case.directrix), Region(case.generatrix), None, case.reference)
         assert (n.exterior, n.holes, n.exact_fits) == (
