@@ -8,7 +8,7 @@ import pytest
 from command import run
 from judged import CONVEX, SQUARE
 
-from exactsweep import Polygon, Region, no_fit_polygon
+from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon
 from exactsweep.conform import conform
 from exactsweep.conform.run.peer import make_plain
 from exactsweep.corpus import Case, cases
@@ -63,6 +63,14 @@ def test_rings_of_regions_are_rings() -> None:
     one = shapely.Polygon(plate.rings[0], plate.rings[1:])
     several = shapely.MultiPolygon([one, shapely.box(20, 20, 21, 21)])
     assert [len(make_plain(shape)) for shape in (one, several)] == [2, 3]
+
+
+def test_answers_of_the_package_are_answers() -> None:
+    """A slot exactly as wide as G has one region of positions and a segment: an exact fit."""
+    flask = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 5), (1, 5), (1, 3), (0, 3)]
+    assert len(make_plain(inner_fit_polygon(flask, SQUARE))) == 1
+    assert make_plain(inner_fit_polygon(SQUARE, SQUARE)) == []
+    assert len(make_plain(no_fit_polygon(flask, SQUARE))) == 1
 
 
 def test_other_values_are_unchanged() -> None:

@@ -126,13 +126,14 @@ def make_plain(value: Any) -> Any:
 
 
 def _list_rings(shape: Mapping[str, Any]) -> list[Any]:
-    """List the rings of a polygon or of several in GeoJSON."""
+    """List the rings of GeoJSON, without the points and segments of exact fits."""
     if "geometries" in shape:
         return [ring for one in shape["geometries"] for ring in _list_rings(one)]
     places = list(shape["coordinates"])
     if shape["type"] == "MultiPolygon":
         return [ring for polygon in places for ring in polygon]
-    return places
+    is_fit = shape["type"] in ("Point", "MultiPoint", "MultiLineString")
+    return [] if is_fit or (shape["type"] == "LineString" and len(places) < 3) else places
 
 
 class CallablePeer:
