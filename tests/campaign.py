@@ -155,7 +155,7 @@ def case_of(pair: SmallPair) -> Case:
 
 
 def ask_sfcgal(cases: Sequence[Case]) -> Iterator[str]:
-    """Yield for each case what SFCGAL says: nothing if it agrees, that it differs, or crashes.
+    """Yield the answer of SFCGAL for each case: "", "differs" or a crash.
 
     After a crash the next case is given to a new process.
     """
@@ -183,7 +183,7 @@ def ask_sfcgal(cases: Sequence[Case]) -> Iterator[str]:
 
 
 def describe(name: str, seed: int, number: int, failure: str) -> str:
-    """A failing input; a pair with the smallest one that dropping and moving vertices leads to."""
+    """Describe a failing input, and of a pair a shrunken one."""
     drawn = STRATEGIES[name].draw(seeded(seed, number))
     found = f"{name} {seed}:{number}: {failure}\n    "
     if not isinstance(drawn, SmallPair):

@@ -1,4 +1,4 @@
-"""No test fails because the machine is busy, or by how it was begun; a browser for some of them."""
+"""Settings of all tests: no deadlines, a clean environment, and a browser."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ settings.load_profile("few")
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Iterator[None]:
-    """Collect without the garbage collector, and spare it all modules and tests from then on."""
+    """Collect tests without the garbage collector, then freeze what exists."""
     gc.disable()
     try:
         return (yield)
@@ -44,7 +44,7 @@ def pytest_collection() -> Iterator[None]:
 
 
 def pytest_sessionfinish() -> None:
-    """Collect once and spare what lives: pytest is about to collect five times."""
+    """Freeze live objects, because pytest collects garbage five times."""
     gc.collect()
     gc.freeze()
 
@@ -65,7 +65,7 @@ def browser() -> Iterator[Any]:
 
 @pytest.fixture
 def heed_interrupts() -> Iterator[None]:
-    """Programs that a test starts heed SIGINT; a shell has it ignored by what it starts with &."""
+    """Restore SIGINT for started programs; a shell ignores it for background jobs."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)

@@ -1,4 +1,4 @@
-"""`python -m tests.convictions`: faulty programs, and what the judge says of each."""
+"""`python -m tests.convictions`: verdicts on faulty programs."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Judged(NamedTuple):
 
 
 def judge_wrong_answers(name: str, cases: Iterable[Case]) -> Iterator[Judged]:
-    """Judge what a mistake makes of exact answers, where that is something else."""
+    """Judge exact answers changed by a mistake."""
     mistake = MISTAKES[name]
     hello, promised = mistake.hello, LOOPS if mistake.part == "trajectory" else ()
     for case in cases:
@@ -73,7 +73,7 @@ def judge_wrong_answers(name: str, cases: Iterable[Case]) -> Iterator[Judged]:
 
 
 def is_same(answer: dict[str, Any], exact: dict[str, Any]) -> bool:
-    """Decide without the judge whether an answer is right, in whatever way it is written."""
+    """Decide without the judge whether an answer is right, in any spelling."""
     try:
         return {name: _forget_order(name, answer[name]) for name in exact} == {
             name: _forget_order(name, rings) for name, rings in exact.items()
@@ -89,7 +89,7 @@ def _forget_order(name: str, rings: Any) -> Any:
 
 
 def is_near(case: Case, answer: Any, exact: dict[str, Any]) -> bool:
-    """Decide whether each vertex of an answer in floats is off by no more than is granted."""
+    """Decide whether the vertices of an answer in floats are within the granted error."""
     return all(
         abs(to_fraction(a) - b)
         < grant_rounding(case, name, read_loop(answer[name], ""), "binary64")

@@ -1,4 +1,4 @@
-"""Falsify certificates, and see that the checker refuses them: `python -m tests.falsify`.
+"""Falsify certificates, and check that they are rejected: `python -m tests.falsify`.
 
 Changes of one place, mixtures of two certificates about related pairs, and an adversary who moves
 loops and has the finder fill in a proof for them. With --layouts, certificates of layouts instead.
@@ -203,7 +203,7 @@ class Family(NamedTuple):
 def falsify(
     rng: Random, pairs: int, changes: int, family: Family
 ) -> tuple[Counter[str], list[Any]]:
-    """Count what was tried, and list what was proved though it claims something else."""
+    """Count trials, and list false certificates that were proved."""
     draw, adversary, is_true = family
     tried: Counter[str] = Counter()
     missed = []
@@ -259,7 +259,7 @@ def read_region(item: Any) -> Any:
 
 
 def prove_alone(certificates: Iterable[Certificate]) -> Iterator[tuple[int, int]]:
-    """Prove certificates by the file alone, in batches; count a batch and those it refuses."""
+    """Prove certificates by the standalone file, in batches; count trials and rejections."""
     found = iter(certificates)
     with TemporaryDirectory() as folder:
         path = Path(folder) / "certificates.jsonl"
@@ -304,7 +304,7 @@ def main(
     weakened: bool,
     every: int,
 ) -> None:
-    """Falsify certificates, and count what the checker refuses."""
+    """Falsify certificates, and count rejections."""
     if weakened:
         number, unnoticed = weaken(every)
         click.echo("\n".join([*unnoticed, f"{number} lines weakened, {len(unnoticed)} unnoticed"]))

@@ -88,7 +88,7 @@ def run_mutmut(folder: Path, *arguments: str) -> str:
 def main(
     packages: tuple[str, ...], tests: tuple[str, ...], sample: int | None, seed: int, workers: int
 ) -> None:
-    """Print which changes of PACKAGES no test notices, and how many there are."""
+    """Print the surviving mutants of PACKAGES."""
     settings = write_settings(packages, tests)
     with TemporaryDirectory() as name:
         folder = Path(name)

@@ -1,4 +1,4 @@
-"""Break the kernel on purpose, and see which rows of the ledger turn red.
+"""Break the kernel, and list the failing rows of the ledger.
 
 Run `python -m tests.mutations` for all of it. The sabotages are in `support/`: wrong answers of the
 paper's procedures (`wrong_answers.py`, and `wrong_rarely.py` for those that few pairs show) and of
@@ -36,7 +36,7 @@ SABOTAGES = (wrong_answers, wrong_rarely, wrong_evidence, wrong_costs, wrong_sha
 @click.option("--only", default="", help="Only faults whose description has this in it.")
 @click.option("--named", is_flag=True, help="Try only the rows that must notice.")
 def main(seed: int, only_timed: bool, only: str, named: bool) -> None:
-    """Show, for each mutation, the rows that turn red; exit code 1 if one that must does not.
+    """Show the failing rows for each mutation; exit with 1 if an expected one passes.
 
     The run tries a tenth of the pairs only. By default it leaves out faults that only cost time; on
     request it tries these, with full runs of the rows that must notice them.

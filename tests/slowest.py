@@ -1,4 +1,4 @@
-"""Look for the slowest certificates of 100 kB: `python -m tests.slowest`.
+"""Search for the slowest certificates of 100 kB: `python -m tests.slowest`.
 
 The checker promises an end within half a minute and a gigabyte. Files of every kind are drawn, and
 the slowest one is changed as long as that makes it slower.

@@ -1,4 +1,4 @@
-"""Messages on systems without some feature, and metadata of the package."""
+"""Messages on systems without a feature, and metadata of the package."""
 
 import importlib
 import os

@@ -1,4 +1,4 @@
-"""The walks that PROJECT.md lists, compared with the calls that they describe."""
+"""The walks of PROJECT.md compared with actual calls."""
 
 import re
 import sys
@@ -115,7 +115,7 @@ def follow(walk: Callable[[Path], object], folder: Path) -> list[Step]:
 
 
 def find_misstep(listed: list[Step], seen: list[Step]) -> Step | None:
-    """The first step that is not taken, or not after the one before it."""
+    """Return the first step that is missing or out of order."""
     rest = iter(seen)
     return next((step for step in listed if step not in rest), None)
 

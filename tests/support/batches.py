@@ -1,4 +1,4 @@
-"""Helpers that run a batch as a process, watch it, and find its workers."""
+"""Helpers that run a batch in a process and find its workers."""
 
 import subprocess
 from collections.abc import Callable, Sequence

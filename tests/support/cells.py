@@ -1,4 +1,4 @@
-"""Polyominoes: sets of unit squares, their rings, and how two of them lie by counting squares."""
+"""Polyominoes: sets of unit squares, their rings, and their relation by counting squares."""
 
 from collections.abc import Iterable
 from fractions import Fraction
@@ -10,7 +10,7 @@ from exactsweep.geometry.region import Region
 
 
 class Holed(NamedTuple):
-    """A polygon and its holes, as a Region has them."""
+    """A polygon and its holes."""
 
     exterior: Polygon
     holes: tuple[Polygon, ...] = ()
@@ -32,7 +32,7 @@ def shape_of(cells: Iterable[Cell]) -> Holed:
 
 
 def grid(*rows: str) -> Holed:
-    """A shape drawn with one character a square, the lowest row last."""
+    """A shape from a drawing with one character per square, the lowest row last."""
     height = len(rows)
     return shape_of(
         (x, height - 1 - y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "#"

@@ -1,4 +1,4 @@
-"""Certificates of every kind, small ones."""
+"""Small certificates of every kind."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def layout(
 
 
 def two_ls() -> Certificate:
-    """Two Ls that fill a box of 3 x 2 but for nothing; a third one touches by a slanted side."""
+    """Two Ls that fill a box of 3 x 2; a third one touches with a slanted edge."""
     parts: list[Any] = [{"id": "L", "exterior": L, "demand": 2, "turns": ["0", "180"]}]
     placed = [
         {"part": "L", "turn": "0", "move": ["0", "0"]},

@@ -1,4 +1,4 @@
-"""The checkers in Python and in JavaScript, asked about the same certificates."""
+"""The checkers in Python and JavaScript on the same certificates."""
 
 import json
 import shutil
@@ -23,7 +23,7 @@ def is_proved(text: str) -> bool:
 
 
 def ask_node(texts: list[str], folder: Path) -> list[str]:
-    """The lines that one process prints for all."""
+    """Return the output lines of one process for all certificates."""
     files = [folder / f"{n}.json" for n in range(len(texts))]
     for file, text in zip(files, texts, strict=True):
         file.write_text(text, encoding="utf-8")
@@ -36,7 +36,7 @@ def ask_node(texts: list[str], folder: Path) -> list[str]:
 
 
 def check_agreement(certificates: list[Any], folder: Path) -> int:
-    """Both checkers say the same of each; return how many they prove."""
+    """Require the same verdicts of both checkers; return the number of proofs."""
     texts = [c if type(c) is str else json.dumps(c) for c in certificates]
     answers = ask_node(texts, folder)
     assert len(answers) == len(texts)

@@ -31,7 +31,7 @@ def run(*arguments: str, stdin: str | bytes | None = None) -> Result:
 
 
 def list_commands(group: click.Group = main, name: str = "") -> Iterator[tuple[str, click.Command]]:
-    """All commands, by the words that call them."""
+    """Yield all commands with their names."""
     for word, command in group.commands.items():
         path = f"{name} {word}".strip()
         if isinstance(command, click.Group):
@@ -41,7 +41,7 @@ def list_commands(group: click.Group = main, name: str = "") -> Iterator[tuple[s
 
 
 def refusal(result: Result, code: int = 1) -> str:
-    """The one line of a refusal."""
+    """Return the single line of an error."""
     assert result.exit_code == code
     assert result.stdout == ""
     assert re.fullmatch(r"Error: [^\n]+\n", result.stderr)
@@ -49,7 +49,7 @@ def refusal(result: Result, code: int = 1) -> str:
 
 
 def eventually(condition: Callable[[], object]) -> None:
-    """Wait until something holds."""
+    """Wait until a condition holds."""
     deadline = time.monotonic() + PATIENCE
     while not condition():
         assert time.monotonic() < deadline
@@ -57,7 +57,7 @@ def eventually(condition: Callable[[], object]) -> None:
 
 
 def processes(word: str) -> list[str]:
-    """The command lines of the running processes that have a word in them."""
+    """List the command lines of running processes that contain a word."""
     found = []
     for path in Path("/proc").glob("[0-9]*/cmdline"):
         with suppress(OSError):

@@ -1,4 +1,4 @@
-"""Contacts as the pages list them."""
+"""Contacts in the form of the pages."""
 
 from collections.abc import Iterable
 
@@ -10,7 +10,7 @@ from exactsweep.numbers.number import Point
 
 
 def without_parts(s: Sweep, contacts: Iterable[Contact]) -> set[Contact]:
-    """Contacts less those of an end of an edge that, as a whole, touches the other one."""
+    """Drop EV and VE contacts implied by an EE contact."""
     listed = set(contacts)
     ends = [_ends(Region(shape)) for shape in (s.generatrix, s.directrix)]
     implied: set[Contact] = set()
@@ -22,7 +22,7 @@ def without_parts(s: Sweep, contacts: Iterable[Contact]) -> set[Contact]:
 
 
 def _ends(shape: Region) -> dict[int, set[int]]:
-    """The numbers of the ends of each edge."""
+    """Map each edge to the indices of its ends."""
     return {
         shape.edge_index(k): {shape.vertex_index(k), shape.vertex_index(following)}
         for _, k, following in walk_rings(shape)
@@ -30,5 +30,5 @@ def _ends(shape: Region) -> dict[int, set[int]]:
 
 
 def between(a: Point, b: Point) -> Point:
-    """A point of a way, nearer to its start."""
+    """Return a point of a segment, closer to its start."""
     return Point((2 * a.x + b.x) / 3, (2 * a.y + b.y) / 3)

@@ -1,4 +1,4 @@
-"""Everything that the kernel answers for a pair, compared with the definition."""
+"""All answers for a pair compared with the definition."""
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
@@ -21,7 +21,7 @@ DIRECTIONS = [(1, 0), (0, 1), (1, 1), (1, -1), (3, 4), (1, -2), (3, -1)]
 
 
 def find_failure(pair: SmallPair, *, deep: bool = False, kernel: Any = exactsweep) -> str:
-    """Say what differs from the definition, or nothing; `deep`: of all answers, not loops alone."""
+    """Describe a difference from the definition: of loops, if deep of all answers; "" if none."""
     checks: list[Callable[[SmallPair, Any], Iterator[str]]] = [_loops]
     if deep:
         checks += [_inner_fit, _reasons, _certificates, _classification]
@@ -106,7 +106,7 @@ def _reasons(pair: SmallPair, answered: Any) -> Iterator[str]:
 
 
 def _certificates(pair: SmallPair, answered: Any) -> Iterator[str]:
-    """All answers have certificates that are proved."""
+    """Require proved certificates of all answers."""
     kernel, s = answered
     g, d = _shapes(pair, kernel)
     for answer in (s, kernel.inner_fit_polygon(d, g), kernel.no_fit_polygon(d, g)):
@@ -115,7 +115,7 @@ def _certificates(pair: SmallPair, answered: Any) -> Iterator[str]:
 
 
 def _classification(pair: SmallPair, answered: Any) -> Iterator[str]:
-    """The answer agrees with `classify`, at positions on the loops and between."""
+    """Compare the answer with `classify` at positions on and between the loops."""
     kernel, _ = answered
     g, d = _shapes(pair)
     n = kernel.no_fit_polygon(*reversed(_shapes(pair, kernel)))

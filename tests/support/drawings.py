@@ -53,7 +53,7 @@ class Drawing:
 
 @cache
 def every_drawing() -> tuple[Drawing, ...]:
-    """Return all sixty."""
+    """Return all drawings."""
     described = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
     return tuple(_describe(**drawing) for drawing in described["drawings"])
 

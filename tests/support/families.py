@@ -50,7 +50,7 @@ class Pair(NamedTuple):
 def convex(
     rng: random.Random, sides: Sequence[int] = (1, 2, 3, 5, 12, 1000), most: int = 14
 ) -> IntRing:
-    """The hull of a few points of a grid; often with vertical or parallel edges."""
+    """Draw the hull of points of a grid, often with vertical or parallel edges."""
     return [*draw_convex(_prng(rng), most, rng.choice(sides))]
 
 
@@ -60,7 +60,7 @@ def box(rng: random.Random) -> IntRing:
 
 
 def fan(rng: random.Random) -> IntRing:
-    """Convex, with slopes that differ by one part in 10**15."""
+    """Draw a convex ring whose slopes differ by one part in 10**15."""
     steps = [(NEAR, rng.randint(-3, 3)) for _ in range(rng.randint(2, 5))]
     steps += [(NEAR + rng.randint(0, 2), NEAR) for _ in range(rng.randint(0, 2))]
     return [*find_hull([*walk(steps), (0, 1), (NEAR, rng.randint(2, 9))])]
@@ -81,12 +81,12 @@ def long(rng: random.Random) -> IntRing:
 
 
 def rectilinear(rng: random.Random) -> IntRing:
-    """Horizontal and vertical edges: slots and teeth, often of equal width."""
+    """Draw horizontal and vertical edges: slots and teeth, often of equal width."""
     return draw_rectilinear(_prng(rng), (2, 6), rng.choice(WIDTHS), rng.randint(1, 3))
 
 
 def teeth(rng: random.Random, depths: Sequence[int] = (1, 3, 1000), most: int = 7) -> IntRing:
-    """Spikes of few slopes, up and down: parallel edges, tangent envelopes."""
+    """Draw spikes of few slopes: parallel edges, tangent envelopes."""
     depth = rng.choice(depths)
     steps = [(1, depth), (1, -depth), (1, depth), (1, -depth), (2, 0)]
     chains = [walk([rng.choice(steps) for _ in range(rng.randint(2, most))]) for _ in "bt"]
@@ -95,7 +95,7 @@ def teeth(rng: random.Random, depths: Sequence[int] = (1, 3, 1000), most: int = 
 
 
 def ripple(rng: random.Random) -> IntRing:
-    """Slopes that differ by one part in 10**15, up and down."""
+    """Draw slopes that differ by one part in 10**15, up and down."""
     slope = rng.choice([0, 1, NEAR])
     chains = [
         walk([(NEAR, slope + rng.randint(-2, 2)) for _ in range(rng.randint(2, 5))]) for _ in "bt"
@@ -105,7 +105,7 @@ def ripple(rng: random.Random) -> IntRing:
 
 
 def mould(rng: random.Random, ring: IntRing) -> IntRing:
-    """A directrix with dents into which the top of a generatrix fits, as a rule exactly."""
+    """Draw a directrix with dents that fit the top of a generatrix, usually exactly."""
     top = _top_of(ring)
     ground = min(y for _, y in top) - rng.randint(0, 2)
     bottom: IntRing = [(0, ground)]
@@ -141,7 +141,7 @@ CLASSES = ("CC", "CM", "MC", "MM")
 
 
 def random_pair(rng: random.Random, families: Sequence[str] = FAMILIES) -> Pair:
-    """Draw a pair of any class; the letter M stands for a ring that may happen to be convex."""
+    """Draw a pair of any class; a ring of M may be convex by chance."""
     family = rng.choice(families)
     letters = rng.choice(CLASSES)
     shapes = family if family in CONVEX else rng.choice([*CONVEX][:-1])
@@ -181,7 +181,7 @@ def place(rng: random.Random, *rings: Ring) -> Pair:
 
 
 def respelled(rng: random.Random, ring: Ring) -> Ring:
-    """Another first vertex and orientation, repeated and collinear vertices, closed."""
+    """Change first vertex and orientation; add repeated and collinear vertices; close."""
     first = rng.randrange(len(ring))
     ring = [*ring[first:], *ring[:first]]
     spelled: Ring = []

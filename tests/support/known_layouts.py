@@ -1,4 +1,4 @@
-"""Layouts with verdicts worked out by hand, of kinds that the shipped layouts do not have."""
+"""Layouts with verdicts by hand, of kinds that the corpus lacks."""
 
 from fractions import Fraction
 

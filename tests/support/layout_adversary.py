@@ -59,7 +59,7 @@ def disturb(data: dict[str, Any], rng: Random) -> dict[str, Any]:
 
 
 def refill(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
-    """Disturb a layout, and let the finder write what it can: that it is valid, or old faults."""
+    """Disturb a layout, and let the finder prove validity or the old faults."""
     board = Board(Layout.from_json(disturb(certificate["layout"], rng)))
     faults = judge_layout(Layout.from_json(certificate["layout"])).faults
     claimed = () if rng.random() < 0.7 else faults
@@ -70,7 +70,7 @@ def refill(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
 
 
 def invent_normal(one: Any, other: Any, distance: Fraction) -> tuple[int, int]:
-    """Find a normal, or one for which the gap is the least below what is required."""
+    """Find a separating normal, or the one with the smallest deficit."""
     found = find_normal(one, other, distance)
     if found is not None:
         return found
@@ -81,7 +81,7 @@ def invent_normal(one: Any, other: Any, distance: Fraction) -> tuple[int, int]:
 
 
 def is_true_layout(certificate: Certificate, _: object) -> bool:
-    """Decide whether the judge gives the same verdict, and has the faults that are listed."""
+    """Decide whether the judge agrees with the verdict and the listed faults."""
     data = _leave_out_null(certificate["layout"])
     try:
         judgement = judge_layout(Layout.from_json(data))
@@ -111,7 +111,7 @@ def is_true_layout(certificate: Certificate, _: object) -> bool:
 
 
 def _leave_out_null(item: Any) -> Any:
-    """The checker reads null as nothing, which the reader of layouts refuses."""
+    """Drop nulls, which the checker accepts and the reader of layouts rejects."""
     if type(item) is dict:
         return {key: _leave_out_null(value) for key, value in item.items() if value is not None}
     return [*map(_leave_out_null, item)] if type(item) is list else item

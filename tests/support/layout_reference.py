@@ -111,7 +111,7 @@ def point_apart(x: int, y: int, edge: IntEdge) -> tuple[int, int]:
 
 
 def judge_by_definition(layout: Layout) -> Truth:
-    """All that the judge says of a layout whose parts are simple, pair by pair."""
+    """Judge a layout with simple parts by the definition, pair by pair."""
     faults: Counter[tuple[str, tuple[int, ...]]] = Counter()
     contacts: Pairs = set()
     shapes = [place(layout, placement) for placement in layout.placements]
@@ -171,7 +171,7 @@ def list_walls(layout: Layout, shapes: Sequence[Region]) -> list[Region]:
 
 
 def compare(drawn: RandomLayout, rng: Random, deep: bool) -> str:
-    """Judge a random layout, and say what differs from the definition, or nothing."""
+    """Judge a random layout; describe a difference from the definition, "" if none."""
     judgement = judge_layout(drawn.layout)
     return (
         find_difference(drawn.layout, judgement)
@@ -181,7 +181,7 @@ def compare(drawn: RandomLayout, rng: Random, deep: bool) -> str:
 
 
 def find_difference(layout: Layout, judgement: Any) -> str:
-    """Say where a judgement differs from the definition; an empty string if nowhere."""
+    """Describe a difference of a judgement from the definition; "" if none."""
     truth = judge_by_definition(layout)
     found = Counter((fault.kind, fault.placements) for fault in judgement.faults)
     undecided = {
@@ -217,7 +217,7 @@ def _has_angles(layout: Layout) -> bool:
 def _is_close_call(
     layout: Layout, truth: Truth, walls: list[Region], placements: tuple[int, ...], bound: Fraction
 ) -> bool:
-    """Decide whether a pair is too near to touching, or to its distance, for bounds."""
+    """Decide whether a pair is too close to contact or to its spacing for bounds."""
     first = truth.shapes[placements[0]]
     others = [truth.shapes[placements[1]]] if len(placements) > 1 else walls
     asked = layout.spacing if len(placements) > 1 else layout.margin
@@ -230,7 +230,7 @@ def _is_close_call(
 
 
 def _find_wrong(layout: Layout, truth: Truth, walls: list[Region], fault: Any) -> str:
-    """Say what is wrong with the proof of a fault."""
+    """Describe an error in the proof of a fault; "" if none."""
     shapes = [truth.shapes[k] for k in fault.placements] if fault.points else []
     if fault.kind == "overlap":
         (point,) = fault.points
@@ -255,7 +255,7 @@ def _find_wrong(layout: Layout, truth: Truth, walls: list[Region], fault: Any) -
 
 
 def find_wrong_move(layout: Layout, judgement: Judgement, number: int) -> str:
-    """Say what is wrong with the shortest moves of the first faults that have one."""
+    """Describe an error in the shortest moves of the first faults; "" if none."""
     shapes = [place(layout, placement) for placement in layout.placements]
     walls = list_walls(layout, shapes)
     tried = [f for f in judgement.faults if f.kind in ("overlap", "outside") and not f.bound]
@@ -286,7 +286,7 @@ def find_wrong_move(layout: Layout, judgement: Judgement, number: int) -> str:
 
 
 def find_unproved(judgement: Judgement, rng: Random) -> str:
-    """Say whether a certificate is not proved, or still proved when something is changed."""
+    """Describe a certificate that is not proved, or is proved after a change; "" if none."""
     kinds = {fault.kind for fault in judgement.faults}
     try:
         certificate = json.loads(json.dumps(judgement.certificate()))

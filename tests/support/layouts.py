@@ -1,4 +1,4 @@
-"""Layouts by hand, written as short as can be."""
+"""Short notation for layouts by hand."""
 
 from collections.abc import Sequence
 from fractions import Fraction

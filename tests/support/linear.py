@@ -1,4 +1,4 @@
-"""A test of linear time that is independent of the speed and load of the machine."""
+"""A test of linear time that does not depend on the machine."""
 
 import sys
 import time
@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 
 def require_linear(action: Callable[[int], object], size: int = 10_000) -> None:
-    """Eight times the size may take some eight times as long; squared, it would be 64."""
+    """Require about eight times the cost for eight times the size; quadratic cost is 64."""
     # Other load on the machine makes a run longer only: a small one is the least of three, so that
     # it excuses no large one, and a large one that is too long gets another try.
     tries = (
@@ -18,7 +18,7 @@ def require_linear(action: Callable[[int], object], size: int = 10_000) -> None:
 
 
 def count_calls(action: Callable[[], object]) -> int:
-    """Count the calls and returns of functions in a run, which do not depend on the clock."""
+    """Count the calls and returns of functions in a run."""
     events = Counter[str]()
     before = sys.getprofile()
     sys.setprofile(lambda frame, event, argument: events.update([event]))

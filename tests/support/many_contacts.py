@@ -1,4 +1,4 @@
-"""Shapes that touch in several places at once: two teeth, slots, walls, slanted edges, stairs."""
+"""Shapes with several contacts: two teeth, slots, walls, slanted edges, stairs."""
 
 FORK = [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
 TABLE = [(0, 3), (0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (4, 0), (4, 1), (5, 1), (5, 0), (6, 0)]

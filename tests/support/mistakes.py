@@ -1,4 +1,4 @@
-"""Programs with one mistake each, and what the judge has to say of them."""
+"""Programs with one mistake each, and the required verdicts."""
 
 from __future__ import annotations
 
@@ -88,12 +88,12 @@ class Mistake(NamedTuple):
 
 
 def without(k: int) -> Callable[[list[Any]], Any]:
-    """One ring is lost; not the only one."""
+    """Drop one of several rings."""
     return lambda rings: [r for r in rings if r is not rings[k]] if len(rings) > 1 else rings
 
 
 def list_of_positions(part: str) -> Iterator[tuple[str, Mistake]]:
-    """List the mistakes in all kinds of positions."""
+    """Yield the mistakes in positions."""
     fits, is_loop, is_inner = FITS_OF[part], part == "trajectory", part == "inner_fit"
     other = OR_ELSE + ("" if is_loop else "|lacks|exact rings")
 
@@ -138,7 +138,7 @@ def list_of_positions(part: str) -> Iterator[tuple[str, Mistake]]:
 
 
 def away(part: str) -> tuple[str, ...]:
-    """Far away G is free of D, and out of a container."""
+    """Return the verdict on distant positions: free for D, outside for a container."""
     return ("unsound",) if part == "inner_fit" else FALSE
 
 
@@ -149,7 +149,7 @@ def add_spike(rings: list[Any]) -> Any:
 
 
 def shrink(ring: Any) -> Any:
-    """A ring at half its size, about its first vertex."""
+    """Shrink a ring by half about its first vertex."""
     return [Point((ring[0].x + p.x) / 2, (ring[0].y + p.y) / 2) for p in ring]
 
 
@@ -175,7 +175,7 @@ SIDES = {-1: ("notch", LARGER), 1: ("corner", SMALLER)}
 
 
 def list_of_loops(part: str) -> Iterator[tuple[str, Mistake]]:
-    """List the mistakes in loops of sweeps."""
+    """Yield the mistakes in loops of sweeps."""
     for words, ring in INSTEAD.items():
         if f" {part} " in words:
             continue
@@ -218,7 +218,7 @@ CONDITIONS: dict[str, Callable[[Case], bool]] = {
 
 
 def ring_of(*pairs: tuple[Any, ...]) -> Change:
-    """Something else in the place of the first vertices of the trajectory."""
+    """Replace the first vertices of the trajectory."""
     return on("trajectory", lambda loop: [*pairs, *loop[len(pairs) :]])
 
 

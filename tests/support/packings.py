@@ -1,4 +1,4 @@
-"""Random layouts of discs, slots, rounded rectangles and polygons near contact, and the truth.
+"""Random layouts of discs, slots, rounded rectangles and polygons near contact, with verdicts.
 
 Every part is convex: hulls with a radius, turned by rational turns, placed one after another at a
 chosen distance from an earlier one, in directions of Pythagorean triples. The truth is decided in
@@ -221,7 +221,7 @@ def compare_packing(packing: Packing, rng: Random, deep: bool) -> str:
 
 
 def find_wrong_move(data: dict[str, Any], fault: Any) -> str:
-    """Say that a move does not repair a fault, or that a tenth less does so, too."""
+    """Describe a move that does not repair a fault, or is not the shortest; "" if none."""
     if fault.move is None:
         return "" if len(fault.placements) == 1 else "no move"
     k = fault.placements[-1]

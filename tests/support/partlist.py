@@ -1,4 +1,4 @@
-"""A part list as a sheet-metal shop has it: brackets, gussets, flanges, combs, washers' halves."""
+"""A part list of a sheet-metal shop: brackets, gussets, flanges, combs, half washers."""
 
 from pathlib import Path
 

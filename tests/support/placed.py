@@ -32,7 +32,7 @@ class Scene(NamedTuple):
 
 
 def draw_cells(rng: Random) -> list[Region]:
-    """Polyominoes: placed ones touch walls and each other, overlap them, and leave exact gaps."""
+    """Draw placed polyominoes that touch or overlap walls and each other, and leave exact gaps."""
     container = set(grow(rng.choices(range(60), k=rng.randint(20, 50))))
     left, low = min(x for x, _ in container), min(y for _, y in container)
     placed = [
@@ -47,7 +47,7 @@ def draw_cells(rng: Random) -> list[Region]:
 
 
 def draw_jigsaw(rng: Random) -> list[Region]:
-    """A rectangle cut into polyominoes without gaps, some of which are removed."""
+    """Draw a rectangle cut into polyominoes, some of which are removed."""
     free = build_block(SIDE, SIDE)
     pieces: list[set[Cell]] = []
     while free:
@@ -77,7 +77,7 @@ def _mapped(ring: Polygon, matrix: tuple[Cell, Cell]) -> list[tuple[Fraction, Fr
 
 
 def draw_polygons(rng: Random) -> list[Region]:
-    """Random simple polygons."""
+    """Draw random simple polygons."""
     placed = [
         Region(untangled(rng, 6, 5)).translated((rng.randint(0, 8), rng.randint(0, 8)))
         for _ in range(rng.randint(0, 4))
@@ -98,14 +98,14 @@ FAMILIES: dict[str, Callable[[Random], list[Region]]] = {
 
 
 def draw_scene(rng: Random) -> Scene:
-    """A scene of any family, of any size."""
+    """Draw a scene of any family and size."""
     family, scale = rng.choice(sorted(FAMILIES)), rng.choice(SCALES)
     container, *placed, part = (shape.scaled(scale) for shape in FAMILIES[family](rng))
     return Scene(family, container, placed, part, scale / 2)
 
 
 def expected(scene: Scene, t: Point) -> str:
-    """Locate a position by the definition: all outside the container is solid, too."""
+    """Locate a position by the definition; the outside of the container is solid."""
     low, high = scene.container.bounding_box
     # The frame contains everything that the part reaches.
     a, b = scene.part.translated(t).bounding_box
@@ -121,7 +121,7 @@ def expected(scene: Scene, t: Point) -> str:
 
 
 def list_positions(scene: Scene, found: InnerFit) -> Iterator[Point]:
-    """A lattice over all positions worth asking about, and the features of the answer."""
+    """List a lattice of positions, and the features of the answer."""
     low, high = scene.container.bounding_box
     a, b = scene.part.bounding_box
     step = scene.step
@@ -138,7 +138,7 @@ def list_positions(scene: Scene, found: InnerFit) -> Iterator[Point]:
 
 
 def compare(scene: Scene, rng: Random, deep: bool) -> str:
-    """Locate positions of a scene by the kernel and by the definition: the first that differs."""
+    """Return the first position that the kernel and the definition locate differently."""
     found = free_positions(scene.container, scene.placed, scene.part)
     positions = list(list_positions(scene, found))
     for t in rng.sample(positions, min(MOST, len(positions))):

@@ -1,4 +1,4 @@
-"""Polyominoes: shapes of unit squares, whose free positions can be counted square by square.
+"""Polyominoes: shapes of unit squares, with free positions by counting squares.
 
 At a position (x, y) of the integer grid, polyominoes overlap if they share a square; inside a unit
 edge or a unit square of positions, if they do so at one of its corners' neighbours: a square of G
@@ -20,7 +20,7 @@ Matrix = tuple[int, int, int, int]
 
 @st.composite
 def polyominoes(draw: st.DrawFn, most: int = 12, side: int = 5) -> Cells:
-    """Squares joined along edges, with holes as often as not."""
+    """Draw squares joined along edges, half of them with holes."""
     cells = {(0, 0)}
     for _ in range(draw(st.integers(0, most - 1))):
         near = sorted(
@@ -38,7 +38,7 @@ def polyominoes(draw: st.DrawFn, most: int = 12, side: int = 5) -> Cells:
 
 
 def frame(cells: Cells, width: int = 1) -> Cells:
-    """A rectangle with a polyomino cut out of it: a mould."""
+    """Draw a rectangle with a polyomino cut out."""
     xs, ys = zip(*cells, strict=True)
     whole = product(
         range(min(xs) - width, max(xs) + width + 1), range(min(ys) - width, max(ys) + width + 1)
@@ -47,7 +47,7 @@ def frame(cells: Cells, width: int = 1) -> Cells:
 
 
 def region(cells: Cells, matrix: Matrix = (1, 0, 0, 1)) -> Region:
-    """The polyomino as a Region, mapped by an integer matrix with determinant not zero."""
+    """Return a polyomino as a Region, mapped by a regular integer matrix."""
     a, b, c, d = matrix
     loops = [[(a * x + b * y, c * x + d * y) for x, y in loop] for loop in rings(cells)]
     return Region(loops[0], loops[1:])

@@ -1,4 +1,4 @@
-"""Solve pairs of any shape with and without the two pruning steps."""
+"""Pairs of any shape with and without the two pruning steps."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -24,7 +24,7 @@ Pair = tuple[Fraction, Fraction]
 
 
 def draw_turn(rng: Random, *, exact: bool = False) -> Any:
-    """A turn as layouts have it: mostly quarters, else a cosine and a sine, or any angle."""
+    """Draw a rotation: mostly quarters, else a cosine and a sine, or any angle."""
     kind = rng.random()
     if kind < 0.5:
         return rng.choice([0, 90, 180, 270, -90, 450])
@@ -35,7 +35,7 @@ def draw_turn(rng: Random, *, exact: bool = False) -> Any:
 
 
 def turn_back(turn: Any, *, mirrored: bool) -> Callable[[Pair], Pair]:
-    """The inverse of a turn that is exact, and of a mirroring before it."""
+    """Invert an exact rotation and the mirroring before it."""
     quarters = [(1, 0), (0, 1), (-1, 0), (0, -1)]
     c, s = map(Fraction, turn if isinstance(turn, list) else quarters[turn // 90 % 4])
 
@@ -47,12 +47,12 @@ def turn_back(turn: Any, *, mirrored: bool) -> Callable[[Pair], Pair]:
 
 
 def draw_gap(rng: Random, unit: Fraction) -> Fraction:
-    """A distance that is asked for: mostly none."""
+    """Draw a required distance, mostly 0."""
     return rng.choice([Fraction(0), Fraction(0), unit / 4, unit, 2 * unit, unit * TINY])
 
 
 def lay_jigsaw(rng: Random, scale: Fraction) -> dict[str, Any]:
-    """Pieces cut from a sheet without gaps, put back exactly, or with one of them astray."""
+    """Lay pieces cut from a sheet, exactly or with one displaced."""
     *shapes, _ = draw_jigsaw(rng)
     sheet, *pieces = shapes
     parts: list[dict[str, Any]] = []
@@ -81,7 +81,7 @@ def lay_jigsaw(rng: Random, scale: Fraction) -> dict[str, Any]:
 
 
 def draw_parts(rng: Random, scale: Fraction) -> list[dict[str, Any]]:
-    """One to four parts of any shape."""
+    """Draw one to four parts of any shape."""
     parts: list[dict[str, Any]] = []
     for k in range(rng.randint(1, 4)):
         pair = SHAPES[rng.choice([*SHAPES])](Prng(str(rng.getrandbits(64))))
@@ -97,7 +97,7 @@ def draw_parts(rng: Random, scale: Fraction) -> list[dict[str, Any]]:
 
 
 def lay_rows(rng: Random, scale: Fraction, spacing: Fraction) -> dict[str, Any]:
-    """Parts in rows, box to box: touching, at the spacing, a little nearer or farther."""
+    """Lay parts in rows, box to box: touching, at the spacing, or slightly off."""
     parts, number = (
         draw_parts(rng, scale),
         rng.choice([2, 2, 3, 4, 5, 6, 8, 13, rng.choice([13, 30, 60])]),
@@ -138,7 +138,7 @@ def bounds(part: dict[str, Any], turn: Any, *, mirrored: bool) -> tuple[Pair, Pa
 
 
 def lay_heap(rng: Random, scale: Fraction, _: Fraction) -> dict[str, Any]:
-    """Parts anywhere on a small grid."""
+    """Lay parts anywhere on a small grid."""
     parts, number = draw_parts(rng, scale), rng.choice([2, 3, 4, 6, 10, 25])
     side = rng.choice([6, 20, 60, 100])
     placements = [
@@ -184,7 +184,7 @@ def put_around(rng: Random, data: dict[str, Any], scale: Fraction, margin: Fract
 
 
 class RandomLayout(NamedTuple):
-    """A layout, and the family that it is of."""
+    """A layout and its family."""
 
     family: str
     layout: Layout

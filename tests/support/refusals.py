@@ -37,7 +37,7 @@ def list_refusals(file: str) -> list[tuple[str, str]]:
 
 
 def find_refusal(call: str, said: str, names: Mapping[str, Any]) -> str:
-    """Return the error that a call raises; with dots as in the given one, if it fits that."""
+    """Return the error of a call; the given pattern if it matches."""
     found = "no error"
     try:
         eval(call, {**NAMES, **names})
@@ -48,12 +48,12 @@ def find_refusal(call: str, said: str, names: Mapping[str, Any]) -> str:
 
 
 def require_refused(call: str, said: str, **names: Any) -> None:
-    """Require that a call raises the error that stands below it."""
+    """Require the listed error of a call."""
     assert find_refusal(call, said, names) == said
 
 
 def refuse_again(path: Path, names: Mapping[str, Any]) -> str:
-    """Return the text of a refusals.txt as it should be."""
+    """Return the current text of a refusals.txt."""
 
     def replace(match: re.Match[str]) -> str:
         return f"{match[1]}\n    {find_refusal(match[1], match[2], names)}"

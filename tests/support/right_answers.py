@@ -27,7 +27,7 @@ SUM = "minkowski_sum"
 
 
 class Writing(NamedTuple):
-    """A way to write an answer.
+    """A spelling of an answer.
 
     Attributes:
         rings: writes the rings of a part, given its exact fits; None where it does not apply.

@@ -1,4 +1,4 @@
-"""Random discs, slots and rounded rectangles near contact, in SVG, and whether they overlap.
+"""Random discs, slots and rounded rectangles near contact, in SVG, with verdicts.
 
 Each is a point, a segment or a rectangle with a radius: two overlap if the distance of these is
 less than the sum of the radii, which is decided in rational arithmetic.
@@ -56,7 +56,7 @@ def draw_rounded(rng: Random) -> RoundedPair:
 
 
 def compare_rounded(pair: RoundedPair, rng: Random, deep: bool) -> str:
-    """Judge a pair, and say whether the verdict is false."""
+    """Judge a pair; describe a false verdict, "" if none."""
     (found,) = parse_layouts(pair.text, tolerance=pair.tolerance)
     faults = judge_finely(found, {}, "the pair").faults
     pair.verdict = faults[0].kind if faults else "valid"

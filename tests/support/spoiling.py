@@ -279,7 +279,7 @@ def lengthen(share: Fraction) -> Callable[[list[Ring]], list[Ring]]:
 
 
 def go_stale(last: dict[str, Answer]) -> Change:
-    """A program that keeps the answer of the case before."""
+    """A program that repeats its previous answer."""
 
     def change(case: Case, answer: Answer) -> Answer | None:
         found = last.get("answer")

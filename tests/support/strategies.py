@@ -24,12 +24,12 @@ SCALES = [Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**30), Fraction(1
 
 
 def tiny(low: int = 0, high: int = 4) -> st.SearchStrategy[int]:
-    """Integers of a grid so small that coincidences are the rule."""
+    """Draw integers of a tiny grid, with many coincidences."""
     return st.integers(low, high)
 
 
 def coordinates() -> st.SearchStrategy[Fraction]:
-    """Small integers, small rationals, and both around 10**30 and 10**-30."""
+    """Draw small integers and rationals, also around 10**30 and 10**-30."""
     small = st.fractions(-9, 9, max_denominator=12) | tiny().map(Fraction)
     return st.builds(lambda value, scale: value * scale, small, st.sampled_from(SCALES))
 
@@ -55,7 +55,7 @@ def convex_rings() -> st.SearchStrategy[Ring]:
 
 
 def rectilinear_rings() -> st.SearchStrategy[Ring]:
-    """Horizontal and vertical edges only: slots and teeth that fit exactly, or stairs."""
+    """Draw horizontal and vertical edges: slots and teeth that fit exactly, or stairs."""
     return seeded(families.rectilinear)
 
 
@@ -65,7 +65,7 @@ def monotone_rings() -> st.SearchStrategy[Ring]:
 
 @st.composite
 def star_rings(draw: st.DrawFn) -> Ring:
-    """Seen whole from the origin; as a rule not monotone."""
+    """Draw star-shaped rings, usually not monotone."""
     compass = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (-1, 1), (-2, 1), (-1, 0)]
     compass += [(-2, -1), (-1, -1), (0, -1), (1, -2), (1, -1)]
     # The first, sixth and eleventh see the origin inside their triangle.
@@ -75,7 +75,7 @@ def star_rings(draw: st.DrawFn) -> Ring:
 
 @st.composite
 def comb_rings(draw: st.DrawFn) -> Ring:
-    """Teeth that lean over, all alike, standing up or lying on their side."""
+    """Draw equal slanted teeth, upright or on their side."""
     lean = draw(tiny(-3, 3))
     ring = [(0, -1), (draw(tiny(2, 4)) * 4, -1)]
     for x in range(ring[1][0] - 4, -1, -4):
@@ -87,7 +87,7 @@ def comb_rings(draw: st.DrawFn) -> Ring:
 
 @st.composite
 def spiral_rings(draw: st.DrawFn) -> Ring:
-    """A corridor of width one that winds inwards."""
+    """Draw a spiral corridor of width one."""
     turns = draw(tiny(2, 9))
     outer, inner = [], []
     for i in range(turns + 1):
@@ -150,7 +150,7 @@ def _grid_shifts(scale: Fraction) -> st.SearchStrategy[tuple[Fraction, Fraction]
 
 
 def spellings(polygon: Polygon) -> st.SearchStrategy[families.Ring]:
-    """The same polygon in other words: turned, reversed, closed, repeated, collinear vertices."""
+    """Draw spellings: first vertex, orientation, closed, repeated and collinear vertices."""
     return seeded(lambda random: families.respelled(random, [*polygon.vertices]))
 
 
@@ -161,7 +161,7 @@ def mapped(polygon: Polygon, matrix: Matrix) -> Polygon:
 
 @st.composite
 def matrices(draw: st.DrawFn) -> Matrix:
-    """Invertible, of integers; turning over as often as not."""
+    """Draw regular integer matrices, half of them orientation-reversing."""
     a, b = draw(st.sampled_from([(1, 0), (0, 1), (-1, 0), (1, 1), (2, -1), (3, 4), (10**6, 7)]))
     along, across = draw(tiny(-2, 2)), draw(st.sampled_from([1, -1, 2]))
     return (a, b), (along * a - across * b, along * b + across * a)
@@ -169,7 +169,7 @@ def matrices(draw: st.DrawFn) -> Matrix:
 
 @st.composite
 def turned_pairs(draw: st.DrawFn, kind: Kind) -> tuple[Polygon, Polygon, tuple[int, int]]:
-    """A pair and a direction to which both are monotone, as a rule not the x-axis."""
+    """Draw a pair with a shared direction of monotonicity, usually not the x-axis."""
     generatrix, directrix = draw(pairs(kind))
     matrix = draw(matrices())
     (_, b), (_, d) = matrix

@@ -1,4 +1,4 @@
-"""The checker that stands alone with one condition dropped, and whether a test notices it."""
+"""The standalone checker with one condition dropped, and whether a test fails."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def list_weakened(source: str) -> Iterator[tuple[int, str]]:
 
 
 def weaken(every: int) -> tuple[int, list[str]]:
-    """Count the conditions of the checker that are dropped, and list those that no test misses."""
+    """Drop each condition of the checker; list those without a failing test."""
     root = Path(standalone.__file__).parents[2]
     source = Path(standalone.__file__).read_text(encoding="utf-8")
     weakened, unnoticed = list(list_weakened(source))[::every], []
@@ -49,7 +49,7 @@ def weaken(every: int) -> tuple[int, list[str]]:
 
 
 def _pass(folder: str) -> bool:
-    """Decide whether the tests pass in a folder, in ten minutes: a weaker checker may not end."""
+    """Decide whether the tests pass in a folder within ten minutes."""
     run = subprocess.Popen(
         [sys.executable, "-m", "pytest", "-n0", "-qx", "-p", "no:cacheprovider", *TESTS],
         cwd=folder,

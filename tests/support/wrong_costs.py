@@ -1,4 +1,4 @@
-"""Sabotages that give right answers, and take too many operations, seconds or bytes."""
+"""Sabotages with right answers and too many operations, seconds or bytes."""
 
 from collections.abc import Callable
 from functools import reduce

@@ -1,4 +1,4 @@
-"""Judges with one mistake each, as programs make them; cases by hand must tell all of them."""
+"""Judges with one plausible mistake each; cases by hand must detect all."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -50,7 +50,7 @@ def turned_back(turn: Turn) -> Turn:
 
 @wrong
 def asks_for_more_than_the_spacing(layout: Layout) -> Answer:
-    """Takes a distance of just the spacing for too small."""
+    """Rejects a distance equal to the spacing."""
     return right(replace(layout, spacing=layout.spacing + layout.spacing * Fraction(1, 10**40)))
 
 
@@ -91,7 +91,7 @@ def takes_boxes_for_parts(layout: Layout) -> Answer:
 
 @wrong
 def looks_for_vertices_inside_only(layout: Layout) -> Answer:
-    """Takes two parts for disjoint if no vertex of one is inside the other one."""
+    """Accepts two parts if no vertex of one is inside the other."""
     found = []
     for (k, one), (j, other) in combinations(enumerate(place_all(layout)), 2):
         if has_vertex_inside(one, other) or has_vertex_inside(other, one):
@@ -101,7 +101,7 @@ def looks_for_vertices_inside_only(layout: Layout) -> Answer:
 
 @wrong
 def looks_for_vertices_outside_only(layout: Layout) -> Answer:
-    """Takes a part for inside if all its vertices are inside the container."""
+    """Accepts a part if all its vertices are inside the container."""
     shapes = place_all(layout)
     walls = list_walls(layout, shapes)
     found: Answer = [
@@ -116,7 +116,7 @@ def looks_for_vertices_outside_only(layout: Layout) -> Answer:
 
 @wrong
 def looks_for_crossing_edges_only(layout: Layout) -> Answer:
-    """Takes a part in the middle of another one for free."""
+    """Accepts a part in the middle of another one."""
     shapes = place_all(layout)
 
     def crosses(k: int, j: int) -> bool:
@@ -266,7 +266,7 @@ def is_in_a_hole(*pair: Region) -> bool:
 
 
 def answers(judge: Callable[[Layout], Answer], layout: Layout) -> Any:
-    """The answer of a judge, sorted; a wrong one may as well fail."""
+    """Return the sorted answer of a judge, or its failure."""
     try:
         return sorted(judge(layout))
     except Exception as error:

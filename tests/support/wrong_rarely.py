@@ -1,4 +1,4 @@
-"""Sabotages of the paper's procedures that show at large sizes or in rare places alone."""
+"""Sabotages of the paper's procedures that show only at large sizes or in rare places."""
 
 from itertools import pairwise
 from typing import Any
@@ -26,7 +26,7 @@ def lose_equal_edge(right: Procedure) -> Procedure:
 
 
 def lose_middle(points: Any, fewest: int = 0) -> Any:
-    """The same without its middle point, if there are as many as that."""
+    """Drop the middle point of a long list."""
     corners = list(points)
     if len(corners) < fewest:
         return points
