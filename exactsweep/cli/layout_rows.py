@@ -118,6 +118,8 @@ def _sum_up(
     worst, nearest = "", judgement.distance
     if ranked:
         worst = tell_fault(judgement, ranked[0], context, repaired=False)[1]
+        if not worst and ranked[0].fault.kind == "outside":
+            worst = "fits nowhere as it is turned"
     elif nearest is not None:
         worst = f"{context.add_unit(approximate(take_root(nearest.square)))} apart"
     return LayoutRow(

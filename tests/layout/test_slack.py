@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from exactsweep import Point
 from exactsweep.check.standalone import prove
 from exactsweep.layout import Layout, judge_layout
 from exactsweep.layout.slack import ProvedSlack, find_slack
@@ -31,7 +32,7 @@ def test_a_square_shrinks_to_its_parts() -> None:
     found = shrink(TILE, [(0, 0), ("5/2", "1/2")], square(7), margin="0")
     assert found is not None
     assert (found.scale, found.growth) == (Fraction(1, 2), Fraction(3, 4))
-    assert tuple(found.center) == (0, 0)
+    assert found.center == Point(Fraction(0), Fraction(0))
 
 
 def test_margin_and_spacing_are_kept() -> None:
