@@ -51,9 +51,14 @@ def image(layout: Layout, factor: Fraction, x: Rational, y: Rational) -> Layout:
     def scale(points: list[list[str]], x: Any = 0, y: Any = 0) -> list[list[Fraction]]:
         return [[factor * Fraction(px) + x, factor * Fraction(py) + y] for px, py in points]
 
-    for shape, by in (data["container"], (x, y)), *((part, (0, 0)) for part in data["parts"]):
-        shape["exterior"] = scale(shape["exterior"], *by)
-        shape["holes"] = [scale(hole, *by) for hole in shape["holes"]]
+    around = [(data["container"], (x, y))] if "container" in data else []
+    for shape, by in (*around, *((part, (0, 0)) for part in data["parts"])):
+        for piece in shape.get("pieces", ()):
+            piece["points"] = scale(piece["points"], *by)
+            piece["radius"] = factor * Fraction(piece["radius"])
+        if "exterior" in shape:
+            shape["exterior"] = scale(shape["exterior"], *by)
+            shape["holes"] = [scale(hole, *by) for hole in shape["holes"]]
     for placement in data["placements"]:
         (placement["move"],) = scale([placement["move"]], x, y)
     for gap in ("spacing", "margin"):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import chain
-from math import hypot
+from math import ceil, hypot, log2
 
 from exactsweep.canvas.window import Window
 from exactsweep.geometry.vectors import find_hull
@@ -13,7 +13,7 @@ from exactsweep.layout.layout import Layout
 from exactsweep.layout.rounded import RoundedPiece, bound_root
 from exactsweep.numbers.number import Point, Vertex
 
-_BITS, _STEPS = 96, 24
+_BITS, _STEPS, _COARSE = 16, 32, Fraction(1, 8)
 
 
 def place_pieces(layout: Layout, k: int) -> list[RoundedPiece]:
@@ -89,12 +89,13 @@ def list_vertices(piece: RoundedPiece, center: Point, near: Fraction) -> Sequenc
     if not r:
         return points
     found: list[Vertex] = []
+    bits = _BITS + max(0, ceil(log2(r / near)))
     for k, p in enumerate(points):
         directions = [(center.x - p.x, center.y - p.y)]
         for q in (points[k - 1], points[(k + 1) % len(points)]):
             directions += [(q.y - p.y, p.x - q.x), (p.y - q.y, q.x - p.x)]
-        for direction in directions:
-            u, v = _find_direction(*direction)
+        for direction in [one for one in directions if any(one)] or [(Fraction(1), Fraction(0))]:
+            u, v = _find_direction(*direction, bits)
             found += [
                 (p.x + r * (u * c - v * s), p.y + r * (u * s + v * c))
                 for c, s in _list_turns(near / r)
@@ -102,25 +103,24 @@ def list_vertices(piece: RoundedPiece, center: Point, near: Fraction) -> Sequenc
     return find_hull(found)
 
 
-def _find_direction(x: Fraction, y: Fraction) -> Point:
-    """Return a rational point of the unit circle in about a direction."""
-    length = bound_root(x * x + y * y, _BITS)[0]
-    if not length:
-        return Point(Fraction(1), Fraction(0))
+def _find_direction(x: Fraction, y: Fraction, bits: int) -> Point:
+    """Return a rational point of the unit circle near a direction, within about 2**-bits."""
+    length = bound_root(x * x + y * y, bits)[0]
     if x < 0:
-        back = _find_direction(-x, -y)
+        back = _find_direction(-x, -y, bits)
         return Point(-back.x, -back.y)
     # The tangent of half the angle, with few digits.
-    t = Fraction(round(y / (x + length) * 2**_BITS), 2**_BITS)
+    t = Fraction(round(y / (x + length) * 2**bits), 2**bits)
     return Point((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t))
 
 
 def _list_turns(share: Fraction) -> list[Point]:
-    """List rational turns: fine ones up to a share of a radian, then some as coarse as needed."""
-    fine = min(Fraction(1), 2 * share)
+    """List rational turns: fine ones up to a share of a radian, then each twice the one before."""
+    # A power of two keeps numbers short.
+    fine = min(Fraction(1), Fraction(2) ** ceil(log2(share) + 1))
     tangents = [fine * k / (2 * _STEPS) for k in range(_STEPS + 1)]
     while tangents[-1] < 4:
-        tangents.append(tangents[-1] * Fraction(9, 8))
+        tangents.append(tangents[-1] * (2 if fine < _COARSE else Fraction(9, 8)))
     found = []
     for t in (*tangents, *(-t for t in tangents[1:])):
         found.append(Point((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)))
