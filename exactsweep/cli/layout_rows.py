@@ -119,7 +119,7 @@ def _sum_up(
     if ranked:
         worst = tell_fault(judgement, ranked[0], context, repaired=False)[1]
         if not worst and ranked[0].fault.kind == "outside":
-            worst = "fits nowhere as it is turned"
+            worst = "no free position at this rotation"
     elif nearest is not None:
         worst = f"{context.add_unit(approximate(take_root(nearest.square)))} apart"
     return LayoutRow(

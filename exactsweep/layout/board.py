@@ -263,7 +263,7 @@ class Board:
         for k, j in find_near(boxes, ceil(reach * unit)):
             yield placed[k], placed[j]
 
-    def list_beside(self, k: int, reach: Fraction) -> list[int]:
+    def list_neighbors(self, k: int, reach: Fraction) -> list[int]:
         """List the placements whose boxes are within reach of one in both coordinates."""
         unit, room = self.unit, ceil(reach * self.unit)
         left, right, low, high = _enlarge(self.solid(k), unit)

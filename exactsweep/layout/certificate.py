@@ -61,7 +61,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
             break
         bits *= 2
     if not found:
-        raise LayoutError("no fault of the layout has a proof, so there is no certificate")
+        raise LayoutError("no fault of the layout can be proved, so there is no certificate")
     return to_plain(
         {
             **HEADER,
@@ -219,7 +219,7 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
 
 
 def _list_outside(board: Board) -> list[_PieceRings]:
-    """List the pieces of what is outside the container, its holes included, and of each defect."""
+    """List the pieces of the complement of the container, and those of each defect."""
     number = _count_outside(board)
     pieces = [_leave(wall.form, wall.scale) for wall in board.around]
     outside = [piece for wall in pieces[:number] for piece in wall or ()]

@@ -67,7 +67,7 @@ def diagnose(judgement: Judgement) -> list[str]:
     for name, change in _list_conventions(layout):
         left = _count_faults(judge_layout(_apply(layout, change)))
         if left * _LEFT <= faults:
-            found.append((left, f"with {name}, {left} of {faults} faults would be left"))
+            found.append((left, f"with {name}, {left} of {faults} faults remain"))
     return [said for _, said in sorted(found, key=lambda one: one[0])][:_NAMED]
 
 
@@ -127,20 +127,20 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
     yield "clockwise turns", turn(lambda angle: -angle)
     for name, find in _CENTERS.items():
         yield f"turns about {name}", _shift_by(find, move=True)
-        yield f"moves that say where {name} is", _shift_by(find, move=False)
-    yield "moves that say where the lower left corner of the turned box is", _from_turned_corner
+        yield f"moves that give the position of {name}", _shift_by(find, move=False)
+    yield "moves that give the lower left corner of the rotated box", _from_turned_corner
     yield "the move before the turn", _move_first
-    yield "Y of parts downward", _flip
-    yield "Y of moves downward", move(mirror)
-    yield "Y of parts and moves downward", lambda part, p: move(mirror)(*_flip(part, p))
+    yield "parts with Y down", _flip
+    yield "moves with Y down", move(mirror)
+    yield "parts and moves with Y down", lambda part, p: move(mirror)(*_flip(part, p))
     yield (
-        "Y of moves downward and clockwise turns",
+        "moves with Y down and clockwise turns",
         lambda part, p: move(mirror)(part, _turn(p, lambda angle: -angle)),
     )
     yield "the turn before the mirror", turn(lambda angle: -angle, all_of_them=False)
-    yield "a mirror that exchanges up and down", turn(lambda a: a + 180, all_of_them=False)
+    yield "mirroring in the X axis", turn(lambda a: a + 180, all_of_them=False)
     for scale in _SCALES:
-        for factor, times in ((scale, "times"), (1 / scale, "divided by")):
+        for factor, times in ((scale, "multiplied by"), (1 / scale, "divided by")):
             name = f"moves {times} {format_fraction(scale)}"
             yield name, move(lambda at, factor=factor: Point(at.x * factor, at.y * factor))  # type: ignore[misc]
 

@@ -228,7 +228,7 @@ class Layout:
         numbers: dict[str, int] = {}
         for k, part in enumerate(parts):
             if (other := numbers.setdefault(part.id, k)) < k:
-                raise LayoutError(f"parts[{k}].id: parts[{other}] is {quote(part.id)}, too")
+                raise LayoutError(f"parts[{k}].id: duplicate of parts[{other}]")
         placements = read_list(found["placements"], "placements", Placement.from_json)
         for k, placement in enumerate(placements):
             if placement.part not in numbers:

@@ -58,7 +58,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
             if (across * across + up * up) * d >= n:
                 continue
             one = (f[4], f[5]), (f[6], f[7])
-            if _is_beside(one, other, n, d) or _is_beside(other, one, n, d):
+            if _is_far(one, other, n, d) or _is_far(other, one, n, d):
                 continue
             square, length = measure_ends(one, other)[:2] if touch(*one, *other) == [] else (0, 1)
             if square * d < n * length:
@@ -83,7 +83,7 @@ def _move(edge: BoxedEdge, x: int, y: int) -> Edge:
     return (edge[4] + x, edge[5] + y), (edge[6] + x, edge[7] + y)
 
 
-def _is_beside(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
+def _is_far(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
     """Decide whether an edge is at least sqrt(n / d) from the line of another one."""
     of_p, of_q = (turn(*line, end) for end in edge)
     least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)

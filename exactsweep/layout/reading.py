@@ -32,7 +32,7 @@ def read_object(
     for name in data:
         if name not in needed and name not in others:
             known = ", ".join([*needed, *others])
-            raise LayoutError(f"{path} has a field {quote(name)}; it may have {known}")
+            raise LayoutError(f"{path} has an unknown field {quote(name)}; known: {known}")
     return data
 
 

@@ -109,7 +109,7 @@ def find_free_move(board: Board, k: int) -> Point | None:
         return None
     left, right, low, high = (Fraction(side) / board.solid(k).scale for side in board.solid(k).box)
     reach = max(right - left, high - low) / 2
-    placed = board.list_beside(k, 2 * reach)
+    placed = board.list_neighbors(k, 2 * reach)
     room = max(layout.spacing, board.greatest_margin) + board.solid(k).slack
     room += max((board.solid(j).slack for j in placed), default=Fraction(0)) + layout.error
     obstacles = [to_region(defect.shape) for defect in layout.defects]

@@ -99,7 +99,7 @@ def test_a_wrong_convention_is_named(tmp_path: Path) -> None:
     ]
     file = tmp_path / "ten.json"
     file.write_text(json.dumps(data), encoding="utf-8")
-    said = "note: with moves divided by 10, 0 of 5 faults would be left\n"
+    said = "note: with moves divided by 10, 0 of 5 faults remain\n"
     assert said in run("layout", str(file)).stdout
 
 
@@ -131,7 +131,7 @@ def test_a_layout_without_proof_is_reported_all_the_same(tmp_path: Path) -> None
     done = run("layout", str(file), "--certificate", str(proof))
     assert done.exit_code == 1
     assert done.stdout.startswith("verdict     not valid: 1 shape\n")
-    assert done.stderr.startswith(f"{file}: no fault of the layout has a proof")
+    assert done.stderr.startswith(f"{file}: no fault of the layout can be proved")
     assert not proof.exists()
 
 

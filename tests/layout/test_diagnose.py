@@ -59,12 +59,12 @@ def turned_back(turn: str, x: int, y: int) -> dict[str, Any]:
     ("write", "said"),
     [
         (lambda turn, x, y: place(f"-{turn}", x, y), "clockwise turns"),
-        (lambda turn, x, y: place(turn, x, 4 - y), "Y of moves downward"),
-        (lambda turn, x, y: place(f"-{turn}", x, 4 - y), "Y of moves downward and clockwise turns"),
-        (lower_left, "moves that say where the lower left corner of the turned box is"),
+        (lambda turn, x, y: place(turn, x, 4 - y), "moves with Y down"),
+        (lambda turn, x, y: place(f"-{turn}", x, 4 - y), "moves with Y down and clockwise turns"),
+        (lower_left, "moves that give the lower left corner of the rotated box"),
         (turned_back, "the move before the turn"),
-        (place, "Y of parts downward"),
-        (lambda turn, x, y: place(turn, x, 4 - y), "Y of parts and moves downward"),
+        (place, "parts with Y down"),
+        (lambda turn, x, y: place(turn, x, 4 - y), "parts and moves with Y down"),
     ],
 )
 def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
@@ -78,7 +78,7 @@ def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
 @pytest.mark.parametrize("scale", ["10", "100", "1000", "127/5", "480/127", "360/127"])
 def test_other_units_are_named(scale: str) -> None:
     """Powers of ten, millimetres for inches, and units of 1/96 and 1/72 inch for centimetres."""
-    for factor, times in ((Fraction(scale), "divided by"), (1 / Fraction(scale), "times")):
+    for factor, times in ((Fraction(scale), "divided by"), (1 / Fraction(scale), "multiplied by")):
         placed = [place(turn, x * factor, y * factor) for turn, (x, y) in PLACED]
         notes = diagnose(judge_layout(layout(placed)))
         assert any(note.startswith(f"with moves {times} {scale}, 0 of ") for note in notes), notes
@@ -104,7 +104,7 @@ CENTERS: dict[str, tuple[Rational, Rational]] = {
 }
 
 
-@pytest.mark.parametrize("said", ["turns about {}", "moves that say where {} is"])
+@pytest.mark.parametrize("said", ["turns about {}", "moves that give the position of {}"])
 @pytest.mark.parametrize("center", CENTERS)
 def test_another_center_is_named(center: str, said: str) -> None:
     # The part is L moved by (-1, -4), from its fourth vertex on.
@@ -137,7 +137,7 @@ def test_a_single_overlap_is_no_convention() -> None:
         (lambda turn, x, y: place(turn, 9 - x, y, mirrored=True), "the turn before the mirror"),
         (
             lambda turn, x, y: place(-int(turn) - 180, 9 - x, y, mirrored=True),
-            "a mirror that exchanges up and down",
+            "mirroring in the X axis",
         ),
     ],
 )
@@ -165,7 +165,7 @@ def test_the_convention_that_leaves_the_fewest_faults_is_named_first(
     monkeypatch.setattr(
         diagnosing, "_count_faults", lambda found: found if isinstance(found, int) else 20
     )
-    said = [f"with {name}, {counts[name]} of 20 faults would be left" for name in "bac"]
+    said = [f"with {name}, {counts[name]} of 20 faults remain" for name in "bac"]
     assert diagnose(judgement) == said
 
 

@@ -71,7 +71,7 @@ def test_a_valid_layout_says_how_near_it_is() -> None:
     ("slug", "said"),
     [
         ("overlap-1e-30", "1e-30 deep"),
-        ("too-large", "fits nowhere as it is turned"),
+        ("too-large", "no free position at this rotation"),
         ("bow-tie", "the boundary crosses itself"),
         ("turn-forbidden", "part tile may not be turned by 90 degrees"),
         ("missing-all", "part bar  2 placements"),

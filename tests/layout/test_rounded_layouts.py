@@ -170,7 +170,7 @@ def test_errors_leave_rounded_pieces_undecided() -> None:
         ([{"points": []}], "parts[0].pieces[0].points has no point"),
         ([{"points": [["0", "0"], ["1", "1"]]}], "parts[0].pieces[0] has no interior"),
         ([{"points": UNIT, "radius": "-1"}], "parts[0].pieces[0].radius"),
-        ([{"points": UNIT, "width": "1"}], "parts[0].pieces[0] has a field 'width'"),
+        ([{"points": UNIT, "width": "1"}], "parts[0].pieces[0] has an unknown field 'width'"),
     ],
 )
 def test_pieces_without_an_interior_are_rejected(pieces: Any, message: str) -> None:

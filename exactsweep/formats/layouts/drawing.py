@@ -44,7 +44,7 @@ def draw_layouts(
     """
     drawn = parse_by(text, reading.without_nesting())
     notes = [*drawn.left_out, *drawn.notes]
-    notes += [f"left out: {one.fault}" for one in drawn if one.fault and one.ornament]
+    notes += [f"skipped: {one.fault}" for one in drawn if one.fault and one.ornament]
     plain = [one for one in drawn if not one.ornament]
     if not plain:
         raise FormatError(notes[0] if notes else "no outline is drawn")
@@ -110,7 +110,7 @@ def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
         parts = found.outlines
         notes += _tell_holes(found)
         unchecked += [
-            f"{tell_ambiguity(outline, around)} (left out)" for outline, around in found.ambiguous
+            f"{tell_ambiguity(outline, around)} (skipped)" for outline, around in found.ambiguous
         ]
         unchecked += _find_lookalikes(found)
     if sheet.defects:
@@ -144,7 +144,7 @@ def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
 def _flatten(
     drawn_as: Mapping[str | None, Candidate], names: Collection[str | None], tolerance: Fraction
 ) -> Mapping[str | None, Data]:
-    """Find shapes with finer lines; those that are none are left out."""
+    """Find shapes with finer lines; those that are none are skipped."""
     found: dict[str | None, Data] = {}
     for name in names:
         finer = drawn_as[name].finer if name in drawn_as else None

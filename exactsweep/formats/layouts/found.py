@@ -38,7 +38,7 @@ class FoundLayout(NamedTuple):
         places: where each placement is in the file, such as "line 7"; empty if unknown.
         unit: the unit of the file's lengths, such as "mm"; "" if unknown.
         flatten: finds the shapes of some parts, by id, and of the container, None, with curves
-            flattened at another tolerance; those that it cannot find are left out. None if no
+            flattened at another tolerance; those that it cannot find are skipped. None if no
             curve was read.
     """
 

@@ -1,8 +1,8 @@
 """SVG as nesting programs write it: parts in groups or by `use`, each moved and turned.
 
 sparrow and jagua-rs draw the container as a group `container_N`, formerly `bin_N`, and place
-definitions `item_K` by `use`. SVGnest and Deepnest put each part into a group of its own, beside a
-sheet of class `bin`, or with a stroke of #00ff00. All write `translate(x y) rotate(degrees)` and
+definitions `item_K` by `use`. SVGnest and Deepnest put each part into a group of its own, next to
+a sheet of class `bin`, or with a stroke of #00ff00. All write `translate(x y) rotate(degrees)` and
 mean the turn first. Angles stay as they are written, so that none needs a tolerance.
 
 Source: `io/svg/layout_to_svg.rs` of jagua-rs, `svgnest.js` of SVGnest, `export.service.ts` of

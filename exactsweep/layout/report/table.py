@@ -99,7 +99,7 @@ def list_measures(
         low, high = judgement.box
         width, height = high.x - low.x, high.y - low.y
         sides = f"{approximate(width)} x {context.add_unit(approximate(height))}"
-        facts["container"] = "none: only the parts among themselves are judged"
+        facts["container"] = "none: parts are only compared with each other"
         square, length = approximate(max(width, height)), approximate(width)
         facts["box"] = f"{sides}, in a square of {square}; used length {length}"
         if error := judgement.box_error:
@@ -182,7 +182,7 @@ def measure_depth(one: WorstFirst) -> Fraction:
 def find_remarks(
     judgement: Judgement, ranked: Sequence[WorstFirst], context: ReportContext
 ) -> list[str]:
-    """Say that all faults are tiny, if they are, and what was not judged beside them."""
+    """Report that all faults are tiny, and rules that were not judged."""
     said = []
     measured = [
         one
@@ -238,7 +238,7 @@ def tell_fault(
     if repaired and fault.move is not None:
         repair = f"moving {fault.placements[-1]} by {_write_about(fault.move)}"
     elif repaired and fault.kind == "outside" and one.square is None:
-        bad = "fits nowhere as it is turned"
+        bad = "no free position at this rotation"
     places = context.name_placements(judgement, fault)
     return places, spell_out(bad), " ".join(map(_write_about, fault.points)), repair
 
