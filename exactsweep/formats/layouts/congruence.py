@@ -99,11 +99,11 @@ def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congr
         holes = [[_apply(found, p) for p in hole.vertices] for hole in part.holes]
         if is_same and {Polygon(hole) for hole in holes} == {*drawn.holes}:
             yield found
-        elif all(any(_is_near(hole, other, room) for other in drawn.holes) for hole in holes):
+        elif all(any(_follows(hole, other, room) for other in drawn.holes) for hole in holes):
             yield found._replace(exact=False)
 
 
-def _is_near(ring: Sequence[Point], other: Polygon, room: float) -> bool:
+def _follows(ring: Sequence[Point], other: Polygon, room: float) -> bool:
     """Decide whether each vertex of a ring is close to one of another ring of as many."""
     if len(ring) != len(other):
         return False
