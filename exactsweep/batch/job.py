@@ -116,6 +116,9 @@ def take_listed_pairs(
 
     Raises:
         BatchError: an unreadable file, two parts with one name, or unknown quantities.
+
+    Example:
+        >>> job = take_listed_pairs("pairs.jsonl", read_parts("parts.svg"))  # doctest: +SKIP
     """
     listed = _parts(parts)
     for name, count in Counter(part.name for part in listed).items():

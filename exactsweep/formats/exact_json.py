@@ -140,6 +140,9 @@ def read_certificate(path: str) -> object:
 
     Raises:
         FormatError: an unreadable file, or not JSON; the message names the file.
+
+    Example:
+        >>> certificate = read_certificate("proof.json")  # doctest: +SKIP
     """
     with name_refusals(show_path(path), FormatError):
         return parse_certificate(read_text(path))
