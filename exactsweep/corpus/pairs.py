@@ -51,8 +51,9 @@ _FORMS = (
     ),
     _PairForm("stationary", "orbiting", ("kind", "exterior", "holes", "exact_fits", "area")),
     _PairForm("container", "part", ("placed", "regions", "exact_fits", "area")),
+    _PairForm("a", "b", ("exterior", "holes", "area", "a_holes", "b_holes")),
 )
-"""A case or a line of the protocol, or `sweep --json`; `nfp --json`; `ifp --json`."""
+"""A case, a line of the protocol or `sweep --json`; `nfp --json`; `ifp --json`; `sum --json`."""
 
 
 def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
@@ -86,9 +87,10 @@ def read_case(name: str) -> Case:
 
     Args:
         name: the path of a file, "-" for standard input, or the id of a shipped or generated case.
-            The file has a case as for `case_from_json`; or a pair: what `sweep`, `nfp` or `ifp`
-            write with --json, or an object with "directrix", "generatrix" and other members of a
-            case. A polygon is any JSON of `parse_region`. Answers in a pair are computed again.
+            The file has a case as for `case_from_json`; or a pair: what `sweep`, `nfp`, `ifp` or
+            `sum` write with --json, or an object with "directrix", "generatrix" and other members
+            of a case. A polygon is any JSON of `parse_region`. Answers in a pair are computed
+            again.
 
     Returns:
         The Case; the id of a pair without "id" is the name of the file.
@@ -164,12 +166,17 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
         raise FormatError(f"$.id is {describe_kind(id)}, not a string or a number")
     (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
     d, g = (_read_shape(document, role) for role in (form.stays, form.moves))
+    if form.moves == "b":
+        g = [[Point(-x, -y) for x, y in ring] for ring in g]
     return _make_case(id, d, g, reference, inner_fit=form.stays == "container")
 
 
 def _read_shape(document: dict[str, object], role: str) -> PointRings:
     """Read a polygon with its holes, its own or those of the member ROLE_holes."""
-    rings = _read_rings(choose(find_candidates(document[role]), None), role)
+    given = document[role]
+    if isinstance(given, dict) and "path" in given:
+        raise FormatError(f"$.{role}: a case cannot have a path, only polygons")
+    rings = _read_rings(choose(find_candidates(given), None), role)
     key = f"{role}_holes"
     holes = document.get(key, [])
     if not isinstance(holes, list):

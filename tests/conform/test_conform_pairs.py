@@ -134,6 +134,16 @@ def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
     assert "1 of 1 case judged" in done.stdout
 
 
+def test_a_sum_is_a_pair_whose_second_summand_is_reflected(tmp_path: Path) -> None:
+    line = {"a": SLOT, "b": [[0, 0], [1, 0], [0, 1]], "exterior": [], "holes": [], "area": "1"}
+    (case,) = read_pairs(write(tmp_path, json.dumps(line)))
+    reflected = [[0, 0], [-1, 0], [0, -1]]
+    assert case == Case.of("pair-1", "", SLOT, reflected)
+    path = json.dumps({**line, "b": {"path": [["0", "0"], ["4", "1"]], "closed": False}})
+    with pytest.raises(FormatError, match=r"\$\.b: a case cannot have a path, only polygons"):
+        list(read_pairs(write(tmp_path, path)))
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
