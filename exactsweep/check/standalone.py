@@ -104,20 +104,19 @@ def need(condition: Any, reason: str, *points: Point) -> None:
 
 
 class Work:
-    """The remaining steps: at most a microsecond each, weighted by the longest number."""
+    """The remaining steps, each at most a microsecond with short numbers."""
 
     def __init__(self, certificate: Any, max_steps: float | None) -> None:
         try:
             text = json.dumps(certificate)
         except (TypeError, ValueError, RecursionError) as error:
             raise Refused(f"not JSON: {error}") from None
-        bits = 5 * max(map(len, re.findall("[0-9/]+", text)), default=0) - 60
         self.left = max_steps or max(MAX_STEPS, STEPS_PER_BYTE * len(text))
-        self.weight = 1 + bits / 35 + bits**2 / 65000 if bits > 0 else 1
 
-    def spend(self, steps: float) -> None:
-        """Subtract steps."""
-        self.left -= steps * self.weight
+    def spend(self, steps: float, *numbers: int) -> None:
+        """Subtract steps, more of them for long numbers, as measured."""
+        bits = max(map(int.bit_length, numbers)) - 60 if numbers else 0
+        self.left -= steps * (1 + bits / 35 + bits**2 / 65000) if bits > 0 else steps
         need(self.left >= 0, "too large: exceeds the step limit for its size")
 
 
@@ -317,9 +316,10 @@ def solid(name: str, rings: list[Ring], item: Any, work: Work) -> list[Ring]:
         need(is_convex(points), f"{name}, piece {k}: not convex, counter-clockwise", points[0])
     cancel(name, pieces, rings)
     around, scale = [*map(edges, pieces)], scale_of(chain(*rings))
+    longest = [max(map(abs, chain(*chain(*e)))) for e in around]
     boxes = tree([(box(points, scale), k) for k, points in enumerate(pieces)])
     for k, j, _ in near(work, boxes, boxes):
-        work.spend(len(pieces[k]) * len(pieces[j]))
+        work.spend(len(pieces[k]) * len(pieces[j]), longest[k], longest[j])
         is_apart = k >= j or apart(around[k], around[j])
         need(is_apart, f"{name}: pieces {k} and {j} are not apart", pieces[k][0])
     return pieces
@@ -386,19 +386,20 @@ class Sums:
         self.d, self.h = ([edges(e[k:] + e[:k]) for e, k in of] for of in pairs)
         self.get = lru_cache(10**5 // max(map(len, chain(d, h, [()]))) + 1)(self.find)
 
-    def find(self, k: int) -> list[Edge]:
-        """Return the sides of a sum or a half-plane."""
-        if k >= self.count:
-            return [self.beyond[k - self.count]]
-        one, other = self.d[k // self.columns], self.h[k % self.columns]
-        self.work.spend(3 * (len(one) + len(other)))
-        return edges(add_pieces(one, other))
+    def find(self, k: int) -> tuple[list[Edge], int]:
+        """Return the sides of a sum or a half-plane, and the longest number."""
+        sides = self.beyond[k - self.count : k - self.count + 1]
+        if k < self.count:
+            one, other = self.d[k // self.columns], self.h[k % self.columns]
+            self.work.spend(3 * (len(one) + len(other)), *one[0][2], *other[0][2])
+            sides = edges(add_pieces(one, other))
+        return sides, max(map(abs, chain(*chain(*sides))))
 
-    def clip(self, k: int, a: Point, b: Point) -> Span | None:
-        """Return the interval of a segment that is in a sum or a half-plane."""
-        sides = self.get(k)
-        self.work.spend(4 + len(sides))
-        return clip((line for *_, line in sides), a, b)
+    def clip(self, k: int, edge: Sequence[Any]) -> Span | None:
+        """Return the interval of an edge that is in a sum or a half-plane."""
+        sides, longest = self.get(k)
+        self.work.spend(4 + len(sides), longest, *edge[2])
+        return clip((line for *_, line in sides), edge[0], edge[1])
 
 
 def add_pieces(one: list[Edge], other: list[Edge]) -> Ring:
@@ -456,13 +457,13 @@ def boundary(sums: Sums, known: list[Known], entries: list[Any], inner: Any, wan
     """Prove (a) to (e) of the lemma, (d) at the sums of inner points."""
     work, at = sums.work, tree([(box(e[:2], sums.scale), e) for e in known])
     for one, other, _ in near(work, at, at, touch=1):
-        work.spend(12)
+        work.spend(12, *one.line, *other.line)
         span = one is not other and clip_on(other, one.start, one.end)
         is_end = one.loop != other.loop or one.end == other.start or one.start == other.end
         is_distinct = not span or (span[0] == span[1] and (is_end or not one.loop))
         need(is_distinct, f"{one.name}: meets {other.name}", one.start)
     for edge, i, j in near(work, at, *sums.trees):
-        is_clear = sums.clip(i * sums.columns + j, edge.start, edge.end) is None
+        is_clear = sums.clip(i * sums.columns + j, edge) is None
         need(is_clear, f"{edge.name}: inside the sum of pieces {i} and {j}", edge.start)
     cover_sides(sums, known, entries)
     wind(sums.name, known, (add(p, q) for p, q in product(*inner)), wanted, work)
@@ -475,15 +476,15 @@ def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
         first = [*items(f"{name}[{n}]", entry), None][0]
         integer(f"{name}[{n}]", first, 0, sums.count + len(sums.beyond))
     for n, (k, *chains) in enumerate(entries):
-        at, sides = f"{name}[{n}]", sums.get(k)
+        at, (sides, _) = f"{name}[{n}]", sums.get(k)
         for one, found in zip(sides, items(at, chains, len(sides)), strict=True):
             spans = list[Span | None]()
             for m in [found] if type(found) is int else items(at, found):
                 if integer(at, m, -len(known), len(entries)) >= 0:
-                    spans.append(sums.clip(entries[m][0], *one[:2]))
+                    spans.append(sums.clip(entries[m][0], one))
                     continue
-                sums.work.spend(45)
                 edge, (x, y, _) = known[-1 - m], one[2]
+                sums.work.spend(45, *edge.line, *one[2])
                 spans.append(clip_on(edge, *one[:2]))
                 back = spans[-1] and clip_on(one, edge.start, edge.end)
                 if back and back[0] < back[1]:  # a fit of one point is on both sides of itself
@@ -500,8 +501,9 @@ def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
 def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, work: Work) -> None:
     """Require a winding number of all loops at points."""
     around = [edge[:3] for edge in known if edge.loop]
+    longest = max(map(abs, chain((0,), *chain(*around))))
     for z in points:
-        work.spend(len(around) / 2)
+        work.spend(len(around) / 2, longest, *z)
         times = winding(around, z)
         need(times == wanted, f"{name}: winding number {times}, expected {wanted}", z)
 
@@ -723,7 +725,7 @@ class Layout:
         asked, to = read_rotation(name, turn), read_rotation(name, items(name, rational))
         body, _, used = self.parts[key]
         error, points, by = body.error, body.points(), read_points(name, [by])[0]
-        self.work.spend(20 + 10 * len(points))
+        self.work.spend(20 + 10 * len(points), *chain(*points))
         if asked != to:
             need(type(asked) is not tuple, f"{name}: its entry in turns is a different rotation")
             error += max(sum(map(abs, place(p))) for p in points) * rotation_error(to, asked)
@@ -761,7 +763,7 @@ class Layout:
                 for p, way in zip(*self.frame, AXES, strict=True) if self.frame else ():
                     need(gap([p], points, way, room), f"{one.name}: not in the frame", points[0])
                 for p in () if self.frame else points:
-                    self.work.spend(60 * len(beyond.points()))
+                    self.work.spend(60 * len(beyond.points()), *p, *chain(*beyond.points()))
                     need(not is_inside(beyond, p, -room), f"{one.name}: not in the container", p)
         scale = scale_of(p for one in self.bodies for p in one.points())
         for a in range(least, self.count):
@@ -773,7 +775,7 @@ class Layout:
             if a < b and b >= 0:
                 one, other = self.bodies[a], self.bodies[b]
                 ((points,), r), ((others,), s) = one.solids[i], other.solids[j]
-                self.work.spend(12 + len(points) + len(others))
+                self.work.spend(12 + len(points) + len(others), *points[0], *others[0])
                 far = r + s + one.error + other.error + one.distance
                 known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1))
                 is_apart = any(gap(points, others, n, far) for n in (known or AXES[0], *AXES))
@@ -804,7 +806,7 @@ class Layout:
         room = other.distance - one.error - other.error
         need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)
         for body in (one, other):
-            self.work.spend(60 * len(body.points()))
+            self.work.spend(60 * len(body.points()), *points[0], *chain(*body.points()))
             is_there = is_inside(body, points[0], -room / Fraction(2) if is_close else body.error)
             need(is_there, f"{name}: not inside {body.name}, or not near enough", *points)
         return frozenset((a, b))
