@@ -24,6 +24,7 @@ PACKAGE = Path(__file__).parents[1] / "exactsweep"
 Step = tuple[str, str]
 
 HOUSE = [(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)]
+MITRE = [(0, 0), (2, 0), (2, 3), (1, 1), (0, 3)]
 BLOCK = [(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)]
 
 
@@ -52,6 +53,11 @@ def make_trajectory(folder: Path) -> object:
     return sweep(HOUSE, BLOCK).trajectory
 
 
+def make_inner_loop(folder: Path) -> object:
+    monotone.split_polygon.cache_clear()
+    return sweep(MITRE, BLOCK).inner
+
+
 def judge(folder: Path) -> object:
     case = case_from_json(CASE)
     answer = {"trajectory": [(-2, -2), (9, -2), (9, 6), (-2, 6)]}
@@ -78,6 +84,7 @@ def read(folder: Path) -> object:
 
 WALKS: dict[str, Callable[[Path], object]] = {
     "A vertex list becomes a trajectory": make_trajectory,
+    "A monotone pair gets its inner loop": make_inner_loop,
     "A case becomes a verdict": judge,
     "A claim becomes a row of the report": report,
     "A pair becomes a record": record,
@@ -88,7 +95,7 @@ WALKS: dict[str, Callable[[Path], object]] = {
 def tell_walks() -> dict[str, list[Step]]:
     """The steps of each walk in PROJECT.md: file and name."""
     text = (PACKAGE / "PROJECT.md").read_text(encoding="utf-8")
-    listed = text.split("## Five walks through the code")[1].split("\n## ")[0]
+    listed = text.split("## Six walks through the code")[1].split("\n## ")[0]
     parts = re.split(r"^### (.*)$", listed, flags=re.M)[1:]
     return {
         title: re.findall(r"^\d+\. `([\w/.]+)`, `([\w.]+)`: ", body, flags=re.M)
