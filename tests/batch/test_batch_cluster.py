@@ -1,4 +1,4 @@
-"""Batches on Dask workers, which are processes, and one of them is killed."""
+"""Batches on Dask workers, one of which is killed."""
 
 import json
 import os
@@ -23,7 +23,7 @@ JOB = take_all_pairs(PARTS, PARTS)
 
 @cache
 def whole() -> bytes:
-    """The records of all pairs."""
+    """Return the records of all pairs."""
     return b"".join(line for chunk in JOB.chunks(0) for line in JOB.work.lines(chunk))
 
 
@@ -42,7 +42,7 @@ def dask(*arguments: str) -> subprocess.Popen[str]:
 
 @pytest.fixture
 def cluster(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[str]]]]:
-    """A scheduler and two workers without anybody to start them again."""
+    """Start a scheduler and two workers that nothing restarts."""
     file = tmp_path / "scheduler.json"
     processes = [
         dask("scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",

@@ -1,4 +1,4 @@
-"""Lines of files of pairs, each with its record; `golden.json` holds both."""
+"""Lines of files of pairs with their records, in `golden.json`."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Inputs are never written over, addresses are checked first, numbers never become infinite."""
+"""Inputs are never overwritten, addresses are checked first, numbers never become infinite."""
 
 import sys
 from pathlib import Path

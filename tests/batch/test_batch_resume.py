@@ -1,4 +1,4 @@
-"""Batches that are killed: whatever happens, the records come out as in one run through."""
+"""Killed batches resume, with the records of an uninterrupted run."""
 
 import json
 import os
@@ -30,7 +30,7 @@ def command(tmp_path: Path) -> list[str]:
 
 @pytest.fixture(scope="module")
 def whole() -> list[bytes]:
-    """The records of the batch, computed in this process."""
+    """Compute the records of the batch in this process."""
     return [line for chunk in JOB.chunks(0) for line in JOB.work.lines(chunk)]
 
 

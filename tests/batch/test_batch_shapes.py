@@ -1,4 +1,4 @@
-"""Batches of polygons of any shape: holes in, and no-fit polygons with holes and exact fits out."""
+"""Batches of polygons of any shape, with holes and exact fits."""
 
 import json
 from fractions import Fraction

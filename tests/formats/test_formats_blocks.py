@@ -1,4 +1,4 @@
-"""Blocks, uses, splines, ends that miss each other: where they are put, and what they may cost."""
+"""Blocks, uses, splines and joined ends: placement and limits."""
 
 from fractions import Fraction
 from math import cos, radians, sin

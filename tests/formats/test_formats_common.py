@@ -1,4 +1,4 @@
-"""Common spellings of other programs, some of them once refused or too slow."""
+"""Spellings of other programs, and limits of readers."""
 
 import csv
 from fractions import Fraction
@@ -79,7 +79,7 @@ def test_splines_through_points_are_those_of_ezdxf(points: list[tuple[float, flo
 
 
 def test_memory_of_splines_is_linear_in_their_points() -> None:
-    """With a matrix of all points, these took 6 GB."""
+    """A matrix of all points took 6 GB."""
     points = [Point(Fraction(k), Fraction(k * k % 17)) for k in range(16_000)]
     assert len(Spline.through(points).points) == 3 * 16_000 - 2
 

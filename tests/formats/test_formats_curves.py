@@ -363,7 +363,7 @@ def test_errors_beyond_a_sixteenth_of_the_tolerance_are_rejected() -> None:
 @pytest.mark.parametrize("place", range(4))
 @pytest.mark.parametrize("sign", [1, -1])
 def test_scaled_elliptic_arcs_have_their_width(place: int, sign: int) -> None:
-    """Its center is irrational. Each entry of the image alone decides the scale."""
+    """The center is irrational. Each entry of the image alone decides the scale."""
     entries = [0, 0, 0, 0]
     entries[place] = sign * 10**4
     one, zero = Fraction(1), Fraction(0)

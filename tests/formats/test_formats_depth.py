@@ -1,4 +1,4 @@
-"""Outlines inside others, by depth, also of parts that cross; layers; and the container."""
+"""Nesting of outlines, also of crossing parts; layers; and containers of layouts."""
 
 from typing import Any
 
@@ -20,7 +20,7 @@ boxes = st.tuples(st.integers(0, 8), st.integers(0, 8), st.integers(1, 6), st.in
 
 
 def write_svg(*rects: Any) -> str:
-    """Each a box, perhaps with attributes after it."""
+    """Draw boxes, perhaps with attributes."""
     drawn = []
     for left, low, right, high, *rest in rects:
         size = f'x="{left}" y="{low}" width="{right - left}" height="{high - low}"'

@@ -1,4 +1,4 @@
-"""Sixty part files as programs write them: read with two options at most, or refused by name."""
+"""Sixty part files of many programs: read with at most two options, or rejected by name."""
 
 from pathlib import Path
 

@@ -1,7 +1,7 @@
-"""Curves as lines against a certified evaluation of the true curves, by intervals.
+"""Flattened curves against a certified interval evaluation of the true curves.
 
-Any direction, scale and tolerance: the lines of a simple outline are simple, within the tolerance
-of the curve, and their area differs by no more than that.
+In every direction, at every scale and tolerance, the lines of a simple outline are simple and
+within the tolerance of the curve, and the curve is within the tolerance of the lines.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Texts of all formats, each with everything that is read from it; `golden.json` holds both.
+"""Texts of all formats with their results, in `golden.json`.
 
-A text that is refused has its message; any other has its polygons, omissions and notes.
+A rejected text has its message; any other has its polygons, omissions and notes.
 """
 
 import json
@@ -31,7 +31,7 @@ CASES: list[dict[str, Any]] = json.loads(FILE.read_text(encoding="utf-8"))
 
 
 def find_outcome(case: dict[str, Any]) -> object:
-    """Read the text of a case, in the way that the case names."""
+    """Read the text of a case in its format."""
     text, options = case["text"], case.get("options", {})
     if case.get("as") == "layout":
         return attempt(lambda: [show_layout(one) for one in parse_layouts(text, **options)])

@@ -1,4 +1,4 @@
-"""Hand and unit: what is read has those that its author sees, and what is written keeps them."""
+"""Axis direction and unit: readers see what the author sees, and writers keep it."""
 
 import re
 from fractions import Fraction
@@ -31,7 +31,7 @@ WITH_UNIT = ("mm", "cm", "m", "um", "dm", "in", "ft")
 
 @pytest.fixture
 def ells(tmp_path: Path) -> dict[str, str]:
-    """The same L, as it looks on a screen, in files of either hand."""
+    """Write an L that looks the same on the screen in files of both axis directions."""
     down = " ".join(f"{x},{9 - y}" for x, y in ELL)
     texts = {
         "svg": f'<svg width="4in" viewBox="0 0 101.6 9"><polygon id="l" points="{down}"/></svg>',

@@ -1,4 +1,4 @@
-"""Hidden geometry is no part; ornaments lose no file; reports list omissions."""
+"""Hidden geometry is not a part; ornaments reject no file; reports list omissions."""
 
 from collections.abc import Callable
 from io import StringIO

@@ -1,4 +1,4 @@
-"""Polygons with holes, read from every format that has them; none is lost or made a part."""
+"""Polygons with holes in every format: no hole is lost or becomes a part."""
 
 import re
 
@@ -38,7 +38,7 @@ PLATE = Region(OUTER, [INNER])
 def test_nested_rings_are_compared_once_each(
     rings: list[tuple[int, int]], plates: int | None, form: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """An earlier version compared each with all around it, and refused more than 100 of them."""
+    """Comparisons of all pairs would take quadratic time."""
     asked = 0
     relate = MovedPair.relate
 
@@ -83,7 +83,7 @@ def path_of(box: Box) -> str:
 
 
 def filled(found: list[Box], even_odd: bool) -> set[Cell]:
-    """The unit squares that the boxes draw, by counting for each square the boxes around it."""
+    """Count for each unit square the boxes around it."""
     cells = {(x, y): 0 for x in range(14) for y in range(14)}
     for x, y, width, height, left in found:
         for cell in ((i, j) for i in range(x, x + width) for j in range(y, y + height)):

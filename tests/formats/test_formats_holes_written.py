@@ -1,4 +1,4 @@
-"""Polygons with holes are written so that they come back whole."""
+"""Polygons with holes survive writing and reading."""
 
 from fractions import Fraction
 

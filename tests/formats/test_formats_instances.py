@@ -1,4 +1,4 @@
-"""Rules of instances of nesting programs: each is checked, or a note says that it is not."""
+"""Rules of instances of nesting programs are checked, or noted as not checked."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def kinds(found: FoundLayout) -> list[str]:
 
 
 def read_jagua(*turns: float, **changes: Any) -> list[FoundLayout]:
-    """Read a solution of jagua-rs with one sheet for each turn."""
+    """Read a solution of jagua-rs with one sheet for each rotation."""
     item = {"id": 0, "demand": len(turns), "shape": TRIANGLE, "allowed_orientations": [0, 30]}
     layouts = [
         {

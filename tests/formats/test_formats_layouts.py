@@ -1,4 +1,4 @@
-"""Layouts as nesting programs write them: one layout, written by hand in each format."""
+"""One layout in each format of nesting programs."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def write(document: object) -> str:
 
 
 def corners(layout: dict[str, Any]) -> list[set[tuple[Fraction, Fraction]]]:
-    """The corners of each placement, for quarter turns only."""
+    """Return the corners of each placement, for quarter turns only."""
     rings = {part["id"]: part["exterior"] for part in layout["parts"]}
     found = []
     for placement in layout["placements"]:
@@ -87,7 +87,7 @@ HOSTILE: list[Any] = [None, True, "x", "", -1, 1.5, [], {}, [[]], [None], "1e999
 
 
 def spoilt(value: Any) -> Iterator[Any]:
-    """The document with each part of it replaced by each hostile value, and omitted."""
+    """Yield the document with each part replaced by each hostile value, or omitted."""
     yield from HOSTILE
     if isinstance(value, dict):
         for name, part in value.items():

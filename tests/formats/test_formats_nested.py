@@ -1,4 +1,4 @@
-"""Closed outlines inside others become holes when that is asked for, and only then."""
+"""Outlines inside others become holes only on request."""
 
 from fractions import Fraction
 from pathlib import Path

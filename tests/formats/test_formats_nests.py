@@ -1,4 +1,4 @@
-"""SVG of nesting programs: each part is placed as it is drawn, or the file is refused."""
+"""SVG of nesting programs: each part is placed as drawn, or the file is rejected."""
 
 from __future__ import annotations
 

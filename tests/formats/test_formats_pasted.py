@@ -1,4 +1,4 @@
-"""Vertices as people paste them, instances of nesting programs, and formats refused by name."""
+"""Pasted vertices, instances of nesting programs, and formats that are rejected by name."""
 
 import json
 from fractions import Fraction

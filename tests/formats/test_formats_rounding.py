@@ -1,4 +1,4 @@
-"""Rounded regions: they surely grow, or surely shrink, whatever the grid; and how far they move."""
+"""Rounded regions provably grow or shrink on any grid, within a distance."""
 
 from fractions import Fraction
 
@@ -18,7 +18,7 @@ SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
 
 
 def turned(polygon: Polygon, divisor: int) -> Region:
-    """A polygon that lies on no grid: turned, and divided."""
+    """Rotate and divide a polygon, so that it lies on no grid."""
     points = polygon.lattice()[1]
     return Region(
         [(Fraction(3 * x - 4 * y, divisor), Fraction(4 * x + 3 * y, divisor)) for x, y in points]

@@ -1,4 +1,4 @@
-"""Explanations and results of any sweep: nothing is missing; many steps take linear time."""
+"""Explanations of sweeps are complete and take linear time."""
 
 import json
 from fractions import Fraction

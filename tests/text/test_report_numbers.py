@@ -1,4 +1,4 @@
-"""Numbers in reports: six digits, rounded once, in time however long they are."""
+"""Numbers in reports have six digits, rounded once, in linear time."""
 
 from decimal import ROUND_CEILING, Context, Decimal
 from fractions import Fraction
@@ -34,14 +34,14 @@ def test_digits_are_rounded_up_where_a_number_is_a_bound(value: Fraction, power:
 
 @given(st.integers(100_000, 999_999), st.integers(0, 900), st.sampled_from([-1, 0, 1]))
 def test_ties_are_rounded_exactly(digits: int, places: int, offset: int) -> None:
-    """Far closer to it than all first bits can tell."""
+    """The difference is below the precision of the first bits."""
     middle = Fraction(2 * digits + 1, 2) + Fraction(offset, 10**places * 3)
     for number in (middle, -middle, middle / 10**800, middle * 10**800):
         assert Decimal(approximate(number)) == expected(number)
 
 
 def test_long_numbers_are_rounded_by_their_first_bits() -> None:
-    """Once half a second for 137,607 digits, and 30 for a million."""
+    """Whole numbers took half a second for 137,607 digits."""
     numbers = {n: Fraction(7**n, 2 ** (2 * n)) for n in (10_000, 80_000)}
     require_linear(lambda n: approximate(numbers[n]))
 
