@@ -282,9 +282,9 @@ def test_the_halves_follow_each_other(s: Sweep) -> None:
         assert along == 0 or (along > 0) == (step.half == "lower")
         assert along == 0 or step.half in ("lower", "upper")
         if step.half in ("left", "right"):
-            along = [x * p + y * q for x, y in s.trajectory.vertices]
+            places = [x * p + y * q for x, y in s.trajectory.vertices]
             here = step.start.x * p + step.start.y * q
-            assert here == (min if step.half == "left" else max)(along)
+            assert here == (min if step.half == "left" else max)(places)
 
 
 @patient
