@@ -32,7 +32,9 @@ def find_holed() -> list[Case]:
     return sorted(small, key=lambda case: -len(case.holes) - len(case.inner_regions or ()))
 
 
-@pytest.mark.parametrize("name", mostly_long(MISTAKES, [*MISTAKES][2::3]))
+@pytest.mark.parametrize(
+    "name", mostly_long(MISTAKES, [n for n in [*MISTAKES][2::3] if "256" not in n])
+)
 def test_a_mistake_is_convicted_and_named(name: str) -> None:
     chosen = find_cases() if MISTAKES[name].part == "trajectory" else find_holed()
     judged = [*islice(judge_wrong_answers(name, chosen), ENOUGH)]

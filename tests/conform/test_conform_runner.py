@@ -337,7 +337,8 @@ def test_the_command_refuses_a_file_that_is_no_journal(tmp_path: Path) -> None:
     assert (tmp_path / "journal").read_text() == "x\n"
 
 
-def test_a_case_that_changed_is_asked_again(tmp_path: Path) -> None:
+@pytest.mark.long
+def test_a_changed_case_is_asked_again(tmp_path: Path) -> None:
     journal_of(tmp_path)
     changed = Case.of(FEW[0].id, "", [(0, 0), (9, 0), (0, 9)], SQUARE)
     path = write_cases(tmp_path / "cases", [changed, FEW[1]])
