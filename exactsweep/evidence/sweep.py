@@ -153,8 +153,9 @@ class SweepAnswer(Certified):
         """The contacts along each edge of the trajectory (Table 1).
 
         Item k has the EV, VE and EE contacts that last along a piece of positive length of edge k,
-        from vertex k of the trajectory to the next. Features are numbered as in the input: vertex
-        i, and edge i from vertex i to the next.
+        from vertex k of the trajectory to the next. It omits contacts at single positions, such as
+        VV (see `vertex_contacts`), and EV and VE contacts that an EE contact implies. Features are
+        numbered as in the input: vertex i, and edge i from vertex i to the next.
 
         >>> from exactsweep import sweep
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]

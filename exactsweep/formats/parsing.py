@@ -20,9 +20,15 @@ from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
+from exactsweep.numbers.error import quote
 
 # Keys of instances of nesting programs.
 _INSTANCES = {"items", "item_types"}
+_WKT = re.compile(
+    r"\s*(SRID|EMPTY|(MULTI)?(POINT|LINESTRING|POLYGON|CURVE|SURFACE)|GEOMETRY\w*|CIRCULARSTRING|"
+    r"COMPOUNDCURVE|CURVEPOLYGON|TRIANGLE|TIN|POLYHEDRALSURFACE)",
+    re.I,
+)
 # A group code 0 and the name that follows it.
 _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 
@@ -79,9 +85,12 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         if first == "(":
             return find_candidates(parse_json(plain.to_json_text(text)))
         return plain.parse_numbers(text)
-    if first.isalpha():
+    if _WKT.match(text):
         return parse_wkt(text, reading.notes)
-    raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, CSV, SVG nor DXF")
+    raise FormatError(
+        f"starts with {quote(text.split(maxsplit=1)[0])}: not JSON, GeoJSON, WKT, SVG, DXF, or CSV "
+        "with columns x and y"
+    )
 
 
 def measure_written(text: str) -> int:

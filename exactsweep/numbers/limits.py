@@ -54,7 +54,8 @@ def limits(*, max_digits: int | None = None, max_mib: float | None = None) -> It
     """Change the limits on input inside a `with` block.
 
     The limit on digits applies to the number, not to its spelling. Results computed from numbers
-    within the limit can be written in any format and read again.
+    within the limit can be written in any format and read again. The limits hold for the current
+    thread or asyncio task; a new thread begins with the defaults.
 
     Args:
         max_digits: the largest number of digits of the numerator and of the denominator of a number

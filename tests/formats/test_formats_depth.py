@@ -135,7 +135,7 @@ def parts_of(text: str, **options: Any) -> list[str]:
 )
 def test_the_container_is_found(text: str, options: dict[str, Any]) -> None:
     if "frame" in text:
-        with pytest.raises(FormatError, match="nothing is placed"):
+        with pytest.raises(FormatError, match="only one outline found"):
             parse_layouts(text, **options)
     else:
         (layout,) = parse_layouts(text, **options)

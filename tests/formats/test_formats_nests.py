@@ -110,7 +110,7 @@ def test_a_sheet_lists_its_own_parts_only() -> None:
 
 
 def test_a_drawing_of_one_outline_is_no_layout() -> None:
-    with pytest.raises(FormatError, match=r"^one outline alone is drawn: nothing is placed$"):
+    with pytest.raises(FormatError, match=r"^only one outline found; a layout needs"):
         parse_layouts("[[0, 0], [2, 0], [2, 1]]")
 
 

@@ -59,7 +59,7 @@ def draw_layouts(
             outlines.append(one)
     sheets = [Sheet(None, [], outlines)] if container is False else find_sheets(outlines, container)
     if all(not sheet.outlines for sheet in sheets):
-        raise FormatError("one outline alone is drawn: nothing is placed")
+        raise FormatError("only one outline found; a layout needs a container and parts")
     # Pixels are what SVG has where it states no unit.
     sizes = {size: name for name, size in UNITS.items() if name != "px"}
     unit = sizes.get(drawn.coordinates.unit or Fraction(0), "")
