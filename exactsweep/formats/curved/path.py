@@ -311,15 +311,18 @@ def flatten_together(
         first: the lines at the tolerance itself, if known.
 
     Returns:
-        The lines and the result of `use`; None and the first lines if they cross at all tolerances.
+        The lines and the result of `use`; None and the first lines if finer ones do not help.
     """
+    said = ""
     found = rings = [*first] or [path.flatten(reading) for path in paths]
     for finer in range(1, _LEVELS + 2):
         try:
             return rings, use(rings)
-        except PolygonError:
-            if finer > _LEVELS or not any(path.curves for path in paths):
+        except PolygonError as error:
+            # The same error at a finer tolerance: the paths cross, not only their lines.
+            if finer > _LEVELS or str(error) == said or not any(path.curves for path in paths):
                 break
+            said = str(error)
         try:
             rings = [path.flatten(reading, finer) for path in paths]
         except FormatError:

@@ -240,7 +240,7 @@ def _draw_regions(
     def fill_simply(rings: Sequence[Sequence[Point]]) -> Filled:
         filled = fill(rings, rule)
         if filled.touching:
-            raise PolygonError("subpaths intersect")
+            raise PolygonError(f"subpaths intersect: {[*map(len, filled.regions)]} rings")
         return filled
 
     rings, filled = flatten_together(closed, reading, fill_simply)
