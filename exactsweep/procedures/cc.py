@@ -31,6 +31,10 @@ def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
     """Inner boundary of the sweep of a convex G_t along a convex D_b: D_b (Lemma 3.2).
 
     Procedure SweepI_CC: return the edges of D_b. Arguments as for `trajectory_cc`.
+
+    >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
+    >>> sweep_inner_cc(lid, valley).points
+    [(0, 0), (1, -1), (2, 0)]
     """
     return directrix
 

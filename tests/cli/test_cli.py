@@ -26,7 +26,7 @@ UNREAD = "while (echo) 2>&-; do :; done"
         (b"{", "line 1, column 2: not JSON: Expecting property name enclosed in double quotes"),
         (b"[[0, 0], [1, 0], [0, NaN]]", "$[2][1]: 'NaN' is not a number such as 3, -7/2, "),
         (b"[[0, 0], [1, 0], [0, 1e99999]]", "$[2][1]: '1e99999' has more than 4300 digits"),
-        (b"[[0, 0], [2, 0], [1, 0], [0, 1]]", "spike at vertex 1: the boundary turns"),
+        (b"[[0, 0], [2, 0], [1, 0], [0, 1]]", "spike at vertex 1: the boundary reverses"),
         (b"POLYGON ((0 0, 1 0", "line 1, column 19: expected ')', found the end"),
         (b"\xfe\xfe", "not UTF-8 text: invalid start byte at byte 0"),
         (b"[" * 100_000, "nested too deeply"),
