@@ -13,7 +13,7 @@ from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.geometry.vectors import cross, way_key
+from exactsweep.geometry.vectors import angle_key, cross
 from exactsweep.numbers.number import Point, PointRings
 
 NEAR = Fraction(1, 10**14)
@@ -149,7 +149,7 @@ def _slopes(case: AnsweredPair) -> Iterator[str]:
         yield "vertical-edge"
     if d & g:
         yield "parallel-edges"
-    ordered = sorted(d | g, key=way_key)
+    ordered = sorted(d | g, key=angle_key)
     if any(_near(u, v) for u, v in pairwise((*ordered, ordered[0]))):
         yield "near-parallel"
 

@@ -17,7 +17,7 @@ from itertools import chain, pairwise
 from math import isqrt
 
 from exactsweep.geometry.near import BoxRows
-from exactsweep.geometry.vectors import cross, is_between, minus, turn, way_key
+from exactsweep.geometry.vectors import angle_key, cross, is_between, minus, turn
 
 IntVertex = tuple[int, int]
 IntRing = Sequence[IntVertex]
@@ -114,7 +114,7 @@ def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex,
     cones: dict[IntVertex, list[_Corner]] = {}
     for p, found in directions.items():
         if len(found) > 2:
-            found.sort(key=lambda way: way_key(way[0]))
+            found.sort(key=lambda direction: angle_key(direction[0]))
         starts = next(k for k, (_, is_start) in enumerate(found) if is_start)
         found = found[starts:] + found[:starts]
         cones[p] = [(found[k][0], found[k + 1][0]) for k in range(0, len(found), 2)]
@@ -144,15 +144,17 @@ def _list_ends(
     """List the vertices to which a diagonal could run, the best first."""
     ranked = []
     for q in vertices:
-        way = minus(q, p)
-        if way == (0, 0) or not _surrounds(wide, way):
+        direction = minus(q, p)
+        if direction == (0, 0) or not _surrounds(wide, direction):
             continue
-        back = (-way[0], -way[1])
+        back = (-direction[0], -direction[1])
         opposite = next((cone for cone in cones[q] if _surrounds(cone, back)), None)
         if opposite is not None:
-            remaining = sum(map(_is_wide, (*_halves(wide, way), *_halves(opposite, back))))
+            remaining = sum(map(_is_wide, (*_halves(wide, direction), *_halves(opposite, back))))
             saved = _is_wide(opposite)
-            ranked.append((remaining - saved, way[0] * way[0] + way[1] * way[1], q))
+            ranked.append(
+                (remaining - saved, direction[0] * direction[0] + direction[1] * direction[1], q)
+            )
     return [q for _, _, q in sorted(ranked)]
 
 
@@ -161,14 +163,14 @@ def _walk_faces(cones: dict[IntVertex, list[_Corner]]) -> list[ConvexRing]:
     ending = {(p, end): start for p, found in cones.items() for start, end in found}
     pieces = []
     while ending:
-        first, way = next(((p, end), start) for (p, end), start in ending.items())
+        first, direction = next(((p, end), start) for (p, end), start in ending.items())
         key, piece = first, []
         while key in ending:
-            way = ending.pop(key)
+            direction = ending.pop(key)
             p, back = key
-            if back[0] * way[1] != back[1] * way[0]:
+            if back[0] * direction[1] != back[1] * direction[0]:
                 piece.append(p)
-            key = (p[0] + way[0], p[1] + way[1]), (-way[0], -way[1])
+            key = (p[0] + direction[0], p[1] + direction[1]), (-direction[0], -direction[1])
         pieces.append(piece)
     return pieces
 
@@ -177,16 +179,20 @@ def _is_wide(cone: _Corner) -> bool:
     return cross(*cone) < 0
 
 
-def _surrounds(cone: _Corner, way: IntVertex) -> bool:
+def _surrounds(cone: _Corner, direction: IntVertex) -> bool:
     """Decide whether a direction is strictly inside a cone."""
-    after, before, turned = cross(cone[0], way) > 0, cross(way, cone[1]) > 0, cross(*cone)
+    after, before, turned = (
+        cross(cone[0], direction) > 0,
+        cross(direction, cone[1]) > 0,
+        cross(*cone),
+    )
     return after or before if turned < 0 else after and (before or not turned)
 
 
-def _halves(cone: _Corner, way: IntVertex) -> list[_Corner]:
-    return [(cone[0], way), (way, cone[1])]
+def _halves(cone: _Corner, direction: IntVertex) -> list[_Corner]:
+    return [(cone[0], direction), (direction, cone[1])]
 
 
-def _halve(cones: list[_Corner], way: IntVertex) -> None:
-    k = next(k for k, cone in enumerate(cones) if _surrounds(cone, way))
-    cones[k : k + 1] = _halves(cones[k], way)
+def _halve(cones: list[_Corner], direction: IntVertex) -> None:
+    k = next(k for k, cone in enumerate(cones) if _surrounds(cone, direction))
+    cones[k : k + 1] = _halves(cones[k], direction)

@@ -20,7 +20,7 @@ from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.reading import to_lattice
-from exactsweep.geometry.vectors import compare_angles, minus, turn, way_key
+from exactsweep.geometry.vectors import angle_key, compare_angles, minus, turn
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
 
 MAX_PAIRS = 5_000_000
@@ -221,8 +221,8 @@ def _find_next(a: Vertex, b: Vertex, ends: Sequence[Vertex]) -> Vertex:
     if len(ends) == 1:
         return ends[0]
     back = minus(a, b)
-    ordered = sorted(((minus(end, b), end) for end in ends), key=lambda one: way_key(one[0]))
-    before = [end for way, end in ordered if compare_angles(way, back) < 0]
+    ordered = sorted(((minus(end, b), end) for end in ends), key=lambda one: angle_key(one[0]))
+    before = [end for u, end in ordered if compare_angles(u, back) < 0]
     return before[-1] if before else ordered[-1][1]
 
 

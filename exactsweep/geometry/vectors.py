@@ -34,7 +34,7 @@ def compare_angles(u: Vertex, v: Vertex) -> int:
     return halves or (cross(v, u) > 0) - (cross(v, u) < 0)
 
 
-way_key = cmp_to_key(compare_angles)
+angle_key = cmp_to_key(compare_angles)
 """Sorts directions as `compare_angles` compares them."""
 
 

@@ -24,10 +24,10 @@ from exactsweep.procedures.segments import BOTH, ContactSegment, LatticeLine, Pa
 HomogeneousPoint = tuple[int, int, int]
 """The point (x / w, y / w) as coprime ints (x, y, w), w > 0."""
 
-OneWayPiece = tuple[HomogeneousPoint, HomogeneousPoint, int, int]
+OneSidedPiece = tuple[HomogeneousPoint, HomogeneousPoint, int, int]
 """A piece with overlap on its left: its start, its end, its direction."""
 
-TwoWayPiece = tuple[LatticeLine, HomogeneousPoint, HomogeneousPoint]
+TwoSidedPiece = tuple[LatticeLine, HomogeneousPoint, HomogeneousPoint]
 """A piece with overlap on both sides: its line, its lower and its upper end."""
 
 
@@ -35,13 +35,13 @@ class Pieces(NamedTuple):
     """The pieces that crossings leave, by (2).
 
     Attributes:
-        one_way: the pieces with overlap on one side.
-        two_way: the pieces with overlap on both sides.
+        one_sided: the pieces with overlap on one side.
+        two_sided: the pieces with overlap on both sides.
         meetings: the points that may be single free positions, by (3).
     """
 
-    one_way: list[OneWayPiece]
-    two_way: list[TwoWayPiece]
+    one_sided: list[OneSidedPiece]
+    two_sided: list[TwoSidedPiece]
     meetings: set[HomogeneousPoint]
 
 
@@ -58,11 +58,11 @@ def cut(segments: Sequence[ContactSegment]) -> Pieces:
         dx, dy, _ = segment.line
         for p, q in _find_left_over(segment, pieces.meetings):
             if segment.sides == BOTH:
-                pieces.two_way.append((segment.line, p, q))
+                pieces.two_sided.append((segment.line, p, q))
             elif segment.sides[0]:
-                pieces.one_way.append((p, q, dx, dy))
+                pieces.one_sided.append((p, q, dx, dy))
             else:
-                pieces.one_way.append((q, p, -dx, -dy))
+                pieces.one_sided.append((q, p, -dx, -dy))
     return pieces
 
 
@@ -120,14 +120,14 @@ def _find_left_over(
     segment: ContactSegment, meetings: set[HomogeneousPoint]
 ) -> list[tuple[HomogeneousPoint, HomogeneousPoint]]:
     """Return the ends of the pieces that (1) leaves, and add points to the meetings, by (3)."""
-    line, is_two_way = segment.line, segment.sides == BOTH
+    line, is_two_sided = segment.line, segment.sides == BOTH
     start, (covered, end_covered), (at, end) = segment.low, segment.covered, segment.keys
     left: list[tuple[Parameter, Parameter]] = []
     # A piece waits, because more crossings at its end may prove that it is in O.
     waiting: tuple[Parameter, Parameter] | None = None
     last: int | None = None
     for key, n, d, before, after, other_sides in sorted(segment.cuts):
-        if key == last or (is_two_way and other_sides == BOTH):
+        if key == last or (is_two_sided and other_sides == BOTH):
             meetings.add(find_point(line, n, d))
         last = key
         if key > at:

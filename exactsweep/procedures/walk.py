@@ -18,11 +18,11 @@ from itertools import groupby
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_least
-from exactsweep.geometry.vectors import way_key as angle_key
+from exactsweep.geometry.vectors import angle_key
 from exactsweep.numbers.number import Fit, Point, Vertex, divide_exactly
-from exactsweep.procedures.crossings import HomogeneousPoint, OneWayPiece, Pieces, TwoWayPiece
+from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pieces, TwoSidedPiece
 
-PieceRing = Sequence[OneWayPiece]
+PieceRing = Sequence[OneSidedPiece]
 Test = Callable[[HomogeneousPoint], bool]
 """Decides whether a position is in O; the position need not be reduced."""
 
@@ -52,7 +52,7 @@ def find_free(
     each closed walk, for each piece with overlap on both sides, and for each meeting.
     """
     overlaps = cache(overlaps)
-    rings = list(_walk_rings(pieces.one_way, overlaps, least))
+    rings = list(_walk_rings(pieces.one_sided, overlaps, least))
     bounding = {piece[0] for ring in rings for piece in ring}
     free = list(_find_free_pieces(pieces, overlaps, bounding))
     touched = bounding.union(*(piece[1:] for piece in free))
@@ -70,34 +70,34 @@ def find_free(
 
 
 def _walk_rings(
-    pieces: Sequence[OneWayPiece], overlaps: Test, least: HomogeneousPoint | None
+    pieces: Sequence[OneSidedPiece], overlaps: Test, least: HomogeneousPoint | None
 ) -> Iterator[PieceRing]:
     """Walk around free regions, by (1) and (2); yield simple rings of pieces."""
-    leaving: defaultdict[HomogeneousPoint, list[OneWayPiece]] = defaultdict(list)
+    leaving: defaultdict[HomogeneousPoint, list[OneSidedPiece]] = defaultdict(list)
     for piece in pieces:
         leaving[piece[0]].append(piece)
     if least is not None:
         # With straight down as the X axis, all pieces that leave the least point come by angle.
         outermost = min(leaving[least], key=lambda piece: angle_key((-piece[3], piece[2])))
         pieces = [outermost, *pieces]
-    done: set[OneWayPiece] = set()
+    done: set[OneSidedPiece] = set()
     for k, first in enumerate(pieces):
-        way: dict[OneWayPiece, int] = {}
-        following: OneWayPiece | None = first
+        path: dict[OneSidedPiece, int] = {}
+        following: OneSidedPiece | None = first
         while following is not None and following not in done:
             done.add(following)
-            way[following] = len(way)
+            path[following] = len(path)
             following = _follow(following, leaving)
-        if following in way:
-            ring = list(way)[way[following] :]
+        if following in path:
+            ring = list(path)[path[following] :]
             is_known = least is not None and k == 0
             if is_known or not overlaps(_find_middle(following[0], following[1])):
                 yield from split_where_it_touches(ring)
 
 
 def _follow(
-    piece: OneWayPiece, leaving: Mapping[HomogeneousPoint, list[OneWayPiece]]
-) -> OneWayPiece | None:
+    piece: OneSidedPiece, leaving: Mapping[HomogeneousPoint, list[OneSidedPiece]]
+) -> OneSidedPiece | None:
     """Return the first piece counter-clockwise from the reverse of a piece, or None."""
     _, end, dx, dy = piece
     found = leaving.get(end)
@@ -106,7 +106,7 @@ def _follow(
     if len(found) == 1:
         return found[0]
 
-    def mirror(other: OneWayPiece) -> Vertex:
+    def mirror(other: OneSidedPiece) -> Vertex:
         """Return the direction with the reverse of the piece as the X axis, clockwise."""
         _, _, ex, ey = other
         return -dx * ex - dy * ey, dx * ey - dy * ex
@@ -114,19 +114,19 @@ def _follow(
     return max(found, key=lambda other: angle_key(mirror(other)))
 
 
-def split_where_it_touches(ring: Iterable[OneWayPiece]) -> Iterator[PieceRing]:
+def split_where_it_touches(ring: Iterable[OneSidedPiece]) -> Iterator[PieceRing]:
     """Split a ring where it returns to a point, as where the loops of two obstacles touch."""
-    way: list[OneWayPiece] = []
+    path: list[OneSidedPiece] = []
     places: dict[HomogeneousPoint, int] = {}
     for piece in ring:
-        since = places.setdefault(piece[0], len(way))
-        if since < len(way):
-            yield way[since:]
-            for passed in way[since + 1 :]:
+        since = places.setdefault(piece[0], len(path))
+        if since < len(path):
+            yield path[since:]
+            for passed in path[since + 1 :]:
                 del places[passed[0]]
-            del way[since:]
-        way.append(piece)
-    yield way
+            del path[since:]
+        path.append(piece)
+    yield path
 
 
 def _make_canonical(ring: PieceRing, scale: int) -> tuple[list[Point], bool]:
@@ -148,14 +148,14 @@ def _make_canonical(ring: PieceRing, scale: int) -> tuple[list[Point], bool]:
 
 def _find_free_pieces(
     pieces: Pieces, overlaps: Test, bounding: set[HomogeneousPoint]
-) -> Iterator[TwoWayPiece]:
+) -> Iterator[TwoSidedPiece]:
     """Yield the free pieces with overlap on both sides, by (3).
 
     Pieces in O come in bundles. So after one of them, the ends of the next are tested first.
     """
     doubtful = pieces.meetings - bounding
     in_bundle = False
-    for piece in pieces.two_way:
+    for piece in pieces.two_sided:
         _, p, q = piece
         if in_bundle and any(end in doubtful and overlaps(end) for end in (p, q)):
             continue
@@ -166,7 +166,7 @@ def _find_free_pieces(
 
 
 def _join_fits(
-    pieces: Iterable[TwoWayPiece], bounding: Container[HomogeneousPoint]
+    pieces: Iterable[TwoSidedPiece], bounding: Container[HomogeneousPoint]
 ) -> Iterator[tuple[HomogeneousPoint, HomogeneousPoint]]:
     """Join free pieces that continue each other on one line, unless a loop passes there."""
     for _, group in groupby(pieces, key=lambda piece: piece[0]):

@@ -176,11 +176,11 @@ def test_remaining_pieces_are_those_without_cuts() -> None:
             for p, q in pairwise(places)
             if p not in covered_after and q not in covered_before
         ]
-        is_two_way = segment.sides == (True, True)
+        is_two_sided = segment.sides == (True, True)
         suspected = {
             p
             for p, here in at.items()
-            if len(here) > 1 or (is_two_way and any(noted[5] == (True, True) for noted in here))
+            if len(here) > 1 or (is_two_sided and any(noted[5] == (True, True) for noted in here))
         }
         meetings: set[tuple[int, int, int]] = set()
         left = crossings._find_left_over(segment, meetings)

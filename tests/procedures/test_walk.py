@@ -17,7 +17,7 @@ from exactsweep.geometry.edges import Rings
 from exactsweep.geometry.frame import find_shared_direction
 from exactsweep.numbers.number import Point
 from exactsweep.procedures import crossings, walk
-from exactsweep.procedures.crossings import HomogeneousPoint, OneWayPiece, Pieces
+from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pieces
 from exactsweep.procedures.positions import reflect
 from exactsweep.procedures.segments import find_contact_segments
 from exactsweep.procedures.walk import find_free, split_where_it_touches
@@ -75,7 +75,7 @@ def test_the_outermost_of_several_pieces_is_known(shear: int) -> None:
     )
     pieces = cut(d, reflect(h))
     slopes = [(5, 1 + 5 * shear), (1, 6 + shear), (1, shear - 6)]
-    assert {piece[2:] for piece in pieces.one_way if piece[0] == (0, 0, 1)} <= {*slopes}
+    assert {piece[2:] for piece in pieces.one_sided if piece[0] == (0, 0, 1)} <= {*slopes}
     found = find_free(pieces, lambda _: True, 1, find_least(d, reflect(h)))
     assert [loop[0] for loop in found.around] == [Point(Fraction(0), Fraction(0))]
     assert (len(found.within), found.fits) == (0, [])
@@ -105,8 +105,8 @@ def test_the_next_piece_is_the_first_counter_clockwise_from_the_reverse(turns: i
             continue
         (x, y), *directions = (COMPASS[k] for k in (back, first, second))
         here = (0, 0, 1)
-        arriving: OneWayPiece = (here, here, -x, -y)
-        leaving: list[OneWayPiece] = [(here, here, dx, dy) for dx, dy in directions]
+        arriving: OneSidedPiece = (here, here, -x, -y)
+        leaving: list[OneSidedPiece] = [(here, here, dx, dy) for dx, dy in directions]
         found = walk._follow(arriving, {here: leaving[::turns]})
         expected = min((0, 1), key=lambda k: ((first, second)[k] - back - 1) % 10)
         assert found == leaving[expected]
@@ -125,7 +125,7 @@ def test_the_end_on_a_loop_comes_first_if_only_one_is() -> None:
     p, q = (0, 0, 1), (2, 3, 2)
     near, far = Point(Fraction(0), Fraction(0)), Point(Fraction(1, 5), Fraction(3, 10))
     line = 2, 3, 0
-    loops: dict[HomogeneousPoint, list[OneWayPiece]] = {
+    loops: dict[HomogeneousPoint, list[OneSidedPiece]] = {
         start: [
             (start, (8, 8, 1), 1, 2),
             ((8, 8, 1), (8, 9, 1), 0, 1),
@@ -138,8 +138,8 @@ def test_the_end_on_a_loop_comes_first_if_only_one_is() -> None:
         ([q], (far, near)),
         ([], (near, far)),
     ):
-        one_way = [piece for start in bounding for piece in loops[start]]
-        found = find_free(Pieces(one_way, [(line, p, q)], set()), lambda _: False, 5)
+        one_sided = [piece for start in bounding for piece in loops[start]]
+        found = find_free(Pieces(one_sided, [(line, p, q)], set()), lambda _: False, 5)
         assert found.fits == [expected]
 
 

@@ -20,7 +20,7 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.vectors import is_on_segment, minus, turn, way_key
+from exactsweep.geometry.vectors import angle_key, is_on_segment, minus, turn
 from exactsweep.numbers.number import Fit, Loop, Point, PointRings, Vertex
 
 _LineKey = tuple[Fraction | None, Fraction]
@@ -168,7 +168,7 @@ def trace_rings(boundary: RingBoundary) -> list[Loop]:
             near.setdefault(b, []).append(a)
     partner: dict[tuple[Point, Point], Point] = {}
     for p, others in near.items():
-        ordered = sorted(others, key=lambda other, p=p: way_key(minus(other, p)))  # type: ignore[misc]
+        ordered = sorted(others, key=lambda other, p=p: angle_key(minus(other, p)))  # type: ignore[misc]
         for a, b in zip(ordered[::2], ordered[1::2], strict=True):
             partner[a, p], partner[b, p] = b, a
     rings: list[Loop] = []

@@ -24,7 +24,7 @@ from exactsweep.corpus.generator.shapes import untangle, walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.geometry.vectors import compare_angles, way_key
+from exactsweep.geometry.vectors import angle_key, compare_angles
 
 Regions = tuple[Region, Region]
 Draw = Callable[[Prng], Regions]
@@ -203,7 +203,7 @@ def _draw_star(random: Prng) -> Region:
 def sort_by_angle(points: set[Cell]) -> list[Cell]:
     """Sort points around the origin; of those in one direction only the first is kept."""
     found: list[Cell] = []
-    for p in sorted(sorted(points), key=way_key):
+    for p in sorted(sorted(points), key=angle_key):
         if not found or compare_angles(found[-1], p):
             found.append(p)
     return found
