@@ -23,6 +23,7 @@ FOLDERS = ("exactsweep", "tests", "benchmarks")
 # The list itself; and a page whose digest a published release has.
 SKIPPED = {"tests/test_wording.py", "exactsweep/corpus/release/HOW-TO-READ.md"}
 
+_QUOTED = re.compile("|".join(["`[^`\n]*`", *map(re.escape, KEPT)]))
 _LISTED = re.compile(rf"\b({'|'.join(sorted(WORDS, key=len, reverse=True))})\b", re.I)
 
 
@@ -76,7 +77,7 @@ def _list_tokens(text: str, strings: bool) -> Iterator[tuple[int, str]]:
             yield start, comment
             comment = ""
         if kind == tokenize.STRING and (strings or '"""' in token[:5]):
-            yield line, re.sub(r"`[^`\n]*`", "", token)
+            yield line, _QUOTED.sub("", token)
         elif kind == tokenize.NAME and token not in KEPT:
             yield line, _split_names(token.replace("_", " "))
 

@@ -69,7 +69,7 @@ def help_command(ctx: click.Context, topic: str | None) -> None:
     command = whole.command.get_command(whole, topic)
     if command is None:
         near = suggest(topic, [*whole.command.commands, "reading"])
-        raise click.UsageError(f"No such command or topic {quote(topic)}{near}.")
+        raise click.UsageError(f"No such command or topic {quote(topic)}{near or '.'}")
     click.echo(command.get_help(click.Context(command, info_name=topic, parent=whole)))
 
 

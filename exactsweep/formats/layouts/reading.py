@@ -93,17 +93,17 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
     """Read the layouts of a file, or of standard input.
 
     Args:
-        path: a path, or "-" for standard input; after it, perhaps, "#" and the number of the only
-            sheet that is wanted, from 0. Layout JSON; solutions of sparrow, jagua-rs and
-            spyrrow, of packingsolver and of CG:SHOP 2024 as JSON; SVG of sparrow, jagua-rs, SVGnest
-            and Deepnest; or any drawing that `read_regions` reads, its outlines where they stand.
-        instance: the file of the instance that a solution answers; needed where the solution does
-            not hold it. It says what is to be placed how often, and which turns are allowed. Or a
-            drawing, a file of polygons or a folder of parts, each to be placed once.
+        path: a path, or "-" for standard input, optionally with "#" and the index of a sheet.
+            Layout JSON; JSON of sparrow, jagua-rs, spyrrow, packingsolver and CG:SHOP 2024; SVG of
+            sparrow, jagua-rs, SVGnest and Deepnest; or any drawing that `read_regions` reads, with
+            the outlines in place.
+        instance: the file of the instance of a solution, with demands and allowed rotations; needed
+            if the solution lacks it. Or a drawing, a file of polygons or a folder of parts, each to
+            be placed once.
         part: the file of the parts of a table of placements; see `table`.
         radians: whether the angles of such a table are in radians.
         container: which outline of a drawing is the container, by name, index or layer; False for
-            no container; if left out, the command finds it.
+            no container; found automatically by default.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
 
