@@ -10,10 +10,19 @@ import pytest
 
 from exactsweep import Point
 from exactsweep.check.standalone import prove
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.layout import Judgement, Layout, LayoutError, judge_layout
 from exactsweep.layout.clearance import Clearance
 from exactsweep.layout.report import draw_layout, rank_faults, report_layout
-from exactsweep.layout.rounded import HullDistance, bound_pi, bound_root, measure_hulls
+from exactsweep.layout.report.outline import list_vertices
+from exactsweep.layout.rounded import (
+    HullDistance,
+    RoundedPiece,
+    bound_pi,
+    bound_root,
+    measure_hulls,
+)
+from exactsweep.numbers.number import ORIGIN
 
 UNIT = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
 LATER = range(1000, 1400, 25)
@@ -253,3 +262,17 @@ def test_bounds_of_pi_enclose_it() -> None:
     assert low < digits + Fraction(1, 10**35)
     assert high > digits
     assert high - low < Fraction(1, 2**99)
+
+
+@pytest.mark.parametrize("near", [Fraction(2), Fraction(1, 10**6), Fraction(1, 10**30)])
+def test_outlines_are_fine_where_they_are_enlarged(near: Fraction) -> None:
+    center = Point(Fraction(3, 5), Fraction(4, 5))
+    ring = list_vertices(RoundedPiece((ORIGIN,), Fraction(1)), center, near)
+    assert all(x * x + y * y == 1 for x, y in ring)
+    assert find_doubled_area(ring) > Fraction(622, 100)
+    inside = [p for p in ring if abs(p[0] - center.x) < near and abs(p[1] - center.y) < near]
+    assert len(inside) >= 8
+    slot = RoundedPiece((ORIGIN, Point(Fraction(3), Fraction(0))), Fraction(1))
+    ring = list_vertices(slot, Point(Fraction(1), Fraction(1)), near)
+    assert all(-1 <= y <= 1 for _, y in ring)
+    assert (3, 1) in ring

@@ -13,7 +13,7 @@ from exactsweep.layout.layout import Layout
 from exactsweep.layout.rounded import RoundedPiece, bound_root
 from exactsweep.numbers.number import Point, Vertex
 
-_BITS, _STEPS, _COARSE = 16, 32, Fraction(1, 8)
+_BITS, _STEPS, _COARSE, _BACK = 16, 16, Fraction(1, 64), 40
 
 
 def place_pieces(layout: Layout, k: int) -> list[RoundedPiece]:
@@ -100,7 +100,7 @@ def list_vertices(piece: RoundedPiece, center: Point, near: Fraction) -> Sequenc
                 (p.x + r * (u * c - v * s), p.y + r * (u * s + v * c))
                 for c, s in _list_turns(near / r)
             ]
-    return find_hull(found)
+    return found if len(points) == 1 else find_hull(found)
 
 
 def _find_direction(x: Fraction, y: Fraction, bits: int) -> Point:
@@ -115,13 +115,13 @@ def _find_direction(x: Fraction, y: Fraction, bits: int) -> Point:
 
 
 def _list_turns(share: Fraction) -> list[Point]:
-    """List rational turns: fine ones up to a share of a radian, then each twice the one before."""
+    """List rational turns: fine ones up to a share of a radian, then coarse ones."""
     # A power of two keeps numbers short.
     fine = min(Fraction(1), Fraction(2) ** ceil(log2(share) + 1))
     tangents = [fine * k / (2 * _STEPS) for k in range(_STEPS + 1)]
-    while tangents[-1] < 4:
-        tangents.append(tangents[-1] * (2 if fine < _COARSE else Fraction(9, 8)))
+    while tangents[-1] < _BACK:
+        tangents.append(tangents[-1] * (4 if tangents[-1] < _COARSE else Fraction(5, 4)))
     found = []
-    for t in (*tangents, *(-t for t in tangents[1:])):
+    for t in (*(-t for t in tangents[:0:-1]), *tangents):
         found.append(Point((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)))
     return found
