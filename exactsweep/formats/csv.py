@@ -58,8 +58,7 @@ def parse_csv(text: str) -> list[Candidate]:
             "name", "id" or "part" names the polygon, "polygon" distinguishes polygons of one name,
             "ring" has one value for the exterior, which comes first, and one for each hole. Or one
             polygon per row in a column "wkt" or "geometry", or one rectangle with columns "width"
-            and
-            "height", "w" and "h", or "lx" and "ly". Commas, semicolons or tabs separate columns;
+            and "height", "w" and "h", or "lx" and "ly". Columns end at commas, semicolons or tabs;
             between the latter two, decimals may have a comma.
 
     Returns:
@@ -98,8 +97,8 @@ def _parse(text: str) -> list[Candidate]:
     if needed[0] in columns and not _PLACING.isdisjoint(head):
         other = next(cell for cell in head if cell in _PLACING)
         raise FormatError(
-            f"line {first[0]}: with a column {quote(other)}, x and y are places, not vertices; "
-            "a table of placements goes with the outline of its parts"
+            f"line {first[0]}: with a column {quote(other)}, x and y are positions; "
+            "'exactsweep layout --part FILE' reads a table of placements"
         )
     needed += next((pair for pair in _SIZES if columns.keys() >= {*pair}), ())
     if not columns.keys() >= {*needed}:

@@ -60,7 +60,7 @@ def test_rows_with_sizes_are_rectangles() -> None:
 @pytest.mark.parametrize("column", ["deg", "angle", "rotation", "radius"])
 def test_a_table_of_placements_is_not_a_polygon(column: str) -> None:
     text = f"n,x,y,{column}\n3,0,0,1\n3,1,0,1\n3,0,1,1\n"
-    with pytest.raises(FormatError, match=f"with a column '{column}', x and y are places"):
+    with pytest.raises(FormatError, match=f"with a column '{column}', x and y are positions"):
         parse_polygons(text)
 
 
