@@ -37,8 +37,8 @@ def claim_layout(c: Any) -> CoqClaim:
     """Return the claim of a certificate of a valid layout.
 
     Raises:
-        TheoremError: the layout has faults, or a rounded container other than a disc; or two parts
-            have one id.
+        TheoremError: the layout has faults, a rotation that is not allowed, or a rounded container
+            other than a disc; or two parts have one id.
     """
     if c["valid"] is not True:
         raise TheoremError("a layout with faults has no theorem")
@@ -57,6 +57,7 @@ def claim_layout(c: Any) -> CoqClaim:
         _moved(*one, index, drawn, allowed)
         for one in zip(given["placements"], c["turns"], strict=True)
     ]
+    used = [[motion for j, motion, _ in moves if j == k] for k in range(len(parts))]
     placed = [_placed(motion, drawn[k]) for k, motion, _ in moves]
     pieces = [[_move(motion, ring) for ring in cut[k]] for k, motion, _ in moves]
     frame = [Fraction(n) for n in proof.get("frame") or [0] * 4]
@@ -73,7 +74,7 @@ def claim_layout(c: Any) -> CoqClaim:
     layout = {
         "sheet": Some(sheet.term()) if sheet else None,
         "obstacles": [(e.term(), d) for e, d in zip(obstacles, distances, strict=True)],
-        "kinds": [_part(*one) for one in zip(parts, drawn, allowed, strict=True)],
+        "kinds": [_part(*one) for one in zip(parts, drawn, allowed, used, strict=True)],
         "placements": [_placement(k, to, Fraction(ceil(e * unit), unit)) for k, to, e in moves],
         **gaps,
     }
@@ -126,18 +127,16 @@ def _pieces(items: Any) -> list[list[RationalPoint]]:
 
 
 def _moved(item: Any, turn: Any, index: Any, drawn: Any, allowed: Any) -> tuple[int, Any, Fraction]:
-    """Return the part, the motion and the error of the rotation of a placement.
-
-    A rational rotation that stands for an irrational one that is allowed is allowed, too.
-    """
+    """Return the part, the motion and the error of the rotation of a placement."""
     k, asked, to = index[item["part"]], _rotation(item.get("turn")), _rotation(turn)
     slack, is_mirrored = Fraction(0), item.get("mirrored") is True
-    if asked != to:  # irrational, or refused
-        far = max(abs(x) + abs(y) for x, y in drawn[k].points())
-        slack = far * rotation_error(to, asked) if type(asked) is Fraction else Fraction(-1)
-        turns = allowed[k][is_mirrored]
-        if turns is not None and asked in turns:
-            turns.append(to)
+    turns = allowed[k][is_mirrored]
+    if turns is not None and asked not in turns:
+        raise TheoremError("a placement has a rotation that is not allowed")
+    if asked != to:
+        if type(asked) is not Fraction:
+            raise TheoremError("an entry of turns is not the rotation of its placement")
+        slack = max(abs(x) + abs(y) for x, y in drawn[k].points()) * rotation_error(to, asked)
     return k, (is_mirrored, *to, read_points([item["move"]])[0]), slack
 
 
@@ -159,12 +158,14 @@ def _allowed(part: Any) -> list[Any]:
     return [None if e is None else [*map(_rotation, e)] for e in (turns, other)]
 
 
-def _part(part: Any, drawn: _Figure, allowed: list[Any]) -> Record:
+def _part(part: Any, drawn: _Figure, allowed: list[Any], used: list[Any]) -> Record:
+    """Return a part. Rational rotations that stand for irrational ones are allowed, too."""
     demand, known = part.get("demand"), ("rotations", "mirrored_rotations")
     rules = {"demand": None if demand is None else Some(Nat(demand))}
-    for name, turns in zip(known, allowed, strict=True):
+    for is_mirrored, (name, turns) in enumerate(zip(known, allowed, strict=True)):
+        own = [(c, s) for flag, c, s, _ in used if flag == is_mirrored]
         rational = [e for e in turns or () if type(e) is tuple]
-        rules[name] = None if turns is None else Some(rational)
+        rules[name] = None if turns is None else Some([*dict.fromkeys(rational + own)])
     return _record({"form": drawn.term(), **rules, "may_mirror": part.get("mirrored") is not False})
 
 

@@ -1,6 +1,7 @@
 """Certificates as input of the checker in Coq: the extracted program, and theorems."""
 
 import copy
+import json
 import subprocess
 from collections.abc import Iterator
 from fractions import Fraction
@@ -161,6 +162,30 @@ def test_other_versions_and_faults_have_no_theorem() -> None:
     faulty = next(case for case in layout_cases() if case.expected.get("faults"))
     with pytest.raises(ValueError, match="faults"):
         to_claim(judge_layout(faulty.layout).certificate())
+
+
+def test_rotations_are_those_of_placements_and_allowed() -> None:
+    square = {"id": "a", "exterior": [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]], "error": "2"}
+    layout = {
+        "parts": [{**square, "turns": ["0", "33"]}],
+        "placements": [
+            {"part": "a", "move": ["0", "0"], "turn": "33"},
+            {"part": "a", "move": ["9", "9"]},
+        ],
+    }
+    certificate = judge_layout(Layout.from_json(layout)).certificate()
+    assert to_claim(certificate)
+    for turn, stands in (("34", "33"), ("stand-in", "33"), ("0", "33"), ("33", "0")):
+        changed = json.loads(json.dumps(certificate))
+        known = {"33": changed["turns"][0], "0": changed["turns"][1]}
+        changed["layout"]["placements"][1]["turn"] = known["33"] if turn == "stand-in" else turn
+        changed["turns"][1] = known[stands]
+        if (turn, stands) == ("33", "0"):  # a bad stand-in, with a large error
+            (part,) = to_claim(changed).statement["layout"][1].fields["Statements.placements"][1:]
+            assert part.fields["Statements.slack"] > Fraction(1, 2)
+            continue
+        with pytest.raises(ValueError, match="rotation"):
+            to_claim(changed)
 
 
 def test_a_theorem_is_written_on_the_command_line(tmp_path: Path) -> None:

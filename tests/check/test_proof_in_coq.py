@@ -53,7 +53,7 @@ def test_nothing_is_admitted_or_assumed() -> None:
             assert depth > 0 or word == "End", f"{path.name}: {word} outside a section"
 
 
-def test_comments_are_left_out_of_the_search() -> None:
+def test_comments_are_not_searched() -> None:
     assert without_comments("a (* b (* c *) d *) e").split() == ["a", "e"]
 
 

@@ -1,6 +1,10 @@
-(* What the main theorems assume: each line prints "Closed under the global context", that is, no axiom. *)
-From Exactsweep Require Import HalfOpen Layout Faults NoFit InnerFit Sweep Claims.
+(* The assumptions of the main theorems: each line prints "Closed under the global context", that is, no axiom. *)
+From Exactsweep Require Import HalfOpen RealPoints Layout Faults NoFit InnerFit Sweep Claims.
 Print Assumptions disjoint_iff.
+Print Assumptions real_overlap.
+Print Assumptions real_at_least.
+Print Assumptions rotation_error_sound.
+Print Assumptions fits_iff.
 Print Assumptions layout_sound.
 Print Assumptions valid_exact.
 Print Assumptions overlap_refutes.

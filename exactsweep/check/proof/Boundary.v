@@ -1,8 +1,6 @@
-(* The lemma of positions: where the loops go around, and only there, is the set O.
-
-   U is a union of open convex polygons, given by their sides.  L is a set of segments: the edges of
-   the loops, and the fits.  Along a horizontal line in general position, a point outside U and L sees
-   to its right nothing, or first a descending edge of a loop with U behind it. *)
+(* The lemma: the loops wind once around the points of O and no others. U is a union of open convex polygons, given by
+   their sides. L is a set of segments: the edges of the loops, and the fits. On a horizontal line in general position, a
+   ray to the right from a point outside U and L meets nothing, or first a descending edge of a loop with U behind it. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby.
@@ -10,11 +8,11 @@ Import ListNotations.
 Open Scope Q_scope.
 
 Definition meets_at (p q : Statements.point) : Prop := fst p == fst q /\ snd p == snd q.
-(* A convex region, by some of its sides: all ends are left of all sides, or on them; sides of one line
-   run the same way.  One side alone is a half-plane. *)
+(* A convex region, by some of its sides: all ends are left of all sides, or on them; sides on one line have one
+   direction. One side alone is a half-plane. *)
 Definition convex (S : list side) : Prop := forall f g, In f S -> In g S ->
   0 <= o g (fst f) /\ 0 <= o g (snd f) /\ (0 < o g (fst f) \/ 0 < o g (snd f) \/ rise g == rise f).
-(* A polygon: each side has one before and one after it that turn left there. *)
+(* A polygon: each side has a predecessor and a successor, with left turns. *)
 Definition linked (S : list side) : Prop := forall f, In f S ->
   (exists g, In g S /\ meets_at (snd g) (fst f) /\ 0 < o g (snd f)) /\
   (exists g, In g S /\ meets_at (fst g) (snd f) /\ 0 < o g (fst f)).
@@ -70,7 +68,7 @@ Definition root (f : side) (t : Statements.point) : Q := fst t + o f t / rise f.
 Lemma o_root f t x : ~ rise f == 0 -> o f (at_x t x) == rise f * (root f t - x).
 Proof. intro N. rewrite o_line. unfold root. field. exact N. Qed.
 
-(* Points of a side, off its ends: beside it is the inside. *)
+(* Inner points of a side: the interior is adjacent. *)
 Lemma beside S f y : convex S -> In f S -> Statements.on_segment f y ->
   ~ snd (fst f) == snd y -> ~ snd (snd f) == snd y ->
   forall g, In g S -> 0 < o g y \/ o g y == 0 /\ rise g == rise f.
@@ -166,7 +164,7 @@ Hypothesis Convex : forall S, In S sums -> convex S.
 Hypothesis Sum : forall S t, In S sums -> inS S t -> O t.
 Hypothesis Free : forall t, L t -> ~ O t.
 Hypothesis Once : forall t, O t -> wind_sides loops t = level.
-(* What is beyond all loops is U, or the level is one above that of the outside, 0. *)
+(* Beyond all loops is U, or the level is 1, one above that of the complement. *)
 Hypothesis Far : level = 1%Z \/ forall t, exists x, fst t <= x /\ U (at_x t x).
 Hypothesis Cover : forall S f x, In S sums -> In f S -> o f x == 0 -> (forall g, In g S -> 0 <= o g x) -> U x \/ L x.
 Hypothesis Left : forall e x, In e loops -> Statements.on_segment e x ->
@@ -195,7 +193,7 @@ Proof.
     exfalso. apply E. rewrite Exists_exists. exists f. auto.
 Qed.
 
-(* No point of U is reached from t along the line before L is. *)
+(* From t along the line, no point of U comes before the first point of L. *)
 Lemma no_entry : forall n x, (count_below (map (fun f => root f t) (concat sums)) x < n)%nat -> fst t <= x ->
   (forall y, fst t <= y -> y < x -> ~ L (at_x t y)) -> ~ U (at_x t x).
 Proof.

@@ -1,6 +1,6 @@
-(* What certificates are checked with: a sweep together with its no-fit polygon, and normals by number. *)
+(* Checkers of whole certificates: loops by name, a sweep with its no-fit polygon, normals by number. *)
 Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Pieces Solid Gaps Scaling HalfOpen Covers Layout NoFit InnerFit Sweep.
+From Exactsweep Require Import Cancel Pieces Solid Gaps Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Pairs Layout NoFit InnerFit Sweep.
 From Exactsweep Require Statements.
 Import ListNotations.
 
@@ -38,13 +38,26 @@ Qed.
 Definition check_no_fit_polygon (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
     (fits : list (Statements.point * Statements.point)) (c : no_fit_certificate) (t : triangles) : bool :=
   check_no_fit D G (Statements.with_holes exterior holes) fits c && check_named (NoFit.unit c) exterior holes t.
+Lemma touch_limit D G t : (exists z, Statements.closure (Statements.inside D) z /\ Statements.closure (Statements.inside (Statements.translate t G)) z) ->
+  Statements.closure (Statements.overlaps_at D G) t.
+Proof.
+  intros (z & A & B) e E. assert (H : e / 2 == (1 # 2) * e) by field.
+  destruct (A (e / 2)) as (y & Y & C1 & C2); [apply Qlt_shift_div_l; lra|]. destruct (B (e / 2)) as (w & W & C3 & C4); [apply Qlt_shift_div_l; lra|].
+  exists (fst t + (fst y - fst w), snd t + (snd y - snd w)). split.
+  - apply (overlap_of_point _ _ y Y). unfold Statements.inside in *. rewrite winding_translate in *. rewrite <- W. apply winding_same.
+    unfold meets_at, back_by. cbn [fst snd]. split; ring.
+  - rewrite H in *. unfold Statements.close. cbn [fst snd]. lra.
+Qed.
 Theorem no_fit_polygon_sound D G exterior holes fits c t :
   check_no_fit_polygon D G exterior holes fits c t = true -> Statements.no_fit_polygon D G exterior holes fits.
 Proof.
   unfold check_no_fit_polygon. intro H. apply andb_prop in H as (A & B). pose proof (no_fit_sound _ _ _ _ c A) as C.
-  pose proof (check_named_spec _ _ _ _ B) as Na. split; [exact C|]. split; [exact Na|]. intros z NL W.
-  destruct Na as ((E & _) & _ & _). specialize (E z). pose proof (winding_with_holes z exterior holes) as T.
-  destruct (proj2 C z NL) as [(_ & V)|(_ & V)]; lia.
+  pose proof (check_named_spec _ _ _ _ B) as Na. split; [exact C|]. split; [|split; [exact Na|]].
+  - intro u. split.
+    + intro L. split; [exact (no_fit_contact _ _ _ _ c A u L)|]. apply (proj1 C u), L.
+    + intros (T & N). apply (proj1 C u). split; [apply touch_limit, T|exact N].
+  - intros z NL W. destruct Na as ((E & _) & _ & _). specialize (E z). pose proof (winding_with_holes z exterior holes) as T.
+    destruct (proj2 C z NL) as [(_ & V)|(_ & V)]; lia.
 Qed.
 
 Definition check_inner_fit_polygon (C G : list Statements.ring) (regions : list (Statements.ring * list Statements.ring))

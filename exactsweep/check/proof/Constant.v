@@ -8,8 +8,8 @@ Lemma wind_app es fs z : wind (es ++ fs) z = wind es z + wind fs z.
 Proof. induction es as [|e r IH]; [reflexivity|]. 
   change (cross e z + wind (r ++ fs) z = cross e z + wind r z + wind fs z). rewrite IH. ring. Qed.
 
-(* W is constant along segments that avoid the loops: no Jordan curve needed.
-   `apart`: a line strictly parts the edge from the segment. *)
+(* W is constant along segments that avoid the loops; this does not need the Jordan curve theorem. `apart`: a line
+   strictly separates the edge from the segment. *)
 Definition val (s : Z * Z * Z) (p : pt) : Z := let '(a, b, c) := s in a * fst p + b * snd p + c.
 Definition apart (e : edge) (x y : pt) : Prop :=
   exists s, 0 < val s (fst e) /\ 0 < val s (snd e) /\ val s x < 0 /\ val s y < 0.
@@ -150,7 +150,7 @@ Proof.
   pose proof (step_up q p x y (apart_sym _ _ _ _ A) B C) as S. rewrite !(cross_sym q p) . lia.
 Qed.
 
-(* rings: as many edges begin as end at each point *)
+(* rings: equally many edges start and end at each point *)
 Definition ends (es : list edge) : list (key * Z) :=
   flat_map (fun e => [(((0, 0, 0), fst e), 1); (((0, 0, 0), snd e), -1)]) es.
 Definition closed (es : list edge) : Prop := forall k, total (ends es) k = 0.

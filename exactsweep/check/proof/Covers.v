@@ -283,7 +283,7 @@ Proof.
     right. exists e. split; [exact I|]. exact (segment_convex e _ _ _ r R A B Rx Ry).
 Qed.
 
-(* Sides along a segment, the same way *)
+(* Sides along a segment, in its direction *)
 Definition same_way (a b : Q) : bool := (Qle_bool a 0 || Statements.less 0 b) && (Qle_bool 0 a || Statements.less b 0).
 Definition along_b (e : side) (u v : Q) : bool :=
   existsb (fun S => existsb (fun f => on_b f (point_at e u) && on_b f (point_at e v) &&

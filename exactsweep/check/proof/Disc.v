@@ -1,4 +1,4 @@
-(* A disc as the container: what is near enough to its center keeps a distance from all that is outside it. *)
+(* A disc as the container: sets near its center are at a distance from its complement. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Scaling Near.
@@ -9,7 +9,7 @@ Lemma dist2_nonneg y z : 0 <= Statements.dist2 y z.
 Proof. unfold Statements.dist2. pose proof (sq_nonneg (fst y - fst z)). pose proof (sq_nonneg (snd y - snd z)). lra. Qed.
 Lemma dist2_sym y z : Statements.dist2 y z == Statements.dist2 z y.
 Proof. unfold Statements.dist2. ring. Qed.
-(* Squares below a square: a root below the root *)
+(* A rational number below s whose square is at least x *)
 Lemma root_below x s : 0 <= x -> 0 <= s -> x < s * s -> exists d, 0 <= d < s /\ x <= d * d.
 Proof.
   intros X S L. assert (Sp : 0 < s). { destruct (Qlt_le_dec 0 s) as [|Z]; [assumption|]. assert (E : s == 0) by lra. rewrite E in L. lra. }

@@ -1,4 +1,4 @@
-(* The checkers accept: small cases, computed by Coq itself. *)
+(* Small cases, computed by Coq. *)
 Require Import QArith ZArith List Bool.
 From Exactsweep Require Import Cancel Pieces Solid Gaps Layout NoFit Sums.
 From Exactsweep Require Statements.
@@ -62,14 +62,14 @@ Proof. apply (layout_sound no_normals no_outside_normals _ no_frame). vm_compute
 Example dish_too_small : check_layout no_normals no_outside_normals (disc_in dish (1 # 3)) no_frame = false.
 Proof. vm_compute. reflexivity. Qed.
 
-(* The no-fit polygon of two unit squares: one sum, each side of which runs along one edge of the loop *)
+(* The no-fit polygon of two unit squares: one sum, each side along one edge of the loop *)
 Definition loop : Statements.ring := [(-1 # 1, -1 # 1); (1, -1 # 1); (1, 1); (-1 # 1, 1)]%Q.
 Definition no_fit_evidence : no_fit_certificate :=
   {| unit := 1; NoFit.still := [unit_square]; moving := [unit_square]; listed_sums := [(0%nat, [[-1]; [-2]; [-3]; [-4]])] |}.
 Example no_fit_square : Statements.no_fit_claim [square] [square] [loop] [].
 Proof. apply (no_fit_sound _ _ _ _ no_fit_evidence). vm_compute. reflexivity. Qed.
 
-(* A ring that goes twice around is rejected, although its pieces cancel to it. *)
+(* A ring with winding number 2 is rejected, although its pieces cancel to it. *)
 Example twice_rejected :
   is_solid {| rings := [unit_square; unit_square]; pieces := [unit_square; unit_square] |} = true /\
   simple_solid {| rings := [unit_square; unit_square]; pieces := [unit_square; unit_square] |} = false.

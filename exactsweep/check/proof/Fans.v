@@ -1,4 +1,4 @@
-(* Pieces with any number of corners *)
+(* Pieces with any number of vertices *)
 Require Import ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant.
 Import ListNotations.

@@ -1,4 +1,4 @@
-(* Faults, proved by a point or two; and what `valid` says of shapes that are known exactly. *)
+(* Faults, proved by one or two points; and `valid` for shapes that are known exactly. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Near.
@@ -11,7 +11,21 @@ Lemma keeps_disjoint d A B : Statements.keeps d (Statements.inside A) (Statement
   Statements.disjoint (Statements.inside A) (Statements.inside B).
 Proof. intros (N & _). apply disjoint_iff, N. Qed.
 
-(* Figures that are drawn as rings and known exactly: no two have a point in common, each is in the sheet, off each obstacle. *)
+(* A part is in a container if and only if it does not overlap the complement. *)
+Theorem fits_iff C G t : Statements.fits_at C G t <->
+  ~ Statements.overlap (Statements.inside (Statements.translate t G)) (fun z => ~ Statements.inside C z).
+Proof.
+  split.
+  - intros H (z & (d & D & A) & (e & E & B)). apply (B z (close_refl e z E)), H, (A z (close_refl d z D)).
+  - intros H z Z. destruct (Z.eq_dec (Statements.winding C z) 1) as [|N]; [assumption|exfalso]. apply H.
+    destruct (half_open (Statements.translate t G) z) as (d & D & P). destruct (half_open C z) as (d' & D' & P').
+    destruct (below d d' D D') as (r & R & L & L'). destruct (wedge_square r z R) as (c & q & Q0 & Sq).
+    exists c. split; exists q; (split; [exact Q0|]); intros y Y; specialize (Sq y Y); unfold Statements.inside.
+    + rewrite (P y); [exact Z|]. apply (wedge_less r d z y L Sq).
+    + rewrite (P' y); [exact N|]. apply (wedge_less r d' z y L' Sq).
+Qed.
+
+(* Figures drawn as rings and known exactly: no two have a common point; each is in the sheet and off each obstacle. *)
 Lemma shape_drawn f : 0 <= Statements.error f -> Statements.shape_of f (Statements.drawn f).
 Proof. intros E z I. apply within_self; [exact E|exact I]. Qed.
 Lemma shape_inside f : 0 <= Statements.error f -> Statements.shape_of f (Statements.inside (Statements.outline f)).
@@ -78,7 +92,7 @@ Proof.
   unfold check_shape. intros H (S & _). destruct (S z) as [E|E]; rewrite E in H; discriminate.
 Qed.
 
-(* So an overlap of drawn parts refutes a layout. *)
+(* An overlap of drawn parts refutes a layout. *)
 Corollary overlap_refutes l i j x y z : nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y ->
   i <> j -> 0 <= Statements.error (Statements.placed l x) -> 0 <= Statements.error (Statements.placed l y) ->
   check_overlap (Statements.outline (Statements.placed l x)) (Statements.outline (Statements.placed l y)) z = true -> ~ Statements.valid l.

@@ -1,4 +1,4 @@
-(* Gaps between pieces: a normal proves that two pieces share no point, and a distance. *)
+(* Gaps between pieces: a normal proves that two pieces are disjoint and at a distance. *)
 Require Import ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid.
 Import ListNotations.
@@ -56,7 +56,7 @@ Proof.
   apply IH. intros p [<-|I]; apply H; [left; reflexivity|right; right; exact I].
 Qed.
 
-(* What is far from each other as a whole is so in parts. *)
+(* Subsets of distant sets are distant. *)
 Lemma far_parts d n vs ws p q : far d n vs ws = true -> incl p vs -> incl q ws -> p <> [] -> q <> [] -> far d n p q = true.
 Proof.
   intros F P Q Np Nq. destruct (far_spec _ _ _ _ F) as (N & a & b & A & B & C & D).
@@ -120,7 +120,7 @@ Proof.
   - apply IH, H2.
 Qed.
 
-(* A side of one of two pieces has all of the other on its right, or one coordinate parts them. *)
+(* A side of one of two pieces has the other on its right, or an axis separates them. *)
 Definition normal (e : edge) : pt := (snd (snd e) - snd (fst e), fst (fst e) - fst (snd e)).
 Definition opposite (p : pt) : pt := (- fst p, - snd p).
 Definition axes : list pt := [(1, 0); (0, 1); (-1, 0); (0, -1)].
@@ -129,7 +129,7 @@ Definition apart (p q : ring) : bool :=
 Lemma apart_spec p q : apart p q = true -> exists n, far 0 n p q = true.
 Proof. unfold apart. intro H. apply existsb_exists in H as (n & _ & H). exists n. exact H. Qed.
 
-(* Pieces make up a shape: convex as seen from a corner, cancelling to its rings, apart from each other, at least one. *)
+(* Pieces make up a shape: fans, at least one, that cancel to its rings and are apart from each other. *)
 Definition simple_solid (s : solid) : bool :=
   is_solid s && negb (match pieces s with [] => true | _ => false end) && all_pairs apart (pieces s).
 Lemma simple_spec s : simple_solid s = true ->

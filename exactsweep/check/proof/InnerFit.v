@@ -1,7 +1,5 @@
-(* The checker of inner fits, and the theorem.
-
-   Positions at which the part leaves the frame are four half-planes; the others at which it is not
-   inside the container are sums of the pieces outside the container and of those of the part. *)
+(* The checker of inner fits, and its theorem. The part leaves the frame at the positions of four half-planes; it
+   leaves the container at these and at the sums of a piece outside the container and a piece of the part. *)
 Require Import QArith Lqa ZArith Lia List Bool Permutation.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -13,7 +11,7 @@ Record inner_fit_certificate := {
   unit : positive; box : Z * Z * Z * Z;            (* the frame: left, bottom, right, top *)
   outside : list ring; part : list ring; listed_sums : list (nat * list (list Z)); around : list (list Z) }.
 
-(* A ring reversed has its edges reversed. *)
+(* The edges of a reversed ring are the reversed edges. *)
 Definition swap (e : side) : side := (snd e, fst e).
 Lemma swap_on e x : Statements.on_segment (swap e) x <-> Statements.on_segment e x.
 Proof.
@@ -145,7 +143,7 @@ Let bt := (ft - extreme max_dot (0, 1))%Z.
 Definition beyond_box : list edge :=
   [((br, bb), (bl, bb)); ((br, bt), (br, bb)); ((bl, bt), (br, bt)); ((bl, bb), (bl, bt))].
 Definition half_planes : list (list side) := map (fun f => [qe N f]) beyond_box.
-(* Walked with the positions at which the part does not fit on the left *)
+(* Oriented with the positions at which the part does not fit on the left *)
 Definition loops : list ring := map (@rev pt) (int_rings (Zpos N) regions).
 Definition segments : list side := flat_map Statements.edges regions ++ fits.
 Definition solid_G : solid := {| rings := int_rings (Zpos N) G; pieces := part c |}.
@@ -210,7 +208,7 @@ Proof.
       pose proof (proj2 (Pos _ (snd t - (bt # N)) P1) ltac:(lra)). lra.
 Qed.
 
-(* On L nothing is beyond. *)
+(* No point of L is in a half-plane beyond the box. *)
 Lemma in_box_spec p : in_box p = true -> (bl # N <= fst p <= br # N) /\ (bb # N <= snd p <= bt # N).
 Proof.
   unfold in_box. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X); apply Qle_bool_iff in X end.
@@ -369,7 +367,7 @@ Proof.
   - intros P IP Y. apply NO. right. exists P, Q. split; [exact IP|]. split; [exact IQ|]. exists z. auto.
 Qed.
 
-(* Near an extreme corner the part has points beyond the frame. *)
+(* Near an extreme vertex the part has points beyond the frame. *)
 Lemma poke Q v t n f : In Q (part c) -> In v Q -> f < qdot n (qpt N v) + qdot n t ->
   exists z, Statements.winding (Statements.translate t G) z = 1%Z /\ f < qdot n z.
 Proof.

@@ -1,4 +1,4 @@
-(* The checker of layouts, and the theorem: what it accepts is valid. *)
+(* The checker of layouts, and its theorem: accepted layouts are valid. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -6,14 +6,14 @@ From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Co
 Import ListNotations.
 Open Scope Z_scope.
 
-(* The evidence, in integers at a common denominator: pieces of each placement that is drawn as rings, of each part, of each
-   obstacle, and of what a frame (left, bottom, right, top) has outside the sheet. *)
+(* The evidence, in integers at a common denominator: pieces of each placement, part and obstacle that is drawn as
+   rings, and of the complement of the sheet in a frame (left, bottom, right, top). *)
 Record certificate := {
   denominator : positive;
   part_pieces : list (list ring); kind_pieces : list (list ring); obstacle_pieces : list (list ring);
   outside_pieces : list ring; frame : Z * Z * Z * Z }.
 
-(* A piece has a radius.  A solid here: its pieces, up to which error it is known, and the extents of its box. *)
+(* A rounded piece has a radius. An item: its pieces, its error, and the extents of its box. *)
 Definition rounded_piece := (ring * Z)%type.
 Record item := { parts : list rounded_piece; reach : Z; extents : list Z }.
 Definition extent (ps : list rounded_piece) (n : pt) : Z :=
@@ -45,7 +45,7 @@ Definition within_frame (d : Z) (f : Z * Z * Z * Z) (x : item) : bool :=
 
 Definition check_allowed (l : Statements.layout) (x : Statements.placement) : bool :=
   let m := Statements.by_motion x in let k := Statements.kind_of l x in
-  (Statements.kind x <? length (Statements.kinds l))%nat &&
+  (Statements.kind x <? length (Statements.kinds l))%nat && Qle_bool 0 (Statements.slack x) &&
   Qeq_bool (Statements.cosine m * Statements.cosine m + Statements.sine m * Statements.sine m) 1 &&
   (negb (Statements.mirrored m) || Statements.may_mirror k) &&
   match (if Statements.mirrored m then Statements.mirrored_rotations k else Statements.rotations k) with
@@ -64,8 +64,8 @@ Definition check_supply (l : Statements.layout) : bool :=
 Definition is_amount (D : Z) (q : Q) : bool := Qle_bool 0 q && integral D q.
 
 Section Check.
-(* The normals of the certificate: any function at all, no property of it is used.  `outside_normals` -1 is the
-   outside of the sheet, -2 - k obstacle k, on the first side of the normal. *)
+(* The normals of the certificate: an arbitrary function, no property of it is used. `outside_normals` -1: the
+   complement of the sheet; -2 - k: obstacle k; either is on the first side of the normal. *)
 Variables (normals : nat -> nat -> nat -> nat -> pt) (outside_normals : Z -> nat -> nat -> nat -> pt).
 Variables (l : Statements.layout) (c : certificate).
 Let D := Zpos (denominator c).
@@ -122,13 +122,14 @@ Definition check_layout : bool :=
   end.
 End Check.
 
-(* 2. What it says *)
+(* 2. Soundness *)
 Lemma check_allowed_spec l x : check_allowed l x = true -> Statements.allowed l x.
 Proof.
   unfold check_allowed, Statements.allowed. cbv zeta. intro H.
-  apply andb_prop in H as (H & R). apply andb_prop in H as (H & M). apply andb_prop in H as (I & T).
-  repeat split.
+  apply andb_prop in H as (H & R). apply andb_prop in H as (H & M). apply andb_prop in H as (I & T). apply andb_prop in I as (I & P).
+  split; [|split; [|repeat split]].
   - apply Nat.ltb_lt, I.
+  - apply Qle_bool_iff, P.
   - apply Qeq_bool_iff, T.
   - intro E. rewrite E in M. exact M.
   - destruct (if Statements.mirrored (Statements.by_motion x) then _ else _) as [cs|]; [|exact Logic.I].
@@ -242,7 +243,7 @@ Proof.
   pose proof (frac_nonneg _ R). pose proof (frac_nonneg _ (P p I)). lra.
 Qed.
 
-(* A solid covers a set: each of its points is within the radius of a piece. *)
+(* An item covers a set: each point of the set is within the radius of a piece. *)
 Definition covers_set (x : item) (S : qpoint -> Prop) : Prop := forall y, S y -> in_some (map region_of (parts x)) y.
 Lemma cover_known x e S T : sound x -> e == reach x # N -> covers_set x S -> Statements.known_to e S T -> forall z, T z -> in_some (regions x) z.
 Proof.
@@ -458,7 +459,7 @@ Proof.
   rewrite forallb_forall in H. rewrite Forall_forall. intros y I. eexists. exact (H y I).
 Qed.
 
-(* What is in the sheet: `in_regions`, the regions of a part. *)
+(* A part that keeps a distance from the complement of the sheet *)
 Definition is_kept (d : Z) (f : Statements.figure) (x : item) : Prop :=
   forall s (S U : qpoint -> Prop), s == d # N -> (forall z, S z -> in_some (regions N x) z) -> Statements.outside_of f U -> Statements.keeps s S U.
 Lemma core_ball p q (r : Z) y : (forall v, In v p -> (fst v - fst q) * (fst v - fst q) + (snd v - snd q) * (snd v - snd q) <= r * r)%Z ->

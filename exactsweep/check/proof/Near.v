@@ -1,4 +1,4 @@
-(* Sets that are known up to a distance, on two sides of a gap: they do not overlap, and keep a distance. *)
+(* Sets known up to an error, on two sides of a gap: they do not overlap and keep a distance. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Scaling.
@@ -43,7 +43,7 @@ Proof.
   assert (F : N * ((c + d) * (c + d)) == N * (c * c) + N * (d * d) + 2 * (N * (c * d))) by ring. lra.
 Qed.
 
-(* What holds for all d > r holds for r. *)
+(* The limit of bounds for all d > r *)
 Lemma square_limit N r x : 0 <= N -> 0 <= r -> (forall d, r < d -> x * x <= N * (d * d)) -> x * x <= N * (r * r).
 Proof.
   intros HN R H. destruct (Qlt_le_dec (N * (r * r)) (x * x)) as [L|L]; [exfalso|exact L].
@@ -116,8 +116,7 @@ Proof.
 Qed.
 End Gap.
 
-(* Finitely many lines do not cover an open square: a set of points on a line in another direction has two on one of
-   finitely many sets, and each of these has points on one line only. *)
+(* Finitely many lines do not cover an open square. *)
 Definition thin (P : qpoint -> Prop) (n : qpoint) : Prop := forall y z, P y -> P z -> along n y == along n z.
 Lemma not_covered (l : list (qpoint -> Prop)) c e : 0 < e ->
   (forall P, In P l -> exists n, 0 < square_of n /\ thin P n) ->
@@ -139,7 +138,7 @@ Proof.
         assert (X : fst n * fst c + snd n * (snd c - (1 # 4) * e) - (fst n * fst c + snd n * snd c) == (1 # 4) * (- snd n * e)) by ring; rewrite X; assert (0 < - snd n * e) by (apply Qmult_lt_0_compat; lra); lra|].
       assert (F1 : snd n == 0) by lra. rewrite F1 in N. lra. }
     destruct M as (u & Cu & U).
-    (* near c and near u the values of n are apart: P is in one of two small squares at most *)
+    (* near c and near u the values of n differ: P meets at most one of two small squares *)
     set (k := fst n * fst n + snd n * snd n + 1). set (g := along n u - along n c) in *.
     assert (A2 : 0 <= fst n * fst n) by apply sq_nonneg. assert (B2 : 0 <= snd n * snd n) by apply sq_nonneg. assert (K : 0 < k) by (unfold k; lra).
     assert (An : - k <= fst n <= k) by (pose proof (abs_bound (fst n)); unfold k; lra).
@@ -158,7 +157,7 @@ Proof.
         - pose proof (prod_bound m k h Hm Z). pose proof (mono_le k h d ltac:(lra) ltac:(lra)). lra. }
       pose proof (Bd _ _ An Y1). pose proof (Bd _ _ Bn Y2). lra. }
     assert (H2 : e / 2 == (1 # 2) * e) by field.
-    (* one of the squares around c and u has no point of P; which one is not decided *)
+    (* one of the squares around c and u has no point of P; which one is not decidable *)
     assert (Dc : forall y, Statements.close d y c -> Statements.close e y c) by (unfold Statements.close; intros y Y; lra).
     assert (Du : forall y, Statements.close d y u -> Statements.close e y c) by (unfold Statements.close in *; intros y Y; lra).
     assert (Tl : forall Q0, In Q0 l -> exists m, 0 < square_of m /\ thin Q0 m) by (intros Q0 I; apply T; right; exact I).
@@ -167,7 +166,7 @@ Proof.
     pose proof (Th y z Py Pz) as Eq. pose proof (Near c y Y). pose proof (Near u z Z). unfold g in *. lra.
 Qed.
 
-(* Distances to unions and to sets that are themselves within a distance *)
+(* Distances from unions and from neighbourhoods *)
 Lemma triangle x y z c d : 0 <= c -> 0 <= d -> Statements.dist2 x y <= c * c -> Statements.dist2 y z <= d * d ->
   Statements.dist2 x z <= (c + d) * (c + d).
 Proof.
@@ -202,7 +201,7 @@ Proof.
   pose proof (sq_nonneg d). lra.
 Qed.
 
-Definition region := ((qpoint -> Prop) * Q)%type.     (* a set, and a distance from it *)
+Definition region := ((qpoint -> Prop) * Q)%type.     (* a set and a radius around it *)
 Definition in_some (l : list region) (z : qpoint) : Prop := ~ forall p, In p l -> ~ Statements.within (snd p) (fst p) z.
 Lemma within_union e (l : list region) (S : qpoint -> Prop) z : 0 <= e -> (forall p, In p l -> 0 <= snd p) ->
   (forall y, S y -> in_some l y) -> Statements.within e S z -> in_some (map (fun p => (fst p, e + snd p)) l) z.
@@ -222,7 +221,7 @@ Proof.
   apply (Cov y Y). intros p I Wp. specialize (H p I y Wp). lra.
 Qed.
 
-(* Two sets, each covered by regions, of which any two have a gap between them *)
+(* Two sets covered by regions with a gap between any two *)
 Definition gap_between (s : Q) (p q : region) : Prop := exists n a b,
   (forall y, fst p y -> along n y <= a) /\ (forall y, fst q y -> b <= along n y) /\ 0 < square_of n /\ a <= b /\
   (s + snd p + snd q) * (s + snd p + snd q) * square_of n <= (b - a) * (b - a).

@@ -1,7 +1,6 @@
-(* What holds for all points near a point z, to its right and a little above: a wedge.
-
-   Finitely many conditions that hold so hold together (`ev_and`, `ev_all`), so a point can be moved into
-   general position: off the heights of all corners (`ev_height`) and off a segment (`ev_off`). *)
+(* Properties of all points in a small wedge at z, right of it and slightly above. Finitely many of them hold together
+   (`ev_and`, `ev_all`), so a point can be moved into general position: off the heights of all vertices (`ev_height`) and
+   off a segment (`ev_off`). *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen.
@@ -16,7 +15,7 @@ Definition run (f : side) : Q := fst (snd f) - fst (fst f).
 Lemma o_move f t u : o f u == o f t + run f * (snd u - snd t) - rise f * (fst u - fst t).
 Proof. unfold o, run, rise, Statements.orient. ring. Qed.
 
-(* What holds for all points just right of z and a little above *)
+(* Properties of all points in a small wedge at z *)
 Definition ev (z : Statements.point) (P : Statements.point -> Prop) : Prop :=
   exists d, 0 < d /\ forall y, wedge d z y -> P y.
 Lemma ev_and z P Q : ev z P -> ev z Q -> ev z (fun y => P y /\ Q y).

@@ -1,4 +1,4 @@
-(* The checker of no-fit polygons, and the theorem: what it accepts is the no-fit polygon. *)
+(* The checker of no-fit polygons, and its theorem. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -81,5 +81,54 @@ Proof.
     + intros f x [].
     + intros f [].
     + left. reflexivity.
+Qed.
+(* Contact: the closed shapes have a common point. *)
+Lemma near_mix k y w e : 0 < k -> (fst w - fst y) * (fst w - fst y) + (snd w - snd y) * (snd w - snd y) + 1 <= e / k -> Statements.close e (mix k y w) y.
+Proof.
+  intros K L. set (m := (fst w - fst y) * (fst w - fst y) + (snd w - snd y) * (snd w - snd y) + 1) in *.
+  pose proof (square (fst w - fst y)) as U2. pose proof (square (snd w - snd y)) as V2.
+  pose proof (abs_bound (fst w - fst y)) as Bu. pose proof (abs_bound (snd w - snd y)) as Bv.
+  assert (Lk : k * m <= e). { pose proof (mono_le k m (e / k) ltac:(lra) L). assert (k * (e / k) == e) by (field; lra). lra. }
+  assert (E1 : fst (mix k y w) - fst y == (k * (fst w - fst y)) / (1 + k)) by (unfold mix; cbn [fst snd]; field; lra).
+  assert (E2 : snd (mix k y w) - snd y == (k * (snd w - snd y)) / (1 + k)) by (unfold mix; cbn [fst snd]; field; lra).
+  assert (Sz : forall u, - m <= u <= m -> - e < (k * u) / (1 + k) < e).
+  { intros u (A & B). pose proof (mono_le k u m ltac:(lra) B). pose proof (mono_le k (- m) u ltac:(lra) A).
+    assert (Ep : 0 < e). { assert (0 < m) by (unfold m; lra). assert (0 < k * m) by (apply Qmult_lt_0_compat; assumption). lra. }
+    assert (0 < e * k) by (apply Qmult_lt_0_compat; assumption).
+    split; [apply Qlt_shift_div_l; [lra|]|apply Qlt_shift_div_r; [lra|]]; lra. }
+  unfold Statements.close. rewrite E1, E2. split; apply Sz; unfold m; lra.
+Qed.
+Lemma closed_piece rs ps P a b s : simple_solid {| rings := int_rings (Zpos N) rs; pieces := ps |} = true -> all_integral (Zpos N) rs = true ->
+  In P ps -> is_convex P = true -> In a P -> In b P -> 0 <= s <= 1 -> Statements.closure (Statements.inside rs) (between N s a b).
+Proof.
+  intros S I IP CP A B Hs e E. destruct (is_convex_spec N P CP) as (FP & C & L). set (w := third N (center P)) in *. set (y := between N s a b).
+  set (m := (fst w - fst y) * (fst w - fst y) + (snd w - snd y) * (snd w - snd y) + 1).
+  pose proof (square (fst w - fst y)) as U2. pose proof (square (snd w - snd y)) as V2. assert (M : 0 < m) by (unfold m; lra).
+  set (k := e / m). assert (K : 0 < k) by (unfold k; apply Qlt_shift_div_l; lra).
+  exists (mix k y w). split.
+  - unfold Statements.inside. apply (count_pieces N {| rings := int_rings (Zpos N) rs; pieces := ps |} rs _ S I eq_refl). exists P. split; [exact IP|].
+    apply strict_inside; [exact FP|].
+    pose proof (mix_strict (qring N P) (1 - s) s 0 (qpt N a) (qpt N b) (qpt N a) w k L (in_map _ _ _ A) (in_map _ _ _ B) (in_map _ _ _ A) C
+      ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) K) as T.
+    refine (inS_same _ _ _ _ T). unfold meets_at, mix, mean, y, between. cbn [fst snd]. split; field; lra.
+  - apply near_mix; [exact K|]. fold m. unfold k. assert (F : e / (e / m) == m) by (field; lra). rewrite F. lra.
+Qed.
+Theorem no_fit_contact : check_no_fit = true -> forall t, Statements.on_any (flat_map Statements.edges loops ++ fits) t ->
+  exists z, Statements.closure (Statements.inside D) z /\ Statements.closure (Statements.inside (Statements.translate t G)) z.
+Proof.
+  unfold check_no_fit. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
+  rewrite forallb_forall in X0, X1. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  intros t K. rewrite (known_meet N loops fits t X5 X4) in K.
+  destruct (boundary_contact N (still c) (map turned (moving c)) [] (int_rings (Zpos N) loops) (map (int_edge N) fits) (listed_sums c) []) with (t := t)
+    as (P & Q & a & b & u & v & s & IP & IQ & Ia & Ib & Iu & Iv & Hs & Tx & Ty); try assumption; try reflexivity.
+  apply in_map_iff in IQ as (Q' & <- & IQ). destruct (turned_in Q' u Iu) as (u' & Iu' & ->). destruct (turned_in Q' v Iv) as (v' & Iv' & ->).
+  exists (between N s a b). split.
+  - exact (closed_piece D (still c) P a b s X3 H IP (X1 P IP) Ia Ib Hs).
+  - intros e E. destruct (closed_piece G (moving c) Q' u' v' s X2 X6 IQ (X0 Q' IQ) Iu' Iv' Hs e E) as (y & Y & C1 & C2).
+    exists (fst y + fst t, snd y + snd t). split.
+    + unfold Statements.inside. rewrite winding_translate. rewrite (winding_same G (back_by t (fst y + fst t, snd y + snd t)) y); [exact Y|]. unfold meets_at, back_by. cbn [fst snd]. split; ring.
+    + unfold Statements.close. cbn [fst snd]. unfold between, opposite, qpt in *. cbn [fst snd] in *.
+      assert (F : forall i : Z, (- i # N) == - (i # N)) by (intro i; unfold Qeq, Qopp; cbn [Qnum Qden]; ring). rewrite !F in Tx, Ty.
+      split; lra.
 Qed.
 End Data.

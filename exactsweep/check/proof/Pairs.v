@@ -1,4 +1,4 @@
-(* Points that two pieces share, one of them moved; and pieces of shapes. *)
+(* Common points of two pieces, one of them translated; pieces of shapes. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -94,7 +94,7 @@ Proof.
   cbn [map flat_map]. rewrite map_app, IH, ring_sides. reflexivity.
 Qed.
 
-(* Points that P and Q, moved by t, have in common *)
+(* Common points of P and Q + t *)
 Definition shares (P Q : ring) (t : qpoint) : Prop := exists z,
   Statements.winding [qring N P] z = 1%Z /\ Statements.winding [qring N Q] (back_by t z) = 1%Z.
 
@@ -179,7 +179,7 @@ Proof.
   lra.
 Qed.
 
-(* A shape is its pieces. *)
+(* A shape is the union of its pieces. *)
 Lemma count_pieces S rs z : simple_solid S = true -> all_integral (Zpos N) rs = true ->
   rings S = int_rings (Zpos N) rs ->
   (Statements.winding rs z = 1%Z <-> exists P, In P (pieces S) /\ Statements.winding [qring N P] z = 1%Z).

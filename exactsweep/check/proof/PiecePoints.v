@@ -6,7 +6,7 @@ From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints.
 Import ListNotations.
 Open Scope Z_scope.
 
-(* A point strictly left of all sides, and on no line from the first corner, is in the fan once. *)
+(* A point strictly left of all sides, and on no line through the first vertex and another, is in the fan once. *)
 Lemma fan_strict p z l : forall q, sorted p q l = true -> 0 < det p q z ->
   (forall f, In f (back p q l) -> 0 < det (fst f) (snd f) z) -> (forall a, In a l -> det p a z <> 0) ->
   1 <= wind (flat_map edges3 (fan_from p q l)) z.
@@ -157,7 +157,7 @@ Proof.
     exfalso. pose proof (inject_pos _ KK). lra.
 Qed.
 
-(* A linear function on what two pieces share *)
+(* A linear function on the common points of two pieces *)
 Definition qdot (n : pt) (z : qpoint) : Q := inject_Z (fst n) * fst z + inject_Z (snd n) * snd z.
 
 Lemma qdot_at n K z v : pat K z v -> at_ K (qdot n z) (dot n v).

@@ -1,8 +1,6 @@
-(* Winding numbers of triangles and of fans of triangles at every point, with no exception on edges.
-
-   `cross` counts the edges to the right of a point: a shape contains its left and lower sides, and not
-   its right and upper sides.  So a point is in a counter-clockwise triangle or not (0 or 1), and two
-   triangles on the two sides of a line never share a point. *)
+(* Winding numbers of triangles and of fans at every point, points on edges included. `cross` counts the edges right
+   of a point: a shape contains its left and lower sides, not its right and upper sides. So a counter-clockwise triangle
+   has winding number 0 or 1 around a point, and two triangles on two sides of a line have no common point. *)
 Require Import ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans.
 Import ListNotations.
@@ -23,7 +21,7 @@ Qed.
 Lemma dot_opp n p : dot (- fst n, - snd n) p = - dot n p.
 Proof. unfold dot. cbn. ring. Qed.
 
-(* A point that is furthest to the right of all edges, or level with the furthest, is in nothing. *)
+(* The winding number is 0 around a point that no edge is right of. *)
 Lemma lean_edge p q z n : rightward n -> dot n p <= dot n z -> dot n q <= dot n z -> cross (p, q) z <= 0.
 Proof.
   intros R A B. unfold cross.
@@ -50,7 +48,7 @@ Proof.
   assert (wind r z <= 0) by (apply IH; intros; apply H; right; assumption). lia.
 Qed.
 
-(* A triangle contains a point or not, and contains only points of the closed triangle. *)
+(* A triangle has winding number 0 or 1, and 1 only around points of the closed triangle. *)
 Lemma half_open a b c z : 0 < det a b c ->
   wind (edges3 (a, b, c)) z = 0 \/
   wind (edges3 (a, b, c)) z = 1 /\ 0 <= det a b z /\ 0 <= det b c z /\ 0 <= det c a z.
@@ -68,7 +66,7 @@ Proof.
   try (left; reflexivity); try (right; lia); exfalso; nia.
 Qed.
 
-(* What bounds the corners bounds the points of a triangle. *)
+(* A linear bound on the vertices holds for the points of a triangle. *)
 Lemma tri_bound a b c z n m : 0 < det a b c -> 1 <= wind (edges3 (a, b, c)) z ->
   dot n a <= m -> dot n b <= m -> dot n c <= m -> dot n z <= m.
 Proof.
@@ -99,7 +97,7 @@ Qed.
 
 Definition ring_wind (r : ring) (z : pt) : Z := wind (edges r) z.
 
-(* A fan: a corner p, and the other corners in counter-clockwise order as seen from p.  Convex pieces are fans. *)
+(* A fan: a vertex p, and the others in counter-clockwise order as seen from p. Convex pieces are fans. *)
 Fixpoint sorted (p q : pt) (l : list pt) : bool :=
   match l with
   | [] => true
@@ -173,7 +171,7 @@ Proof.
   apply (tri_bound p a b z n m D); [lia|apply B; left; reflexivity| |]; apply B; right; assumption.
 Qed.
 
-(* Two pieces on the two sides of a line share no point. *)
+(* Two pieces on two sides of a line have no common point. *)
 Lemma piece_sep r s z n m : is_fan r = true -> is_fan s = true -> n <> (0, 0) ->
   (forall v, In v r -> dot n v <= m) -> (forall v, In v s -> m <= dot n v) ->
   ring_wind r z + ring_wind s z <= 1.

@@ -1,4 +1,4 @@
-(* Why rational points suffice: what holds for them holds for real ones, which rational points approximate. *)
+(* Why rational points suffice: the claims extend to real points, given by rational approximations. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Scaling Near Disc.
@@ -12,7 +12,7 @@ Proof.
   intro E. exists (Pos.to_nat (Qden e)). intros m L. unfold Statements.radius, Qlt in *. cbn [Qnum Qden] in *.
   assert (P : (Zpos (Qden e) < Zpos (Pos.of_succ_nat m))%Z) by lia. nia.
 Qed.
-(* A real point in two open sets *)
+(* A real point in the interiors of two sets proves an overlap. *)
 Theorem real_overlap S T x : Statements.real_point x -> Statements.real_interior S x -> Statements.real_interior T x -> Statements.overlap S T.
 Proof.
   intros R (n & e & E & HS) (m & d & D & HT).
@@ -21,7 +21,8 @@ Proof.
   assert (H2 : c / 2 == (1 # 2) * c) by field. pose proof (R k n) as (Rn1 & Rn2). pose proof (R k m) as (Rm1 & Rm2).
   exists (x k). split; exists (c / 2); (split; [lra|]); intros y (Y1 & Y2); [apply HS|apply HT]; unfold Statements.close in *; lra.
 Qed.
-(* Two real points that are limits of sets: their approximations are at distance d in the end, but for as little as one likes. *)
+(* Two real points in the closures of two sets at distance d: for each c < d, the approximations are finally more than
+   c apart. *)
 Theorem real_at_least d S T x y : Statements.at_least d S T -> Statements.real_closure S x -> Statements.real_closure T y ->
   forall c, 0 <= c -> c < d -> exists n, forall m, (n <= m)%nat -> c * c < Statements.dist2 (x m) (y m).
 Proof.
@@ -39,9 +40,8 @@ Proof.
   pose proof (sq_lt (3 * r + c + 3 * r) d ltac:(lra) ltac:(lra)). lra.
 Qed.
 
-(* An irrational rotation, or a rational one that stands in for it: each motion whose cosine and sine are off by d in
-   sum moves points with |x| + |y| <= r by d r more or less.  So what is known of the true part under one of them is
-   known, with the error e + d r, under the other. *)
+(* Rotations with an error. Two motions whose cosines and sines differ by d in sum map a point with |x| + |y| <= r to
+   points at distance d r or less. So a set known up to e after one motion is known up to e + d r after the other. *)
 Definition moved_by (m : Statements.motion) (S : qpoint -> Prop) (z : qpoint) : Prop := exists p, S p /\ z = Statements.move m p.
 Definition bounded (r : Q) (p : qpoint) : Prop := exists a b, - a <= fst p <= a /\ - b <= snd p <= b /\ a + b <= r.
 Lemma move_near m m' d d' r p : Statements.mirrored m = Statements.mirrored m' -> Statements.shift m = Statements.shift m' ->

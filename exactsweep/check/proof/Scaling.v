@@ -1,4 +1,4 @@
-(* From rational shapes to integer ones: a common denominator changes no winding number. *)
+(* From rational shapes to integer ones: scaling by a common denominator keeps winding numbers. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps.
 From Exactsweep Require Statements.
@@ -120,7 +120,7 @@ Proof.
   rewrite <- A, <- B, <- C, <- D. ring.
 Qed.
 
-(* Numbers at a common denominator.  Fractions are reduced first: moved points come unreduced. *)
+(* Numbers at a common denominator. Fractions are reduced first; `move` does not reduce. *)
 Definition integral (D : Z) (q : Q) : bool := D mod (QDen (Qred q)) =? 0.
 Definition int (D : Z) (q : Q) : Z := Qnum (Qred q) * (D / QDen (Qred q)).
 Lemma int_at D q : integral D q = true -> at_ D q (int D q).

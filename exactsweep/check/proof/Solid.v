@@ -1,7 +1,6 @@
-(* Cancellation at rational points, and solids: rings with convex pieces that cancel to them.
-
-   Vertices are integers.  The rational point (x / k, y / k) is written as z = (x, y) with all vertices
-   multiplied by k, so what holds for every k > 0 and every z holds at every rational point. *)
+(* Cancellation at rational points, and solids: rings with convex pieces that cancel to them. Vertices are integers.
+   The rational point (x / k, y / k) is z = (x, y) with all vertices multiplied by k; statements for all k > 0 and z hold
+   at all rational points. *)
 Require Import ZArith Lia List Bool Permutation Orders Mergesort.
 From Exactsweep Require Import Cancel Constant Fans Pieces.
 Import ListNotations.
@@ -78,7 +77,7 @@ Proof.
   rewrite IH, cross_phik by assumption. ring.
 Qed.
 
-(* Level edges never count. *)
+(* Level edges contribute nothing. *)
 Definition tilted (e : edge) : bool := negb (snd (fst e) =? snd (snd e)).
 Lemma wind_tilted k es z : wind (map (grow_edge k) (filter tilted es)) z = wind (map (grow_edge k) es) z.
 Proof.
@@ -89,7 +88,7 @@ Proof.
   destruct (Z.leb_spec (k * snd q) (snd z)); destruct (Z.ltb_spec (snd z) (k * snd q)); cbn; try reflexivity; lia.
 Qed.
 
-(* Keys in order: what starts and ends at one point of one line comes together. *)
+(* Sorted keys: starts and ends at one point of one line are adjacent. *)
 Definition then_compare (c d : comparison) : comparison := match c with Eq => d | _ => c end.
 Definition key_compare (x y : key) : comparison :=
   let '((a, b, c), p) := x in let '((a', b', c'), p') := y in
@@ -203,7 +202,7 @@ Proof.
   - split; [lia|]. intros _. exists p. split; [left; reflexivity|assumption].
 Qed.
 
-(* Pieces of which no two share a point count at most 1. *)
+(* Of pairwise disjoint pieces at most one contains a point. *)
 Lemma count_one k ps z : 0 < k -> fans ps ->
   ForallOrdPairs (fun p q => ring_wind (map (grow k) p) z + ring_wind (map (grow k) q) z <= 1) ps ->
   count k ps z = 0 \/ count k ps z = 1.

@@ -1,7 +1,5 @@
-(* Spans of a segment: the parts of it in an open polygon (`clip`) and on another segment (`share`),
-   and whether they cover all of it (`covers`).
-
-   A segment from a to b has the point a + s (b - a) at the parameter s, from 0 to 1.  Vertices are
+(* Intervals of a segment: in an open polygon (`clip`), on another segment (`share`), and whether they cover it
+   (`covers`). The parameter s, from 0 to 1, is the point a + s (b - a) of the segment from a to b. Vertices are
    integers, to be divided by a common denominator N. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
@@ -12,7 +10,7 @@ Open Scope Q_scope.
 
 (* 1. The functions of the checker *)
 
-(* From, to, and whether both ends belong to the span. *)
+(* Start, end, and whether both belong to the interval *)
 Definition span := (Q * Q * bool)%type.
 
 Definition before (x y : span) : bool :=
@@ -21,7 +19,7 @@ Definition before (x y : span) : bool :=
 Fixpoint insert (x : span) (l : list span) : list span :=
   match l with [] => [x] | y :: r => if before x y then x :: l else y :: insert x r end.
 
-(* All before `reach` is covered, and `reach` itself if shut. *)
+(* All parameters below `reach` are covered, and `reach` itself if `shut`. *)
 Fixpoint covers_from (reach : Q) (shut : bool) (l : list span) : bool :=
   match l with
   | [] => Statements.less 1 reach || (Qeq_bool 1 reach && shut)
@@ -34,7 +32,7 @@ Fixpoint covers_from (reach : Q) (shut : bool) (l : list span) : bool :=
   end.
 Definition covers (l : list span) : bool := covers_from 0 false (fold_right insert [] l).
 
-(* The parameters at which the segment from a to b is strictly left of all edges; from -1 or to 2 beyond an end. *)
+(* The parameters at which the segment from a to b is strictly left of all edges; -1 or 2 beyond an end *)
 Fixpoint clip_from (low high : Q) (lines : list edge) (a b : pt) : option (Q * Q) :=
   match lines with
   | [] => if Statements.less low high then Some (low, high) else None
@@ -67,7 +65,7 @@ Definition share (one other : edge) : option (Q * Q) :=
     if ((at_p * at_q <=? 0) && (at_a * at_b <=? 0) && negb (at_a =? at_b))%Z
     then let s := ratio at_a (at_a - at_b) in Some (s, s) else None.
 
-(* 2. What they say *)
+(* 2. Properties *)
 
 Definition in_span (s : Q) (x : span) : Prop :=
   let '(a, b, closed) := x in if closed then a <= s <= b else a < s < b.

@@ -96,7 +96,7 @@ Definition placed (l : layout) (x : placement) : figure :=
 
 Definition allowed (l : layout) (x : placement) : Prop :=
   let m := by_motion x in
-  (kind x < length (kinds l))%nat /\
+  (kind x < length (kinds l))%nat /\ 0 <= slack x /\
   cosine m * cosine m + sine m * sine m == 1 /\
   (mirrored m = true -> may_mirror (kind_of l x) = true) /\
   match (if mirrored m then mirrored_rotations (kind_of l x) else rotations (kind_of l x)) with
@@ -142,10 +142,14 @@ Definition no_fit_claim (D G loops : list ring) (fits : list (point * point)) : 
 Definition named (exterior : ring) (holes : list ring) : Prop :=
   simple [exterior] /\ Forall (fun h => simple [h]) holes /\ forall z, winding holes z = 0%Z \/ winding holes z = 1%Z.
 Definition with_holes (exterior : ring) (holes : list ring) : list ring := exterior :: map (@rev _) holes.
-(* The exterior is around all others: off the loops and fits, what a hole goes around is inside the exterior. *)
+(* Contact: the closed shapes have a common point, but no overlap.  The exterior is around all others: off the
+   loops and fits, what a hole goes around is inside the exterior. *)
+Definition touches_at (D G : list ring) (t : point) : Prop :=
+  (exists z, closure (inside D) z /\ closure (inside (translate t G)) z) /\ ~ overlaps_at D G t.
 Definition no_fit_polygon (D G : list ring) (exterior : ring) (holes : list ring) (fits : list (point * point)) : Prop :=
-  no_fit_claim D G (with_holes exterior holes) fits /\ named exterior holes /\
-  forall z, ~ on_any (flat_map edges (with_holes exterior holes) ++ fits) z -> winding holes z = 1%Z -> winding [exterior] z = 1%Z.
+  let L := on_any (flat_map edges (with_holes exterior holes) ++ fits) in
+  no_fit_claim D G (with_holes exterior holes) fits /\ (forall t, L t <-> touches_at D G t) /\ named exterior holes /\
+  forall z, ~ L z -> winding holes z = 1%Z -> winding [exterior] z = 1%Z.
 
 (* Inner fits: the translations at which G + t is in the container C.  The claim on regions (exteriors
    counter-clockwise, holes clockwise) and exact fits. *)

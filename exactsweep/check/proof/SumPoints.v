@@ -1,4 +1,4 @@
-(* Open convex sums: a translation strictly inside a sum polygon makes the two pieces overlap. *)
+(* Open convex sums: at a translation strictly inside a sum polygon the two pieces overlap. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -88,7 +88,7 @@ Proof.
   assert (0 <= w * o f b) by (apply Qmult_le_0_compat; assumption). lra.
 Qed.
 
-(* Going on from t away from c, one stays inside for a while. *)
+(* A point slightly farther from c than t is still inside. *)
 Definition away (e : Q) (t c : qpoint) : qpoint := (fst t + e * (fst t - fst c), snd t + e * (snd t - snd c)).
 Lemma away_inside es t c : inS es t -> exists e, 0 < e /\ inS es (away e t c).
 Proof.
@@ -108,7 +108,7 @@ Proof.
   assert (2 * m * (o f t / (2 * m)) == o f t) by (field; lra). lra.
 Qed.
 
-(* The sum polygon has corners d - g.  A translation strictly inside it puts the two pieces over each other. *)
+(* The sum polygon has vertices d - g; at a translation strictly inside it the two pieces overlap. *)
 Definition corner (x : qpoint * qpoint) : qpoint := (fst (fst x) - fst (snd x), snd (fst x) - snd (snd x)).
 
 Theorem sum_overlaps P G pairs cP cG t : left_all P -> left_all G ->

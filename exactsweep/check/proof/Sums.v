@@ -1,7 +1,6 @@
-(* Sums of pieces, and the check of a boundary: one function for no-fit polygons, inner fits and sweeps.
-
-   D is a list of convex pieces or segments, H a list of convex pieces; a sum is the interior of the
-   Minkowski sum of one of D and one of H.  Vertices are integers, at a common denominator N. *)
+(* Sums of pieces, and `boundary`, the check for no-fit polygons, inner fits and sweeps. D is a list of convex pieces
+   or segments, H a list of convex pieces; a sum is the interior of the Minkowski sum of one of D and one of H. Vertices
+   are integers, at a common denominator N. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -22,7 +21,7 @@ Fixpoint rotate (v : pt) (seen rest : ring) : ring :=
   match rest with [] => rev seen | p :: r => if same p v then rest ++ rev seen else rotate v (p :: seen) r end.
 Definition from_lowest (r : ring) : ring := match r with [] => [] | p :: _ => rotate (lowest p r) [] r end.
 
-(* The corners of a sum, in order of the directions of edges; each with the vertices that it is the sum of *)
+(* The vertices of a sum, by the directions of edges, each as a pair of summands *)
 Definition turn (e f : edge) : Z :=
   (fst (snd e) - fst (fst e)) * (snd (snd f) - snd (fst f)) - (snd (snd e) - snd (fst e)) * (fst (snd f) - fst (fst f)).
 Fixpoint add_from (steps : nat) (p q : pt) (one other : list edge) : list (pt * pt) :=
@@ -43,7 +42,7 @@ Definition add (one other : ring) : list (pt * pt) :=
   end.
 Definition sum_sides (one other : ring) : list edge := edges (map (fun x => plus (fst x) (snd x)) (add one other)).
 
-(* A convex polygon by its sides: each has one before and one after it, with a left turn, and all are left of all *)
+(* A convex polygon by its sides: each has a predecessor and a successor, with left turns, and all are left of all. *)
 Definition is_convex_sum (S : list edge) : bool :=
   forallb (fun f =>
     existsb (fun g => same (snd g) (fst f) && (0 <? det (fst g) (snd g) (snd f))) S &&
@@ -61,7 +60,7 @@ Definition is_convex (r : ring) : bool :=
   is_fan r && forallb (left_of (center r)) (edges r) &&
   forallb (fun f => forallb (fun v => 0 <=? det (fst f) (snd f) v) r) (edges r).
 
-(* A sum is clear of a segment: on the other side of a line. *)
+(* A line separates a sum from a segment. *)
 Definition most (n : pt) (r : ring) : Z := match r with v :: vs => max_dot n v vs | [] => 0 end.
 Definition bound (one other : ring) (n : pt) : pt * Z := (n, most n one + most n other).
 Definition bounds (one other : ring) : list (pt * Z) :=
@@ -71,13 +70,13 @@ Definition is_beyond (e : edge) (x : pt * Z) : bool :=
 Definition clear (one other : ring) (found : list (pt * Z)) (e : edge) : bool :=
   existsb (is_beyond e) found || is_beyond e (bound one other (normal e)) || is_beyond e (bound one other (opposite (normal e))).
 
-(* Two edges of loops have at most points in common. *)
+(* Two edges of loops have at most one common point. *)
 Definition distinct (e g : edge) : bool :=
   negb (turn e g =? 0) || negb (det (fst e) (snd e) (fst g) =? 0) ||
   (Z.max (snd (fst e)) (snd (snd e)) <=? Z.min (snd (fst g)) (snd (snd g))) ||
   (Z.max (snd (fst g)) (snd (snd g)) <=? Z.min (snd (fst e)) (snd (snd e))).
 
-(* A known edge, and an entry of a side's chain: n >= 0 is the polygon of entry n, -1 - n is known edge n. *)
+(* A known edge, and an index in the chain of a side: n >= 0 is listed polygon n, -1 - n is known edge n. *)
 Definition spans_of (polygons : list (list edge)) (known : list edge) (f : edge) (chain : list Z) : list span :=
   flat_map (fun n =>
     if 0 <=? n then
@@ -91,7 +90,7 @@ Definition spans_of (polygons : list (list edge)) (known : list edge) (f : edge)
       | None => []
       end) chain.
 
-(* Where sides of sums run along a known edge: in its direction, with the sum on its left, or against it. *)
+(* Intervals of a known edge with sides of sums along it, in its direction (the sum is on its left) or against it *)
 Definition rightwards (e : edge) : bool :=
   (fst (fst e) <? fst (snd e)) || (fst (fst e) =? fst (snd e)) && (snd (fst e) <? snd (snd e)).
 Definition along (e f : edge) (left : bool) : list span :=
@@ -109,8 +108,8 @@ Fixpoint zip_all {A B} (f : A -> B -> bool) (l : list A) (m : list B) : bool :=
   match l, m with [], [] => true | a :: l', b :: m' => f a b && zip_all f l' m' | _, _ => false end.
 
 Section Check.
-(* Loops, with the sums on the left of their edges, and fits; the sums that are listed, each by its number and the
-   chains of its sides; open half-planes beyond edges, which are listed, too, with one chain each. *)
+(* Loops, oriented with the sums on the left, and fits; the listed sums, each by its number and the chains of its
+   sides; open half-planes right of edges, which count as listed, with one chain each. *)
 Variables (ds hs : list ring) (beyond : list edge) (loops : list ring) (fits : list edge)
   (listed : list (nat * list (list Z))) (around : list (list Z)) (wanted : Z).
 Definition loop_edges : list edge := flat_map edges loops.
@@ -140,7 +139,7 @@ Definition boundary : bool :=
     (seq (length loop_edges) (length fits)) fits.
 End Check.
 
-(* 2. What they say *)
+(* 2. Properties *)
 
 Lemma same_spec p q : same p q = true <-> p = q.
 Proof.

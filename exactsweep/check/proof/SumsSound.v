@@ -1,4 +1,4 @@
-(* `boundary` returns true: the loops and fits are the boundary of the union of all sums. *)
+(* Soundness of `boundary`: the loops and fits are the boundary of the union of all sums. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -12,7 +12,7 @@ Proof. unfold rings_at. induction loops as [|r l IH]; constructor; [apply qring_
 Section Accepted.
 Variables (N : positive) (ds hs : list ring) (beyond : list edge) (loops : list ring) (fits : list edge)
   (listed : list (nat * list (list Z))) (around : list (list Z)) (wanted : Z).
-(* The sum of two pieces, as a set: all that is needed of it *)
+(* The sum of two pieces as a set: its properties used here *)
 Variable at_sum : ring -> ring -> qpoint -> Prop.
 Notation qe := (qe N).
 Hypothesis Bound : forall P Q n t, In P ds -> In Q hs -> n <> (0, 0)%Z -> at_sum P Q t ->
@@ -277,7 +277,7 @@ Proof.
   destruct Far as [F|F]; [left; exact F|right]. intro t. destruct (F t) as (x & X & B). exists x. split; [exact X|apply beyond_U, B].
 Qed.
 
-(* Off loops and fits, the winding number is as wanted on the sums, and one less elsewhere. *)
+(* Off loops and fits, the winding number is `wanted` on the sums, and one less elsewhere. *)
 Theorem boundary_core t : ~ on_known t -> (O t /\ wind_at t = wanted) \/ (~ O t /\ wind_at t = (wanted - 1)%Z).
 Proof.
   intro NL. rewrite <- winding_sides.
@@ -288,7 +288,7 @@ Proof.
   - intro Lt. apply NL, known_app, Lt.
 Qed.
 
-(* Loops and fits are all limits of sums that are in no sum. *)
+(* Loops and fits are the limits of sums that are in no sum. *)
 Theorem boundary_limits t : on_known t <-> (Statements.closure O t /\ ~ O t).
 Proof.
   rewrite known_app.
@@ -298,9 +298,28 @@ Proof.
   - intros S f x I F X A. destruct (cover S f x I F X A) as [|K]; [left; assumption|right; apply known_app, K].
   - intro u. unfold L. apply on_any_dec.
 Qed.
+(* Each point of a loop or fit is the sum of a point on a side of one piece and one of another, if there are no half-planes. *)
+Definition between (s : Q) (a b : pt) : qpoint := (fst (qpt N a) + s * (fst (qpt N b) - fst (qpt N a)), snd (qpt N a) + s * (snd (qpt N b) - snd (qpt N a))).
+Theorem boundary_contact t : beyond = [] -> on_known t -> exists P Q a b c d s, In P ds /\ In Q hs /\ In a P /\ In b P /\ In c Q /\ In d Q /\
+  0 <= s <= 1 /\ fst t == fst (between s a b) + fst (between s c d) /\ snd t == snd (between s a b) + snd (between s c d).
+Proof.
+  intros Nb K. apply known_app in K as (e & I & X). destruct (touch e t I X) as (S & f & IS & IF & (s & Hs & Tx & Ty)).
+  destruct (sum_cases S IS) as (p & J & ->). apply in_map_iff in IF as (g & <- & G).
+  destruct (polygon_cases p J) as [(x & Y & ->)|(h & Hh & _)]; [|rewrite Nb in Hh; destruct Hh].
+  pose proof (Sums_ x Y) as H. unfold is_sum in H. destruct (pair_of ds hs (fst x)) as (P, Q) eqn:E.
+  apply andb_prop in H as (H & _). apply andb_prop in H as (Kk & _). apply andb_prop in Kk as (Kk & _). apply Nat.ltb_lt in Kk.
+  pose proof (pair_in (fst x) Kk) as (IP & IQ). rewrite E in IP, IQ. cbn [fst snd] in IP, IQ.
+  assert (Sd : sides_of ds hs (fst x) = sum_sides P Q) by (unfold sides_of; rewrite E; reflexivity). rewrite Sd in G.
+  unfold sum_sides in G. apply edges_ends in G as (G1 & G2). apply in_map_iff in G1 as ((a, c) & E1 & G1). apply in_map_iff in G2 as ((b, d) & E2 & G2).
+  apply add_in in G1 as (Ga & Gc). apply add_in in G2 as (Gb & Gd). cbn [fst snd] in *.
+  exists P, Q, a, b, c, d, s. do 6 (split; [assumption|]). split; [exact Hs|].
+  unfold between, Spans.qe in *. cbn [fst snd] in *. rewrite <- E1, <- E2 in Tx, Ty. unfold plus, qpt in *. cbn [fst snd] in *.
+  assert (F : forall i j : Z, (i + j # N) == (i # N) + (j # N)) by (intros i j; unfold Qeq, Qplus; cbn [Qnum Qden]; rewrite Pos2Z.inj_mul; ring).
+  rewrite !F in Tx, Ty. split; [rewrite Tx|rewrite Ty]; ring.
+Qed.
 End Accepted.
 
-(* All of it from one Boolean *)
+(* The conditions in one Boolean *)
 Lemma boundary_parts ds hs beyond loops fits listed around wanted : Sums.boundary ds hs beyond loops fits listed around wanted = true ->
   (forall e, In e (loop_edges loops) -> fst e <> snd e) /\ all_pairs distinct (loop_edges loops) = true /\
   (forall P Q, In P ds -> In Q hs -> is_clear loops fits wanted P Q = true) /\

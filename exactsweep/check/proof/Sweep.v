@@ -1,5 +1,5 @@
-(* The checker of swept areas, and the theorem.  O is the union of the open sums of an edge of T and a
-   piece of G; what G covers on its way along T is the closure of O. *)
+(* The checker of swept areas, and its theorem. O is the union of the open sums of an edge of T and a piece of G; the
+   area that G covers along T is the closure of O. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -37,7 +37,7 @@ Proof.
   - rewrite Rx, Ry, Sx, Sy. split; field; lra.
 Qed.
 
-(* A point strictly inside a sum polygon is strictly inside the piece, somewhere on the way along the edge. *)
+(* A point strictly inside a sum polygon is strictly inside the piece at some position on the edge. *)
 Lemma sum_swept e G pairs cG p : left_all G -> inS (Statements.edges G) cG ->
   (forall x, In x pairs -> Statements.on_segment e (fst x) /\ In (snd x) G) ->
   inS (Statements.edges (map qplus pairs)) p -> pairs <> [] ->

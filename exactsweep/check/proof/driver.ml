@@ -1,4 +1,4 @@
-(* Reads claims as plain numbers, as terms.py beside this folder writes them, and prints the answer of the
+(* Reads claims as plain numbers, as exactsweep.check.claims writes them, and prints the answer of the
    extracted checker to each. *)
 open Checker
 module B = Big_int_Z
