@@ -195,10 +195,11 @@ def rotations(n: int, digits: int) -> Certificate:
 
 def rounded(n: int, digits: int) -> Certificate:
     """Pieces of many points in a rounded container of many points."""
-    hull = write([(10**7 * x - 10**8, 10**7 * y - 10**8) for x, y in polygon(digits * 10 + 3)])
+    size = 40 + 10 * digits
+    hull = write([(10**6 * x, 10**6 * x * x - 10**9) for x in range(-size, size + 1)])
     piece = {"points": write(polygon(max(3, digits * 5))), "radius": "1"}
     parts = [{"id": "a", "pieces": [piece]}]
-    placed = [{"part": "a", "move": ["9", str(10**5 * k)]} for k in range(n)]
+    placed = [{"part": "a", "move": ["9", str(10**3 * k)]} for k in range(n)]
     found = layout(parts, placed, [None])
     found["layout"]["container"] = {"pieces": [{"points": hull, "radius": "9"}]}
     found["proof"] |= {"frame": None, "outside": [None]}
