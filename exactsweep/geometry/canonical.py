@@ -91,7 +91,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
 #          the edge of the other chain above or below it, and of the other chain's vertices at the
 #          same x, of which there are two at most, the ends of a wall;
 #     (3)  at p.x the bottom chain has p alone, because the ring turns left there. A vertex of the
-#          top chain at q.x is not above the last edge of the bottom chain, so (2) refuses it.
+#          top chain at q.x is not above the last edge of the bottom chain, so (2) rejects it.
 
 
 def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:

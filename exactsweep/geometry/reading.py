@@ -36,7 +36,7 @@ Pairs = Iterable[Iterable[object]]
 
 
 def read_point(pair: Iterable[object], name: str) -> Point:
-    """Read a pair of numbers; a refusal begins with the given name."""
+    """Read a pair of numbers; errors begin with the given name."""
     # Text, sets and mappings unpack too, but not into coordinates.
     if isinstance(pair, (str, bytes, set, frozenset, dict)):
         raise PolygonError(f"{name} is {type(pair).__name__}, not a pair of numbers")

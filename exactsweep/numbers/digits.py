@@ -277,7 +277,7 @@ def _from_decimal(text: str, match: re.Match[str]) -> tuple[int, int]:
         raise _too_long(text)
     places = len(decimals or "") - int(f"{match['subtract'] or ''}{exponent or 0}")
     digits = f"{whole}{decimals or ''}".lstrip("0") or "0"
-    # Refuse the number before computing it, even if the reduced number would be short.
+    # Reject the number before computing it, even if the reduced number would be short.
     length = max(len(digits) - min(places, 0), places)
     if length > _DIGITS_BEFORE_REDUCTION * _allowed_digits(text):
         raise _too_long(text)

@@ -29,7 +29,7 @@ _ECHO = 40
 
 
 class ExactSweepError(ValueError):
-    """A refusal by this package; the message says what is wrong, and where."""
+    """An error of this package; the message says what is wrong, and where."""
 
 
 class NumberError(ExactSweepError):
@@ -48,7 +48,7 @@ def quote(value: object) -> str:
     """
     try:
         text = repr(value)
-    except Exception:  # a foreign repr may fail in any way; the refusal must still be readable
+    except Exception:  # a foreign repr may fail in any way; the message must still be readable
         text = f"<{type(value).__name__}>"
     if not text.isprintable():  # a foreign repr may hold anything
         text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text[:_ECHO])

@@ -52,7 +52,7 @@ class Chain:
         vertices: the vertices, in homogeneous coordinates.
         lines: item k is the line of edge k, from vertex k to the next; None if vertical.
 
-    >>> list(Chain.of([(0, 0), (1, -1), (2, 0)]).turn())
+    >>> list(Chain.of([(0, 0), (1, -1), (2, 0)]).half_turn())
     [(-2, 0), (-1, 1), (0, 0)]
     """
 
@@ -96,7 +96,7 @@ class Chain:
     def __iter__(self) -> Iterator[Vertex]:
         return iter(self.points)
 
-    def turn(self) -> Chain:
+    def half_turn(self) -> Chain:
         """Return the complement of the chain (Definition 5.2) after a half turn. Cost: O(n)."""
         return Chain(
             [(-x, -y, w) for x, y, w in reversed(self.vertices)],

@@ -109,8 +109,8 @@ def sweep_inner_mm(
         return directrix
     path = path or trajectory.chain()
     ranges = [((-x, w), (-u, v)) for _, (u, v), _, (x, w) in reversed(undercuts)]
-    inside = trajectory_mm(generatrix, path.turn(), ranges)
-    bottoms = [inside.clip(*span).chain().turn().vertices for span in reversed(ranges)]
+    inside = trajectory_mm(generatrix, path.half_turn(), ranges)
+    bottoms = [inside.clip(*span).chain().half_turn().vertices for span in reversed(ranges)]
     return close(directrix, [Closing(*u, b) for u, b in zip(undercuts, bottoms, strict=True)])
 
 

@@ -60,11 +60,11 @@ def leave_out_overlapped(
                     end = min(end, -(-low // 1) + reach)
                 else:
                     start = max(start, high // 1 - reach)
-            turn = px * ny - py * nx
-            if is_reflex and past and turn > 0:
+            product = px * ny - py * nx
+            if is_reflex and past and product > 0:
                 across = unit * (dx * ny - dy * nx)
                 across = max(past * next_unit, across, -across)
-                reach = -(-turn * abs(dx or dy) // across) - 1
+                reach = -(-product * abs(dx or dy) // across) - 1
                 if is_first == ahead:
                     start = max(start, low // 1 + reach)
                 else:

@@ -132,7 +132,9 @@ def find_contact_segments(
     bound a free region. Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
     """
     shapes = [[_list_edges(ring) for ring in rings] for rings in (stationary, moving)]
-    angle, turn = _measure_angles([edge for rings in shapes for ring in rings for edge in ring])
+    angle, full_turn = _measure_angles(
+        [edge for rings in shapes for ring in rings for edge in ring]
+    )
     ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
     pieces: defaultdict[LatticeLine, list[tuple[Rational, Rational, bool]]] = defaultdict(list)
     for edges_of, rings, vertices_of in (
@@ -141,10 +143,10 @@ def find_contact_segments(
     ):
         order = sorted(chain.from_iterable(edges_of), key=itemgetter(0))
         # Two turns, so that each range of directions is one slice.
-        at = [a for a, _ in order] + [a + turn for a, _ in order]
+        at = [a for a, _ in order] + [a + full_turn for a, _ in order]
         edges = [edge for _, edge in order] * 2
         for ring, own in zip(rings, vertices_of, strict=True):
-            for k, first, last in _find_convex_vertices([a for a, _ in own], turn):
+            for k, first, last in _find_convex_vertices([a for a, _ in own], full_turn):
                 facing = edges[bisect_left(at, first) : bisect_right(at, last)]
                 _move(leave_out(facing, ring, k) if leave_out else facing, ring[k], pieces)
     return [segment for line, ends in pieces.items() for segment in _join(line, ends)]
@@ -213,12 +215,12 @@ def _measure_angles(edges: Sequence[EdgeFeature]) -> tuple[Callable[[EdgeFeature
     return angle, 4 * vertical
 
 
-def _find_convex_vertices(angles: Sequence[int], turn: int) -> Iterator[tuple[int, int, int]]:
+def _find_convex_vertices(angles: Sequence[int], full_turn: int) -> Iterator[tuple[int, int, int]]:
     """Yield the convex vertices by number, with the angles of the edges before and after them."""
     for k, (first, last) in enumerate(zip(angles, [*angles[1:], angles[0]], strict=True)):
         if last < first:
-            last += turn
-        if 2 * (last - first) <= turn:
+            last += full_turn
+        if 2 * (last - first) <= full_turn:
             yield k, first, last
 
 

@@ -82,8 +82,8 @@ def test_parts_do_not_depend_on_the_kind_of_numbers(chain: list[Vertex], scale: 
 @usually
 def test_two_half_turns_are_the_identity(points: list[Vertex]) -> None:
     chain = Chain.of(points)
-    assert chain.turn().points == inverse(complement(chain.points))
-    again = chain.turn().turn()
+    assert chain.half_turn().points == inverse(complement(chain.points))
+    again = chain.half_turn().half_turn()
     assert (again.vertices, again.lines) == (chain.vertices, chain.lines)
     assert Chain(chain.vertices).lines == chain.lines
 

@@ -200,7 +200,7 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
     mm.sweep_inner_mm: {
         "Sweep_MM, inner loop: right, but all of T's inside is swept": before(
             lambda generatrix, directrix, trajectory, *path: mm.trajectory_mm(
-                generatrix, trajectory.chain().turn()
+                generatrix, trajectory.chain().half_turn()
             )
         )
     },
