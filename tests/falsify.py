@@ -106,7 +106,7 @@ def change(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
     """Change one place, which is drawn."""
     path = rng.choice(list_places(certificate)[1:])
     item = get(certificate, path)
-    where = f"{path[0]} {path[1] if path[0] == 'proof' else ''}".strip()
+    where = " ".join(map(str, path[: 2 if path[0] == "proof" else 1]))
     if type(item) is str:
         number = item if item[-1:].isdigit() else "0"
         by = rng.choice([Fraction(1, 10**9), Fraction(-1, 3), Fraction(1), -2 * Fraction(number)])

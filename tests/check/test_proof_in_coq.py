@@ -11,7 +11,8 @@ import pytest
 import exactsweep.check
 
 PROOF = Path(exactsweep.check.__file__).parent / "proof"
-MAIN = ["layout_sound", "no_fit_sound", "inner_fit_sound", "sweep_sound"]
+MAIN = ["layout_sound", "no_fit_polygon_sound", "inner_fit_polygon_sound", "whole_sweep_sound"]
+MAIN += ["disjoint_iff", "real_overlap", "real_at_least", "rotation_error_sound"]
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
 
