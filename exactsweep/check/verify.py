@@ -63,9 +63,9 @@ def verify(
     Raises:
         ExactSweepError: not a polygon, or `max_steps` is not an int above 0.
 
-    Cost: with k the edges of loops and sums of pieces whose boxes meet, O(k) tests of a segment
-        and a sum; O(n log n) for n pieces of a layout if O(n) pairs are near.
-    Source: the argument in the docstring of `exactsweep.check.standalone`.
+    Cost: O(k) for k pairs of an edge and a sum of pieces whose boxes meet; O(n log n) for n pieces
+        of a layout with O(n) near pairs.
+    Source: the docstring of `exactsweep.check.standalone`.
 
     >>> verify({"format": "exactsweep certificate"})
     Verification(proved=False, reason='version: not 3', witness=None)

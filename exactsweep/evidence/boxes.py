@@ -14,11 +14,7 @@ _CELLS = 1 << 30
 
 
 class BoxGrid:
-    """A grid of cells over points, on which boxes are ints.
-
-    Args:
-        points: points that bound what the grid is for.
-    """
+    """A grid of cells over the given points, on which boxes are ints."""
 
     def __init__(self, points: Sequence[Node]) -> None:
         xs, ys = [x // w for x, _, w in points], [y // w for _, y, w in points]
@@ -63,10 +59,7 @@ def grow(boxes: Sequence[tuple[CellBox, int]]) -> Tree:
 
 
 def find_touching(one: Tree, other: Tree, third: Tree) -> Iterator[tuple[int, int, int]]:
-    """Find boxes of three trees such that the first one touches the sum of the others.
-
-    Yields:
-        Their numbers.
+    """Yield the numbers of boxes of three trees, the first of which touches the sum of the others.
 
     Cost: O(log n) for each, if boxes are not much longer than their distances.
 

@@ -57,11 +57,9 @@ def find_evidence(
 
     Args:
         sums: the sums.
-        known: the edges of loops, the sums on their left, and fits.
+        known: the edges of loops, the sums on their left, and fits. If they are not the boundary of
+            the sums, the Covering proves nothing.
         beyond: the boundaries of open half-planes, which count as sums.
-
-    Returns:
-        The Covering. If the known edges are not the boundary of the sums, it proves nothing.
 
     Cost: O(1) clipped segments for each side of a listed sum, and for each known edge O(1) for each
     sum whose box touches it.

@@ -98,12 +98,9 @@ def is_on_border(sides: Iterable[DirectedSegment], p: Node) -> bool:
 
 
 def clip(sides: Iterable[DirectedSegment], a: Node, b: Node) -> Interval | None:
-    """Find the open interval of a segment inside an open convex polygon.
+    """Find the open interval of a segment inside an open convex polygon, or None.
 
-    Returns:
-        Its ends, from -1 or to 2 if it continues beyond an end of the segment; None if it is empty.
-
-    Cost: O(1) for each side.
+    An end beyond the segment is -1 or 2.
 
     >>> square = list_sides([(0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)])
     >>> clip(square, (1, 1, 1), (5, 1, 1))
@@ -126,12 +123,9 @@ def clip(sides: Iterable[DirectedSegment], a: Node, b: Node) -> Interval | None:
 
 
 def intersect(side: DirectedSegment, other: DirectedSegment) -> Interval | None:
-    """Find the closed interval of a segment on another segment or a point.
+    """Find the closed interval of a segment on another segment or a point, or None.
 
-    Returns:
-        Its ends, perhaps beyond those of the segment; None if both have no point in common.
-
-    Cost: O(1).
+    Its ends may be beyond those of the segment.
 
     >>> side = make_side((0, 0, 1), (4, 0, 1))
     >>> intersect(side, make_side((6, 0, 1), (3, 0, 1)))

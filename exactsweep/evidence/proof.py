@@ -26,13 +26,10 @@ _PointList = Iterable[Iterable[object]]
 
 
 def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
-    """Find the proof of a claim.
+    """Return the certificate of a claim; the checker rejects that of a wrong claim.
 
     Args:
         claim: a claim of `evidence.certificate`, or a certificate whose proof is replaced.
-
-    Returns:
-        The certificate, plain JSON data. If the claim is wrong, the checker rejects it.
 
     Raises:
         NumberError: a coordinate is not an exact number.
@@ -43,12 +40,7 @@ def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
 
 
 class _PairLattice:
-    """The integer lattice of two shapes.
-
-    Attributes:
-        scale: the number of its units in 1.
-        shapes: the rings of each, the interior on the left.
-    """
+    """The lattice of two shapes, `scale` units in 1, and their rings, the interior on the left."""
 
     def __init__(self, *shapes: dict[str, Any]) -> None:
         listed = [

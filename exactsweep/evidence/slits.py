@@ -17,16 +17,10 @@ _PlanePoint = tuple[Fraction, Fraction]
 
 
 def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[DirectedSegment]:
-    """Join gaps along one line, and drop points on others or on known edges.
+    """Join gaps on a line; drop points on others or on known edges.
 
-    Args:
-        gaps: the ends of segments, perhaps points, without a common part with known edges but ends.
-        known: the known edges.
-
-    Returns:
-        Slits that have points in common at most.
-
-    Cost: O(n log n) for n segments, and O(1) for each point and each edge.
+    Gaps are segments or points that have at most ends in common with known edges; any two slits
+    have at most a point in common. Cost: O(n log n), and O(1) for each point and each edge.
 
     >>> a, b, c = (0, 0, 1), (1, 0, 1), (2, 0, 1)
     >>> [(slit.start, slit.end) for slit in unite([(b, c), (b, b), (b, a)], [])]

@@ -13,16 +13,8 @@ from exactsweep.evidence.homogeneous import DirectedSegment, Node, direct_side, 
 class Sums:
     """The open sums of convex pieces of two shapes.
 
-    Sum i n + j is that of piece i of the first shape and piece j of the second one, which has n.
-
-    Args:
-        first: convex rings, counter-clockwise, or segments.
-        second: convex rings of points with w = 1.
-
-    Attributes:
-        grid: the grid of all boxes.
-        count: the number of sums.
-        box: the box of all sums.
+    Sum i n + j is that of piece i of the first shape, a convex counter-clockwise ring or a segment,
+    and piece j of the second one, a ring of points with w = 1; the second shape has n pieces.
     """
 
     def __init__(self, first: Sequence[Sequence[Node]], second: Sequence[Sequence[Node]]) -> None:
