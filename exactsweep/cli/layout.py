@@ -51,7 +51,7 @@ def _make_gaps(spacing: Fraction | None, margin: Fraction | None) -> dict[str, s
 
 
 class _Rules(NamedTuple):
-    """Rules of the exit code: an accepted depth, and whether everything has to be judged."""
+    """The accepted depth, and whether unjudged rules fail."""
 
     accept: Fraction | None
     strict: bool
@@ -232,7 +232,6 @@ def layout_command(
 
 
 def _find_code(rules: _Rules, *, good: bool, unchecked: bool) -> int:
-    """Return the exit code."""
     return 1 if not good else _UNCHECKED if rules.strict and unchecked else 0
 
 
@@ -286,7 +285,7 @@ def _judge_one(
 
 
 def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
-    """Write a repaired layout, if there is one, and tell how far its parts moved."""
+    """Write a repaired layout, if there is one, and describe the moves."""
     from exactsweep.layout.repaired import repair_layout
     from exactsweep.text.report import approximate, take_root
 
@@ -323,7 +322,7 @@ def _judge_all(
     accept: Fraction | None,
     workers: int | None,
 ) -> Iterator[LayoutRow]:
-    """Judge the layouts of several files, in processes of their own, in order."""
+    """Judge the layouts of several files in parallel, in order."""
     from exactsweep.formats.layouts import read_layouts
     from exactsweep.processes import Pool, count_cores
 

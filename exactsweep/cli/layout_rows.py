@@ -19,15 +19,15 @@ _FINER, _MOST_FINER = Fraction(1, 100), 2
 
 
 class LayoutRow(NamedTuple):
-    """A layout of several, as the table of all shows it.
+    """A row of the table of several layouts.
 
     Attributes:
-        name: the file, and which sheet of it.
-        verdict: "valid", what is wrong, or why it could not be read.
-        valid: None where it could not be read.
-        placements: how many there are.
-        worst: how bad the worst fault is; of a valid one the least distance.
-        notes: what the reader passed over.
+        name: the file and its sheet.
+        verdict: "valid", the faults, or the reason why it could not be read.
+        valid: None if it could not be read.
+        placements: their number.
+        worst: the depth of the worst fault; for a valid layout the least distance.
+        notes: remarks of the reader.
         accepted: whether all faults are at most as deep as is accepted.
         unchecked: rules and shapes that were not judged.
     """
@@ -43,7 +43,7 @@ class LayoutRow(NamedTuple):
 
 
 def list_notes(found: FoundLayout, judgement: Judgement) -> list[str]:
-    """List the remarks on a layout: of its reader, and other conventions that explain it."""
+    """List the remarks of the reader, and conventions that would explain the faults."""
     from exactsweep.layout.diagnose import diagnose, find_radians
 
     guesses = diagnose(judgement)
@@ -53,7 +53,7 @@ def list_notes(found: FoundLayout, judgement: Judgement) -> list[str]:
 
 
 def judge_finely(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
-    """Judge a layout, and flatten the curves of what is undecided more finely, up to a budget."""
+    """Judge a layout; flatten the curves of undecided parts more finely, up to a budget."""
     from exactsweep.layout import judge_layout
 
     data, judgement = found.data, judge_layout(_make(found, gaps, title))
@@ -94,7 +94,7 @@ def judge_file(
     gaps: Mapping[str, str],
     accept: Fraction | None = None,
 ) -> list[LayoutRow]:
-    """Judge the layouts of a file; one that cannot be read is a row as well."""
+    """Judge the layouts of a file; an unreadable one gets a row, too."""
     rows = []
     try:
         for found in read():

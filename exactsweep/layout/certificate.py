@@ -160,7 +160,6 @@ def _shift(ring: Sequence[IntVertex], by: Solid) -> list[IntVertex]:
 
 
 def _are_apart(one: LatticeBox, other: LatticeBox, distance: Fraction) -> bool:
-    """Decide whether two boxes are a distance apart in x or in y."""
     left, right, low, high = one
     west, east, south, north = other
     return (

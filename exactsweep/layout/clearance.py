@@ -239,7 +239,6 @@ def _go(start: Vertex, goal: Vertex, share: Fraction) -> Vertex:
 
 
 def _measure_point(z: Vertex, hull: Sequence[Vertex]) -> Fraction:
-    """Return the squared signed distance of a point from a hull."""
     found = measure_hulls([z], hull)
     return Fraction(found.n) / found.d
 

@@ -99,7 +99,6 @@ def _find_rounded(board: Board) -> NearestPair | None:
 
 
 def _bound(a: Solid, b: Solid) -> Fraction:
-    """Return an upper bound of the squared distance of two solids."""
     assert isinstance(a.form, LatticeForm)
     assert isinstance(b.form, LatticeForm)
     (ax, ay), (bx, by) = a.form.rings[0][0], b.form.rings[0][0]

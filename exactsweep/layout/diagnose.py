@@ -36,7 +36,7 @@ _SCALES = (
 )
 _PLACED = {"overlap", "outside", "undecided"}
 
-# Overlaps that are this many times smaller than the parts are no matter of conventions.
+# Overlaps this many times smaller than the parts are rounding.
 _ROUNDING = 10**6
 
 Convention = Callable[[LayoutPart, Placement], tuple[LayoutPart, Placement]]
@@ -72,7 +72,7 @@ def diagnose(judgement: Judgement) -> list[str]:
 
 
 def find_radians(layout: Layout) -> list[str]:
-    """Say that turns look like radians, if one is nearly a multiple of 15 degrees in radians.
+    """Report a turn that is nearly a multiple of 15 degrees in radians.
 
     >>> found = find_radians(Layout(None, (), (Placement("a", read_turn("3.14159"), ORIGIN),)))
     >>> print(*found)

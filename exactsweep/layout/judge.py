@@ -89,7 +89,6 @@ class Judgement:
 
     @cached_property
     def _density(self) -> tuple[Fraction, Fraction] | None:
-        """The bounds of the density."""
         parts, container, box = self.layout.part_by_id, self.layout.container, self.box
         areas = Counter(self.layout.placements[k].part for k in self._board.placed)
         found = [(number, bound_area(parts[id].shape)) for id, number in areas.items()]
@@ -232,7 +231,6 @@ def _name_faults(
 
 
 def _judge_rules(layout: Layout) -> Iterator[Fault]:
-    """Find the faults of parts and of single placements."""
     placements: dict[str, list[int]] = {part.id: [] for part in layout.parts}
     for k, placement in enumerate(layout.placements):
         placements[placement.part].append(k)

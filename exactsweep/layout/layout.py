@@ -335,7 +335,6 @@ _ShapeRings = tuple[Loop, tuple[Loop, ...]]
 def _read_shape(
     data: object, path: str, needed: Sequence[str] = (), others: Sequence[str] = ()
 ) -> tuple[Mapping[str, object], _ShapeRings, tuple[RoundedPiece, ...], Fraction]:
-    """Read the fields of a shape, of rings or of rounded pieces, and its error."""
     is_rounded = isinstance(data, Mapping) and "pieces" in data
     form, more = ("pieces", ()) if is_rounded else ("exterior", ("holes",))
     found = read_object(data, path, (*needed, form), (*more, *others, "error"))

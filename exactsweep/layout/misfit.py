@@ -77,6 +77,5 @@ def _meet(one: _PartEdge, other: _PartEdge) -> list[Point]:
 
 
 def _wind(edges: Sequence[_PartEdge], z: Point) -> int:
-    """Return the winding number at a point."""
     up = sum(a.y <= z.y < b.y and turn(a, b, z) > 0 for a, b in edges)
     return up - sum(b.y <= z.y < a.y and turn(a, b, z) < 0 for a, b in edges)

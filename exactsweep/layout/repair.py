@@ -237,7 +237,6 @@ def _find_nearest(at: Point, loops: Iterable[Polygon], fits: Iterable[Edge]) -> 
 
 
 def _make_room(board: Board) -> Region:
-    """Return the container, or a polygon in a rounded one, or a box around everything."""
     container = board.layout.container
     if isinstance(container, RoundedPiece):
         return inscribe(container)

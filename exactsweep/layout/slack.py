@@ -100,7 +100,6 @@ def _is_convex(ring: tuple[Point, ...]) -> bool:
 
 
 def _list_points(solid: Solid) -> Iterator[tuple[Point, Fraction]]:
-    """List the vertices of convex pieces, or of a hull, with their radii."""
     for piece, radius in solid.rounded:
         for x, y in piece:
             yield solid.leave(x, y), Fraction(radius) / solid.scale

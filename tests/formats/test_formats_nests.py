@@ -99,7 +99,7 @@ def test_an_unreadable_outline_rejects_the_layout(unread: str) -> None:
     with pytest.raises(FormatError, match=r"^line 1: (circle|path): "):
         read(f'<rect width="9" height="9"/>{PART}{unread}')
     ornament = read(f'<rect width="9" height="9"/>{PART}<line x2="3"/>')
-    assert [note.startswith("left out: line 1: line: ") for note in ornament.notes] == [True]
+    assert [note.startswith("skipped: line 1: line: ") for note in ornament.notes] == [True]
 
 
 def test_a_sheet_lists_its_own_parts_only() -> None:

@@ -118,7 +118,7 @@ def test_what_is_undecided_has_no_certificate() -> None:
         judge_layout(layout).certificate()
 
 
-def test_a_fault_beside_an_undecided_one_is_proved() -> None:
+def test_a_fault_is_proved_despite_an_undecided_one() -> None:
     layout = lay(SHEET, {"t": TILE}, put("t", (5, 0), 45), put("t", (20, 5)))
     assert [fault.kind for fault in judge_layout(layout).faults] == ["outside", "undecided"]
     assert len(prove(layout)["faults"]) == 1
@@ -168,7 +168,7 @@ def test_rings_that_only_touch_are_a_fault_without_a_certificate(name: str) -> N
         judge_layout(layout).certificate()
 
 
-def test_other_faults_beside_rings_that_only_touch_are_proved() -> None:
+def test_other_faults_are_proved_despite_touching_rings() -> None:
     parts = {"p": TOUCHING["spike"], "t": TILE}
     layout = lay(SHEET, parts, put("p"), put("t", (-1, 0)))
     assert [fault["kind"] for fault in prove(layout)["faults"]] == ["outside"]

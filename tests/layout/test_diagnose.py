@@ -143,12 +143,14 @@ def test_a_single_overlap_is_no_convention() -> None:
 )
 def test_other_mirrors_are_named(write: Callable[..., Any], said: str) -> None:
     # The whole layout mirrored in x is R(-a) M P + (9 - x, y).
-    # Beside it is the layout as it is, to which no convention of mirrors applies.
-    beside = [place(turn, x + 9, y) for turn, (x, y) in PLACED]
+    # Next to it is the layout as it is, to which no convention of mirrors applies.
+    unchanged = [place(turn, x + 9, y) for turn, (x, y) in PLACED]
     wide = {"container": {"exterior": [("0", "0"), ("18", "0"), ("18", "4"), ("0", "4")]}}
     mirrored = [place(-int(turn), 9 - x, y, mirrored=True) for turn, (x, y) in PLACED]
-    assert judge_layout(layout([*mirrored, *beside], **wide)).valid
-    judgement = judge_layout(layout([*(write(turn, *at) for turn, at in PLACED), *beside], **wide))
+    assert judge_layout(layout([*mirrored, *unchanged], **wide)).valid
+    judgement = judge_layout(
+        layout([*(write(turn, *at) for turn, at in PLACED), *unchanged], **wide)
+    )
     assert not judgement.valid
     notes = diagnose(judgement)
     assert any(note.startswith(f"with {said}, 0 of ") for note in notes), notes

@@ -67,7 +67,7 @@ def test_a_part_as_wide_as_the_container_is_moved_onto_an_exact_fit() -> None:
 
 
 @pytest.mark.parametrize("digits", [3, 9, 20, 30, 50, 60])
-def test_turned_corners_that_nearly_touch_are_told_apart(digits: int) -> None:
+def test_turned_corners_that_nearly_touch_are_decided(digits: int) -> None:
     # Unit squares on their corners are sqrt(2) wide.
     unit = 10**digits
     for gap, kind in ((0, "overlap"), (1, "too close")):
@@ -108,7 +108,7 @@ def test_faults_as_json() -> None:
 
 
 def test_defects_far_from_a_part_take_no_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    # 100 parts, each beside one of 100 defects, in a container that is no box.
+    # 100 parts, each next to one of 100 defects, in a container that is no box.
     asked = 0
 
     def judge_and_count(*pair: Any) -> Any:

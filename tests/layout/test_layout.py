@@ -74,7 +74,7 @@ def test_every_field_arrives() -> None:
     assert (layout.spacing, layout.margin) == (Fraction(1, 1000), Fraction(2))
 
 
-def test_what_may_be_left_out() -> None:
+def test_optional_fields_have_defaults() -> None:
     data = example()
     for part in data["parts"]:
         for name in ("holes", "demand", "turns", "mirrored"):

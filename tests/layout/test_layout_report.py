@@ -115,9 +115,9 @@ def test_long_lists_are_cut_and_sorted() -> None:
 @pytest.mark.parametrize("number", [1, 2, 3])
 def test_only_the_first_faults_are_measured(number: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(worst, "MOST_MEASURED", 2)
-    told: list[tuple[int, int]] = []
-    ranked = rank_faults(many(number), lambda *of: told.append(of))
-    assert told == [(k, min(number, 2)) for k in range(min(number, 2))]
+    reported: list[tuple[int, int]] = []
+    ranked = rank_faults(many(number), lambda *of: reported.append(of))
+    assert reported == [(k, min(number, 2)) for k in range(min(number, 2))]
     assert [one.square is not None for one in ranked] == [True, True, False][:number]
 
 

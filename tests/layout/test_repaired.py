@@ -66,8 +66,8 @@ def test_missing_placements_are_not_repaired() -> None:
     assert repair_layout(judge_layout(missing)) is None
 
 
-def test_a_part_finds_the_free_place_beside_others() -> None:
-    # The small part lies on the edge between two large ones; beside them there is room.
+def test_a_part_finds_the_nearest_free_place() -> None:
+    # The small part lies on the edge between two large ones; next to them there is room.
     parts = {"t": TILE, "s": box(0, 0, 1, 1)}
     layout = lay(box(0, 0, 9, "3.5"), parts, put("t"), put("t", (5, 0)), put("s", ("4.3", 1)))
     repaired = repair_layout(judge_layout(layout))

@@ -91,7 +91,6 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
 
 
 def _list_marked(outlines: Sequence[Candidate], container: str | None) -> list[Candidate]:
-    """List the outlines that a name marks as containers."""
     if container is None:
         return [
             one

@@ -79,7 +79,7 @@ def draw_layouts(
 
 
 def _leave_open_layers(outlines: Sequence[Candidate]) -> tuple[list[Candidate], list[str]]:
-    """Leave out layers on which nothing is closed, such as engraving, and name them."""
+    """Skip layers without closed outlines, such as engraving, and name them."""
     closed = {one.layer for one in outlines if not one.fault}
     found, left = [], Counter[str | None]()
     for one in outlines:
@@ -161,7 +161,7 @@ def _name_part(outline: Candidate, k: int) -> str:
 
 
 def _tell_holes(found: Nested) -> list[str]:
-    """Say how many outlines became holes: a part on another one is drawn like a hole."""
+    """Count outlines that became holes: a part on another one is drawn like a hole."""
     if not found.holes:
         return []
     first = ", ".join(f"{tell_place(one)} in {tell_place(other)}" for one, other in found.holes[:2])
@@ -173,7 +173,7 @@ def _tell_holes(found: Nested) -> list[str]:
 
 
 def _find_lookalikes(found: Nested) -> list[str]:
-    """Name holes with the shape of a part: they may be parts on top of others."""
+    """Name holes congruent to a part, which may be parts on top of others."""
     shapes = {_measure(one.vertices()): one for one in reversed(found.outlines)}
     alike = [
         (one, around, shapes[shape])

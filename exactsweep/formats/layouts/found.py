@@ -20,7 +20,7 @@ from exactsweep.numbers.number import Point
 _INDEX = re.compile(r"\[\d+\]")
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
-"""Where a part stands as it is drawn."""
+"""The placement of a part that stands as drawn."""
 
 
 Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
@@ -31,11 +31,11 @@ class FoundLayout(NamedTuple):
     """A layout of a file.
 
     Attributes:
-        name: which one of several it is; "" where it is the only one.
+        name: its name among several; "" for the only one.
         data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
-        notes: what the reader passed over, a sentence each.
+        notes: remarks of the reader, a sentence each.
         unchecked: rules and shapes that are not judged, a phrase each.
-        places: where each placement is in the file, such as "line 7"; empty if unknown.
+        places: the place of each placement in the file, such as "line 7"; empty if unknown.
         unit: the unit of the file's lengths, such as "mm"; "" if unknown.
         flatten: finds the shapes of some parts, by id, and of the container, None, with curves
             flattened at another tolerance; those that it cannot find are skipped. None if no
@@ -60,7 +60,7 @@ class NestingInstance(NamedTuple):
         least: by id, how many have to be placed.
         containers: by id, each as in Layout JSON; none where a strip has a free width.
         rest: what goes into each layout as it is: "spacing", "margin".
-        notes: what was passed over.
+        notes: remarks of the reader.
         unchecked: rules that are not judged, a phrase each.
         height: that of a strip with a free width.
         width: the greatest one of that strip, if there is one.
@@ -87,7 +87,7 @@ class FilledSheet(NamedTuple):
         placements: likewise.
         copies: how many such sheets there are.
         rest: as of a NestingInstance, for this sheet alone.
-        places: where each placement is in the file; empty if unknown.
+        places: the place of each placement in the file; empty if unknown.
     """
 
     container: Data
@@ -141,7 +141,7 @@ def make_layouts(
 
 
 def compare_stock(used: Counter[str], instance: NestingInstance) -> list[str]:
-    """Say which containers are used more often than there are any."""
+    """Name the containers that are used more often than in stock."""
     return [
         f"container {name}: {number} used, {instance.stock[name]} in stock"
         for name, number in used.items()

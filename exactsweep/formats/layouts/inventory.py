@@ -159,7 +159,7 @@ def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> Found
 def _find_match(
     part: Data, wanted: Sequence[WantedPart], left: dict[str, int]
 ) -> tuple[WantedPart, Data | None] | None:
-    """Find the wanted part that a part is, and its placement if it is exactly this one."""
+    """Find the wanted part congruent to a part, and its placement if exactly congruent."""
     found: tuple[WantedPart, Data | None] | None = None
     for one in sorted(wanted, key=lambda one: not _is_named(part["id"], one.name)):
         try:

@@ -91,7 +91,7 @@ def read_instance(document: JsonNode) -> NestingInstance:
 
 
 def _read_orientation(orientation: JsonNode) -> Data:
-    """Read which turns are allowed, and which ones of reflected copies, as Layout JSON has them."""
+    """Read the allowed turns, and those of reflected copies, as in Layout JSON."""
     rotation = orientation / "rotation"
     mode = (rotation / "mode").name
     axes = [axis.fraction for axis in orientation.get("reflection_axes", []).each()]

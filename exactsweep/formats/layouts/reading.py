@@ -41,7 +41,7 @@ class LayoutOptions(Options, total=False):
 
     Attributes:
         instance: the instance that a solution answers.
-        container: which outline of a drawing is the container; False for no container.
+        container: the outline of a drawing that is the container; False for no container.
         tolerance: how far lines may be from curves.
         part: the file of the parts of a table of placements.
         radians: whether the angles of a table are in radians.
@@ -102,7 +102,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
             be placed once.
         part: the file of the parts of a table of placements; see `table`.
         radians: whether the angles of such a table are in radians.
-        container: which outline of a drawing is the container, by name, index or layer; False for
+        container: the container of a drawing, by name, index or layer of its outline; False for
             no container; found automatically by default.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
@@ -159,7 +159,6 @@ def _read_table(
 
 
 def _from_radians(found: FoundLayout) -> FoundLayout:
-    """Convert turns from radians to degrees."""
     placements = [
         {**one, "turn": format_fraction(to_degrees(to_fraction(one["turn"])))}
         if isinstance(one, dict) and isinstance(one.get("turn", []), str)
@@ -195,7 +194,7 @@ def _parse_each(
     container: _Container,
     reading: Reading,
 ) -> list[FoundLayout]:
-    """Read the layouts of a text so that each can be read again, more finely."""
+    """Read the layouts of a text, each with a function that flattens it more finely."""
     found = _parse(text, known, container, reading)
     if container is False:
         found = [one._replace(data={**one.data}) for one in found]
@@ -286,7 +285,7 @@ def _with_counts(document: JsonNode) -> Data:
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
-    """Say which parts a drawing has otherwise than its instance."""
+    """Name the parts that differ between a drawing and its instance."""
     others = []
     for name, part in drawn.parts.items():
         if name not in known.parts:
@@ -300,7 +299,7 @@ def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
 
 
 def _make_shape(part: Data) -> object:
-    """The region of a part, whichever vertex is first; its rings where these bound none."""
+    """Return the region of a part, or its rings if they bound none."""
     if "pieces" in part:
         return part["pieces"]
     rings = part["exterior"], part.get("holes", [])

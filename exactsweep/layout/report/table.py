@@ -120,8 +120,8 @@ def list_measures(
 
 
 def tell_error(error: Fraction) -> str:
-    """Say how near lines are to curves, and what the verdict is about."""
-    return f"judged as curves; drawn as lines within {approximate(error, up=True)} of them"
+    """Describe the error of flattened curves."""
+    return f"flattened within {approximate(error, up=True)}; the verdict holds for the curves"
 
 
 def write_verdict(
@@ -160,7 +160,7 @@ def _count_kinds(kinds: Mapping[FaultKind, int]) -> str:
 
 
 def sum_up(ranked: Sequence[WorstFirst], context: ReportContext) -> str:
-    """Count faults, and say how deep all of them are at most, or how short of the distance."""
+    """Count faults, with the greatest depth or shortfall."""
     said = _count_kinds(Counter(one.fault.kind for one in ranked))
     depths = [measure_depth(one) for one in ranked]
     deepest = context.add_unit(approximate(max(depths), up=True))
@@ -171,7 +171,7 @@ def sum_up(ranked: Sequence[WorstFirst], context: ReportContext) -> str:
 
 
 def measure_depth(one: WorstFirst) -> Fraction:
-    """Return a bound on the depth of a fault, or on what is missing of the required distance."""
+    """Return a bound on the depth of a fault, or on its shortfall of the required distance."""
     fault = one.fault
     if fault.distance_squared is not None and fault.required is not None:
         missing = fault.required**2 - fault.distance_squared

@@ -11,7 +11,7 @@ from exactsweep.layout.judge import Judgement
 from exactsweep.words import spell_out
 
 MOST_MEASURED = 200
-"""The number of faults that are measured; nobody reads a longer list."""
+"""The greatest number of measured faults."""
 
 
 class WorstFirst(NamedTuple):
@@ -101,7 +101,6 @@ def rank_faults(
 
 
 def _rank(one: WorstFirst) -> tuple[bool, Fraction]:
-    """Rank a fault among those of its kind."""
     if one.fault.distance_squared is not None:
         return False, one.fault.distance_squared
     # A part that fits nowhere is worse than a part that fits.
