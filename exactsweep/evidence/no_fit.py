@@ -64,11 +64,8 @@ class NoFitAnswer(Certified):
     def locate(self, position: Iterable[object]) -> Literal["overlap", "contact", "free"]:
         """Locate a position of the orbiting polygon's reference point, a pair of numbers.
 
-        Returns:
-            "overlap" if the interiors overlap; "contact" if the polygons only touch, on a loop or
-            in an exact fit; "free" if they are apart.
-
-        Cost: that of the loops and exact fits, and linear in their size.
+        Returns "overlap" if the interiors overlap; "contact" if the polygons only touch, on a loop
+        or in an exact fit; "free" if they are apart. Cost: that of the loops and exact fits.
 
         Example:
             >>> from exactsweep import no_fit_polygon
@@ -143,11 +140,8 @@ class InnerFitAnswer(Certified):
     def locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
         """Locate a position of the part's reference point, a pair of numbers.
 
-        Returns:
-            "inside" in a region; "boundary" on the boundary of a region or in an exact fit, where
-            the part touches an obstacle; "outside" where the part overlaps one.
-
-        Cost: that of the positions, and linear in their size.
+        Returns "inside" in a region; "boundary" on its boundary or in an exact fit, where the part
+        touches an obstacle; "outside" where the part overlaps one. Cost: that of the positions.
 
         Example:
             >>> from exactsweep import inner_fit_polygon

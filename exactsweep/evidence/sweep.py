@@ -171,9 +171,7 @@ class SweepAnswer(Certified):
         """Find the contacts along the edges of loops of free positions, in the form of `contacts`.
 
         A loop of two positions is the path from one to the other and back; it has no contacts if
-        both are equal.
-
-        Cost: that of one call of `contacts`, for all loops together.
+        both are equal. Cost: that of one call of `contacts`.
         """
         enter, reference = self.solution.frame.enter_point, self.reference
         edges = [

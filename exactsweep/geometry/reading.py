@@ -139,8 +139,7 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
 def _read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
     """Read all first coordinates, then all second ones, if all vertices are tuples or lists of two.
 
-    Returns None if a vertex is anything else, or a number is rejected. The caller then reads the
-    vertices one by one, to name the error.
+    Returns None otherwise, and for rejected numbers: the caller then names the error.
     """
     kinds = set(map(type, vertices))
     if not kinds <= {tuple, list, Point} or set(map(len, vertices)) != {2}:  # type: ignore[arg-type]

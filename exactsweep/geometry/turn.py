@@ -46,12 +46,10 @@ class RationalTurn(NamedTuple):
 
 @dataclass(frozen=True)
 class Turn:
-    """A counter-clockwise rotation about the origin.
+    """A counter-clockwise rotation about the origin, by degrees in [0, 360).
 
-    Attributes:
-        degrees: at least 0 and less than 360; None for a rotation that only its cosine and sine
-            give.
-        exact: the cosine and the sine, if these are rational, else None.
+    `degrees` is None if only cosine and sine (`exact`) give the rotation; `exact` is None if they
+    are irrational.
     """
 
     degrees: Fraction | None

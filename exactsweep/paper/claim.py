@@ -37,13 +37,9 @@ class ClaimVerdict(Enum):
 
 
 class Counterexample(NamedTuple):
-    """A case in which a statement fails.
+    """A case in which a statement fails: the fault, and how it was found and is the smallest.
 
-    Attributes:
-        text: the fault.
-        how: how it was found, and in which sense it is the smallest.
-        generatrix: vertices of G, empty if the case is not a pair.
-        directrix: vertices of D, likewise.
+    G and D are empty if the case is not a pair.
     """
 
     text: str
@@ -70,8 +66,7 @@ class Evidence:
         cases: counterexamples to the statement as printed, or to parts of it.
         tables: measured numbers.
         growth: counted operations or vertices over doubling sizes.
-        sampled: the least number of random pairs for each law.
-        searched: the number of cases of finite sets.
+        sampled: the least number of random pairs for each law; `searched` of cases of finite sets.
     """
 
     tried: str = ""

@@ -39,18 +39,12 @@ class Cost:
     """A procedure of the paper on a family, with one size or both doubled.
 
     Attributes:
-        procedure: its name.
-        run: calls it.
-        letter: the same to the letter.
+        letter: the same procedure to the letter.
         row: the row of the ledger with the bound.
-        bound: that of the paper.
-        family: the pairs.
         varied: "m", "n" or "mn".
-        first: the first size that is doubled, for operations and bytes.
-        timed: the same for seconds.
+        first: the first size that is doubled, for operations and bytes; `timed` for seconds.
         fixed: the other size.
-        limit: of operations, see `Growth`.
-        slack: the same of bytes.
+        limit: of operations, see `Growth`; `slack` of bytes.
     """
 
     procedure: str

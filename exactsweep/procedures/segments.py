@@ -64,14 +64,12 @@ class ContactSegment:
     """A piece of a line along which contact segments have the same directions.
 
     Attributes:
-        line: the line.
         low, high: the parameters of the ends.
         sides: the sides of the line with overlap, by (2).
         low_sides, high_sides: the sides on which overlap passes through the ends.
         covered: whether the segment was cut at its low end, and at its high end, with overlap
             inside.
-        cuts: the crossings with other segments; see `crossings`.
-        keys: the keys of the ends; see `crossings`.
+        cuts: the crossings with other segments, and `keys`, those of the ends; see `crossings`.
     """
 
     __slots__ = (

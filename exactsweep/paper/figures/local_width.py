@@ -25,12 +25,9 @@ class Widths(NamedTuple):
     """The edge e of the trajectory, a point of it, and the distances of Figure 9.
 
     Attributes:
-        sweep: the sweep with that trajectory.
-        length: the length of e.
         direction: the unit vector of e.
         at: the place where I(G) touches e from both sides.
-        inside: I(g) when I(G) is on the inner side of e.
-        outside: I(g) on the outer side.
+        inside: I(g) when I(G) is on the inner side of e; `outside` on the outer side.
         inner, outer: their distances from e, d' and d''.
         width: of G, orthogonally to e.
     """

@@ -20,12 +20,9 @@ _POINTS = 72.0
 
 
 class Extent(NamedTuple):
-    """The frame of a panel: an exact rectangle, with room around it and a title below.
+    """The frame of a panel: an exact rectangle from `low` to `high`, a title, and margins.
 
-    Attributes:
-        low, high: its corners.
-        title: the title.
-        margins: the room for labels to the left, below, to the right and above, in points.
+    The margins are the room for labels to the left, below, to the right and above, in points.
     """
 
     low: Vertex
