@@ -315,7 +315,7 @@ def test_the_journal_of_another_run_is_refused(tmp_path: Path) -> None:
     journal_of(tmp_path)
     other = journal_of(tmp_path, "--resume", command=[*FAULTY, "reversed"])
     assert "is the journal of a different command" in other.stderr
-    assert "of another timeout" in journal_of(tmp_path, "--resume", "--timeout", "3").stderr
+    assert "of a different timeout" in journal_of(tmp_path, "--resume", "--timeout", "3").stderr
 
 
 @pytest.mark.parametrize(
