@@ -35,14 +35,7 @@ _LEAST = 3
 
 
 def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
-    """Write the certificate of a layout.
-
-    Args:
-        board: the solids of the layout.
-        faults: the faults that the judge found; none for a valid layout.
-
-    Returns:
-        Plain JSON data.
+    """Write the certificate of a layout as plain JSON data.
 
     Raises:
         LayoutError: no fault has a proof, because all are undecided, or rings that only touch

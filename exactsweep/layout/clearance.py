@@ -89,12 +89,9 @@ def is_rounded(*solids: Solid) -> bool:
 
 
 def list_clearances(a: Solid, b: Solid, within: Fraction | None) -> Iterator[Clearance]:
-    """List the clearances of pairs of pieces that are at most a length; all if it is None.
+    """List the clearances of pairs of pieces of one lattice that are at most a length, or all.
 
-    Args:
-        a: a solid.
-        b: another solid on the same lattice, perhaps the outside of a rounded container.
-        within: the length.
+    The second solid may be the outside of a rounded container.
 
     Cost: O(p q) for the pieces of both, and that of `measure_hulls` for each pair in reach.
     """
@@ -146,11 +143,7 @@ def find_clearance(a: Solid, b: Solid, within: Fraction | None = None) -> Cleara
 
 
 def find_rounded_witness(a: Solid, b: Solid) -> tuple[Point, tuple[int, int]] | None:
-    """Find a point deeper in two true solids than their slacks; None if none is found.
-
-    Args:
-        a: a solid.
-        b: another solid on the same lattice; one of them is rounded.
+    """Find a point deeper in two solids than their slacks, and its pieces; None if none is found.
 
     Cost: that of `list_clearances`.
     """
@@ -270,13 +263,7 @@ def _find_meeting(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
 def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
     """Return the squared distance of two solids that do not overlap, and their nearest points.
 
-    The distance is rounded up, by a share of at most 2^-64, unless it is rational; and so are the
-    points.
-
-    Args:
-        a: a solid.
-        b: another solid on the same lattice, perhaps the outside of a rounded container.
-        found: their clearance.
+    Irrational distances and points are rounded up by a share of at most 2^-64.
     """
     (i, j), (x, y) = found.pieces, found.hulls.normal
     length = found.bound(up=True)

@@ -30,17 +30,10 @@ class NearestPair(NamedTuple):
 
 
 def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> NearestPair | None:
-    """Find the two nearest placed parts of a board without overlaps.
+    """Find the two nearest placed parts of a board without overlaps; None for fewer than two parts.
 
-    The search examines pairs whose boxes meet, and then pairs whose boxes are nearer than the best
-    pair so far.
-
-    Args:
-        board: the solids.
-        touching: two placements whose parts touch, if there are any.
-
-    Returns:
-        A NearestPair; None if fewer than two parts are placed.
+    Pairs whose boxes meet come first, then pairs whose boxes are nearer than the best one so far.
+    `touching` are two placements in contact, if there are any.
 
     Cost: that of finding the pairs with near boxes, and of `find_gap` for each.
     """

@@ -24,11 +24,7 @@ _PartEdge = tuple[Point, Point]
 def find_misfit(part: LayoutPart) -> Point | None:
     """Find a point around which the rings of a part go neither 0 times nor once.
 
-    Args:
-        part: a part.
-
-    Returns:
-        The point; None if there is none, because rings only touch.
+    None if rings only touch.
 
     Cost: O(n) for each tried point, at most one for each edge and each two edges that meet.
 

@@ -19,13 +19,7 @@ from exactsweep.numbers.number import Edge, Point, Rational
 def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
     """Find the least distance of the boundaries of two solids, if its square is below a bound.
 
-    Args:
-        a: a solid.
-        b: another solid on the same lattice, without overlap.
-        below: the bound on the squared distance, more than 0.
-
-    Returns:
-        A SquaredDistance, or None.
+    The solids are polygonal, on one lattice, and do not overlap.
 
     Cost: O(k h) for k edges of one and h edges of the other that are within the bound of the box of
     the other solid.

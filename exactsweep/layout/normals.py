@@ -21,14 +21,8 @@ def find_normal(
 ) -> IntVertex | None:
     """Find a normal that proves that two convex pieces are at least a distance apart.
 
-    Args:
-        one: the vertices of a convex ring, counter-clockwise, or a point or a segment.
-        other: likewise, on the same lattice.
-        distance: the required distance, in units of the lattice.
-
-    Returns:
-        The least ints (x, y) of a direction in which the other piece begins at that distance behind
-        the end of the first piece; None if the pieces are nearer.
+    Pieces are convex rings, counter-clockwise, points or segments; the distance is in units of the
+    lattice. None if they are nearer.
 
     Cost: O((m + n)^2); for vertices that are nearest O(m n (m + n)).
 

@@ -16,12 +16,7 @@ from exactsweep.layout.pieces import bound_piece
 def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[ConvexRing]:
     """Cut the space between a container and a frame into convex pieces.
 
-    Args:
-        exterior: the exterior of the container, counter-clockwise.
-        frame: left, low, right and high of a frame with room around the container.
-
-    Returns:
-        The convex rings.
+    The exterior is counter-clockwise; the frame, left, low, right and high, leaves room around it.
 
     Cost: that of `cut_to_convex` for the pockets.
 

@@ -21,10 +21,6 @@ def bound_piece(piece: IntRing, radius: int = 0) -> tuple[int, int, int, int]:
 def find_common_point(one: Sequence[Vertex], other: Sequence[Vertex]) -> Point | None:
     """Find a point inside two convex pieces; None if their interiors are disjoint.
 
-    Args:
-        one: a piece.
-        other: another piece on the same lattice.
-
     Cost: O(m n).
 
     >>> find_common_point([(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 1), (3, 1), (3, 3), (1, 3)])

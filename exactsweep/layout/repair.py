@@ -34,16 +34,10 @@ _TINY = Fraction(1, 10**6)
 
 
 def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point | None:
-    """Find the shortest move to where the last placement overlaps nothing of a fault.
+    """Find the shortest move after which the last placement overlaps nothing; errors do not count.
 
-    Args:
-        board: the solids.
-        placements: two placements that overlap; or one that is outside the container or on a
-            defect.
-        bits: the precision of turns without a rational value; the errors do not count.
-
-    Returns:
-        The move of the last placement; None if it fits nowhere with its turn.
+    Two placements overlap each other; a single one is outside the container or on a defect. None if
+    it fits nowhere with its turn.
 
     Cost: that of `no_fit_polygon` or of `free_positions`.
     """
@@ -58,15 +52,7 @@ def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point
 
 
 def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | None:
-    """Find a shortest move that frees the last placement from a fault, spacing or margin included.
-
-    Args:
-        board: the solids.
-        placements: two placements that are to keep the spacing; or one that is to keep the margin.
-        bits: the precision of turns without a rational value.
-
-    Returns:
-        A move, which the judge accepts; None if there is none.
+    """Find a shortest move that the judge accepts, for two placements, or one and the container.
 
     Cost: that of two no-fit polygons, and for r > 0 of some 30 judgements of the pair.
     """
@@ -92,15 +78,10 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
 
 
 def find_free_move(board: Board, k: int) -> Point | None:
-    """Find the shortest move of a placement to where it is free of all others and the container.
+    """Find the shortest move of a placement that frees it of all others and the container.
 
-    Args:
-        board: the solids.
-        k: the number of the placement.
-
-    Returns:
-        A move in x and y by at most half the size of the part, and longer than the shortest one as
-        by `find_repair`; None if there is none.
+    It is at most half the size of the part in x and y, and longer than the shortest one as by
+    `find_repair`; None if there is none.
 
     Cost: that of `free_positions` with the placed parts that are near.
     """

@@ -74,10 +74,7 @@ Refine = Callable[[int], tuple[Solid, Solid]]
 def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
     """Decide the relation of two solids, and whether they are less than the spacing apart.
 
-    Args:
-        refine: returns the two solids.
-        bits: the first precision of the turns; it doubles until the verdict is proved.
-        spacing: the least allowed distance.
+    The precision of turns, from `bits` on, doubles until the verdict is proved.
 
     Cost: that of `meet` for exact turns; with a spacing or without exact turns also `find_gap`.
     """
@@ -135,11 +132,7 @@ def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVer
 
 
 def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
-    """Find a point that is inside both true solids by (2); None if no point proves it.
-
-    Args:
-        a: a solid.
-        b: another solid on the same lattice.
+    """Find a point that is inside both true solids of one lattice by (2); None if there is none.
 
     Cost: O(p q) for the pieces of both.
     """

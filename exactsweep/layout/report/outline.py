@@ -35,13 +35,9 @@ def list_corners(pieces: Iterable[RoundedPiece]) -> list[Point]:
 def write_arcs(pieces: Iterable[RoundedPiece], window: Window) -> str:
     """Write rounded pieces as data of an SVG path, with an arc at each corner.
 
-    Args:
-        pieces: the pieces, each a closed line of its own.
-        window: the part of the plane.
-
     >>> window = Window(*map(Fraction, (0, 0, 4, 4)), 4, 4)
     >>> write_arcs([RoundedPiece((Point(Fraction(2), Fraction(1)),), Fraction(1))], window)
-    'M3.00 3.00A1.00 1.00 0 0 0 1.00 3.00A1.00 1.00 0 0 0 3.00 3.00Z'
+    'M1.00 3.00A1.00 1.00 0 0 0 3.00 3.00A1.00 1.00 0 0 0 1.00 3.00Z'
     """
     sweep = 0 if window.top > window.bottom else 1
     return "".join(_write_piece(piece, window, sweep) for piece in pieces)
@@ -78,13 +74,7 @@ def _unit(p: Point, q: Point) -> tuple[Fraction, Fraction, Fraction]:
 
 
 def list_vertices(piece: RoundedPiece, center: Point, near: Fraction) -> Sequence[Vertex]:
-    """Return a polygon in a rounded piece, exact to a share of `near` at a place.
-
-    Args:
-        piece: a rounded piece.
-        center: the place.
-        near: the size of the place.
-    """
+    """Return a polygon in a rounded piece that is fine within `near` of a center."""
     points, r = piece
     if not r:
         return points

@@ -131,10 +131,7 @@ def write_verdict(
 ) -> str:
     """Write that a layout is valid, or count its faults of each kind.
 
-    Args:
-        judgement: a Judgement.
-        ranked: its faults as `rank_faults` sorts them; needed if some depth is accepted.
-        context: facts of the file, and the accepted depth.
+    The ranked faults are needed if some depth is accepted.
     """
     accepted = [one for one in ranked if one.accepted]
     kinds = Counter(fault.kind for fault in judgement.faults)
@@ -219,11 +216,7 @@ def tell_fault(
 ) -> tuple[str, str, str, str]:
     """Describe a fault: the place, the measure, the witness and the repair, in rounded numbers.
 
-    Args:
-        judgement: the Judgement of the fault.
-        one: the fault.
-        context: facts of the file, and the accepted depth.
-        repaired: whether to compute the repair.
+    The repair is computed only if `repaired`.
     """
     fault = one.fault
     bad, repair = fault.reason, ""
