@@ -43,13 +43,7 @@ class RingBoundary(NamedTuple):
 
 
 def find_boundary(rings: PointRings) -> RingBoundary:
-    """Find the boundary of the region of some rings, and the doubled segments.
-
-    Args:
-        rings: sequences of Point, not closed, otherwise arbitrary.
-
-    Returns:
-        The RingBoundary, sorted.
+    """Find the boundary of the region of arbitrary rings, and the doubled segments, sorted.
 
     Cost: O(n log n) operations on rationals for n edges.
 
@@ -105,14 +99,7 @@ def _join_along_line(ends: list[tuple[Point, int]]) -> Iterator[tuple[bool, list
 
 
 def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fit], list[Fit]]:
-    """Split segments into the pieces on exact fits and the others.
-
-    Args:
-        segments: segments; a point is one with two equal ends.
-        fits: likewise.
-
-    Cost: O(f) for each segment and f fits.
-    """
+    """Split segments into the pieces on exact fits and the others; points have two equal ends."""
     on: list[Fit] = []
     off: list[Fit] = []
     known = list(fits)

@@ -128,14 +128,10 @@ def take_pairs(
 
 
 def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool:
-    """Decide whether each point of some edges is closer than a bound to target edges.
+    """Decide whether each point of some edges is closer than a positive bound to target edges.
 
-    Args:
-        target: segments.
-        edges: segments; a point is one with two equal ends.
-        bound: positive.
-
-    Cost: linear if edges of the same index in both lists are close, else O(m n).
+    An edge may be a point. Cost: linear if edges of the same index in both lists are close, else
+    O(m n).
 
     Example:
         >>> a, b, c = (Point(Fraction(x), Fraction(0)) for x in (0, 2, 5))
@@ -167,16 +163,8 @@ def are_close(
 ) -> bool:
     """Decide whether the regions of two sets of rings are closer than a bound, by (1) and (2).
 
-    Args:
-        first: rings.
-        second: rings.
-        bound: the bound; 0 asks whether the regions are equal.
-        besides: further segments that the boundary of the second may be close to.
-
-    Returns:
-        The answer; False if the difference has too many trapezoids.
-
-    Cost: that of `covers` and `find_differences`.
+    The bound 0 asks whether they are equal; `besides` has further segments that the boundary of the
+    second may be close to. The answer is False if the difference has too many trapezoids.
 
     Example:
         >>> ring = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (9, 0), (9, 9), (0, 9)]]

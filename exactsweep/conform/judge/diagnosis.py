@@ -58,16 +58,10 @@ class _DiagnosedRings(NamedTuple):
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
-    """Find the questions to which an answered loop is exact, except for rounding.
+    """Find the questions to which answered rings are exact, except for rounding.
 
-    Args:
-        case: the case.
-        name: a key of LOOP_NAMES.
-        rings: the answered rings.
-        rounding: the bound that coordinate errors must stay below.
-
-    Returns:
-        All phrases that hold, the likeliest first; of one case, two reference points may be equal.
+    All phrases that hold are returned, the likeliest first; of one case, two reference points may
+    be equal.
 
     Cost: that of a sweep and of a few times `are_close`; linear if no bounding box fits.
     """

@@ -46,18 +46,16 @@ def judge_fits(
 ) -> PartComparison:
     """Compare answered exact fits with the exact ones.
 
+    The verdict is exact; equivalent, for the same positions written differently; "equivalent
+    except for exact fits" if some are missing, too short or rounded; "false exact fits" if a
+    position is on no exact fit; or unsound if a position overlaps.
+
     Args:
         case: the case.
         theirs: segments of positions of the reference point.
         rounding: the bound that coordinate errors must stay below.
         whiskers: of the loop, on exact fits.
         name: NAME, or INSIDE for those of G inside D.
-
-    Returns:
-        The part of that name. Its verdict is exact; equivalent, for the same positions written
-        differently; "equivalent except for exact fits" if some are missing, too short or rounded;
-        "false exact fits" if a position is on no exact fit; or unsound if a position overlaps. Its
-        kind names the differences.
 
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """

@@ -94,19 +94,14 @@ class RegionError(ExactSweepError):
 def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
     """Yield the trapezoids in exactly one of two regions, from left to right.
 
-    Args:
-        first: rings of the first region, each a sequence of Point, not closed.
-        second: rings of the second region.
-
-    Yields:
-        Trapezoids with disjoint interiors; none if and only if the regions are equal except for a
-        set without area.
+    Their interiors are disjoint. There are none if and only if the regions are equal except for a
+    set without area.
 
     Raises:
         RegionError: the work would exceed MAX_WORK.
 
-    Cost: O((n + k) w log w) operations on rationals for n edges with k crossings, at most w of
-    them above each other.
+    Cost: O((n + k) w log w) operations on rationals for n edges with k crossings, at most w of them
+    above each other.
 
     Example:
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]

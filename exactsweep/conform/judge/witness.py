@@ -96,23 +96,17 @@ class WitnessError(ExactSweepError):
 
 
 def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
-    """Show that an answered loop is wrong.
+    """Show that an answered loop is wrong, by a Witness with short coordinates.
 
     Args:
         case: the case.
         name: a key of LOOP_NAMES.
-        theirs: rings of the loop as answered.
+        theirs: the answered rings.
         cells: from `find_differences` of the exact region and theirs; at least one, all of them in
             the same region.
 
-    Returns:
-        A Witness in the largest cell, with short coordinates.
-
     Raises:
         WitnessError: the definition agrees with the answer, and not with the case.
-
-    Cost: that of `classify`, and for inner and outer loops that of `find_differences` for the exact
-        trajectory and G.
     """
     cell = max(cells, key=lambda cell: cell.area)
     show = {"inner": _of_inner, "outer": _of_outer}.get(name, partial(_of_positions, name=name))

@@ -134,15 +134,7 @@ def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
 def judge_answer(
     case: Case, put: Case, answer: Answer, hello: Hello, rounding: Fraction | None = None
 ) -> Outcome:
-    """Judge an answer.
-
-    Args:
-        case: a Case.
-        put: the same case, adapted to the program.
-        answer: the answer, or the failure.
-        hello: the program's hello.
-        rounding: the bound that coordinate errors must stay below, as for `compare`.
-    """
+    """Judge the answer to `put`, a case adapted to the hello; `rounding` as for `compare`."""
     if answer.result is None:
         assert answer.verdict is not None
         comparison = Comparison(case.id, answer.verdict, answer.reason)
@@ -217,14 +209,7 @@ def stop_after(seconds: float) -> Iterator[None]:
 def shrink_outcome(
     peer: Peer, outcome: Outcome, seconds: float, rounding: Fraction | None = None
 ) -> Outcome:
-    """Return the outcome of the smallest case found that shows the same fault of a program.
-
-    Args:
-        peer: the program.
-        outcome: of a failed case; with the case.
-        seconds: the limit of the search.
-        rounding: as for `judge_case`.
-    """
+    """Return the outcome of the smallest case found, within seconds, that shows the same fault."""
 
     def judge(case: Case) -> Outcome:
         return judge_case(peer, case, rounding)

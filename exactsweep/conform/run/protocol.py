@@ -210,17 +210,12 @@ class UnsupportedError(ExactSweepError):
 def adapt(case: Case, hello: Hello) -> Case:
     """Return the case as a program gets it, with the expected answers.
 
-    Args:
-        case: a Case.
-        hello: the program's hello.
-
-    Returns:
-        The same pair, with the reference point that the program uses, and multiplied by
-        `integer_scale` if its numbers need that.
+    It has the reference point that the program uses, and is multiplied by `integer_scale` if the
+    numbers of the program need that.
 
     Raises:
-        UnsupportedError: the program does not accept such shapes, none of its questions applies,
-            or its numbers do not represent the case, multiplied or not.
+        UnsupportedError: the program does not accept such shapes, none of its questions applies, or
+            its numbers do not represent the case, multiplied or not.
 
     Example:
         >>> case = Case.of("a", "", [(0, 0), ("1/2", 0), (0, 1)], [(1, 1), (2, 1), (1, 2)])
