@@ -95,6 +95,9 @@ def export(
         if change and decides and not is_safe:
             change += "; it may permit an overlap (--round-outward does not)"
         said = [change] if change else []
+        if (regions or fits) and not (rounded or ends):
+            places = rounding.places
+            raise FormatError(f"rounding to {places} decimal places leaves nothing; use more")
         regions, fits = rounded, ends
     coordinates = coordinates_of_files()
     if target not in ("svg", "dxf") and click.get_current_context().params.get("y_down"):

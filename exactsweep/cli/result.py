@@ -159,6 +159,8 @@ def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
                 text = writers.report(result, columns, everything=form.everything, files=files)
                 text += describe_error(bound)
     if form.kind == "to":
+        if not regions and not fits:
+            raise FormatError("the part does not fit; --json and --wkt write an empty answer")
         export(regions, fits, form.target, form.rounding, form.output, writers.side_of)
     elif form.kind == "report":
         write(text, form.output)

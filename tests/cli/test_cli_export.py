@@ -1,5 +1,6 @@
 """Results in every format, rounded so that they surely permit no overlap, and read again."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -119,3 +120,24 @@ def test_there_is_one_json_of_an_answer(
     assert run(command, *pair, "--to", "json").stdout == written
     assert run(command, *pair, "-o", str(output)).exit_code == 0
     assert output.read_text() == written
+
+
+@pytest.mark.parametrize(
+    ("container", "rounding", "reason"),
+    [
+        ([[0, 0], [2, 0], [2, 1], [0, 1]], [], "Error: the part does not fit"),
+        (
+            [[0, 0], ["5/2", 0], ["5/2", "9/4"], [0, "9/4"]],
+            ["--round", "0", "--round-outward"],
+            "Error: rounding to 0 decimal places leaves nothing",
+        ),
+    ],
+)
+def test_an_empty_answer_states_its_cause(
+    container: list[object], rounding: list[str], reason: str, tmp_path: Path
+) -> None:
+    files = {"container": container, "part": [[0, 0], [2, 0], [2, 2], [0, 2]]}
+    for name, vertices in files.items():
+        (tmp_path / name).write_text(json.dumps(vertices))
+    paths = [str(tmp_path / name) for name in files]
+    assert reason in run("ifp", *paths, "--to", "geojson", *rounding).stderr
