@@ -87,6 +87,7 @@ class Reading:
         passed: the number of hidden elements for each reason.
         notes: remarks.
         lines: the number of lines that replace curves.
+        dots: whether dots with round caps are discs, as in layouts.
         vertices: the number of drawn vertices.
         copies: the number of elements that blocks or uses draw.
         copied: their bytes, in addition to those of the file.
@@ -121,6 +122,7 @@ class Reading:
         self.passed: Counter[str] = Counter()
         self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copies = self.copied = 0
+        self.dots = False
 
     def without_nesting(self) -> Reading:
         """Return the same settings for another reading, without nesting."""

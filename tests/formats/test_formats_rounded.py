@@ -138,3 +138,22 @@ def test_discs_of_an_instance_are_found_again(tmp_path: Any) -> None:
     (found,) = read_layouts(str(place), instance=str(parts))
     judgement = judge_layout(Layout.from_json(found.data))
     assert [(fault.kind, fault.part) for fault in judgement.faults] == [("missing", "more")]
+
+
+@pytest.mark.parametrize(
+    "dot",
+    [
+        '<path d="M1 2h0" {}/>',
+        '<path d="M1 2L1 2" {}/>',
+        '<line x1="1" y1="2" x2="1" y2="2" {}/>',
+        '<polyline points="1,2 1,2" {}/>',
+        '<g {}><path d="M1 2z"/></g>',
+    ],
+)
+def test_dots_with_round_caps_are_discs(dot: str) -> None:
+    round_cap = dot.format('stroke="red" stroke-linecap="round" stroke-width="3px"')
+    assert pieces(round_cap) == ([["1", "2"]], "3/2")
+    scaled = f'<g transform="scale(2)">{round_cap}</g>'
+    assert pieces(scaled) == ([["2", "4"]], "3")
+    butt = dot.format('stroke="red" stroke-width="3"')
+    assert "pieces" not in read(f'{butt}<circle r="9"/>')[0]

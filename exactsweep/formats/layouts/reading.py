@@ -179,7 +179,9 @@ def _take_options(
     for name, value in (("instance", instance), ("container", container or None)):
         if not isinstance(value, str | None):
             raise FormatError(f"{name} is {quote(value)}, not a string")
-    return instance, container, Reading(tolerance, **options)
+    reading = Reading(tolerance, **options)
+    reading.dots = True
+    return instance, container, reading
 
 
 def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | None:
