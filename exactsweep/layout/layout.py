@@ -24,7 +24,7 @@ from exactsweep.layout.reading import (
     read_turn,
     read_vertex,
 )
-from exactsweep.layout.rounded import BodyShape, RoundedPiece, read_pieces
+from exactsweep.layout.rounded import BodyShape, RoundedPiece, read_pieces, to_region
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Loop, Point
@@ -284,15 +284,17 @@ class Layout:
     def __geo_interface__(self) -> GeoJson:
         """The placed parts as a GeoJSON GeometryCollection; irrational turns are approximated.
 
+        Rounded parts are polygons around them.
+
         Raises:
             LayoutError: a placed part is not simple.
         """
         placed = []
         for placement in self.placements:
             part = self.part_by_id[placement.part]
-            if part.region is None:
+            if part.shape is None:
                 raise LayoutError(f"part {quote(part.id)}: {part.refusal}")
-            at = part.region._image(AffineMap(*placement.rows(), *placement.move))
+            at = to_region(part.shape)._image(AffineMap(*placement.rows(), *placement.move))
             placed.append(make_polygon(at.rings))
         return {"type": "GeometryCollection", "geometries": tuple(placed)}
 

@@ -276,3 +276,11 @@ def test_outlines_are_fine_where_they_are_enlarged(near: Fraction) -> None:
     ring = list_vertices(slot, Point(Fraction(1), Fraction(1)), near)
     assert all(-1 <= y <= 1 for _, y in ring)
     assert (3, 1) in ring
+
+
+def test_rounded_parts_are_polygons_in_geojson() -> None:
+    layout = judge(discs(1), [(5, 0)]).layout
+    (polygon,) = layout.__geo_interface__["geometries"]
+    xs = [x for x, _ in polygon["coordinates"][0]]
+    assert min(xs) == 4
+    assert max(xs) == 6
