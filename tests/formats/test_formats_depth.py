@@ -95,7 +95,7 @@ def test_a_hole_of_two_parts_that_cross_is_named() -> None:
     (layout,) = parse_layouts(sheet.replace("</svg>", text.split("\n", 1)[1]))
     assert len(layout.data["parts"]) == 2
     (unchecked,) = layout.unchecked
-    assert "which cross (left out)" in unchecked
+    assert "which cross (skipped)" in unchecked
 
 
 def test_copies_of_a_part_have_the_copies_of_its_hole() -> None:
