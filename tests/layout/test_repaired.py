@@ -11,6 +11,7 @@ from command import run
 from layouts import box, lay, put
 
 from exactsweep.layout import Layout, judge_layout
+from exactsweep.layout import repaired as repaired_module
 from exactsweep.layout.repaired import repair_layout
 from exactsweep.numbers.number import Point
 
@@ -66,7 +67,8 @@ def test_missing_placements_are_not_repaired() -> None:
     assert repair_layout(judge_layout(missing)) is None
 
 
-def test_a_part_finds_the_nearest_free_place() -> None:
+def test_a_part_finds_the_nearest_free_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(repaired_module, "_ROUNDS", 2)
     # The small part lies on the edge between two large ones; next to them there is room.
     parts = {"t": TILE, "s": box(0, 0, 1, 1)}
     layout = lay(box(0, 0, 9, "3.5"), parts, put("t"), put("t", (5, 0)), put("s", ("4.3", 1)))
