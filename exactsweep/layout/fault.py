@@ -25,6 +25,8 @@ FaultKind = Literal[
 """The kinds of faults, the worst first."""
 
 
+# Depths that differ by less are equal but for rounding.
+_ALMOST = 1 - Fraction(1, 2**50)
 _REPAIRED = "overlap", "outside", "too close", "undecided"
 
 
@@ -136,6 +138,15 @@ class Fault:
         return find_clearance(*pair) if is_rounded(*pair) else None
 
     @property
+    def least_depth_squared(self) -> Fraction | None:
+        """A lower bound on `depth_squared`, less only for rounded parts that are not convex."""
+        if self.clearance is None or self.depth_squared is None:
+            return self.depth_squared
+        depth = self.clearance.bound(up=True)
+        is_exact = self.depth_squared * _ALMOST <= depth * depth
+        return self.depth_squared if depth >= 0 or is_exact else depth * depth
+
+    @property
     def required(self) -> Fraction | None:
         """The required distance, for "too close"."""
         if self._board is None or self.kind != "too close":
@@ -189,10 +200,13 @@ class Fault:
             "hull_distance_squared": self.clearance and self.clearance.square,
             "radii": self.clearance and self.clearance.radius,
             "depth_squared": self.depth_squared if measured else None,
+            "least_depth_squared": self.least_depth_squared if measured else None,
             "move": self.move if measured else None,
             "bound": self.bound or None,
             "error": self.error or None,
         }
+        if found["least_depth_squared"] == found["depth_squared"]:
+            found["least_depth_squared"] = None
         given = {name: value for name, value in found.items() if value is not None}
         return to_plain({"kind": self.kind, "placements": self.placements, **given})
 

@@ -29,6 +29,7 @@ from exactsweep.numbers.number import ORIGIN, Edge, Point
 from exactsweep.sweep import free_positions, inner_fit_polygon, no_fit_polygon
 
 _SIDES, _STEPS, _DIGITS, _BITS = 32, 30, (6, 9, 12), 64
+_MOST_STEPS = 8
 # For radii below this share of the part a square is precise enough.
 _TINY = Fraction(1, 10**6)
 
@@ -45,9 +46,8 @@ def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point
         return _find_move(board, placements, bits, Fraction(0))
     is_free = _make_overlap_judge(board, placements, bits)
     move = _find_rounded_move(board, placements, bits, Fraction(0))
-    if move is not None and is_free(move):
-        return move
-    move = _find_move(board, placements, bits, Fraction(0))
+    if move is None or not is_free(move):
+        move = _find_move(board, placements, bits, Fraction(0))
     return move and _shorten(move, is_free, digits=())
 
 
@@ -163,31 +163,34 @@ def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fractio
 def _find_rounded_move(
     board: Board, placements: Sequence[int], bits: int, room: Fraction
 ) -> Point | None:
-    """Find the shortest move of the two pieces of rounded solids that overlap most.
+    """Find a move of rounded solids, step by step: that of the two pieces that overlap most.
 
-    If it frees the solids it is their shortest one, longer by a share of at most 2^-60 if its
-    length is irrational. None for a container, unless it is a rounded one of a disc.
+    If the first step frees the solids, it is their shortest move, longer by a share of at most
+    2^-60 if its length is irrational. None if the steps do not end, and for a container, unless it
+    is a rounded one of discs.
     """
-    part = board.solid(placements[-1], bits)
+    k, move = placements[-1], ORIGIN
     if len(placements) > 1:
-        part, other = board.solid(placements[0], bits), part
-    elif len(board.around) == 1:
-        other = board.around[0]
+        fixed = board.solid(placements[0], bits)
+    elif len(board.around) == 1 and isinstance(board.around[0].form, OutsideForm):
+        fixed = board.around[0]
     else:
         return None
-    is_outside = isinstance(other.form, OutsideForm)
-    if len(placements) < 2 and not is_outside:
-        return None
-    found = find_clearance(*share_scale(part, other))
-    assert found is not None
-    missing, (x, y) = room - found.bound(up=False), found.hulls.normal
-    if missing <= 0:
-        return ORIGIN
-    if is_outside and found.radius + room > 0:
-        # The hull of the container does not hold a smaller container.
-        return None
-    share = missing / bound_root(Fraction(x * x + y * y), _BITS)[0]
-    return Point(share * x, share * y)
+    at, is_outside = board.layout.placements[k].move, len(placements) < 2
+    for _ in range(_MOST_STEPS):
+        part = board.solid_at(k, Point(at.x + move.x, at.y + move.y), bits)
+        pair = share_scale(part, fixed) if is_outside else share_scale(fixed, part)
+        found = find_clearance(*pair)
+        assert found is not None
+        missing, (x, y) = room - found.bound(up=False), found.hulls.normal
+        if missing <= 0:
+            return move
+        if is_outside and found.radius + room > 0:
+            # The hull of the container does not hold a smaller container.
+            return None
+        share = missing / bound_root(Fraction(x * x + y * y), _BITS)[0]
+        move = Point(move.x + share * x, move.y + share * y)
+    return None
 
 
 def _make_overlap_judge(

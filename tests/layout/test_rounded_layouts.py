@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from typing import Any
 
@@ -284,3 +285,14 @@ def test_rounded_parts_are_polygons_in_geojson() -> None:
     xs = [x for x, _ in polygon["coordinates"][0]]
     assert min(xs) == 4
     assert max(xs) == 6
+
+
+def test_a_depth_of_parts_that_are_not_convex_has_two_bounds() -> None:
+    corner = [piece([(0, 0), (9, 0)], 1), piece([(0, 0), (0, 9)], 1)]
+    judgement = judge([corner, *discs(1)], [(0, 0), ("1.5", "1.5")])
+    (fault,) = judgement.faults
+    assert fault.least_depth_squared == Fraction(1, 4)
+    assert fault.depth_squared is not None
+    assert Fraction(1, 2) <= fault.depth_squared < Fraction(52, 100)
+    assert re.search(r"0\.5 to 0\.7\d* deep", report_layout(judgement))
+    assert fault.to_json()["least_depth_squared"] == "1/4"
