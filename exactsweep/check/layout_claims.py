@@ -48,7 +48,8 @@ def claim_layout(c: Any) -> CoqClaim:
     if len(index) != len(parts):
         raise TheoremError("two parts have one id")
     drawn, cut = [*map(_figure, parts)], [_pieces(e) for e in proof["pieces"]]
-    sheet, obstacles = solids[0] and _figure(solids[0]), [*map(_figure, solids[1:])]
+    has_sheet = solids[0] is not None and solids[0].get("pieces") != []
+    sheet, obstacles = _figure(solids[0]) if has_sheet else None, [*map(_figure, solids[1:])]
     if sheet and sheet.rounded and len(sheet.points()) != 1:
         raise TheoremError("a rounded container other than a disc has no theorem")
     outside, *cut_obstacles = map(_pieces, proof["outside"])
