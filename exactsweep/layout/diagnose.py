@@ -45,13 +45,9 @@ Convention = Callable[[LayoutPart, Placement], tuple[LayoutPart, Placement]]
 def diagnose(judgement: Judgement) -> list[str]:
     """Find the conventions by which a layout would have nearly no overlap and nothing outside.
 
-    Args:
-        judgement: the judgement of the layout as written.
-
     Returns:
-        list of sentences, beginning with the convention that leaves the fewest faults. The list is
-        empty if few placements have faults, no convention explains them, or parts or the container
-        are rounded.
+        Sentences, that of the fewest remaining faults first; none if few placements have faults, no
+        convention explains them, or a shape is rounded.
 
     Cost: that of `judge_layout` for each of some thirty conventions, if many are at fault.
     """

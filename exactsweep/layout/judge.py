@@ -149,12 +149,6 @@ class Judgement:
 def judge_layout(layout: Layout) -> Judgement:
     """Judge a layout exactly.
 
-    Args:
-        layout: a Layout.
-
-    Returns:
-        A Judgement.
-
     Cost: O(n log n + k) for n placements and defects and k pairs whose boxes meet or are nearer
     than the spacing, plus that of `meet` for each of these pairs.
 

@@ -26,7 +26,7 @@ def find_misfit(part: LayoutPart) -> Point | None:
 
     None if rings only touch.
 
-    Cost: O(n) for each tried point, at most one for each edge and each two edges that meet.
+    Cost: O(n) for each edge, and for each two edges that meet.
 
     >>> bow = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (2, 2), (2, 0), (0, 1))]
     >>> find_misfit(LayoutPart("bow", tuple(bow))) is None

@@ -66,11 +66,7 @@ class RepairedLayout(NamedTuple):
 def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     """Repair a layout by small moves.
 
-    Args:
-        judgement: the judgement of the layout.
-
-    Returns:
-        A RepairedLayout; None if no such moves were found, or a fault is none of positions.
+    None if no such moves were found, or a fault has no position.
 
     Cost: up to some thirty judgements, and the repairs of all faults of each.
 

@@ -247,12 +247,7 @@ class HullDistance(NamedTuple):
 def measure_hulls(one: Sequence[Vertex], other: Sequence[Vertex]) -> HullDistance:
     """Measure the distance of two convex hulls.
 
-    Args:
-        one: the corners of a hull, counter-clockwise; one or two if it is degenerate.
-        other: likewise.
-
-    Returns:
-        A HullDistance.
+    Corners are counter-clockwise; a degenerate hull has one or two.
 
     Cost: O(m n).
 

@@ -46,11 +46,7 @@ class ProvedSlack(NamedTuple):
 def find_slack(judgement: Judgement) -> ProvedSlack | None:
     """Find how far the container of a valid layout can shrink, and its parts can grow.
 
-    Args:
-        judgement: the judgement of a layout.
-
-    Returns:
-        A ProvedSlack; None if the layout is not valid, or its container is not convex, or none.
+    None if the layout is not valid, or its container is not convex, has defects, or is missing.
 
     Cost: linear, and that of a judgement.
 

@@ -126,8 +126,7 @@ def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -
         A FoundLayout for each group, without container, in the order of the table.
 
     Raises:
-        FormatError: a column is missing, a cell is not a number, or no part has the name of a row.
-            The message has the line.
+        FormatError: a missing column, an unknown part or no number; the message has the line.
 
     Cost: linear.
 

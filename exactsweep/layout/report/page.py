@@ -29,16 +29,7 @@ def write_layout_page(
 ) -> str:
     """Write a judged layout as an HTML page, with pictures of the worst faults.
 
-    Args:
-        judgement: a Judgement.
-        ranked: its faults, as `rank_faults` sorts them.
-        title: the name of the layout.
-        notes: further remarks.
-        y_down: whether Y points down in the pictures.
-        context: facts of the file, and the accepted depth.
-
-    Returns:
-        The page. It escapes all names.
+    Names are escaped. Arguments are those of `report_layout` and `draw_layout`.
 
     Cost: that of `draw_layout`.
     """

@@ -74,15 +74,7 @@ def draw_layout(
 ) -> str:
     """Draw a layout as an SVG image with its faults enlarged below.
 
-    Args:
-        judgement: a Judgement.
-        ranked: its faults, as `rank_faults` sorts them.
-        title: the title of the picture.
-        y_down: whether Y points down, as in viewers of SVG.
-        context: facts of the file, and the accepted depth.
-
-    Returns:
-        An SVG document, for light and dark backgrounds.
+    Arguments are those of `report_layout`; with `y_down`, Y points down.
 
     Raises:
         DrawError: a point is too far outside the picture.

@@ -41,14 +41,11 @@ def report_layout(
 
     Args:
         judgement: a Judgement.
-        ranked: its faults as `rank_faults` sorts them, if the caller has them.
+        ranked: its faults as `rank_faults` sorts them, if known.
         terminal_width: the width of the terminal in columns; None for plain text.
         notes: further remarks.
         everything: whether to list all faults.
         context: facts of the file, and the accepted depth.
-
-    Returns:
-        Lines of text.
 
     Cost: that of `rank_faults` and of `Judgement.distance`.
 
@@ -247,15 +244,8 @@ def write_layout_json(
 ) -> str:
     """Write a judgement as JSON: the verdict, faults, contacts, density and the nearest pair.
 
-    Args:
-        judgement: a Judgement.
-        notes: further remarks.
-        ranked: its faults as `rank_faults` sorts them, if the caller has them.
-        context: facts of the file, and the accepted depth.
-
-    Returns:
-        One object. Placements have ints as numbers; all other numbers are strings that
-        `to_fraction` reads.
+    Placements are ints, other numbers strings that `to_fraction` reads. Arguments are those of
+    `report_layout`.
 
     Cost: that of `rank_faults` and of `Judgement.distance`.
     """

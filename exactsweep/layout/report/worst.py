@@ -75,13 +75,10 @@ def rank_faults(
 
     Args:
         judgement: a Judgement.
-        tell: a function that is called with the number of measured faults and their final number.
+        tell: called with the number of measured faults and their final number.
         accepted: the depth up to which faults are accepted.
 
-    Returns:
-        list of WorstFirst. The depth measures an overlap or a part outside, the distance measures
-        parts too close. Only the first MOST_MEASURED faults are measured, or all if some depth is
-        accepted.
+    Only the first MOST_MEASURED faults are measured, or all if some depth is accepted.
 
     Cost: that of `Fault.depth_squared` for each measured fault.
     """
