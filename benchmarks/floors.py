@@ -94,7 +94,7 @@ def tabulate(*, quick: bool) -> Iterator[Table]:
 
 
 def tabulate_page() -> Table:
-    """The data of the page of a zigzag of 1,000 vertices around a comb of 1,002."""
+    """Time the page data of a zigzag of 1,000 vertices around a comb of 1,002."""
     # The page is not needed for anything else here.
     from exactsweep.view.data import gather_page_data
 

@@ -46,7 +46,7 @@ class Judged(NamedTuple):
     found: Comparison
 
     def list_sayings(self) -> list[str]:
-        """List reasons, mistakes, and what witnesses show."""
+        """List the reasons, kinds and diagnoses in the comparison."""
         parts = self.found.parts
         return [self.found.reason, *(w for p in parts for w in (p.reason, p.kind, *p.diagnosis))]
 

@@ -292,7 +292,7 @@ def list_corpus() -> Iterator[Certificate]:
 @click.option("--prove", "proved", is_flag=True, help="Prove certificates, unchanged, instead.")
 @click.option("--corpus", is_flag=True, help="Those of the corpus, with --prove.")
 @click.option("--weaken", "weakened", is_flag=True, help="Weaken lines of the checker instead.")
-@click.option("--every", default=1, show_default=True, help="With --weaken: each one of so many.")
+@click.option("--every", default=1, show_default=True, help="With --weaken: try every Nth change.")
 def main(
     pairs: int,
     changes: int,

@@ -175,7 +175,7 @@ def layout_command(
     JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; any drawing, such as SVG or DXF, with the
     outlines in place; a table of placements, as CSV or JSON with columns part, x, y and angle, with
     --part OUTLINE; or a table of discs with columns x, y and radius. --instance adds rules that a
-    file lacks. In a file with several sheets each sheet is a layout; FILE#0 is the first.
+    file lacks. Each sheet of a file is a layout of its own; FILE#0 is the first.
 
     A layout is valid if all parts are inside the container and clear of its defects, no two
     overlap, all distances are kept, and the number, the turns and the mirroring of parts obey the

@@ -17,7 +17,7 @@ from exactsweep.sweep import Sweep, sweep
 
 Shapes = Literal["convex", "monotone", "simple", "any"]
 SHAPES: tuple[Shapes, ...] = get_args(Shapes)
-"""The kinds of pairs; each includes those before it. A pair without holes is simple."""
+"""The kinds of pairs; each includes those before it. "simple": without holes."""
 _SHAPES_OF: dict[Kind, Shapes] = {
     "CC": "convex",
     "CM": "monotone",

@@ -15,9 +15,9 @@ from exactsweep.numbers.number import Point, Vertex
 # Ratios of sizes at which a polygon is enlarged, up to the resolution of floats.
 _SMALL = range(25, 10**9)
 _MOST = 3
-# In widths of the picture: the width of a detail, the gap between details, the gap above them.
+# Relative to the picture's width: the width of a detail, the gaps between and above details.
 _WIDTH, _APART, _BELOW = 0.3, 0.35, 0.18
-# The size of a detail in sizes of the small polygon.
+# The size of a detail relative to that of the small polygon.
 _ROUND = Fraction(5, 2)
 
 

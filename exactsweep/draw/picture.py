@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
 
-# In inches: the height of an entry of the legend, its width, and the margins of the Axes.
+# Inches: the height and the width of a legend entry, and the margins of the Axes.
 _LEGEND_LINE, _LEGEND_WIDTH = 0.18, 2.0
 _LEFT, _RIGHT, _ABOVE, _BELOW = 0.75, 0.1, 0.35, 0.55
 _LEAST_WIDTH = 0.5

@@ -37,7 +37,7 @@ _VERDICTS: dict[Relation, _RelationName] = {
 class Overlap:
     """The relation of two shapes where they are; made by `overlap`.
 
-    Each property is computed on first access, exactly. Overlaps of equal shapes are equal.
+    Each property is computed on first access, exactly. Two overlaps are equal if their shapes are.
 
     Attributes:
         a: a Region.

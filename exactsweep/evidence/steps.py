@@ -207,7 +207,7 @@ class _Guide:
     def _place(self, position: Point) -> tuple[int, Rational]:
         """Find the place of a position on the trajectory, from its first vertex in the frame.
 
-        From there on, no undercut of the lower or the upper sweep contains the start.
+        The walk starts at that vertex because no undercut of either sweep extends across it.
         """
         point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
         vertex = self.path.numbers.get(point)

@@ -58,8 +58,8 @@ def parse_csv(text: str) -> list[Candidate]:
             "name", "id" or "part" names the polygon, "polygon" distinguishes polygons of one name,
             "ring" has one value for the exterior, which comes first, and one for each hole. Or one
             polygon per row in a column "wkt" or "geometry", or one rectangle with columns "width"
-            and "height", "w" and "h", or "lx" and "ly". Columns end at commas, semicolons or tabs;
-            between the latter two, decimals may have a comma.
+            and "height", "w" and "h", or "lx" and "ly". Commas, semicolons or tabs separate
+            columns; with the latter two, a comma may be the decimal point.
 
     Returns:
         list of Candidate, in order; a ring may be closed or not.

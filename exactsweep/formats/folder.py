@@ -103,9 +103,10 @@ def list_parts(
         options: likewise.
 
     Returns:
-        A Listing. The name of a polygon is its id, its layer, the name of the file if it is the
-        only one, or its index; with several files after that of the file, as in "left.dxf#cut". If
-        Y points down in some files and up in others, it is flipped in the former, with a note.
+        A Listing. A polygon's name is the first of: its id, its layer, the file's name if it is the
+        only one in the file, its index. With several files, the file's name comes first, as in
+        "left.dxf#cut". If Y points down in some files and up in others, it is flipped in the
+        former, with a note.
 
     Raises:
         FormatError: no file can be read.

@@ -27,7 +27,7 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
         path: where the document is, for messages.
 
     Returns:
-        list of Candidate, which read the vertices.
+        list of Candidate, which read their vertices on demand.
 
     Raises:
         FormatError: anything else; the message starts with the JSON path.

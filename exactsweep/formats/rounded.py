@@ -25,8 +25,8 @@ class RoundedOutline(NamedTuple):
     """The points at distance at most `radius` from the convex hull of some points.
 
     Attributes:
-        points: the corners of the hull, counter-clockwise; one or two of a disc or a slot.
-        radius: more than 0.
+        points: the corners of the hull, counter-clockwise; one for a disc, two for a slot.
+        radius: a positive number.
     """
 
     points: tuple[Point, ...]

@@ -39,7 +39,7 @@ from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex, divide_exactly
 
 Side = Literal["closest", "outward", "inward"]
-# The greatest distance, in cells, of the search for a point of a right turn.
+# How far, in cells, to search for a grid point to replace the vertex of a right turn.
 _REACH = 3
 
 MAX_PLACES = 4000
@@ -147,7 +147,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
         region: a Region.
         places: the number of decimal places.
         side: "closest" moves each vertex to the closest point of the grid; "outward" gives a region
-            that contains the old one, "inward" regions inside the old one.
+            that contains the input, "inward" regions inside the input.
 
     Raises:
         PolygonError: the closest points do not form a region.

@@ -96,7 +96,7 @@ def _reference(generatrix: tuple[Vertex, ...], directrix: tuple[Vertex, ...]) ->
 
 
 def tell_loops(s: Sweep, *names: str) -> Iterator[str]:
-    """Say which loops of a sweep are not those of the definition, of some or of all."""
+    """Name the loops of a sweep, some or all, that differ from the definition."""
     expected, (x, y) = _reference(s.generatrix.vertices, s.directrix.vertices), s.reference
     for name in names or expected._fields:
         found = getattr(s, name).translated((-x, -y) if name == "trajectory" else (0, 0))
@@ -116,7 +116,7 @@ def tell_difference(
 
 
 def tell_boundaries(pair: SweepPair, **loops: Iterable[Vertex]) -> Iterator[str]:
-    """Say which boundaries of a lower sweep are not those of the definition."""
+    """Name the boundaries of a lower sweep that differ from the definition."""
     for name, found in loops.items():
         yield tell_difference(f"the {name} boundary", found, look_up_bottom(pair, name))
 
@@ -140,7 +140,7 @@ def no_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
 
 
 def tell_unproved(answer: Sweep | NoFitPolygon | InnerFit) -> str:
-    """Report an answer whose certificate is not proved by the checker; empty if it is."""
+    """Describe why the checker does not prove an answer's certificate; empty if it does."""
     verdict = verify(answer.certificate())
     return "" if verdict.proved else f"not the definition: {verdict.reason}"
 

@@ -245,9 +245,9 @@ def find_convex_parts(
     """Cut a chain at its reflex vertices and vertical edges into convex parts. Cost: O(n).
 
     Args:
-        chain: the chain, which caches its parts: nesting sweeps each polygon around many others.
-        whose: the second item of each `SlopedEdge`.
-        unit: that of the slopes; by default that of the chain alone.
+        chain: the chain, which caches its parts, because nesting programs sweep each polygon often.
+        whose: the second item of each `SlopedEdge`: 0 for D_b, 1 for reversed G_t.
+        unit: as from `measure_unit`; by default that of this chain alone.
     """
     unit = measure_unit(chain) if unit is None else unit
     if known := chain._parts.get((whose, unit)):

@@ -82,9 +82,9 @@ CONDITIONS = {
         "not an integer from 0 to",
     ),
     "an entry without a number": ("cave", change("proof", "sums", 0, to=[]), "not an integer"),
-    "a chain that is none": ("cave", change("proof", "sums", 0, 1, to="0"), "sums[0]: not a list"),
+    "not a chain": ("cave", change("proof", "sums", 0, 1, to="0"), "sums[0]: not a list"),
     "too few chains": ("cave", drop(("proof", "sums", 0, 1)), "sums[0]: not a list of"),
-    "a number that is none": ("cave", change("exterior", 0, 0, to=-1), "not a number in a string"),
+    "not a number": ("cave", change("exterior", 0, 0, to=-1), "not a number in a string"),
     "not in lowest terms": ("cave", change("exterior", 0, 0, to="-2/2"), "not in lowest terms"),
     "a ring of two points": (
         "cave",
@@ -263,7 +263,7 @@ def test_a_shape_with_winding_number_2_is_refused() -> None:
 
 
 def test_groups_of_pieces_are_asked_about_one_by_one() -> None:
-    """Two squares that are far apart: the loop around one sum is not all."""
+    """With two separate squares, the loop around one of the two sums proves nothing."""
     square, other = (
         [[f"{x}", f"{y}"] for x, y in ((a, 0), (a + 1, 0), (a + 1, 1), (a, 1))] for a in (0, 9)
     )

@@ -73,7 +73,7 @@ def test_a_large_noisy_answer_is_judged(
 
 @pytest.mark.parametrize("k", [-1, 1])
 def test_loops_too_large_to_compare_are_wrong(k: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """One that lies inside, or outside, is no worse than wrong; and it is never called sound."""
+    """Neither a larger nor a smaller loop gets a verdict better than wrong."""
     low, high = CASE.trajectory.bounding_box
     ring = [(low.x - k, low.y - k), (high.x + k, low.y - k), (high.x + k, high.y + k)]
     ring += [(low.x - k, high.y + k)]

@@ -17,7 +17,7 @@ from exactsweep.layout import Fault, Layout, judge_layout
 from exactsweep.layout.reading import LayoutError
 
 CASES = {case.id: case for case in layout_cases()}
-# A ring that only touches itself, and what is undecided.
+# No certificate proves these: a self-touching ring, and an undecided fault.
 UNPROVED = ["layouts-pinched", "layouts-angle-45-undecided"]
 SCHEMA = Draft202012Validator(
     json.loads(files("exactsweep.layout").joinpath("layout.schema.json").read_text("utf-8"))

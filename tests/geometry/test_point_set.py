@@ -1,4 +1,4 @@
-"""Polygons and Regions as values: as sequences, as sets, under maps, between libraries."""
+"""Polygons and Regions as sequences and as sets; affine maps; conversion to other libraries."""
 
 import copy
 import json

@@ -169,7 +169,7 @@ def list_looks() -> Iterator[str]:
 
 
 def list_pictures() -> Iterator[str]:
-    """Pictures of sweeps and of positions."""
+    """List the contents of pictures of sweeps and of no-fit polygons."""
     for name, s in SWEEPS.items():
         yield f"== {name}"
         yield from list_artists(plot_sweep(s, make_figure().axes[0]))

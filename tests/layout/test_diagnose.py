@@ -16,8 +16,8 @@ from exactsweep.layout.diagnose import diagnose, find_radians
 from exactsweep.numbers.number import Rational
 
 L = [("0", "0"), ("3", "0"), ("3", "1"), ("1", "1"), ("1", "2"), ("0", "2")]
-# Four L of 3 by 2 in a box of 8 by 4 with room between them: turn and lower left corner of each,
-# then where the origin of the part is put.
+# Four L-shapes of 3 by 2 in a box of 8 by 4, with gaps: the rotation and the lower left corner of
+# each, which give the position of the part's origin.
 PLACED = [
     ("0", (0, 0)),
     ("90", (6, 0)),

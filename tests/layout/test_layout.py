@@ -91,7 +91,7 @@ GONE = object()
 
 
 def changed(*path: Any, to: Any = GONE) -> Any:
-    """Change one place of the example, or leave it out."""
+    """Change or remove one value of the example."""
     if not path:
         return to
     data: Any = example()

@@ -17,7 +17,7 @@ from exactsweep.layout import Judgement, Layout, LayoutError, Placement, judge_l
 
 MOVES = 2
 BITS = 320
-"""Angles are this near to those that have no rational turn."""
+"""The precision of rational rotations near an irrational one."""
 
 Pairs = set[tuple[int, ...]]
 IntEdge = tuple[int, int, int, int]

@@ -1,8 +1,8 @@
 """Polygons by construction: every class, and degenerate on purpose.
 
 Everything here yields a `Polygon`, or a pair of them; nothing is filtered. The seeded families
-build shapes on a small integer grid, where features meet often. They are then placed: scaled, from
-10**-30 to 10**30, and moved.
+build shapes on a small integer grid, where features meet often. The shapes are then scaled
+by 10**-30 to 10**30 and translated.
 """
 
 from collections.abc import Callable, Sequence

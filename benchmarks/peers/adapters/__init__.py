@@ -1,10 +1,9 @@
 """Adapters of other programs, to be judged if they are installed.
 
-Programs that compute Minkowski sums are asked for the sum of D and -G, orbiting programs for the
-path of G. D and G go in as the case has them, collinear
-vertices included, but counter-clockwise, holes clockwise, and without repeated vertices, which
-several of the programs require. The adapters return every ring of an answer, with nothing removed,
-joined or rounded, unless the module of the adapter says so.
+Programs that compute Minkowski sums get D and -G; orbiting programs get D and G. Both polygons keep
+their collinear vertices, but are oriented counter-clockwise, holes clockwise, and lose repeated
+vertices, as several programs require. The adapters return every ring of an answer, with nothing
+removed, joined or rounded, unless the adapter's docstring says so.
 
 As a function: `load`. As a process that speaks the protocol of `exactsweep conform`:
 

@@ -1,8 +1,8 @@
 """Named families of pairs on which the counts of the ledger are made.
 
-Each of those with a seed takes (m, n, seed), m and n even, and returns (generatrix with n vertices,
-directrix with m vertices), as lists of pairs of ints, counter-clockwise. Only `random.Random` is
-used, whose integers are the same everywhere.
+A seeded family takes (m, n, seed), m and n even, and returns a generatrix of n and a directrix of m
+vertices, as counter-clockwise lists of pairs of ints. The only source of randomness is
+`random.Random`, whose integers are the same on all platforms.
 """
 
 from __future__ import annotations

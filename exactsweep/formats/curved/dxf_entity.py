@@ -100,7 +100,7 @@ class Entity:
         return _read_group(code, [*compress(self.texts, map(code.__eq__, self.codes))])
 
     def points(self, code: int) -> list[Point]:
-        """Return all points of a group code for x."""
+        """Return all points whose x has a group code, and whose y has that code plus 10."""
         xs, ys = self.numbers(code), self.numbers(code + 10)
         if len(xs) != len(ys):
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")

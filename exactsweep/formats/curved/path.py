@@ -165,7 +165,7 @@ class Path:
         return tolerance + (self.gap if 4 * self.gap > tolerance else 0)
 
     def flatten(self, reading: Reading, finer: int = 0) -> list[Point]:
-        """Replace curves by lines; those of a closed path are simple if a finer tolerance helps.
+        """Replace curves by lines, finer ones if a closed path would otherwise cross itself.
 
         Args:
             reading: has the tolerance, and counts lines.

@@ -42,7 +42,7 @@ def segments(pair: SweepPair) -> int:
 
 
 def count_contact_segments(effort: Effort) -> Iterator[Observation]:
-    """Count contact segments and their greatest possible number."""
+    """Count contact segments, and compare with the greatest possible number."""
     yield Evidence("Counts.")
     for series in count_all("Contact segments", effort):
         yield series
@@ -75,7 +75,7 @@ def sweep_by_parts(pair: SweepPair) -> int:
 
 
 def count_convolution(effort: Effort) -> Iterator[Observation]:
-    """Run a Minkowski sum algorithm for G and the trajectory, and count what another one cuts."""
+    """Count the operations of two Minkowski sum algorithms for G and the trajectory."""
     yield Evidence("Counts.")
     summed, swept, *_ = growth = list(count_all("Minkowski sum algorithms", effort))
     yield from growth

@@ -43,7 +43,7 @@ def outgrows_its_parts(pair: SweepPair) -> Iterator[str]:
 
 
 def pieces_at_the_sides(segments: Sequence[Stroke]) -> int:
-    """Count pieces of the envelopes of the first and of the last 1, ..., s - 1 of s segments."""
+    """Count the pieces of the envelopes of the first k and the last k of s segments, k < s."""
     return sum(
         count_pieces(segments[:k]) + count_pieces(segments[k:]) for k in range(1, len(segments))
     )

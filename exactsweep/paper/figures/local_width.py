@@ -29,7 +29,7 @@ class Widths(NamedTuple):
         at: the place where I(G) touches e from both sides.
         inside: I(g) when I(G) is on the inner side of e; `outside` on the outer side.
         inner, outer: their distances from e, d' and d''.
-        width: of G, orthogonally to e.
+        width: the width of G perpendicular to e.
     """
 
     sweep: Sweep
