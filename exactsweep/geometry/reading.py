@@ -161,8 +161,8 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
     """Put points on the coarsest integer lattice that holds them.
 
     Returns the scale, the least common denominator, and the points times the scale, as pairs of
-    ints. If the scale had more than 8192 bits, it is 1 and the points are unchanged, because with
-    unrelated denominators each number would be longer than all coordinates together.
+    ints. If the scale would exceed 8192 bits, it is 1 and the points are unchanged: with unrelated
+    denominators, each int would be longer than all coordinates together.
     """
     xs, ys = tuple(xs), tuple(ys)
     (px, qx), (py, qy) = split_ratios(xs), split_ratios(ys)

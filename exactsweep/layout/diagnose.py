@@ -133,7 +133,7 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
         "moves with Y down and clockwise turns",
         lambda part, p: move(mirror)(part, _turn(p, lambda angle: -angle)),
     )
-    yield "the turn before the mirror", turn(lambda angle: -angle, all_of_them=False)
+    yield "rotation before mirroring", turn(lambda angle: -angle, all_of_them=False)
     yield "mirroring in the X axis", turn(lambda a: a + 180, all_of_them=False)
     for scale in _SCALES:
         for factor, times in ((scale, "multiplied by"), (1 / scale, "divided by")):

@@ -32,12 +32,12 @@ class ClaimVerdict(Enum):
 
     @property
     def objects(self) -> bool:
-        """Decide whether it says that the statement does not hold as printed."""
+        """Decide whether the statement does not hold as printed."""
         return self not in (ClaimVerdict.REPRODUCED, ClaimVerdict.SHARPENED, ClaimVerdict.ADDED)
 
 
 class Counterexample(NamedTuple):
-    """A case in which a statement fails: the fault, and how it was found and is the smallest.
+    """A case in which a statement fails: the fault, and how it was found and reduced.
 
     G and D are empty if the case is not a pair.
     """
@@ -79,26 +79,26 @@ class Evidence:
 
 
 Observation = str | Counterexample | Table | Growth | Evidence
-"""A part of what a check finds; a text says what fails, and the empty one that nothing does."""
+"""An observation of a check. A text describes a failure; an empty one means none."""
 
 
 @dataclass(frozen=True)
 class Effort:
-    """The seed of a run, and how much is tried in it."""
+    """The seed and the effort of a run."""
 
     seed: int = 1
     quick: bool = False
 
     def random(self, label: str) -> Prng:
-        """Return a source of numbers that depends on the seed and a label alone."""
+        """Return random numbers that depend only on the seed and a label."""
         return Prng(f"{self.seed} {label}")
 
     def cases(self, count: int) -> int:
-        """Return how many cases to try: three times `count`, or a thirtieth of that if quick."""
+        """Return the number of cases to try: 3 `count`, or a thirtieth of that if quick."""
         return max(1, count // 10) if self.quick else 3 * count
 
     def sizes(self, first: int = 16, quick: int = 2, full: int = 4) -> list[tuple[int, int]]:
-        """Return the sizes (m, n) at which to count: the first one and its doubles."""
+        """Return the sizes (m, n) at which to count: the first and its doublings."""
         return double(first, quick if self.quick else full)
 
 
@@ -123,7 +123,7 @@ class Claim:
 
 
 class Finding(NamedTuple):
-    """A claim, what its check found, and how long that took."""
+    """A claim, the result of its check, and the time of the check."""
 
     claim: Claim
     evidence: Evidence
@@ -131,7 +131,7 @@ class Finding(NamedTuple):
 
     @property
     def disagreement(self) -> str:
-        """The reason why the evidence does not bear out the verdict; empty if it does."""
+        """Why the evidence does not support the verdict; empty if it does."""
         evidence, objected = self.evidence, self.claim.verdict.objects
         if evidence.failure:
             return evidence.failure
@@ -141,7 +141,7 @@ class Finding(NamedTuple):
             return f"the statement as printed fails: {evidence.cases[0].text}"
         named = {kind for kind in self.claim.evidence if kind not in ("case", "cited")}
         if amiss := sorted(named ^ self._kinds):
-            return f"evidence that is named and not given, or given and not named: {amiss}"
+            return f"evidence announced but missing, or present but not announced: {amiss}"
         return ""
 
     @property
@@ -159,12 +159,12 @@ class Finding(NamedTuple):
 
 
 def find_first_failure(failures: Iterable[str]) -> str:
-    """Return the first text that is not empty, or the empty one."""
+    """Return the first text that is not empty, or an empty one."""
     return next(filter(None, failures), "")
 
 
 def gather(parts: Iterable[Observation]) -> Evidence:
-    """Make one Evidence of all parts of what a check finds; a growth fails beyond its bound."""
+    """Combine the observations of a check; a growth beyond its bound is a failure."""
     found = [part if isinstance(part, Evidence) else _READ[type(part)](part) for part in parts]
     cases, tables, growth = (
         tuple(one for part in found for one in getattr(part, name))
@@ -188,7 +188,7 @@ _READ: dict[type, Callable[[Any], Evidence]] = {
 
 
 def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
-    """Check claims one by one; a check that raises counts as one that fails.
+    """Check claims one by one; an exception counts as a failure.
 
     >>> from exactsweep.paper.ledger import find
     >>> row, = reproduce([find("Slope")], Effort(quick=True))

@@ -39,7 +39,7 @@ class Cost:
     """A procedure of the paper on a family, with one size or both doubled.
 
     Attributes:
-        letter: the same procedure to the letter.
+        letter: the same procedure as printed.
         row: the row of the ledger with the bound.
         varied: "m", "n" or "mn".
         first: the first size that is doubled, for operations and bytes; `timed` for seconds.
@@ -69,7 +69,7 @@ class Cost:
         ]
 
     def _doublings(self, effort: Effort, quick: int) -> int:
-        """Count the doublings; a linear procedure is never too slow for all sizes."""
+        """Return the number of doublings; linear procedures get all sizes."""
         return quick if effort.quick and self.bound is not M_PLUS_N else DOUBLINGS
 
     def grow(self, unit: str, sizes: Iterable[tuple[int, int]], limit: float = 1.08) -> Growth:
@@ -89,7 +89,7 @@ class Cost:
                 yield f"{self.procedure} is wrong on {self.family.__name__}, ({m}, {n})"
 
     def time(self) -> Growth:
-        """Measure seconds; again, if they are beyond the bound, since a processor may be busy."""
+        """Measure seconds, again if beyond the bound, since the processor may be busy."""
         sizes = self.sizes(self.timed, DOUBLINGS)
         series = self.grow("seconds", sizes)
         for _ in range(AGAIN):
@@ -118,7 +118,7 @@ _BOTH: dict[str, tuple[Procedure, Procedure]] = {
     "Sweep_MM, outer loop": (lambda c: kernel.sweep_mm(*c)[1], kernel.find_outer),
     "Sweep_MM, inner loop": (lambda c: kernel.sweep_mm(*c)[0], kernel.find_inner),
 }
-"""Each procedure, and the same to the letter."""
+"""Each procedure, and the same as printed."""
 RUNS = {name: run for name, (run, _) in _BOTH.items()}
 
 
@@ -134,7 +134,7 @@ COSTS = tuple(_list_costs())
 
 
 def tabulate(growth: Iterable[Growth]) -> Table:
-    """Tabulate claimed and found exponents, a line for each procedure, family and doubled size.
+    """Tabulate claimed and measured exponents, a row for each procedure, family and doubled size.
 
     The last column is "within", or "beyond" if any of the series of operations, bytes and seconds
     is beyond its bound.
@@ -152,21 +152,22 @@ def tabulate(growth: Iterable[Growth]) -> Table:
         powers = write_power(one.claimed()), *(exponents.get(unit, "-") for unit in UNITS)
         rows.append([procedure, family, varied, one.bound, *powers, verdict])
     header = ("procedure", "family", "doubled", "bound", "its exponent", *UNITS, "verdict")
-    return Table("Exponents of the claimed bound, and of what was found", header, rows)
+    return Table("Exponents of the claimed bounds and of the measurements", header, rows)
 
 
 def compare_outputs(procedure: str, effort: Effort) -> Iterator[Observation]:
-    """Compare what a procedure returns, on each family, with what it returns to the letter."""
+    """Compare the output of a procedure, on each family, with that of the printed procedure."""
     costs = [c for c in COSTS if c.procedure.partition(",")[0] == procedure]
     m, n = map(max, zip(*(size for c in costs for size in c.sizes(c.first, 2)), strict=True))
-    yield Evidence(f"Outputs with up to m = {m} and n = {n}, on families, as to the letter.")
+    what = "on families, equal those of the printed procedure"
+    yield Evidence(f"Outputs up to m = {m} and n = {n}, {what}.")
     for cost in costs:
         yield from cost.compare()
 
 
 def measure_costs(row: str, effort: Effort) -> Iterator[Observation]:
-    """Count and measure all that bears on the bounds of a row of the ledger."""
-    without = " A quick run leaves out seconds and large sizes." if effort.quick else ""
+    """Count and measure everything that concerns the bounds of a row of the ledger."""
+    without = " A quick run skips seconds and large sizes." if effort.quick else ""
     yield Evidence(f"Operations, bytes and seconds over doubling sizes, outputs compared.{without}")
     for cost in COSTS:
         if cost.row == row:

@@ -1,7 +1,7 @@
-"""Integers that count the operations on them, so that the kernel need not count.
+"""Integers that count the operations on them, so that the kernel needs no counters.
 
-The kernel accepts any exact rationals. With these, it multiplies, divides and compares coordinates
-as always, and the counts are the same on every run and every machine.
+The kernel accepts any exact rationals, so it runs unchanged on these. The counts are the same on
+every run and every machine.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Counted(int):
     __slots__ = ()
     __hash__ = int.__hash__
 
-    # Fraction takes these, and so goes on in counted ints.
+    # Fraction uses these, so its results are counted ints, too.
     @property
     def numerator(self) -> Counted:
         """The int itself."""
@@ -85,7 +85,7 @@ for _kind, _make, _names in (
 
 
 def make_counted(chain: Iterable[Vertex]) -> list[tuple[Any, Any]]:
-    """The same points in counted ints."""
+    """Convert points to counted ints."""
     return [(Counted(x), Counted(y)) for x, y in chain]
 
 
@@ -133,7 +133,7 @@ def count_chains(pair: SweepPair) -> Chains:
 
 
 def count_operations(run: Callable[..., Iterable[Any]], *arguments: Any) -> int:
-    """Count multiplications, comparisons and additions of counted ints; return the output, too."""
+    """Count multiplications, comparisons and additions of counted ints, and output vertices."""
     with watch_operations() as tally:
         out = sum(1 for _ in run(*arguments))
     return tally.total + out
@@ -145,12 +145,12 @@ def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
 
 
 def vertices(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
-    """Count the vertices that come out."""
+    """Count the vertices of the output."""
     return sum(1 for _ in run(chains))
 
 
 def seconds(run: Callable[[Chains], Any], chains: Chains) -> float:
-    """Measure the processor's time, the least of three runs or of as many as take 0.2 seconds."""
+    """Measure CPU seconds, the least of three runs or of as many as take 0.2 seconds."""
     times: list[float] = []
     while len(times) < 3 or (sum(times) < 0.2 and len(times) < 50):
         start = process_time()
@@ -178,7 +178,7 @@ def peak(run: Callable[[Chains], Any], chains: Chains) -> float:
 COUNTERS: dict[str, Callable[[Callable[[Chains], Any], Chains], float]] = {
     function.__name__: function for function in (operations, vertices, seconds)
 } | {"bytes": peak}
-"""Each quantity that grows, with the function that counts or measures it."""
+"""The function that counts or measures each quantity."""
 
 
 def count_by(unit: str, run: Callable[[Chains], Iterable[Any]]) -> Callable[[SweepPair], float]:
@@ -197,8 +197,8 @@ def grow(
 ) -> Growth:
     """Count or measure a quantity of the pairs of a family, for comparison with a bound.
 
-    The bound is a name alone if it depends on more than m and n; then `count` returns it with the
-    count of a pair. Sizes (m, n) are each about twice the one before. For limit and side see
+    A bound that depends on more than m and n is only a name; then `count` returns its value with
+    the count of a pair. Sizes (m, n) are each about twice the one before. For limit and side see
     `Growth`.
 
     >>> from exactsweep.paper.growth import MN

@@ -27,7 +27,7 @@ P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
-    """Drop all vertices but corners, so that equal chains are equal lists."""
+    """Keep only the corners, so that equal chains are equal lists."""
     return [(x, y) for x, y, _ in take_corners((Fraction(x), Fraction(y), 1) for x, y in chain)]
 
 
@@ -53,14 +53,14 @@ def reaches(chain: Sequence[Vertex], x: Fraction) -> bool:
 
 
 def list_gaps(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[tuple[Fraction, Fraction]]:
-    """List where both chains reach, of all x of vertices, and how far the first one is above."""
+    """List each vertex's x in both ranges, and the height of the first chain above the second."""
     left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
     xs = sorted({Fraction(x) for x, _ in (*first, *second) if left <= x <= right})
     return [(x, evaluate(first, x) - evaluate(second, x)) for x in xs]
 
 
 def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Fraction]:
-    """Find where two chains are equally high, among the x of vertices and ends."""
+    """Find where two chains are equally high, among the vertices' x and the ends."""
     return [x for x, gap in list_gaps(first, second) if gap == 0]
 
 
@@ -86,7 +86,7 @@ def look_up(pair: SweepPair) -> ReferenceLoops:
 
 
 def look_up_bottom(pair: SweepPair, loop: str) -> list[Vertex]:
-    """Return the bottom chain of the trajectory, the inner or the outer loop of the definition."""
+    """Return the bottom chain of a loop by the definition."""
     return take_bottom(getattr(look_up(pair), loop))
 
 

@@ -1,8 +1,8 @@
 """Counts or measurements over doubling sizes, compared with a claimed bound.
 
 A bound on a count is confirmed if the count divided by it stays flat or falls, and refuted if it
-keeps rising. Times and bytes are not the same on every run: theirs is confirmed if their exponent
-over the last sizes is not above that of the bound.
+keeps rising. Times and bytes vary between runs: a bound on them is confirmed if their exponent over
+the last sizes is not above that of the bound.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ class Growth:
 
     @property
     def last_rise(self) -> float:
-        """By what factor the ratio rose over the last doubling."""
+        """The factor by which the ratio rose over the last doubling."""
         return self._ratios[-1] / self._ratios[-2]
 
     def exponent(self, last: int = 0) -> float:
@@ -125,7 +125,7 @@ class Growth:
         return fit_exponent(self.sizes[-last:], values[-last:])
 
     def least(self, other: Growth) -> Growth:
-        """Return the lesser count at each size, of two series over the same sizes."""
+        """Return the lesser count of two series at each size."""
         points = (
             min(p, q, key=attrgetter("count"))
             for p, q in zip(self.points, other.points, strict=True)
@@ -134,7 +134,7 @@ class Growth:
 
     @property
     def is_flat(self) -> bool:
-        """Decide whether the count is in proportion to the bound, or below.
+        """Decide whether the count is proportional to the bound, or below.
 
         A missing factor log n in the bound shows as 1.1 or more over a doubling.
         """
@@ -158,9 +158,9 @@ class Growth:
 
     @property
     def failure(self) -> str:
-        """Say that the ratio still rises, or falls where it must not; empty if neither is so."""
+        """Report that the ratio still rises, or falls below a lower bound; empty if neither."""
         if self.side != "upper" and not self.is_attained:
-            return f"{self.what} on {self.family} fall behind {self.bound}"
+            return f"{self.what} on {self.family} fall below {self.bound}"
         if self.side == "lower" or self.is_flat:
             return ""
         return (

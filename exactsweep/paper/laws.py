@@ -1,4 +1,4 @@
-"""Laws over random pairs, and pairs that break one made smaller."""
+"""Laws tried on random pairs, and reduction of pairs that break one."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ KINDS_OF_PAIRS = {
     "resting": " with an edge of G on teeth",
 }
 Law = Callable[[SweepPair], Iterable[str]]
-"""A function that describes how a pair breaks the law; empty texts and none say that it holds."""
+"""A function that yields how a pair breaks the law; empty texts, or none, mean that it holds."""
 
 
 def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
-    """Report the pair with which a law breaks, made smaller; empty if it holds for all.
+    """Describe a reduced pair that breaks a law; empty if no pair does.
 
     >>> law = lambda pair: ["" if len(pair.directrix) < 4 else "four corners"]
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
@@ -32,7 +32,7 @@ def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
     """
     for pair in pairs:
         if find_wrong(law, pair):
-            # To leave out vertices of a large one, one by one, would take minutes.
+            # Removing the vertices of a large pair one by one would take minutes.
             least = shrink(law, pair) if sum(map(len, pair)) < MANY else pair
             return f"{find_wrong(law, least)}; G = {least.generatrix}, D = {least.directrix}"
     return ""
@@ -47,7 +47,7 @@ def find_wrong(law: Law, pair: SweepPair) -> str:
 
 
 def shrink(law: Law, pair: SweepPair) -> SweepPair:
-    """Leave out vertices and halve coordinates as long as the law stays broken."""
+    """Remove vertices and halve coordinates while the law stays broken."""
     while smaller := next((p for p in _smaller(pair) if find_wrong(law, p)), None):
         pair = smaller
     return pair
@@ -82,10 +82,10 @@ def _smaller_rings(ring: Ring) -> Iterator[Ring]:
 def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
     """Try laws on random pairs of several classes, up to the first failure.
 
-    All laws of a run meet the same pairs, whose loops by the definition are cached.
+    All laws of a run get the same pairs, whose loops by the definition are cached.
 
     Args:
-        laws: each with how many pairs of which class, such as "100 CC, 60 MM weak, 4 MM large". Its
+        laws: each with the pairs of each class, as in "100 CC, 60 MM weak, 4 MM large". Its
             docstring's first line states the law.
         effort: the seed, and the number of trials.
     """

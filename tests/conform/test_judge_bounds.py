@@ -73,7 +73,7 @@ def test_a_large_noisy_answer_is_judged(
 
 @pytest.mark.parametrize("k", [-1, 1])
 def test_loops_too_large_to_compare_are_wrong(k: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Neither a larger nor a smaller loop gets a verdict better than wrong."""
+    """Without a comparison of regions the verdict is wrong, even for a conservative loop."""
     low, high = CASE.trajectory.bounding_box
     ring = [(low.x - k, low.y - k), (high.x + k, low.y - k), (high.x + k, high.y + k)]
     ring += [(low.x - k, high.y + k)]

@@ -134,7 +134,7 @@ def test_a_single_overlap_is_no_convention() -> None:
 @pytest.mark.parametrize(
     ("write", "said"),
     [
-        (lambda turn, x, y: place(turn, 9 - x, y, mirrored=True), "the turn before the mirror"),
+        (lambda turn, x, y: place(turn, 9 - x, y, mirrored=True), "rotation before mirroring"),
         (
             lambda turn, x, y: place(-int(turn) - 180, 9 - x, y, mirrored=True),
             "mirroring in the X axis",

@@ -166,7 +166,7 @@ def test_chains_may_part_once_only() -> None:
     assert appendix.meetings(down, level) == ("", True)
     assert appendix.meetings([(0, 1), (8, 1)], level) == ("", False)
     assert appendix.meetings([(0, 0), (4, 2), (8, 0)], level)[0] == (
-        "the chains meet over 0 and 8, and part in between"
+        "the chains meet over 0 and 8, and separate in between"
     )
     assert appendix.meetings(down, down)[0] == "the chains share a bend between 0 and 8"
 
@@ -220,7 +220,7 @@ def test_like_chains_that_touch_are_reported_at_the_top_and_at_the_bottom(
     planted = SimpleNamespace(trajectory=Polygon([place, (9, 9), (-9, 9)]))
     monkeypatch.setattr(section2, "look_up", lambda pair: planted)
     reported = [*section2.like_chains_stay_apart(SweepPair(low, high))]
-    assert any(text.startswith(f"at {place} two like chains") for text in reported) == bool(kind)
+    assert any(text.startswith(f"at {place} two top or") for text in reported) == bool(kind)
 
 
 @pytest.mark.parametrize(("is_swept", "words"), [(False, "is between"), (True, "is not between")])

@@ -192,7 +192,7 @@ def test_a_position_is_covered_by_the_segments_through_it(
         ([(0, 1), (4, 2)], "", False),
         ([(0, 1), (4, -1)], "", True),
         ([(0, 1), (1, 0), (3, 0), (4, 1)], "", True),
-        ([(0, 1), (2, -1), (4, 1)], "the chains meet over 1 and 3, and part in between", True),
+        ([(0, 1), (2, -1), (4, 1)], "the chains meet over 1 and 3, and separate in between", True),
     ],
 )
 def test_chains_meet_in_one_point_or_segment(other: list[Vertex], fault: str, met: bool) -> None:

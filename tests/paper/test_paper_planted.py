@@ -48,7 +48,7 @@ def test_a_fit_that_is_cut_short_is_reported(monkeypatch: pytest.MonkeyPatch) ->
     assert [re.sub(r"at \(1, .*\)", "there", text) for text in found[1]] == [
         "there, along an exact fit, CONTACT"
     ]
-    assert found[2] == [f"the exact fit from ({x}, {y}) hangs on nothing"]
+    assert found[2] == [f"the exact fit from ({x}, {y}) does not start on the trajectory"]
 
 
 def test_a_slide_that_is_cut_short_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -95,7 +95,7 @@ def test_a_path_that_is_the_directrix_moved_is_reported(monkeypatch: pytest.Monk
     d = sweep(*SQUARES).directrix
     wrong = SimpleNamespace(directrix=d, trajectory=d.translated((2, 7)))
     monkeypatch.setattr(section1, "sweep", lambda *_: wrong)
-    assert [*section1.path_is_not_the_directrix(SQUARES)] == ["the trajectory is D moved"]
+    assert [*section1.path_is_not_the_directrix(SQUARES)] == ["the trajectory is a translate of D"]
 
 
 def test_a_sweep_that_starts_elsewhere_is_reported(

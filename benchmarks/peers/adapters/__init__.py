@@ -1,6 +1,6 @@
 """Adapters of other programs, to be judged if they are installed.
 
-Programs that compute Minkowski sums get D and -G; orbiting programs get D and G. Both polygons keep
+Minkowski sum programs compute D + (-G); orbiting programs compute the path of G. Both polygons keep
 their collinear vertices, but are oriented counter-clockwise, holes clockwise, and lose repeated
 vertices, as several programs require. The adapters return every ring of an answer, with nothing
 removed, joined or rounded, unless the adapter's docstring says so.

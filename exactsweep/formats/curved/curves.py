@@ -233,7 +233,7 @@ def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
 def make_round_arc(
     center: Point, start: Point, end: Point, image: Affine, *, left: bool
 ) -> tuple[Arc, bool]:
-    """Make the image of an arc of a circle.
+    """Make the image of a circular arc under an affine map.
 
     Args:
         center: the center of the circle.

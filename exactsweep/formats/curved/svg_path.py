@@ -219,7 +219,7 @@ def make_elliptic_arc(
     flags: tuple[bool, bool],
     matrix: Affine,
 ) -> tuple[Arc, bool]:
-    """Make an arc of an ellipse (SVG 1.1, F.6).
+    """Make an elliptical arc (SVG 1.1, F.6).
 
     In the plane in which the ellipse is a unit circle, the center is k half chords from the middle
     of the chord, with rational k**2. An error d of k moves the arc by at most 2 d, because a ray

@@ -39,7 +39,7 @@ from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.graph import Graph, lower_envelope_cm
 
-# A random pair, made smaller.
+# A random pair, reduced.
 AT_A_WALL = SweepPair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
 
 
@@ -49,7 +49,7 @@ def list_lower_steps(s: Sweep) -> list[Step]:
 
 
 def one_edge_at_a_time(pair: SweepPair) -> Iterator[str]:
-    """Contacts that last at the same time are EV or EE, of one and the same edge of G."""
+    """Simultaneous lasting contacts are EV or EE contacts of one edge of G."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
     for step in list_lower_steps(s):
@@ -61,7 +61,7 @@ def one_edge_at_a_time(pair: SweepPair) -> Iterator[str]:
 
 
 def are_of_one_edge(contacts: Sequence[Contact]) -> bool:
-    """Decide whether contacts are EV or EE, of one and the same edge of G, or a single one."""
+    """Decide whether there is at most one contact, or all are EV or EE of one edge of G."""
     events, edges = {c.event for c in contacts}, {c.generatrix for c in contacts}
     return len(contacts) < 2 or (len(edges) == 1 and "VE" not in events)
 
@@ -71,7 +71,7 @@ def _name(contacts: Sequence[Contact]) -> str:
 
 
 def find_passing_events(effort: Effort) -> Iterator[Observation]:
-    """Look for events that meet in passing, and for parallel edges of a convex G."""
+    """Look for simultaneous events that do not last, and for parallel edges of a convex G."""
 
     def stuck(pair: SweepPair) -> Iterator[str]:
         s = sweep(*pair)
@@ -96,7 +96,7 @@ def _parallel_edges(pair: SweepPair) -> Iterator[str]:
 
 
 def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
-    """Find all x of vertices at which G at t touches D_b; return the first and the last.
+    """Return the first and the last x of a vertex at which G + t touches D_b.
 
     G_t and D_b are compared as functions of x, without the procedures.
     """
@@ -105,12 +105,12 @@ def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fract
 
 
 def contact_moves_right(pair: SweepPair) -> Iterator[str]:
-    """Both ends of the contact move to the right; points come in at the right, and leave left."""
+    """Both ends of the contact move right; points enter on the right and leave on the left."""
     s, (_, _, directrix) = sweep(*pair), pair.chains
     yield from contacts_are_right(s)
     positions: set[Point] = set()
     for step in list_lower_steps(s):
-        # Between all changes of contact, too.
+        # Also between all changes of contact.
         positions |= {step.start, step.end, *list_moments(s, step.start, step.end)}
     vertices = {x for x, _ in directrix}
     found = [(t, places_of_contact(s, t, directrix)) for t in sorted(positions)]
@@ -122,21 +122,21 @@ def contact_moves_right(pair: SweepPair) -> Iterator[str]:
             )
         passed = {x for x in now if before[0] <= x <= before[-1]}.difference(before)
         for x in passed & vertices:
-            yield f"at ({t.x}, {t.y}) D_b is touched at x = {x}, which was passed untouched"
+            yield f"at ({t.x}, {t.y}) D_b is touched at x = {x}, which it had skipped"
 
 
 def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
-    """Show that it takes a convex G."""
+    """Show that the statement needs a convex G."""
     found = search_grid(2, 8, "bent", "any", contact_moves_right)
     yield replace(found, cases=())
-    yield "" if found.cases else "no G that is not convex breaks it"
+    yield "" if found.cases else "no non-convex G is a counterexample"
     for case in found.cases:
         g, d = case.generatrix, case.directrix
         yield Evidence(f"For the non-convex G = {g} and D = {d} it fails.")
 
 
 def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
-    """Describe how two chains meet over their common x-range: "" if in a point or one segment.
+    """Describe how two chains meet over their common x-range; empty for a point or one segment.
 
     Also returns whether they meet at all.
     """
@@ -153,14 +153,14 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
     if start == end:
         return "", True
     if any(gap != 0 for x, gap in gaps if start <= x <= end):
-        return f"the chains meet over {start} and {end}, and part in between", True
+        return f"the chains meet over {start} and {end}, and separate in between", True
     if len(clip(first, start, end)) > 2:
         return f"the chains share a bend between {start} and {end}", True
     return "", True
 
 
 def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> Iterator[str]:
-    """The envelope of the first parts meets the next sub-chain in a point or one segment."""
+    """The envelope of the first parts meets the next sub-chain in one point or segment."""
     first, *chains = list_sub_chains(pair)[outer]
     partial = to_graph(first)
     for chain in chains:
@@ -175,7 +175,7 @@ def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> Iterato
 
 
 def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> Iterator[str]:
-    """With jumps: the difference of the first and the second never falls from + to -."""
+    """With jumps: the difference of the first and the second never changes from + to -."""
     xs = sorted({Fraction(x) for x, _ in (*first, *second)})
     above = False
     for left, right in pairwise(xs):
@@ -188,30 +188,30 @@ def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> Iterator[
 
 
 def sub_trajectories_meet_once(pair: SweepPair) -> Iterator[str]:
-    """The trajectory so far and the next one meet in one point or one segment."""
+    """The partial trajectory and the next sub-trajectory meet in one point or segment."""
     return partial_meets_once(pair, outer=False, strict=True)
 
 
 def sub_trajectories_cross_once(pair: SweepPair) -> Iterator[str]:
-    """The trajectory so far is below the next one up to some x, and above it from there on."""
+    """The partial trajectory is below the next sub-trajectory up to some x, then above it."""
     return partial_meets_once(pair, outer=False, strict=False)
 
 
 def sub_outer_chains_meet_once(pair: SweepPair) -> Iterator[str]:
-    """The boundary so far and the next one meet in one point or one segment."""
+    """The partial outer boundary and the next sub-outer chain meet in one point or segment."""
     return partial_meets_once(pair, outer=True, strict=True)
 
 
 def sub_outer_chains_cross_once(pair: SweepPair) -> Iterator[str]:
-    """The boundary so far is below the next one up to some x, and above it from there on."""
+    """The partial outer boundary is below the next sub-outer chain up to some x, then above it."""
     return partial_meets_once(pair, outer=True, strict=False)
 
 
 def note_chains_apart(effort: Effort) -> Iterator[Observation]:
-    """Show a vertical edge at which two sub-trajectories do not meet, nor two sub-outer chains."""
+    """Show a vertical edge at which neither two sub-trajectories nor two sub-outer chains meet."""
     for chains in list_sub_chains(AT_A_WALL):
         if all(meetings(*neighbours)[1] for neighbours in pairwise(chains)):
-            yield "all chains meet, in spite of a vertical edge"
+            yield "all chains meet despite a vertical edge"
     yield Evidence(
         f"For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "
         "edge, two chains do not meet."
@@ -219,7 +219,7 @@ def note_chains_apart(effort: Effort) -> Iterator[Observation]:
 
 
 def lower_envelope_cm_is_right(pair: SweepPair) -> Iterator[str]:
-    """LowerEnvelope_CM returns the lower envelope of all sub-trajectories so far."""
+    """LowerEnvelope_CM returns the lower envelope of the first i sub-trajectories."""
     chains, _ = list_sub_chains(pair)
     partial = reduce(lower_envelope_cm, map(to_graph, chains))
     yield lowest("sub-trajectory", chains, list(partial))
@@ -227,12 +227,12 @@ def lower_envelope_cm_is_right(pair: SweepPair) -> Iterator[str]:
 
 
 def watch_slots(partial: Graph) -> Graph:
-    """Return the same envelope with lists that count slots; this call reads all slots once."""
+    """Return the same envelope with lists that count slots; the conversion reads each slot once."""
     return Graph(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
 
 
 def envelope(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of LowerEnvelope_CM, slots of the partial trajectory read among them."""
+    """Count the operations of LowerEnvelope_CM, including slots read of the partial trajectory."""
     top, _, directrix = count_chains(pair)
     with watch_operations() as tally:
         pieces = [to_graph(trajectory_cc(top, part)) for part in find_convex_parts(directrix)]
@@ -240,6 +240,6 @@ def envelope(pair: SweepPair) -> tuple[int, float]:
         partial, before = watch_slots(pieces[0]), tally.total
         for piece in pieces[1:]:
             grown = lower_envelope_cm(partial, piece)
-            # Trimmed in place; where it is not, the new lists were copied.
+            # Lists that are not trimmed in place are copies.
             partial = grown if grown.breaks is partial.breaks else watch_slots(grown)
     return tally.total - before, 2 * handed_in - len(partial.pieces)

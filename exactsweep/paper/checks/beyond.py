@@ -62,7 +62,7 @@ def boundary_is_contact(pair: SweepPair) -> Iterator[str]:
 
 
 def covers(known: Iterable[Segment], edge: Edge) -> bool:
-    """Decide whether segments of its line cover an edge; a single position lies on any of them."""
+    """Decide whether segments of its line cover an edge; a point must lie on one of them."""
     if edge[0] == edge[1]:
         spots = ((s, lay_point(edge[0], s.direction)) for s in known)
         return any(s[:2] == spot[:2] and s.low <= spot.low <= s.high for s, spot in spots)
@@ -71,7 +71,7 @@ def covers(known: Iterable[Segment], edge: Edge) -> bool:
 
 
 def fits_have_no_room(pair: SweepPair) -> Iterator[str]:
-    """Along an exact fit G touches D, and a step aside it overlaps D; at a point, any step."""
+    """Along an exact fit G touches D; every step to a side, or from a point, overlaps D."""
     for p, q in no_fit_polygon(*pair[::-1]).exact_fits:
         t = Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))
         steps = _AROUND if p == q else [(p.y - q.y, q.x - p.x), (q.y - p.y, p.x - q.x)]
@@ -89,16 +89,16 @@ def monotone_fits_are_segments(pair: SweepPair) -> Iterator[str]:
     """No exact fit is a single position."""
     for p, q in sweep(*pair).exact_fits:
         if p == q:
-            yield f"({p.x}, {p.y}) is a fit by itself"
+            yield f"({p.x}, {p.y}) is a single position"
 
 
 def find_held_position(effort: Effort) -> Iterator[Observation]:
-    """Show one position that is free, and held from all sides."""
+    """Show a single free position from which every move overlaps."""
     fits = no_fit_polygon(*HELD[::-1]).exact_fits
-    yield Evidence(f"A square in a cave that it fills: {show_fits(fits)}.")
+    yield Evidence(f"A square in a cave of its own shape: {show_fits(fits)}.")
     yield from fits_have_no_room(HELD)
     if [p == q for p, q in fits] != [True]:
-        yield f"a square in the cave that it fills: exact fits {show_fits(fits)}"
+        yield f"a square in a cave of its own shape: exact fits {show_fits(fits)}"
 
 
 def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
@@ -107,7 +107,7 @@ def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
 
 
 def compare_inner_fits(container: Region | Ring, part: Ring) -> Iterator[str]:
-    """Say that an inner fit is not that of the definition."""
+    """Describe how an inner fit differs from the definition."""
     yield tell_unproved(inner_fit_polygon(container, part))
 
 
@@ -121,7 +121,7 @@ def inner_fit_is_in_a_frame(pair: SweepPair) -> Iterator[str]:
         yield "the holes of the frame's no-fit polygon are not the regions of the inner fit"
 
     def is_inside(t: Point) -> bool:
-        """Decide whether the part stands inside the frame, and not around one of its corners."""
+        """Decide whether the part is inside the frame, not around one of its corners."""
         boxes = frame.bounding_box, part.translated(t).bounding_box
         (left, low), (right, high), (a, b), (c, d) = chain(*boxes)
         return left < a and low < b and c < right and d < high
@@ -135,8 +135,8 @@ def _enlarge(ring: Ring) -> Ring:
 
 
 def find_touching_loops(effort: Effort) -> Iterator[Observation]:
-    """Show regions that touch in a point, loops of a region that do, defects and an exact fit."""
-    yield Evidence("And 5 cases by hand.")
+    """Show touching regions, touching loops of a region, defects and an exact fit."""
+    yield Evidence("And 5 cases made by hand.")
     for case in CONTAINERS:
         container, part = Region(case["exterior"], case["defects"]), case["part"]
         found = inner_fit_polygon(container, part)
@@ -151,7 +151,7 @@ def find_touching_loops(effort: Effort) -> Iterator[Observation]:
 
 
 def find_room(effort: Effort) -> Iterator[Observation]:
-    """Show a cave in which G has room."""
+    """Show a cave with free positions of G."""
     yield Evidence("And a cave with room.")
     yield from loops_are_simple(ROOM)
     if len(holes := no_fit_polygon(*ROOM[::-1]).holes) != 1:
@@ -159,7 +159,7 @@ def find_room(effort: Effort) -> Iterator[Observation]:
 
 
 def find_unswept(effort: Effort) -> Iterator[Observation]:
-    """Show the cave of Theorem 2.2, whose middle is passed by, and two of them back to back."""
+    """Show the cave of Theorem 2.2, with an unswept hole, and two of them back to back."""
     corners = CAVE.directrix
     twice = [*corners[:1], *((x, -y) for x, y in corners[:1:-1]), *corners[1:]]
     yield Evidence("And the cave of Theorem 2.2, with one more loop, and two of these, with two.")

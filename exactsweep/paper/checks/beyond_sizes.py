@@ -37,7 +37,7 @@ def count_holes(effort: Effort) -> Iterator[Observation]:
 
 
 def segments(pair: SweepPair) -> int:
-    """Count the contact segments, those of one line joined."""
+    """Count the contact segments, joined along each line."""
     return len(find_contact_segments([pair.directrix], [inverse(pair.generatrix)]))
 
 
@@ -63,14 +63,14 @@ def convolution(pair: SweepPair) -> int:
 
 
 def sum_by_parts(pair: SweepPair) -> int:
-    """Count the operations of the sum of the trajectory and G by convex parts, to the letter."""
+    """Count the operations of the sum of the trajectory and G by convex parts, without pruning."""
     chains = count_chains(pair)
     path = make_counted(kernel.find_trajectory(pair.chains))
     return count_operations(kernel.merge_sub_trajectories, Chains(inverse(chains.bottom), [], path))
 
 
 def sweep_by_parts(pair: SweepPair) -> int:
-    """Count the operations of SweepO_CM to the letter."""
+    """Count the operations of SweepO_CM as printed."""
     return count_operations(kernel.sweep_outer_cm, *count_chains(pair))
 
 
@@ -86,5 +86,5 @@ def count_convolution(effort: Effort) -> Iterator[Observation]:
     yield Counterexample(
         f"the sum of T and G by convex parts takes {last.count:,} operations for m = n = {last.m}, "
         f"and SweepO_CM {other.count:,}: both {summed.verdict} with mn",
-        "deep teeth, at the largest size that was counted",
+        "deep teeth, at the largest counted size",
     )

@@ -24,12 +24,12 @@ from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.piecewise import LinearPiece, PiecewiseLinear, mirror, take_least_sum
 from exactsweep.paper.tiny import search_grid
 
-# Points on an edge at which nothing begins or ends as a rule, and a step too short to matter.
+# Where on an edge to test, rarely at the end of a contact; and how far to step off the edge.
 SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
 
 
 def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
-    """List for each edge of the trajectory a position on it, on its inside and on its outside."""
+    """Yield, for each edge of the trajectory, a position on it, one inside and one outside."""
     corners = s.trajectory.vertices
     for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True):
         x, y = ax + SHARE * (bx - ax), ay + SHARE * (by - ay)
@@ -38,7 +38,7 @@ def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
 
 
 def touches_without_overlap(pair: SweepPair) -> Iterator[str]:
-    """Along the trajectory G touches D; a step inwards it overlaps, a step outwards it is free."""
+    """On the trajectory G touches D; just inside G overlaps D, and just outside G is free."""
     s = sweep(*pair)
     for vertex in s.trajectory.vertices:
         if classify(s.directrix, s.generatrix, vertex).verdict != "CONTACT":
@@ -65,7 +65,7 @@ def find_exact_fit(effort: Effort) -> Iterator[Observation]:
     )
     if any(fits(slot)):
         least = shrink(fits, slot)
-        how = "a square and its slot, vertices left out as long as it fits exactly"
+        how = "a square and its slot, reduced while the square still fits exactly"
         yield Counterexample(find_first_failure(fits(least)), how, *least)
     combs = [draw_slots(effort.random(f"slots {k}")) for k in range(effort.cases(20))]
     yield from fits_are_whole(slot)
@@ -74,7 +74,7 @@ def find_exact_fit(effort: Effort) -> Iterator[Observation]:
 
 
 def draw_slots(random: Prng) -> SweepPair:
-    """A box, and a plate with slots in both sides: as wide as the box, wider and narrower."""
+    """Draw a box, and a plate with slots in both sides, as wide as the box, wider or narrower."""
     wide, bottom, top = random.between(1, 3), [(0, 0)], [(0, 40)]
     for side, sign in ((bottom, 1), (top, -1)):
         for _ in range(random.between(1, 4)):
@@ -88,11 +88,11 @@ def draw_slots(random: Prng) -> SweepPair:
 
 
 def fits_are_whole(pair: SweepPair) -> Iterator[str]:
-    """Along an exact fit G touches D; beyond its far end it overlaps D."""
+    """Along an exact fit G touches D; beyond its far end G overlaps D."""
     s = sweep(*pair)
     for start, end in s.exact_fits:
         if point_in_polygon(start, s.trajectory) != 0:
-            yield f"the exact fit from ({start.x}, {start.y}) hangs on nothing"
+            yield f"the exact fit from ({start.x}, {start.y}) does not start on the trajectory"
         by = end.x - start.x, end.y - start.y
         for share, expected in ((SHARE, "CONTACT"), (1, "CONTACT"), (1 + STEP, "OVERLAP")):
             t = Point(start.x + share * by[0], start.y + share * by[1])
@@ -113,7 +113,7 @@ def swept_by_contact(s: Sweep, p: Point) -> bool:
 
 
 def area_is_covered(pair: SweepPair) -> Iterator[str]:
-    """Of 36 points those between the loops are those that G covers from the trajectory."""
+    """Of 36 points, G covers from the trajectory exactly those between the loops."""
     s = sweep(*pair)
     yield from tell_loops(s, "inner", "outer")
     if s.area != s.outer.area - s.inner.area:
@@ -132,7 +132,7 @@ def path_is_the_definition(pair: SweepPair) -> Iterator[str]:
 
 
 def paths_are_translates(pair: SweepPair) -> Iterator[str]:
-    """Two points of G have paths that are equal except for a translation."""
+    """The paths of two points of G are translates of each other."""
     (ax, ay), (bx, by) = pair.generatrix[:2]
     first, second = (sweep(*pair, reference=g).trajectory for g in ((ax, ay), (bx, by)))
     if first.translated((bx - ax, by - ay)) != second:
@@ -140,7 +140,7 @@ def paths_are_translates(pair: SweepPair) -> Iterator[str]:
 
 
 def find_overlap_along_directrix(effort: Effort) -> Iterator[Observation]:
-    """Look for a G that overlaps D with a point of it on D's boundary."""
+    """Look for a G that overlaps D although one of its vertices is on D's boundary."""
 
     def overlaps(pair: SweepPair) -> Iterator[str]:
         reference_point = pair.generatrix[0]
@@ -158,11 +158,11 @@ def find_overlap_along_directrix(effort: Effort) -> Iterator[Observation]:
 
 
 def path_is_not_the_directrix(pair: SweepPair) -> Iterator[str]:
-    """The trajectory is another polygon than D, wherever it lies."""
+    """The trajectory is not a translate of D."""
     s = sweep(*pair)
     (left, low), (x, y) = s.directrix.vertices[0], s.trajectory.vertices[0]
     if s.directrix.translated((x - left, y - low)) == s.trajectory:
-        yield "the trajectory is D moved"
+        yield "the trajectory is a translate of D"
 
 
 def sum_is_the_swept_area(pair: SweepPair) -> Iterator[str]:

@@ -34,12 +34,12 @@ from exactsweep.procedures.monotone import MonotoneSolution
 KINDS = ("CC", "CM", "MM")
 
 
-# A cave with a mouth of one and a half times the width of G.
+# The mouth of the cave is 1.5 times as wide as G.
 CAVE = SweepPair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 1), (3, 4)])
 
 
 def like_chains_stay_apart(pair: SweepPair) -> Iterator[str]:
-    """From end to end of the trajectory, no two top chains have a point in common, nor bottoms."""
+    """Along the trajectory, the two top chains are disjoint, and so are the bottom chains."""
     (g_bottom, g_top), (d_bottom, d_top) = map(split, pair)
     for (px, py), (qx, qy) in list_edges(look_up(pair).trajectory):
         for tx, ty in ((px, py), ((px + qx) / 2, (py + qy) / 2)):
@@ -49,11 +49,11 @@ def like_chains_stay_apart(pair: SweepPair) -> Iterator[str]:
                     x for x in find_common_points(placed, d) if reaches(placed, x) and reaches(d, x)
                 ]
                 if inside:
-                    yield f"at ({tx}, {ty}) two like chains touch over {inside[0]}"
+                    yield f"at ({tx}, {ty}) two top or two bottom chains touch over {inside[0]}"
 
 
 def like_chains_have_no_contact(pair: SweepPair) -> Iterator[str]:
-    """No contact, lasting or not, is inside two bottom chains or inside two top chains."""
+    """No contact is interior to both bottom chains or to both top chains."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
     for event, *features in {c for at in (*s.contacts, *s.vertex_contacts) for c in at}:
@@ -63,7 +63,7 @@ def like_chains_have_no_contact(pair: SweepPair) -> Iterator[str]:
 
 
 def _side(shape: AnyPolygon, letter: str, index: int) -> str:
-    """Return the chain that a feature is inside of; "end" for features at or beyond its ends."""
+    """Return the chain that has a feature in its interior; "end" if neither has."""
     corners, edges = number_features(shape)
     feature = corners[index] if letter == "V" else tuple(corners[k] for k in edges[index])
     for name, side in zip(("bottom", "top"), split(shape.vertices), strict=True):
@@ -73,19 +73,19 @@ def _side(shape: AnyPolygon, letter: str, index: int) -> str:
 
 
 def swept_area_is_the_definition(pair: SweepPair) -> Iterator[str]:
-    """The outer loop, the inner one and all others are those of the definition."""
+    """The outer loop, the inner loop and all unswept holes are those of the definition."""
     yield tell_unproved(sweep(*pair))
 
 
 def is_annulus(pair: SweepPair) -> Iterator[str]:
-    """The swept area has the outer and the inner loop of the definition, and there is no other."""
+    """The swept area has the outer and the inner loop of the definition, and no other loop."""
     if loops := sweep(*pair).unswept:
         yield f"{len(loops)} more loops"
     yield from swept_area_is_the_definition(pair)
 
 
 def find_void(effort: Effort) -> Iterator[Observation]:
-    """Find the loops of what G sweeps around a cave that it goes into."""
+    """Find the loops of a swept area where G enters a cave of D."""
     sizes = (10,) if effort.quick else (9, 10, 11)
     directrix = [(10 * x, 10 * y) for x, y in CAVE.directrix]
     pairs = [SweepPair([(k * x, k * y) for x, y in CAVE.generatrix], directrix) for k in sizes]
@@ -109,13 +109,13 @@ def boundaries_are_bottom_chains(pair: SweepPair) -> Iterator[str]:
 
 
 def halves_are_alike(pair: SweepPair) -> Iterator[str]:
-    """The loops of the pair upside down are the loops, upside down."""
+    """The loops of the mirrored pair are the mirrored loops."""
     upside_down = SweepPair(*([(x, -y) for x, y in reversed(ring)] for ring in pair))
     s, other = sweep(*pair), sweep(*upside_down)
     for name in ("trajectory", "inner", "outer"):
         turned = [(x, -y) for x, y in getattr(other, name).vertices]
         if Polygon(turned[::-1]) != getattr(s, name):
-            yield f"upside down, the {name} is another one"
+            yield f"mirrored, the {name} is not that of the mirrored pair"
     yield from tell_loops(s, "trajectory")
 
 
@@ -130,7 +130,7 @@ def widths_add_up(pair: SweepPair) -> Iterator[str]:
 
 
 def steps_have_contacts(pair: SweepPair) -> Iterator[str]:
-    """All along every edge of the trajectory an EV, VE or EE contact lasts, as its step says."""
+    """Contacts last along the whole of each edge of the trajectory, as its step states."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
     for step in explain(s):
@@ -153,7 +153,7 @@ def count_events(effort: Effort) -> Iterator[Observation]:
 
 
 def vertices_belong_to_events(pair: SweepPair) -> Iterator[str]:
-    """Two vertices that touch are the end of an EV, VE or EE contact before or after."""
+    """Each VV contact is an end of an EV, VE or EE contact before or after it."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
     edges = [number_features(shape)[1] for shape in (s.generatrix, s.directrix)]
@@ -182,7 +182,7 @@ def find_passing_vertices(effort: Effort) -> Iterator[Observation]:
 
 
 def _apexes_and_teeth() -> Iterator[SweepPair]:
-    """Put a triangle under all bottom chains of five vertices with heights from 0 to 2."""
+    """Pair a triangle with all bottom chains of five vertices with heights from 0 to 2."""
     generatrix = [(0, 0), (8, 0), (4, 2)]
     for heights in product(range(3), repeat=5):
         with suppress(PolygonError):

@@ -33,7 +33,7 @@ def returns(
     fails: Callable[[str, Sequence[Vertex]], Iterable[str]] = lambda procedure, chain: (),
     **procedures: str,
 ) -> Law:
-    """Make the law that procedures return boundaries of the definition.
+    """Make a law: some procedures return the boundaries of the definition.
 
     Args:
         words: the law, if it says more than that.
@@ -60,18 +60,18 @@ def slope(edge: Edge) -> Fraction:
 
 
 def lay_by_slope(start: Vertex, edges: Sequence[Edge], sign: int = 1) -> list[Vertex]:
-    """Lay edges end to end, each to the right, in ascending order of slope (or descending)."""
+    """Lay edges end to end, each pointing right, by ascending (or descending) slope."""
     ordered = sorted(edges, key=lambda edge: sign * slope(edge))
     return keep_corners(walk((minus(*sorted(edge)[::-1]) for edge in ordered), start))
 
 
 def start_of(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Vertex:
-    """Find the start of the trajectory: the right end of G_t on the left end of D_b."""
+    """Return the start of the trajectory: the right end of G_t on the left end of D_b."""
     return directrix[0][0] - top[0][0], directrix[0][1] - top[0][1]
 
 
 def merge_all(pair: SweepPair, sign: int = 1) -> list[Vertex]:
-    """Lemma 3.1 as it stands: the edges of reversed G_t and of D_b sorted by slope."""
+    """Apply Lemma 3.1 as printed: sort the edges of reversed G_t and of D_b by slope."""
     top, _, directrix = pair.chains
     edges = [*reverse(list(pairwise(top))), *pairwise(directrix)]
     return lay_by_slope(start_of(top, directrix), edges, sign)
@@ -83,7 +83,7 @@ def reversed_edges_make_the_inverse(pair: SweepPair) -> Iterator[str]:
     edges = list(pairwise(top))
     turned = reverse(edges)
     if [(q, p) for p, q in turned] != edges or reverse(turned) != edges:
-        yield "the edges are not the same in the same order, each the other way round"
+        yield "the edges are not the same edges, each reversed, in the same order"
     if list(map(slope, turned)) != list(map(slope, edges)):
         yield "the slopes change"
     if walk((minus(q, p) for p, q in turned), inverse(top)[0]) != inverse(top):
@@ -91,31 +91,31 @@ def reversed_edges_make_the_inverse(pair: SweepPair) -> Iterator[str]:
 
 
 def left_turns_merge(pair: SweepPair) -> Iterator[str]:
-    """A chain that turns left everywhere is one convex part, and merges by slope."""
+    """A chain with only left turns is one convex part, and merges by slope."""
     directrix = pair.chains.directrix
     if keep_corners(require_convex(directrix)) != keep_corners(directrix):
-        yield "a chain that turns left at every vertex is another one as a convex chain"
+        yield "a chain with only left turns is not its only convex part"
     yield from trajectory_by_slope(pair)
 
 
 def right_turns_are_edges(pair: SweepPair) -> Iterator[str]:
-    """A chain that turns right everywhere has as many convex parts as edges."""
+    """A chain with only right turns has as many convex parts as edges."""
     chain = [(x, -y) for x, y in pair.chains.directrix]
     if len(parts := find_convex_parts(chain)) != len(chain) - 1:
         yield f"it has {len(parts)} convex parts"
 
 
 def closed_chains_merge(pair: SweepPair) -> Iterator[str]:
-    """Lemma 3.1 holds for every D_b that a straight edge makes convex."""
+    """Lemma 3.1 holds for every D_b that a straight edge closes to a convex polygon."""
     with suppress(PolygonError):
         if Polygon(pair.chains.directrix).is_convex and any(trajectory_by_slope(pair)):
             yield "D_b, closed by an edge, is convex; the merge by slope is not the trajectory"
 
 
 def clockwise_slopes_merge(pair: SweepPair) -> Iterator[str]:
-    """The edges, sorted by slopes that grow clockwise, are the trajectory."""
+    """The edges, sorted by slopes measured clockwise, are the trajectory."""
     if merge_all(pair, sign=-1) != look_up_bottom(pair, "trajectory"):
-        yield "sorted by slopes that grow clockwise, the edges do not make the trajectory"
+        yield "sorted by slopes measured clockwise, the edges are not the trajectory"
 
 
 def trajectory_by_slope(pair: SweepPair) -> Iterator[str]:
@@ -125,18 +125,18 @@ def trajectory_by_slope(pair: SweepPair) -> Iterator[str]:
 
 
 def has_edge_in_two(procedure: str, chain: Sequence[Vertex]) -> Iterator[str]:
-    """Say that parallel edges are not added up."""
+    """Describe a fault if parallel edges are not joined."""
     if len(chain) != len(keep_corners(chain)):
-        yield f"{procedure} leaves an edge in two"
+        yield f"{procedure} does not join two parallel edges"
 
 
 trajectory_cc_is_right = returns(
-    "Trajectory_CC returns the trajectory of the definition, parallel edges added up.",
+    "Trajectory_CC returns the trajectory of the definition, with parallel edges joined.",
     has_edge_in_two,
     trajectory="Trajectory_CC",
 )
 outer_cc_is_right = returns(
-    "SweepO_CC returns the outer boundary of the definition, parallel edges added up.",
+    "SweepO_CC returns the outer boundary of the definition, with parallel edges joined.",
     has_edge_in_two,
     outer="SweepO_CC",
 )
@@ -185,4 +185,4 @@ def every_edge_is_touched(pair: SweepPair) -> Iterator[str]:
     slid = {c.directrix for at in s.contacts for c in at if c.event in ("VE", "EE")}
     yield from contacts_are_right(s)
     if missing := set(range(len(s.directrix))) - slid:
-        yield f"edges {sorted(missing)} of D are not slid along"
+        yield f"edges {sorted(missing)} of D have no contact along them"

@@ -29,7 +29,7 @@ from exactsweep.paper.pairs import SweepPair, draw_pairs
 
 
 def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:
-    """Say where an envelope is not the lowest of some chains; empty if it is everywhere."""
+    """Report where an envelope is not the lowest of some chains; empty if nowhere."""
     for x in sample_between(envelope, *chains):
         least = min((evaluate(chain, x) for chain in chains if reaches(chain, x)), default=None)
         found = evaluate(envelope, x) if reaches(envelope, x) else None
@@ -39,14 +39,14 @@ def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Ver
 
 
 def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
-    """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
+    """The trajectory and the outer boundary are the lower envelopes of those of the parts."""
     paths, outers = list_sub_chains(pair)
     yield lowest("sub-trajectory", paths, look_up_bottom(pair, "trajectory"))
     yield lowest("sub-outer chain", outers, look_up_bottom(pair, "outer"))
 
 
 def is_monotone(name: str, chain: Iterable[Vertex]) -> Iterator[str]:
-    """Say where a chain turns back along x, or has a vertical edge."""
+    """Report where a chain goes back along x, or has a vertical edge."""
     for p, q in pairwise(chain):
         if p[0] >= q[0]:
             yield f"{name} is not strictly X-monotone at x = {p[0]}"
@@ -75,17 +75,17 @@ def few_undercuts(pair: SweepPair) -> Iterator[str]:
 
 
 def bottom_chains_have_two_forms(pair: SweepPair) -> Iterator[str]:
-    """Closed in a point: a piece of G's boundary; along a segment: one edge, parallel to it."""
+    """The bottom chain is a piece of G's boundary, or one edge parallel to the shared segment."""
     for undercut in sweep(*pair).undercuts:
         yield from _form(undercut, pair)
     yield from undercuts_fill_the_inner_loop(pair)
 
 
 def undercuts_fill_the_inner_loop(pair: SweepPair) -> Iterator[str]:
-    """The undercuts are apart, and make up the difference between the inner loop and D."""
+    """The undercuts are disjoint, and their union is the difference of the inner loop and D."""
     s = sweep(*pair)
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
-        yield "the undercuts do not make up the difference between the inner loop and D"
+        yield "the union of the undercuts is not the difference of the inner loop and D"
     yield from tell_loops(s, "inner")
 
 
@@ -123,11 +123,11 @@ def _form(undercut: Undercut, pair: SweepPair) -> Iterator[str]:
         if any(point_in_polygon(p, placed) for p in bottom):
             yield f"the bottom chain is off the boundary of G: {undercut}"
         if not set(bottom[1:-1]) <= set(placed):
-            yield f"a corner that G has not: {undercut}"
+            yield f"not a corner of G: {undercut}"
 
 
 def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
-    """The contacts at the positions that close an undercut name both of its extremes."""
+    """The contacts at the positions that close an undercut include both of its extremes."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
     yield from tell_loops(s, "inner")
@@ -140,4 +140,4 @@ def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
             for spot in features.spot(c, t)
         }
         if missed := set(undercut.extremes) - spots:
-            yield f"no label names ({min(missed).x}, {min(missed).y}), an end of an undercut"
+            yield f"no contact at ({min(missed).x}, {min(missed).y}), an end of an undercut"

@@ -1,4 +1,4 @@
-"""Section 4: how large a CM sweep gets, and how long it takes."""
+"""Section 4: size and time of a CM sweep."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from exactsweep.paper.pairs import SweepPair
 
 
 def sizes_are_bounded(pair: SweepPair) -> Iterator[str]:
-    """For k parts, m_b + k n_t, m_b + k (n_t + n_b) and m_b + (k - 1) n_t edges are enough."""
+    """With k parts, at most m_b + k n_t, m_b + k (n_t + n_b) and m_b + (k - 1) n_t edges."""
     chains, parts = pair.chains, find_convex_parts(pair.chains.directrix)
     n_t, n_b, m_b = (len(keep_corners(chain)) - 1 for chain in chains)
     for loop, procedure, most in (
@@ -39,7 +39,7 @@ def find_large_parts(effort: Effort) -> Iterator[Observation]:
     if all(later > 1.5 * before for before, later in pairwise(growing)):
         yield Counterexample(
             f"{growing[0]} edges in the outer boundary where m_b n_t = {bound}, and more with n_b",
-            "by hand: deep teeth, and a G with one edge on top",
+            "built by hand: deep teeth, and a G with one top edge",
             *under_a_lid(4),
         )
     yield Table("G_t is one edge, D_b has four teeth", ("n_b", "m_b n_t", "edges"), rows)
@@ -57,7 +57,7 @@ def parts_are_bounded(pair: SweepPair) -> Iterator[str]:
 
 
 def under_a_lid(n_b: int) -> SweepPair:
-    """A convex G with one edge on top and n_b below, and D with four teeth deeper than G turns."""
+    """Build a convex G with one top edge and n_b bottom edges, and a D with four deep teeth."""
     generatrix = [(2 * k, k * (k - n_b)) for k in range(n_b + 1)]
     width, depth = 2 * n_b + 2, n_b * n_b
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(9)]

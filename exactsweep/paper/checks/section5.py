@@ -40,7 +40,7 @@ from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import complement, inverse, split
 
-# A pair of which G draws parallel edges of both loops 11 apart, where it is 16 wide.
+# G, of width 16, draws parallel edges of both loops at distance 11.
 NARROW = SweepPair(
     [(0, 0), (1, -8), (2, -1), (7, -1), (10, 7), (9, 8), (7, 1), (5, 0), (2, 3)],
     [(0, 0), (30, 0), (15, 3)],
@@ -52,13 +52,13 @@ mm_trajectory_is_monotone = returns("", is_monotone, trajectory="Trajectory_MM")
 
 
 def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
-    """The trajectory is the lower envelope of those of the convex parts of G_t."""
+    """The trajectory is the lower envelope of the trajectories of G_t's convex parts."""
     chains = [list(chain) for chain in list_sub_trajectories(pair.chains)]
     yield lowest("sub-trajectory", chains, look_up_bottom(pair, "trajectory"))
 
 
 def inverse_is_a_reflection(pair: SweepPair) -> Iterator[str]:
-    """The inverse maps vertices, chains and the polygon as a reflection in a point does."""
+    """The inverse of vertices, chains and the polygon is their point reflection."""
     g = Polygon(pair.generatrix)
     if g.reflected().reflected() != g:
         yield "the inverse of the inverse is not G"
@@ -74,10 +74,10 @@ def inverse_is_a_reflection(pair: SweepPair) -> Iterator[str]:
 
 
 def complement_has_the_outside_left(pair: SweepPair) -> Iterator[str]:
-    """The complement is the same chain with the outside on its left."""
+    """The complement is the same chain, with the exterior on its left."""
     directrix = pair.chains.directrix
     if complement(complement(directrix)) != directrix:
-        yield "the complement of the complement is another chain"
+        yield "the complement of the complement is a different chain"
     polygon, eps = Polygon(pair.directrix), Fraction(1, 10**9)
     for sign, chain in ((1, directrix), (-1, complement(directrix))):
         for (px, py), (qx, qy) in pairwise(chain):
@@ -88,7 +88,7 @@ def complement_has_the_outside_left(pair: SweepPair) -> Iterator[str]:
 
 
 def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
-    """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
+    """Both loops are trajectories of I(G); the inner one with I(G) inside T."""
     inner, outer = find_inner(pair.chains), find_outer(pair.chains)
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != look_up(pair).outer:
@@ -97,7 +97,7 @@ def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
 
 
 def inner_to_the_letter(pair: SweepPair) -> Iterator[str]:
-    """Show that the output of Trajectory_MM along the inside is not the inner boundary."""
+    """Show that Trajectory_MM along the inside does not return the inner boundary."""
     inner = keep_corners(find_inner(pair.chains))
     expected = look_up_bottom(pair, "inner")
     if inner != expected:
@@ -129,18 +129,18 @@ def trajectory_is_monotone(pair: SweepPair) -> Iterator[str]:
 
 
 def local_width(pair: SweepPair) -> Iterator[str]:
-    """Across an edge of a convex D, the outer loop is as far from it as G is wide."""
+    """The distance of the outer loop from an edge of a convex D is the width of G there."""
     s = sweep(*pair)
     yield from _tell_width(s, s.inner)
 
 
 def _tell_width(s: Sweep, inside: AnyPolygon) -> Iterator[str]:
-    """Report edges across which the outer loop reaches farther by another width than G's."""
+    """Report edges whose distance from the outer loop differs from G's width there."""
     for p, q in list_edges(inside.vertices):
         normal = q.y - p.y, p.x - q.x
         reach, own = (max(_measure(normal, loop)) for loop in (s.outer, inside))
         if reach - own != _measure_width(normal, s.generatrix):
-            yield f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the area is not as wide as G"
+            yield f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the width of the area is not that of G"
 
 
 def _measure(normal: Vertex, points: Iterable[Vertex]) -> list[Rational]:
@@ -154,7 +154,7 @@ def _measure_width(normal: Vertex, polygon: AnyPolygon) -> Rational:
 
 
 def find_missing_edge(effort: Effort) -> Iterator[Observation]:
-    """Look for edges of trajectories that draw no edge of one of the loops, and for near ones."""
+    """Look for edges of a trajectory that draw no edge of a loop, or two that are too near."""
 
     def lacks(pair: SweepPair, name: str) -> Iterator[str]:
         s = sweep(*pair)
@@ -167,12 +167,12 @@ def find_missing_edge(effort: Effort) -> Iterator[Observation]:
     yield "" if outer.cases else "no edge of an outer loop is missing"
     near = shrink(edges_are_near, NARROW)
     text = find_first_failure(edges_are_near(near))
-    how = "by hand, made smaller as long as both edges are there and too near"
-    yield Counterexample(text, how, *near) if text else "no edges are nearer than G is wide"
+    how = "by hand, reduced while both edges remain too near"
+    yield Counterexample(text, how, *near) if text else "no edges are nearer than the width of G"
 
 
 def edges_are_near(pair: SweepPair) -> Iterator[str]:
-    """Two edges that G draws along one edge of T, nearer to one another than G is wide across."""
+    """Report two edges drawn along one edge of T whose distance is below the width of G."""
     s = sweep(*pair)
     if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in list_edges(polygon)):
         return
@@ -200,15 +200,15 @@ def _draws(v: Vertex, edge: Edge, loop: Sequence[Segment]) -> bool:
 
 
 def outside_of_the_inner_loop(pair: SweepPair) -> Iterator[str]:
-    """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
+    """The sweep of G around the inner loop has the trajectory of the sweep around D."""
     s = sweep(*pair)
     if sweep(s.generatrix, s.inner).trajectory != s.trajectory:
-        yield "the trajectory around the inner loop is another one"
+        yield "the trajectory around the inner loop is different"
     yield from tell_loops(s, "inner")
 
 
 def inside_of_the_outer_loop(pair: SweepPair) -> Iterator[str]:
-    """The lowest path of G inside the outer loop, where it is not the trajectory."""
+    """Report the lowest path of G inside the outer loop if it is not the trajectory."""
     path, outer = look_up_bottom(pair, "trajectory"), look_up_bottom(pair, "outer")
     found = clip_to(slide_inside(pair.chains.bottom, outer, lambda c: trajectory_mm(*c[::2])), path)
     if found != path:
@@ -217,7 +217,7 @@ def inside_of_the_outer_loop(pair: SweepPair) -> Iterator[str]:
 
 
 def shortcuts_change_nothing(pair: SweepPair) -> Iterator[str]:
-    """Pruning, and sweeping the undercuts alone, leave trajectory and boundaries as they are."""
+    """Pruning, and sweeping only the undercuts, change neither trajectory nor boundaries."""
     top, bottom, directrix = pair.chains
     inner, outer = find_inner(pair.chains), find_outer(pair.chains)
     path, found = trajectory_mm(top, directrix), sweep_mm(top, bottom, directrix)
@@ -230,7 +230,7 @@ def shortcuts_change_nothing(pair: SweepPair) -> Iterator[str]:
 
 
 def outer_loop_reaches_by_the_width(pair: SweepPair) -> Iterator[str]:
-    """Across each edge of D, the outer loop reaches farther than D by as much as G is wide."""
+    """The outer loop extends beyond each edge of D by the width of G there."""
     s = sweep(*pair)
     yield from tell_loops(s, "outer")
     yield from _tell_width(s, s.directrix)

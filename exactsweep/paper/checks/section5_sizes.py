@@ -1,4 +1,4 @@
-"""Section 5: how large an MM sweep gets."""
+"""Section 5: size of an MM sweep."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.kernel import list_sub_trajectories, trajectory_mm
 from exactsweep.paper.pairs import Chains, SweepPair
 
-# The pair that the search of Lemma 5.2 finds.
+# The pair found by the search of Lemma 5.2.
 OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
 
 
 def outgrows_its_parts(pair: SweepPair) -> Iterator[str]:
-    """The trajectory has more edges than the sub-trajectories of which it is the envelope."""
+    """Show a trajectory with more edges than its sub-trajectories together."""
     sizes = [len(keep_corners(chain)) - 1 for chain in list_sub_trajectories(pair.chains)]
     found = len(keep_corners(trajectory_mm(*pair.chains[::2]))) - 1
     if found > sum(sizes):
@@ -56,7 +56,7 @@ def fill_windows(effort: Effort) -> Iterator[Observation]:
         pair, count, most = build_windows(segments), len(segments), count_pieces(segments)
         if count <= 3:
             yield from trajectory_mm_is_right(pair)
-        # All windows come out in one trajectory.
+        # One trajectory contains all windows.
         expected = (count + 1) * most + pieces_at_the_sides(segments)
         found = pieces_in(keep_corners(trajectory_mm(*pair.chains[::2])), segments)
         if found != expected:
@@ -76,7 +76,7 @@ def fill_windows(effort: Effort) -> Iterator[Observation]:
 
 
 def _tell_fall(rates: Sequence[str], words: str) -> str:
-    """Return the words if some rates are not in ascending order."""
+    """Return the text if some rates are not in ascending order."""
     return "" if sorted(rates, key=float) == [*rates] else words
 
 
@@ -89,7 +89,7 @@ def find_outer(pair: SweepPair) -> list[Vertex]:
 
 
 def find_beyond_mn2(effort: Effort) -> Iterator[Observation]:
-    """Find outer boundaries of more than order mn²: the largest, and all of them."""
+    """Find outer boundaries of more than order mn²: the largest piece, and the total."""
     rows = []
     # The definition, which takes all pairs of edges, is slow with more segments.
     for segments in BEST[:4]:

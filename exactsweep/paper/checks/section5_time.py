@@ -1,4 +1,4 @@
-"""Section 5.1: how long an MM sweep takes."""
+"""Section 5.1: time of an MM sweep."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def count_one_merge(effort: Effort) -> Iterator[Observation]:
     pairs = list(product(_tiny_chains(), repeat=2))
     tried = f"All {len(pairs)} pairs of chains of one or two edges on the 3 by 3 grid; counts."
     yield Evidence(tried, searched=len(pairs))
-    # Nothing but the ends keeps the counts from being in proportion.
+    # Only the ends keep the counts from being proportional.
     yield grow("operations of one merge", zigzags, M_PLUS_N, double(64, 4), count, limit=1.005)
     yield from (lowest("chain", chains, list(run(*chains))) for chains in pairs)
 
@@ -75,7 +75,7 @@ def merge_by_halves(pair: SweepPair) -> tuple[int, float]:
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
-    """LowerEnvelope_MM returns the lowest chain over every x."""
+    """LowerEnvelope_MM returns the lower envelope of some chains."""
     chains = kernel.list_sub_trajectories(pair.chains)
     found = lower_envelope_mm(chains)
     yield lowest("sub-trajectory", [list(chain) for chain in chains], list(found))
@@ -83,13 +83,13 @@ def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
 
 
 def find_large_trajectory(effort: Effort) -> Iterator[Observation]:
-    """Count what Trajectory_MM costs; the size that the bound rests on fails."""
+    """Count the operations of Trajectory_MM; the size that its bound assumes is refuted."""
     how = "the first of the non-convex quadrilaterals on the 4 by 4 grid"
     yield from (Counterexample(text, how, *OUTGROWING) for text in outgrows_its_parts(OUTGROWING))
 
 
 def find_large_loop(effort: Effort) -> Iterator[Observation]:
-    """Count what Sweep_MM costs; the size that the bound rests on fails."""
+    """Count the operations of Sweep_MM; the size that its bound assumes is refuted."""
     yield from (part for part in find_beyond_mn2(effort) if not isinstance(part, Table))
 
 
@@ -99,7 +99,7 @@ def step_2(pair: SweepPair) -> int:
 
 
 def merge_parts_by_turns(pair: SweepPair) -> int:
-    """Count the operations of merging one sub-trajectory after the other, and slots copied."""
+    """Count the operations, and copied slots, of merging one sub-trajectory at a time."""
     graphs = _sub_trajectories(count_chains(pair))
     with watch_operations() as tally:
         merged = reduce(lambda partial, graph: merge(watch_slots(partial), graph), graphs)
@@ -115,7 +115,7 @@ def merge_parts_by_halves(pair: SweepPair) -> int:
 
 
 def count_glance(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of merging one sub-trajectory after the other, and by halves."""
+    """Count the operations of merging sub-trajectories one at a time, and by halves."""
     growth = list(count_all("Envelopes at first glance", effort))
     yield Evidence("Counts.")
     yield from growth
@@ -129,14 +129,14 @@ def _sub_trajectories(chains: Chains) -> list[Graph]:
 
 
 def inner_again(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """Compute the inner boundary to the letter: Trajectory_MM along all of T's inside."""
+    """Compute the inner boundary as printed: Trajectory_MM along all of T's inside."""
     bottom, path = inverse(chains.top), list(trajectory)
     found = kernel.slide_inside(bottom, path, kernel.merge_sub_trajectories)
     return clip_to(found, chains.directrix)
 
 
 def inner_by_gaps(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """Compute the inner boundary as the kernel does: in the undercuts alone."""
+    """Compute the inner boundary as the kernel does: only in the undercuts."""
     return kernel.sweep_inner_mm(chains.top, chains.directrix, trajectory)
 
 
@@ -147,12 +147,12 @@ def sweep_again(pair: SweepPair, inner: Inner = inner_again) -> int:
 
 
 def sweep_gaps(pair: SweepPair) -> int:
-    """Count the operations beyond the trajectory, if only the gaps are swept."""
+    """Count the operations beyond the trajectory if only the undercuts are swept."""
     return sweep_again(pair, inner_by_gaps)
 
 
 def gaps_give_the_same(pair: SweepPair) -> Iterator[str]:
-    """Sweeping the gaps alone gives the inner boundary of Sweep_MM."""
+    """Sweeping only the undercuts yields the inner boundary of Sweep_MM."""
     chains = pair.chains
     trajectory = kernel.trajectory_mm(*chains[::2])
     found, expected = inner_by_gaps(chains, trajectory), inner_again(chains, trajectory)
@@ -175,7 +175,7 @@ def count_gaps(effort: Effort) -> Iterator[Observation]:
         "A family of needles, vertices counted."
     )
     yield from growth
-    yield "" if _outgrows(again, gaps) else "calling Trajectory_MM again is as good, or nearly"
+    yield "" if _outgrows(again, gaps) else "calling Trajectory_MM again is about as fast"
     yield Counterexample(
         f"{last.count:,} vertices to be written for m = {last.m} and n = {last.n}, mn being "
         f"{last.m * last.n:,}",

@@ -1,10 +1,9 @@
-"""Envelopes of segments inside a trajectory: the reason why Lemma 5.2 needs one more factor.
+"""Envelopes of segments inside a trajectory: why Lemma 5.2 needs one more factor.
 
 The lower envelope of s lines has at most s pieces, that of s half-lines 2 s - 1; that of s segments
 can have more than any constant times s (Wiernik and Sharir 1988), but at most s times the inverse
-Ackermann function. Two copies of the segments,
-side by side in D_b, under s equal peaks of G_t at the same distance make windows: in s + 1 of these
-all segments lie above one another. So if
+Ackermann function. Two copies of the segments, side by side in D_b, under s equal peaks of G_t at
+the same distance make windows: in s + 1 of these all segments lie above one another. So if
 envelopes of segments are not of linear size, trajectories are not of size O(mn).
 """
 

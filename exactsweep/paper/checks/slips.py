@@ -1,4 +1,4 @@
-"""Slips of the pen, each with a case in which the printed and the meant statement differ."""
+"""Misprints, each with a case in which the printed and the intended statement differ."""
 
 from __future__ import annotations
 
@@ -40,11 +40,11 @@ def partial_meets_whole(pair: SweepPair) -> Iterator[str]:
 
 
 def output_is_closed(pair: SweepPair) -> Iterator[str]:
-    """Trajectory_CC returns T(G, D)."""
+    """Trajectory_CC returns T(G, D), a closed loop."""
     found = keep_corners(trajectory_cc(pair.chains.top, pair.chains.directrix))
     whole = look_up(pair).trajectory
     if len(found) - 1 != len(whole):
-        yield f"a chain of {len(found) - 1} edges comes out, and T(G, D) has {len(whole)}"
+        yield f"a chain of {len(found) - 1} edges is returned; T(G, D) has {len(whole)}"
 
 
 def inner_is_ready_before(pair: SweepPair) -> Iterator[str]:
@@ -125,7 +125,7 @@ def count_calls(effort: Effort) -> Iterator[Observation]:
     yield Counterexample(
         f"for m = {last.m} and n = {last.n} the calls take {last.count:,} operations, and the "
         f"trajectory has {last.bound:.0f} edges: its size does not bound the time",
-        "a G wider than D, at the largest size that was counted",
+        "a G wider than D, at the largest counted size",
     )
     if growth.exponent() <= growth.claimed() + 0.2:
-        yield "the edges keep up with the operations"
+        yield "the edges grow as fast as the operations"

@@ -1,4 +1,4 @@
-"""The contacts of a sweep, compared with a trial of every pair of features."""
+"""The contacts of a sweep, compared with a test of every pair of features."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _Bounded = tuple[str, int, list[tuple[int, int]]]
 
 
 def contacts_are_right(s: Sweep) -> Iterator[str]:
-    """Say which contacts are listed wrongly, or missing."""
+    """Report contacts that are listed but absent, or missing from the list."""
     g, d = s.generatrix, s.directrix
     yield from tell_loops(s, "trajectory")
     for k, (start, end) in enumerate(list_edges(s.trajectory.vertices)):
@@ -34,7 +34,7 @@ def contacts_are_right(s: Sweep) -> Iterator[str]:
 
 
 def touches_are_right(s: Sweep, step: Step) -> Iterator[str]:
-    """Say where the contacts of a step do not last from where they begin to where they end."""
+    """Report contacts of a step that do not last from their start to their end."""
     for t in list_moments(s, step.start, step.end):
         now = sorted(touch.contact for touch in step.touches if lasts(t, touch.start, touch.end))
         if now != (expected := list_lasting(s.generatrix, s.directrix, t)):
@@ -63,7 +63,7 @@ def list_moments(s: Sweep, start: Point, end: Point) -> list[Point]:
 
 
 def list_lasting(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int, int]]:
-    """List lasting contacts of G + t and D: two edges that touch stand for their ends, too."""
+    """List lasting contacts of G + t and D; a contact of two edges includes those of their ends."""
     found = list_touching(g, d, t)
     (_, g_ends), (_, d_ends) = map(number_features, (g, d))
     flat = [(i, j) for event, i, j in found if event == "EE"]
@@ -73,7 +73,7 @@ def list_lasting(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int,
 
 
 def list_touching(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int, int]]:
-    """List all contacts of G + t and D, trying every feature with every other."""
+    """List all contacts of G + t and D by testing all pairs of features."""
     (g_corners, g_edges), (d_corners, d_edges) = map(number_features, (g, d))
     moved = {i: (x + t.x, y + t.y) for i, (x, y) in g_corners.items()}
     # Ints compare much faster than Fractions.

@@ -1,4 +1,4 @@
-"""Section 5: undercuts of an MM sweep, how many and how long, and so the size of the inner loop."""
+"""Section 5: number and length of undercuts of an MM sweep, and the size of the inner loop."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def find_long_undercut(effort: Effort) -> Iterator[Observation]:
 
 
 def find_longest(pair: SweepPair) -> int:
-    """Find the edges of the longest bottom chain of an undercut."""
+    """Count the edges of the longest bottom chain of an undercut."""
     return max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
 
 
@@ -63,7 +63,7 @@ def prove(pair: SweepPair) -> Iterator[str]:
 
 
 def undercuts_are_closed(pair: SweepPair) -> Iterator[str]:
-    """In its positions, and on the way between two of them, G draws all of a bottom chain."""
+    """At its positions and between consecutive ones, G draws all of a bottom chain."""
     s = sweep(*pair)
     for undercut in s.undercuts:
         drawn = list(map(make_segment, _list_drawn(s, undercut.positions)))
@@ -87,7 +87,7 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
 
 
 def pockets(pair: SweepPair) -> int:
-    """Count the undercuts of the lower sweep, under a lid above both chains."""
+    """Count the undercuts of the lower sweep, with a lid above both chains."""
     inner, directrix = sweep_mm(*pair.chains)[0], pair.chains.directrix
     above = 1 + max(y for _, y in directrix)
     lid = [(directrix[-1][0] + 1, above), (directrix[0][0] - 1, above)]
@@ -112,7 +112,7 @@ def count_undercuts(effort: Effort) -> Iterator[Observation]:
                 yield f"{count} undercuts for ({m}, {n}) are not as many as proved"
     pair = SweepPair(*ceilings(7, 8))
     yield Counterexample(
-        f"{len(lower_undercuts(sweep(*pair)))} disjoint undercuts of the lower sweep where D_b has "
+        f"{len(lower_undercuts(sweep(*pair)))} disjoint undercuts of the lower sweep; D_b has "
         f"{len(pair.chains.directrix)} vertices",
         "the least of the family of ceilings",
         *pair,

@@ -1,4 +1,4 @@
-"""A figure of ours: the undercuts between two needles of the family of ceilings."""
+"""An additional figure: the undercuts between two needles of the family of ceilings."""
 
 from __future__ import annotations
 
