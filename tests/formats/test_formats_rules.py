@@ -68,7 +68,7 @@ def test_reflected_items_are_drawn_at_the_x_axis() -> None:
     (found,) = parse_layouts(text)
     layout = Layout.from_json(found.data)
     a, b, c, d = layout.placements[0].rows()
-    # Mirroring keeps (4, 0), which rotates to (0, 4); it maps (0, 3) to (0, -3), which goes to (3, 0).
+    # (4, 0) is unchanged by mirroring, then rotates to (0, 4); (0, 3) goes to (0, -3), then (3, 0).
     assert (a, c, b, d) == (Fraction(0), Fraction(1), Fraction(1), Fraction(0))
 
 

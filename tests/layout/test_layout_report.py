@@ -144,8 +144,7 @@ def test_a_picture_has_all_parts_and_the_faulty_ones_in_red() -> None:
     svg = draw_layout(judgement, rank_faults(judgement), "a <layout>")
     assert "<title>a &lt;layout&gt;</title>" in svg
     found = classes(svg)
-    # One part has no fault. Four faults have a witness, each with an enlarged detail; three of these
-    # show two parts.
+    # One part has no fault. Four faults have a witness, and so a detail; three show two parts.
     assert (found["part"], found["frame"]) == (1, 4)
     assert found["bad"] == 4 + 2 + 1 + 2 + 2
     assert found["number"] == 5  # of the placements

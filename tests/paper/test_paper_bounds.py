@@ -258,7 +258,7 @@ def test_a_quick_run_states_what_it_skips() -> None:
     for quick in (False, True):
         first = next(iter(measure_costs("Corollary 3.3", Effort(quick=quick))))
         assert isinstance(first, Evidence)
-        assert ("leaves out seconds" in first.tried) == quick
+        assert ("skips seconds" in first.tried) == quick
 
 
 def test_slots_of_a_list_are_counted() -> None:

@@ -107,7 +107,7 @@ def test_fits_that_cross_are_whole() -> None:
     corridor = [(0, 0), (10, 0), (10, 1), (5, 1), (6, 3), (3, 3), (4, 1), (0, 1)]
     n = no_fit_polygon(Region(box(-2, -2, 12, 5), [corridor]), UNIT)
     assert n.exact_fits == fits((0, 0), (9, 0), (4, 1), (4, 0))
-    # In a cross-shaped hole, exact fits cross, without free positions beside the crossing.
+    # In a cross-shaped hole, exact fits cross, without free positions next to the crossing.
     cross = [(2, 1), (3, 1), (3, 2), (4, 2), (4, 3), (3, 3), (3, 4), (2, 4), (2, 3), (1, 3)]
     n = no_fit_polygon(Region(box(0, 0, 5, 5), [[*cross, (1, 2), (2, 2)]]), UNIT)
     assert n.exact_fits == fits((1, 2), (3, 2), (2, 1), (2, 3))
