@@ -47,7 +47,7 @@ class Job(NamedTuple):
     path: str | None
 
     def chunks(self, start: int) -> Iterator[Chunk]:
-        """Yield the pairs in order, beginning with one of them."""
+        """Yield the pairs in order, from a given one on."""
         most = min(max(CHUNK_PAIRS, self.total // _CHUNKS), _MAX_CHUNK_PAIRS)
         numbers = range(start, self.total)
         pairs: Iterable[int | bytes] = numbers
@@ -104,7 +104,7 @@ def take_listed_pairs(
     what: str = "loops",
     rounding: Rounding | None = None,
 ) -> Job:
-    """Make a batch of the pairs in a file, a line of JSON each.
+    """Make a batch from a file of pairs, one JSON object per line.
 
     Args:
         path: a file of objects with "generatrix" and "directrix", each the name of a part, or a
@@ -168,7 +168,7 @@ def _digest_input(work: Work, source: bytes) -> str:
 
 
 def _lines(path: str) -> Iterator[bytes]:
-    """Yield the lines of a file that are not empty, b"" for a too long one."""
+    """Yield the nonempty lines of a file; b"" stands for a line that is too long."""
     with name_failures(path, BatchError):
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():

@@ -22,8 +22,8 @@ def judge_command(path: str | None, reports: Reports) -> None:
     'exactsweep corpus generate --count 100 | COMMAND | exactsweep judge'.
 
     Prints the number of cases by class, flag and verdict, and each fault with its smallest case.
-    The exit code is 0 if no verdict is worse than --accept, all lines are answers, and enough cases
-    are judged; and 1 otherwise.
+    The exit code is 0 if no verdict is worse than --accept, every line is an answer, and enough
+    cases were judged; otherwise 1.
 
     Example:
       exactsweep judge --cases cases.jsonl

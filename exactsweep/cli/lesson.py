@@ -12,8 +12,7 @@ from exactsweep.cli.output import write
 def lesson_command(name: str | None, output: str) -> None:
     """Write a lesson as an HTML page, with its code and pictures.
 
-    Without NAME, the command lists the lessons. They are notebooks of the package; the page shows
-    their stored output.
+    Without NAME, lists the lessons. Lessons are notebooks; the page shows their stored output.
 
     Example:
       exactsweep lesson gallery -o gallery.html

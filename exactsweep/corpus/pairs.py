@@ -1,4 +1,4 @@
-"""Pairs of polygons of the user as cases with computed answers."""
+"""The user's pairs of polygons as cases, with computed answers."""
 
 from __future__ import annotations
 
@@ -208,7 +208,7 @@ def _make_case(
 
 
 def _read_rings(candidate: Candidate, name: str) -> PointRings:
-    """Read a polygon and its holes, vertices as they are given."""
+    """Read a polygon and its holes, with the vertices as given."""
     with name_refusals(name, FormatError):
         candidate.shape()
         return [candidate.vertices(), *(hole.vertices() for hole in candidate.holes())]

@@ -250,7 +250,7 @@ class _Finder:
         yield from sorted(near, key=self._sums.measure, reverse=True)
 
     def _find_end(self, side: DirectedSegment, reach: Fraction, closed: bool) -> Fraction:
-        """Find where a slit ends: where the next sum or edge begins."""
+        """Find where a slit ends: at the start of the next sum or edge."""
         start, end = side.start, side.end
         near = self._sums.find_near([(self._sums.grid.bound([start, end]), 0)])
         numbers = (*self._beyond, *(k for _, k in near))

@@ -130,7 +130,7 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     for j, (x, y) in enumerate(directrix.vertices):
         point = x * scale - tx, y * scale - ty
         found.update(Contact("EV", i, j) for i in generatrix.edges_through(point, scale))
-    # The common part of two edges has an end towards the start of G's edge. It is that start or an
+    # The intersection of two edges has an end towards the start of G's edge. It is that start or an
     # end of D's edge, so one of the contacts above.
     for event, i, j in list(found):
         piece = make_segment(generatrix.edge(i))

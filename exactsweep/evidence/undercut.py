@@ -62,7 +62,7 @@ class TracedPiece(NamedTuple):
     piece: Segment
 
     def covers(self, whole: Segment) -> bool:
-        """Decide whether the piece holds all of a segment on its line."""
+        """Decide whether the piece covers a segment on its line."""
         return self.piece.low <= whole.low and whole.high <= self.piece.high
 
 
@@ -98,7 +98,7 @@ class Tracer:
         return single
 
     def choose(self, edge: Edge, whole: Segment) -> list[TracedPiece]:
-        """Choose few drawings that together cover an edge.
+        """Choose a small set of drawings that covers an edge.
 
         The search tries edges of G with an end in common; then vertices and edges of G along edges
         of T; then other edges of G. Raises ExactSweepError if nothing draws the edge.
@@ -120,7 +120,7 @@ class Tracer:
         raise ExactSweepError("no feature of the generatrix draws this edge")
 
     def draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[TracedPiece]:
-        """Draw by edges of G that end, at a vertex of T, in one of some points."""
+        """Draw by edges of G that end, at a vertex of T, at one of the given points."""
         for i, own in self._edges[whole.direction]:
             for p in ends:
                 for q in self.generatrix.edge(i):

@@ -28,7 +28,7 @@ _G_CODE = re.compile(r"(?:%\s*|[;(][^\n]*\n\s*)*+(?:N\d+\s*)?[GMO]\d", re.IGNORE
 
 
 def require_known(text: str) -> None:
-    """Reject formats without polygons that the first letters identify."""
+    """Reject formats without polygons, which the first characters identify."""
     start = text.lstrip()[:40].lower()
     for sign, (name, advice) in _SIGNS.items():
         if start.startswith(sign.lower()):

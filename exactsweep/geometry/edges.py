@@ -100,7 +100,7 @@ class EdgeIndex:
 
 
 def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
-    """Return the ends of the common part of edges a b and p q, or None if their left sides meet.
+    """Return the ends of the intersection of edges a b and p q, or None if their left sides meet.
 
     Left sides meet if the edges cross, or run along each other in one direction.
 

@@ -1,9 +1,9 @@
-"""The common part of two shapes: its boundary, its area, and a point inside.
+"""The intersection of two shapes: its boundary, its area, and a point inside.
 
 (1) Cut the edges of both shapes where they meet. Each piece is inside the other shape, outside, or
     runs along an edge of it, as a whole.
-(2) The boundary of the common part consists of the pieces of each that are inside the other, and of
-    those that run along each other in one direction, counted once.
+(2) The boundary of the intersection consists of the pieces of each shape inside the other, and of
+    the shared pieces of equal direction, counted once.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class _Cuts(NamedTuple):
 
 
 def find_common_boundary(first: Rings, second: Rings) -> list[Edge]:
-    """Return the boundary of the common part as pieces of edges, interior on the left, by (2).
+    """Return the boundary of the intersection as pieces of edges, interior on the left, by (2).
 
     Cost: O((m + n + c) log(m + n)) for c common points, if few edges are near each other.
 
@@ -47,15 +47,15 @@ def find_common_boundary(first: Rings, second: Rings) -> list[Edge]:
 
 
 def measure_common_area(boundary: Sequence[Edge]) -> Fraction:
-    """Return the area of the common part. Cost: O(n)."""
+    """Return the area of the intersection. Cost: O(n)."""
     return add_up(Fraction(cross(p, q)) for p, q in boundary) / 2
 
 
 def find_common_point(boundary: Sequence[Edge], first: Rings, second: Rings) -> Point:
     """Return a point inside both shapes, next to the longest piece of the common boundary.
 
-    From a point of the piece, the ray to the left enters the common part. The point is halfway to
-    the first edge that the ray meets.
+    From a point of the piece, the ray to the left enters the intersection. The point is halfway
+    to the first edge that the ray meets.
     """
     vertices = {*chain.from_iterable((*first, *second))}
     p, q = max(boundary, key=lambda edge: measure_square(minus(*edge)))
@@ -89,7 +89,7 @@ def _find_point(p: Vertex, q: Vertex, at: Rational) -> Vertex:
 
 
 def _find_pieces(shape: EdgeIndex, other: EdgeIndex, *, keeps_shared: bool) -> Iterator[Edge]:
-    """Yield the pieces of a boundary that belong to the common part, by (2)."""
+    """Yield the pieces of a boundary that bound the intersection, by (2)."""
     for left, right, low, high, ax, ay, bx, by, _, _ in shape.edges:
         p, q = (ax, ay), (bx, by)
         cuts = _Cuts({0, 1}, [])
@@ -107,7 +107,7 @@ def _find_pieces(shape: EdgeIndex, other: EdgeIndex, *, keeps_shared: bool) -> I
 
 
 def _cut(p: Vertex, q: Vertex, a: Vertex, b: Vertex, cuts: _Cuts) -> None:
-    """Add to the cuts of the edge p q what it has in common with the edge a b."""
+    """Add the common points of the edges p q and a b to the cuts of p q."""
     d = minus(q, p)
     of_a, of_b = cross(d, minus(a, p)), cross(d, minus(b, p))
     if (of_a > 0 < of_b) or (of_a < 0 > of_b):

@@ -1,7 +1,7 @@
 """The search for boxes that meet: rows of boxes, each row in the order of the left ends.
 
 (1) A row is at least as high as the mean box. So n boxes have at most 2 n entries in all rows.
-(2) The lower side of the common part of two boxes lies in one row. So each pair is found once.
+(2) The lower side of the intersection of two boxes lies in one row. So each pair is found once.
 """
 
 from __future__ import annotations

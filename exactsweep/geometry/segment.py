@@ -1,4 +1,4 @@
-"""Segments by the keys of their lines, for finding those that share a piece.
+"""Segments keyed by their lines, for finding those that overlap.
 
 The key of a line has its primitive integer direction (a, b), with a > 0 or (0, 1), and the value a
 * y - b * x. Two segments share a piece of positive length only if they lie on one line, so a
@@ -15,7 +15,7 @@ from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
 
 
 class Segment(NamedTuple):
-    """A segment as the range from low to high of a line, by x, or by y on a vertical line."""
+    """The range from low to high of a line, in x, or in y if the line is vertical."""
 
     direction: Vector
     offset: Rational
@@ -28,12 +28,12 @@ class Segment(NamedTuple):
         return Segment(direction, self.offset - offset, self.low - high, self.high - low)
 
     def point(self, along: Rational) -> Vertex:
-        """Return the point of the line with a coordinate, by x, or by y on a vertical line."""
+        """Return the point of the line at x, or at y if the line is vertical."""
         (a, b), offset, _, _ = self
         return (along, ratio(offset + b * along, a)) if a else (-offset, along)
 
     def shares_piece(self, other: Segment) -> bool:
-        """Decide whether two segments of one line overlap in positive length."""
+        """Decide whether two collinear segments overlap in positive length."""
         return self.low < other.high and other.low < self.high
 
 
@@ -75,7 +75,7 @@ def measure_along(direction: Vector, point: Vertex) -> Rational:
 
 
 def choose_cover(whole: Segment, pieces: Iterable[tuple[Segment, int]]) -> list[int] | None:
-    """Choose few pieces on a segment's line that cover it; their numbers, or None.
+    """Choose a small set of pieces that covers a segment of their line; indices, or None.
 
     Cost: O(k log k) for k pieces.
     """

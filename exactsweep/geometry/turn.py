@@ -3,8 +3,8 @@
 (1) The cosine and the sine of a rational number of degrees are both rational for multiples of 90
     only (Niven). Every other rational rotation is given by its cosine and sine.
 (2) With t = tan(a/2), ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2)) is the point of the unit circle at
-    the angle a. A step of t moves this point by at most twice the step. So an interval for the
-    tangent, which interval arithmetic proves, bounds the error of a rational rotation.
+    the angle a. Changing t by s moves this point by at most 2 s. So an interval for the tangent,
+    proved by interval arithmetic, bounds the error of a rational rotation.
 (3) A rotation with error e on the unit circle moves a point at distance r from the origin to within
     e r of its true image.
 """
@@ -92,7 +92,7 @@ class Turn:
 
 
 def read_turn(by: object) -> Turn:
-    """Read a rotation; equal rotations are equal in whatever form they are given.
+    """Read a rotation; equal rotations compare equal in any notation.
 
     Args:
         by: degrees; or a pair of numbers, the image of the X axis, a direction of rational length,
@@ -151,7 +151,7 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
 
 
 def _to_circle(t: Fraction, quarters: int) -> Point:
-    """Return the point of the circle for a half-angle tangent, turned by some quarter turns."""
+    """Return the point of the circle for a half-angle tangent, rotated by quarter turns."""
     c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
     for _ in range(quarters):
         c, s = -s, c

@@ -1,7 +1,7 @@
-"""The clearance of two solids of which one is rounded: their distance, or minus their depth.
+"""The clearance of two solids, at least one rounded: their distance, or minus their depth.
 
-It is the least one of their pieces, d - r - s by (1) and (2) of `rounded`, with pieces of polygons
-as hulls of radius 0. The squared distance of hulls is rational, so all comparisons are exact.
+It is the minimum over pairs of pieces, d - r - s by (1) and (2) of `rounded`; pieces of polygons
+are hulls of radius 0. The squared distance of hulls is rational, so all comparisons are exact.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Seeded random pairs for the checks: small integer grids, where features meet often.
 
 "CC", "CM" and "MM" are the paper's classes, one letter for each polygon; "S" is one of any shape,
-usually monotone to no direction. Strict polygons have no vertical edge, as the paper assumes; weak
-ones have vertical edges, at the ends and inside their chains. Large ones are so large that the
-kernel prunes; far ones have coordinates of 30 digits; in resting ones a long edge of G lies on
-several teeth, pointed or flat.
+usually monotone in no direction. Strict polygons have no vertical edge, as the paper assumes; weak
+ones have vertical edges, at the ends and inside their chains. Large ones make the kernel prune;
+far ones have coordinates of 30 digits; in resting ones a long edge of G lies on several teeth,
+pointed or flat.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Chains(NamedTuple):
 
 
 class SweepPair(NamedTuple):
-    """A generatrix and a directrix, X-monotone unless they are drawn as of any shape."""
+    """A generatrix and a directrix, X-monotone except those of class "S"."""
 
     generatrix: Ring
     directrix: Ring
@@ -45,12 +45,12 @@ class SweepPair(NamedTuple):
 
 
 def read_pair(rings: Iterable[Iterable[Sequence[int]]]) -> SweepPair:
-    """Read the pair of two lists of vertices from a file."""
+    """Make a pair from two lists of vertices in a file."""
     return SweepPair(*([(x, y) for x, y in ring] for ring in rings))
 
 
 def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
-    """Draw a pair of a class; now and then both on one scale, now and then on two."""
+    """Draw a pair of a class, sometimes on one scale, sometimes on two."""
     generatrix, directrix = (_draw_ring(random, letter, strict=strict) for letter in kind)
     factor = random.choice([1, 1, 2, 7])
     return SweepPair(
@@ -59,7 +59,7 @@ def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
 
 
 def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
-    """Draw a convex or a monotone ring, strict if no edge is vertical; or one of any shape."""
+    """Draw a convex ring, a monotone one, or one of any shape; strict rings lack vertical edges."""
     if letter == "S":
         return _draw_any(random)
     if letter == "C":
@@ -73,7 +73,7 @@ def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
 
 
 def _draw_any(random: Prng) -> Ring:
-    """Draw a closed path through random points that does not cross itself."""
+    """Draw a simple closed path through random points."""
     side = random.choice([4, 6, 9])
     while True:
         points = range(random.between(4, 9))
@@ -103,7 +103,7 @@ def draw_large(random: Prng, kind: str) -> SweepPair:
 
 
 def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator[SweepPair]:
-    """Draw pairs of a kind that depend on the seed of the run, their class and their number alone.
+    """Draw pairs of a kind; they depend only on the seed of the run, their class and number.
 
     `kind` has G's and D's letter; `how` is "weak", "large", "far", "resting" or empty.
     """
@@ -120,7 +120,7 @@ def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator
 
 
 def draw_resting(random: Prng) -> SweepPair:
-    """Draw a CM pair in which an edge of G rests on teeth, and sheared, so that it has a slope."""
+    """Draw a CM pair in which an edge of G rests on teeth, sheared so that the edge has a slope."""
     slope, depth, teeth = random.between(-2, 2), random.between(1, 2), random.between(2, 3)
     bottom, x = [(0, 2)], 1
     for _ in range(teeth):

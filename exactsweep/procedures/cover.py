@@ -21,11 +21,11 @@ from exactsweep.geometry.edges import Rings
 from exactsweep.procedures.segments import ContactSegment
 
 _FEW, _CROSSINGS = 250, Fraction(4, 5)
-"""The number of segments, and of their likely crossings with others, from which it saves time."""
+"""Least number of segments, and of expected crossings per segment, at which pruning saves time."""
 _SHARE = 8
-"""The part of the segments' bounds that squares must cover, as 1 / 8, to save time."""
+"""Pruning saves time if squares cover at least 1 / 8 of the bounding box of the segments."""
 _MOST_COLUMNS = 400
-"""A sum of squares takes time by the fourth power of this number."""
+"""The sum of two sets of squares takes time proportional to its fourth power."""
 
 
 def leave_out_covered(
@@ -68,7 +68,7 @@ def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, 
     squares = [a & a >> 1 & b & b >> 1 for a, b in pairwise(squares)]
     other_left, other_low, near, inside = find_squares(moving, side)
     others = [a | b for a, b in zip(near, inside, strict=True)]
-    # All columns of a set are one int, with a stride between them.
+    # All columns of a set are packed into one int, at a fixed stride.
     stride = max(map(int.bit_length, squares)) + max(map(int.bit_length, others))
     packed = sum(rows << k * stride for k, rows in enumerate(squares))
     total = 0

@@ -1,14 +1,13 @@
 """Exact fits: slots of D exactly as wide as G.
 
 In an exact fit G touches D without overlap, but every neighbourhood has positions with overlap on
-both sides. The boundary of the no-fit polygon, a regular set, does not show such positions.
+both sides. Such positions are not on the boundary of the no-fit polygon, a regular set.
 Definition 1.1 requires only contact and disjoint interiors. From below, at x0, the heights are
 
     max(T(x0-), T(x0+))  <  y  <=  least limit of D_b(a) - G_t(a - x0) over the open common x-range.
 
-D holds G from both sides only if two pairs of discontinuities coincide in x0, one of D and one of G
-each: a vertical edge, or an end of the polygon. All fits of monotone pairs are segments of positive
-length.
+D confines G on both sides only if two discontinuities of D meet two of G at x0; each is a vertical
+edge or an end of a polygon. All fits of monotone pairs are segments of positive length.
 """
 
 from __future__ import annotations
@@ -28,8 +27,8 @@ def find_exact_fits(
     """Find the exact fits of G_t from below in D_b, by x.
 
     Each is a pair: the end on the trajectory, the end inside the slot. The chains are reversed G_t
-    and D_b. Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet that
-    of the edges over each other.
+    and D_b. Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet the
+    number of overlapping edges.
 
     >>> from exactsweep.procedures.cm import trajectory_cm
     >>> slot = Chain.of([(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)])

@@ -1,8 +1,8 @@
-"""Loops and exact fits among the pieces that crossings leave.
+"""Loops and exact fits, traced along the pieces of contact segments between crossings.
 
 (1) Let a piece bound a free region. The next piece of the boundary is the first one counter-
     clockwise from the reverse direction, and no crossing proves that it is in O. So if a walk does
-    not close, all of its pieces are in O. If it closes, one position decides the loop.
+    not close, all of its pieces are in O. If it closes, one test decides the whole loop.
 (2) The least point p of the closure of O is the sum of the least vertices. The loop around all
     overlap passes through p, and leaves it by the piece that is furthest clockwise. So it needs no
     test.
@@ -72,12 +72,12 @@ def find_free(
 def _walk_rings(
     pieces: Sequence[OneSidedPiece], overlaps: Test, least: HomogeneousPoint | None
 ) -> Iterator[PieceRing]:
-    """Walk around free regions, by (1) and (2); yield simple rings of pieces."""
+    """Trace the boundaries of free regions by (1) and (2); yield simple rings of pieces."""
     leaving: defaultdict[HomogeneousPoint, list[OneSidedPiece]] = defaultdict(list)
     for piece in pieces:
         leaving[piece[0]].append(piece)
     if least is not None:
-        # With straight down as the X axis, all pieces that leave the least point come by angle.
+        # With straight down as the X axis, pieces that leave the least point are sorted by angle.
         outermost = min(leaving[least], key=lambda piece: angle_key((-piece[3], piece[2])))
         pieces = [outermost, *pieces]
     done: set[OneSidedPiece] = set()
@@ -115,7 +115,7 @@ def _follow(
 
 
 def split_where_it_touches(ring: Iterable[OneSidedPiece]) -> Iterator[PieceRing]:
-    """Split a ring where it returns to a point, as where the loops of two obstacles touch."""
+    """Split a ring where it revisits a point, for example where loops of two obstacles touch."""
     path: list[OneSidedPiece] = []
     places: dict[HomogeneousPoint, int] = {}
     for piece in ring:
@@ -168,7 +168,7 @@ def _find_free_pieces(
 def _join_fits(
     pieces: Iterable[TwoSidedPiece], bounding: Container[HomogeneousPoint]
 ) -> Iterator[tuple[HomogeneousPoint, HomogeneousPoint]]:
-    """Join free pieces that continue each other on one line, unless a loop passes there."""
+    """Join consecutive collinear free pieces, unless a loop passes through their common end."""
     for _, group in groupby(pieces, key=lambda piece: piece[0]):
         (_, start, end), *others = group
         for _, p, q in others:

@@ -59,7 +59,7 @@ def common_points(e: Edge, f: Edge) -> list[Point]:
 
 
 def spans(polygon: Polygon, x: Fraction) -> list[tuple[Fraction, Fraction]]:
-    """The inside of a polygon on a vertical line that meets no vertex."""
+    """The interior of a polygon on a vertical line that meets no vertex."""
     heights = sorted(
         a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)
         for a, b in edges(polygon)
@@ -98,7 +98,7 @@ def check_witness(d: object, g: object, t: tuple[object, object], found: Classif
 
 @st.composite
 def touching(draw: st.DrawFn) -> Case:
-    """Two polygons on one grid, as a rule with a vertex of one on a vertex of the other."""
+    """Two polygons on one grid, usually with a vertex of one on a vertex of the other."""
     d, g = Polygon(draw(own.simple_rings())), Polygon(draw(own.simple_rings()))
     p, q = draw(st.sampled_from(d.vertices)), draw(st.sampled_from(g.vertices))
     step = st.sampled_from([Fraction(s) for s in ("0", "0", "0", "1", "-1", "1/2", "1e-30")])
@@ -263,7 +263,7 @@ def test_a_position_that_is_no_pair_is_refused(position: object) -> None:
 
 
 def test_witnesses_are_inside_both() -> None:
-    """Of shapes on a small grid, where rays from a corner run along edges."""
+    """On a small grid, rays from a corner run along edges."""
     rng = Random(6)
     found = 0
     for number in range(60):

@@ -28,7 +28,7 @@ scales = st.sampled_from([Fraction(1, 1000), Fraction(1), Fraction(7, 3), Fracti
 _SAMPLES = 24
 
 Curve = Callable[[Fraction], tuple[Any, Any]]
-"""A point of a curve at a parameter from 0 to 1, as two intervals."""
+"""Maps a parameter from 0 to 1 to a point of the curve, as two intervals."""
 
 
 def lie_within(curve: Curve, line: Sequence[Point], tolerance: Fraction) -> bool:
@@ -75,7 +75,7 @@ def to_interval(value: Fraction | int) -> Any:
 def test_a_circular_segment_is_simple_and_near_in_both_directions(
     bulge: Fraction, side: int, backward: bool, scale: Fraction, tolerance: str
 ) -> None:
-    """A bulged polyline and its chord, drawn either way."""
+    """A bulged polyline and its chord, in either direction."""
     reach = Fraction(tolerance) * scale
     ends = [(Fraction(0), Fraction(0)), (30 * scale, 10 * scale)]
     if backward:

@@ -229,7 +229,7 @@ def test_too_many_numbers_elements_or_names_are_rejected() -> None:
 
 
 def test_unused_columns_cost_nothing() -> None:
-    """Looking up all names of columns in each row takes quadratic time."""
+    """Looking up all column names in each row would take quadratic time."""
 
     def read(n: int) -> None:
         head = ",".join(f"c{k}" for k in range(n))

@@ -1,4 +1,4 @@
-"""Features of shapes: found by their places as by looking at all."""
+"""Features at a point: the search agrees with a scan of all features."""
 
 from fractions import Fraction
 from itertools import product
@@ -12,7 +12,7 @@ from exactsweep.geometry.vectors import is_between
 
 
 def test_features_at_a_point_are_those_of_the_definition() -> None:
-    """For points on the lattice and between, with more edges than a search looks at one by one."""
+    """On and between lattice points, with and without more edges than a linear scan handles."""
     rng = Random(4)
     for n in range(25):
         loop = Polygon(families.jagged(rng, 4, (1, 3))).lattice()[1]

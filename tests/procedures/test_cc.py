@@ -27,7 +27,7 @@ usually = examples(100)
 
 
 def steps(*chains: list[Vertex]) -> list[Vertex]:
-    """The edges as vectors, by slope, parallel ones added up."""
+    """Edge vectors sorted by slope, parallel ones added."""
     found: list[Vertex] = []
     vectors = [(q[0] - p[0], q[1] - p[1]) for chain in chains for p, q in pairwise(chain)]
     for x, y in sorted(vectors, key=lambda v: Fraction(v[1]) / v[0]):
@@ -153,7 +153,7 @@ def test_slopes_however_close_are_distinguished(one: list[Vertex], other: list[V
 
 
 def test_slopes_of_ints_over_fractions_are_distinguished() -> None:
-    """In units of the greatest width, 1, both slopes that are not 0 would be rounded to others."""
+    """Scaled to the greatest width, 1, both nonzero slopes would be rounded."""
     one: list[Vertex] = [(0, 0), (1, 0)]
     other: list[Vertex] = [(0, 0), (1, Fraction(-1, 9)), (2, Fraction(-1, 9) + Fraction(1, 50))]
     merged = trajectory_cc(inverse(one), other)

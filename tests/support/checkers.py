@@ -36,7 +36,7 @@ def ask_node(texts: list[str], folder: Path) -> list[str]:
 
 
 def check_agreement(certificates: list[Any], folder: Path) -> int:
-    """Require the same verdicts of both checkers; return the number of proofs."""
+    """Require that both checkers agree on each certificate; return the number of proofs."""
     texts = [c if type(c) is str else json.dumps(c) for c in certificates]
     answers = ask_node(texts, folder)
     assert len(answers) == len(texts)

@@ -1,4 +1,4 @@
-"""Layouts with verdicts by hand, of kinds that the corpus lacks."""
+"""Layouts of kinds that the corpus lacks, with verdicts worked out by hand."""
 
 from fractions import Fraction
 
@@ -8,7 +8,7 @@ from exactsweep.layout import Layout
 
 TILE = box(0, 0, 1, 1)
 SHEET = box(0, 0, 10, 10)
-# A ring one wide around a room of 2 by 2.
+# A ring of width 1 around a 2 by 2 hole.
 RING = {"exterior": box(0, 0, 4, 4), "holes": [box(1, 1, 3, 3)]}
 TRIANGLE = [(0, 0), (4, 0), (0, 3)]
 

@@ -1,8 +1,8 @@
 """Random layouts of discs, slots, rounded rectangles and polygons near contact, with verdicts.
 
 Every part is convex: hulls with a radius, turned by rational turns, placed one after another at a
-chosen distance from an earlier one, in directions of Pythagorean triples. The truth is decided in
-rational arithmetic by closed formulas that share nothing with the judge.
+chosen distance from an earlier one, in directions of Pythagorean triples. Closed formulas in
+rational arithmetic, independent of the judge, give the true verdicts.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def draw_part(rng: Random, k: int) -> dict[str, Any]:
 
 
 def draw_container(rng: Random, shapes: list[Rounded]) -> dict[str, Any]:
-    """Draw a rectangle or a disc that touches a part, nearly so, or has room; or none."""
+    """Draw a rectangle or disc that touches a part, nearly does, or has room; or none."""
     left, low, right, high = bound(shapes)
     off, margin = rng.choice(NEAR), rng.choice([Fraction(0), Fraction(1, 7)])
     match rng.randrange(3):
@@ -164,7 +164,7 @@ def relate(one: Rounded, other: Rounded, spacing: Fraction) -> str:
 
 
 def do_touch(one: list[Vertex], other: list[Vertex]) -> bool:
-    """Return whether the line of an edge has one of two polygons on each side."""
+    """Return whether the line of an edge separates two polygons."""
     normals = [
         (b[1] - a[1], a[0] - b[0]) for hull in (one, other) for a, b in pairwise([*hull, hull[0]])
     ]
@@ -193,7 +193,7 @@ def is_within(one: Rounded, container: dict[str, Any], margin: Fraction) -> bool
 
 
 def compare_packing(packing: Packing, rng: Random, deep: bool) -> str:
-    """Compare the judge with the truth, prove the certificate, and refuse changed ones."""
+    """Compare the judge with the truth, prove the certificate, and reject changed ones."""
     data = packing.data
     faults, contacts = find_truth(data)
     judgement = judge_layout(Layout.from_json(data))
@@ -241,7 +241,7 @@ def find_wrong_move(data: dict[str, Any], fault: Any) -> str:
 
 
 def change(certificate: dict[str, Any], rng: Random) -> dict[str, Any]:
-    """Change a number of a certificate, or what it claims."""
+    """Change a number or a claim of a certificate."""
     found = deepcopy(certificate)
     layout = found["layout"]
     match rng.randrange(5):
@@ -274,7 +274,7 @@ def change(certificate: dict[str, Any], rng: Random) -> dict[str, Any]:
 
 
 def is_false(certificate: dict[str, Any]) -> bool:
-    """Return whether the truth contradicts a certificate of this module."""
+    """Return whether a certificate of this module contradicts the truth."""
     faults = find_truth(certificate["layout"])[0]
     if certificate["valid"]:
         return bool(faults)

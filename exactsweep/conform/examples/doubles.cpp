@@ -21,7 +21,7 @@ using Ring = vector<Point>;
 using Shape = vector<Ring>;  // A polygon: its exterior, then its holes, in either orientation.
 using Line = pair<Point, Point>;
 
-const size_t MOST = 2500;  // Pairs of edges; the sum below takes their square.
+const size_t MOST = 2500;  // Pairs of edges; the sum takes time proportional to their square.
 
 Shape minkowski_sum(Shape a, Shape b);
 
@@ -57,7 +57,7 @@ Shape orient(const Shape& shape) {
   return found;
 }
 
-// Each edge at the corners of the other shape between whose sides its direction is.
+// Each edge at the corners of the other shape whose edges enclose its direction.
 void place_edges(const Shape& edges, const Shape& corners, vector<Line>& lines) {
   for (const Ring& ring : corners)
     for (size_t k = 0; k < ring.size(); k++) {
@@ -74,7 +74,7 @@ void place_edges(const Shape& edges, const Shape& corners, vector<Line>& lines) 
     }
 }
 
-// Where on a line, from 0 to 1, another one crosses it or has an end on it.
+// The parameters on a line, from 0 to 1, where another one crosses it or ends on it.
 void find_cuts(const Line& line, const Line& other, double near, set<double>& cuts) {
   const auto& [p, q] = line;
   const auto& [r, s] = other;
@@ -123,7 +123,7 @@ bool is_inside(const Point& place, const Shape& a, Shape b) {
   return holds(a, b[0][0]) || holds(b, a[0][0]);
 }
 
-// Pieces joined to rings; where several go on, the one farthest to the right is next.
+// Pieces joined to rings; at a branch, the rightmost piece is next.
 Shape join(set<Line> pieces) {
   Shape rings;
   while (!pieces.empty()) {
@@ -152,7 +152,7 @@ Shape join(set<Line> pieces) {
   return rings;
 }
 
-// The rings of a + b: edges of each at convex corners of the other, cut, and chosen.
+// The rings of a + b: edges of each at convex corners of the other, cut and filtered.
 Shape minkowski_sum(Shape a, Shape b) {
   a = orient(a), b = orient(b);
   vector<Line> placed, lines;
@@ -183,8 +183,8 @@ Shape minkowski_sum(Shape a, Shape b) {
     for (auto end = next(cuts.begin()); end != cuts.end(); ++end) {
       const Point r = at(*prev(end)), s = at(*end);
       const double dx = s.first - r.first, dy = s.second - r.second, length = hypot(dx, dy);
-      // The inside is left of every piece; those of the boundary have the outside right.
-      // At a half, two corners might be opposite each other.
+      // The interior is left of each piece; the exterior is right of boundary pieces.
+      // At the midpoint, two corners might be opposite each other.
       if (length > near && !is_inside({r.first + 0.4372 * dx + near * dy / length,
                                        r.second + 0.4372 * dy - near * dx / length},
                                       a, b))

@@ -5,7 +5,7 @@
 "use strict";
 const readline = require("node:readline");
 
-const MOST = 2500; // Pairs of edges; the sum below takes their square.
+const MOST = 2500; // Pairs of edges; the sum takes time proportional to their square.
 
 // The rings around the positions of the reference point at which g overlaps d.
 function noFit(d, g, [x, y]) {
@@ -13,7 +13,7 @@ function noFit(d, g, [x, y]) {
   return mapPoints(rings, ([u, v]) => [u + x, v + y]);
 }
 
-// The rings of a + b: edges of each at convex corners of the other, cut, and chosen.
+// The rings of a + b: edges of each at convex corners of the other, cut and filtered.
 function minkowskiSum(a, b) {
   [a, b] = [orient(a), orient(b)];
   const placed = [...placeEdges(a, b), ...placeEdges(b, a)];
@@ -35,8 +35,8 @@ function minkowskiSum(a, b) {
       const [r, s] = [places[k - 1], places[k]];
       const [dx, dy] = [s[0] - r[0], s[1] - r[1]];
       const length = Math.hypot(dx, dy);
-      // The inside is left of every piece; those of the boundary have the outside right.
-      // At a half, two corners might be opposite each other.
+      // The interior is left of each piece; the exterior is right of boundary pieces.
+      // At the midpoint, two corners might be opposite each other.
       const x = r[0] + 0.4372 * dx + (near * dy) / length;
       const y = r[1] + 0.4372 * dy - (near * dx) / length;
       if (length > near && !isInside([x, y], a, b)) {
@@ -64,7 +64,7 @@ function orient(shape) {
   });
 }
 
-// Each edge at the corners of the other shape between whose sides its direction is.
+// Each edge at the corners of the other shape whose edges enclose its direction.
 function placeEdges(edges, corners) {
   const lines = [];
   for (const ring of corners) {
@@ -81,7 +81,7 @@ function placeEdges(edges, corners) {
   return lines;
 }
 
-// Adds where on pq, from 0 to 1, the segment rs crosses it or has an end on it.
+// Adds the parameters on pq, from 0 to 1, where rs crosses it or ends on it.
 function findCuts(p, q, [r, s], near, cuts) {
   for (const c of [0, 1]) {
     if (Math.min(r[c], s[c]) > Math.max(p[c], q[c]) + near) return;
@@ -120,7 +120,7 @@ function holds(shape, p) {
   return crossed.length % 2 === 1;
 }
 
-// Pieces joined to rings; where several go on, the one farthest to the right is next.
+// Pieces joined to rings; at a branch, the rightmost piece is next.
 function join(pieces, nodes) {
   const rings = [];
   const angle = (p, q) => Math.atan2(nodes[q][1] - nodes[p][1], nodes[q][0] - nodes[p][0]);
@@ -154,7 +154,7 @@ function answer(given) {
   return Object.fromEntries(given.ask.map((part) => [part, answers[part]()]));
 }
 
-// One write a line: it is flushed at once, into a pipe, too.
+// One write per line, flushed at once, also into a pipe.
 const say = (line) => process.stdout.write(JSON.stringify(line) + "\n");
 const questions = ["no_fit", "minkowski_sum"];
 say({ hello: "doubles.js", questions, shapes: "any", numbers: "binary64", reference: "given" });

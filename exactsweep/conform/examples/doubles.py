@@ -17,7 +17,7 @@ HELLO = {
     "reference": "given",
 }
 MOST = 2500
-"""Pairs of edges; the sum below takes their square."""
+"""Pairs of edges; the sum takes time proportional to their square."""
 
 XY = tuple[float, float]
 Contour = list[XY]
@@ -33,7 +33,7 @@ def no_fit(d: Contours, g: Contours, reference: XY) -> Contours:
 
 
 def minkowski_sum(a: Contours, b: Contours) -> Contours:
-    """Return the rings of a + b: edges of each at convex corners of the other, cut, and chosen."""
+    """Return the rings of a + b: edges of each at convex corners of the other, cut and filtered."""
     a, b = orient(a), orient(b)
     lines = [*place_edges(a, b), *place_edges(b, a)]
     near = 1e-13 * max(abs(c) for line in lines for p in line for c in p)
@@ -55,8 +55,8 @@ def minkowski_sum(a: Contours, b: Contours) -> Contours:
         for (x1, y1), (x2, y2) in pairwise(places):
             length = hypot(x2 - x1, y2 - y1)
             if length > near:
-                # The inside is left of every piece; those of the boundary have the outside right.
-                # At a half, two corners might be opposite each other.
+                # The interior is left of each piece; the exterior is right of boundary pieces.
+                # At the midpoint, two corners might be opposite each other.
                 x = x1 + 0.4372 * (x2 - x1) + near * (y2 - y1) / length
                 y = y1 + 0.4372 * (y2 - y1) - near * (x2 - x1) / length
                 if not is_inside(x, y, a, b):
@@ -65,7 +65,7 @@ def minkowski_sum(a: Contours, b: Contours) -> Contours:
 
 
 def orient(shape: Contours) -> Contours:
-    """Turn rings so that the inside is on the left; leave out repeated vertices."""
+    """Orient rings with the interior on the left; drop repeated vertices."""
     found = []
     for k, given in enumerate(shape):
         ring = [p for j, p in enumerate(given) if p != given[j - 1]]
@@ -76,7 +76,7 @@ def orient(shape: Contours) -> Contours:
 
 
 def place_edges(edges: Contours, corners: Contours) -> list[tuple[XY, XY]]:
-    """Put each edge at the corners of the other shape between whose sides its direction is."""
+    """Translate each edge to the corners of the other shape whose edges enclose its direction."""
     lines = []
     for ring in corners:
         for k, (x, y) in enumerate(ring):
@@ -92,7 +92,7 @@ def place_edges(edges: Contours, corners: Contours) -> list[tuple[XY, XY]]:
 
 
 def find_cuts(p: XY, q: XY, r: XY, s: XY, near: float) -> list[float]:
-    """Find where on pq, from 0 to 1, the segment rs crosses it or has an end on it."""
+    """Find the parameters on pq, from 0 to 1, where rs crosses it or ends on it."""
     dx, dy, ex, ey = q[0] - p[0], q[1] - p[1], s[0] - r[0], s[1] - r[1]
     if min(r[0], s[0]) > max(p[0], q[0]) + near or max(r[0], s[0]) < min(p[0], q[0]) - near:
         return []
@@ -141,7 +141,7 @@ def holds(shape: Contours, p: XY) -> bool:
 
 
 def join(pieces: set[tuple[XY, XY]]) -> Contours:
-    """Join pieces to rings; where several go on, the one farthest to the right is next."""
+    """Join pieces to rings; at a branch, take the rightmost piece."""
     rings = []
     while pieces:
         start, p = piece = min(pieces)

@@ -13,7 +13,7 @@ type Ring = Vec<Point>;
 type Shape = Vec<Ring>;
 type Line = (Point, Point);
 
-/// Pairs of edges; the sum below takes their square.
+/// Pairs of edges; the sum takes time proportional to their square.
 const MOST: usize = 2500;
 
 /// The rings around the positions of the reference point at which g overlaps d.
@@ -22,7 +22,7 @@ fn no_fit(d: &Shape, g: &Shape, reference: Point) -> Shape {
     map(&rings, |(x, y)| (x + reference.0, y + reference.1))
 }
 
-/// The rings of a + b: edges of each at convex corners of the other, cut, and chosen.
+/// The rings of a + b: edges of each at convex corners of the other, cut and filtered.
 fn minkowski_sum(a: &Shape, b: &Shape) -> Shape {
     let (a, b) = (&orient(a), &orient(b));
     let placed = [place_edges(a, b), place_edges(b, a)].concat();
@@ -54,8 +54,8 @@ fn minkowski_sum(a: &Shape, b: &Shape) -> Shape {
             let (r, s) = (between(p, q, pair[0]), between(p, q, pair[1]));
             let (dx, dy) = (s.0 - r.0, s.1 - r.1);
             let length = dx.hypot(dy);
-            // The inside is left of every piece; those of the boundary have the outside right.
-            // At a half, two corners might be opposite each other.
+            // The interior is left of each piece; the exterior is right of boundary pieces.
+            // At the midpoint, two corners might be opposite each other.
             let x = r.0 + 0.4372 * dx + near * dy / length;
             let y = r.1 + 0.4372 * dy - near * dx / length;
             if length > near && !is_inside((x, y), a, b) {
@@ -105,7 +105,7 @@ fn orient(shape: &Shape) -> Shape {
     found
 }
 
-/// Each edge at the corners of the other shape between whose sides its direction is.
+/// Each edge at the corners of the other shape whose edges enclose its direction.
 fn place_edges(edges: &Shape, corners: &Shape) -> Vec<Line> {
     let mut lines = vec![];
     for ring in corners {
@@ -126,7 +126,7 @@ fn place_edges(edges: &Shape, corners: &Shape) -> Vec<Line> {
     lines
 }
 
-/// Adds where on a line, from 0 to 1, another one crosses it or has an end on it.
+/// Adds the parameters on a line, from 0 to 1, where another one crosses it or ends on it.
 fn find_cuts((p, q): Line, (r, s): Line, near: f64, cuts: &mut Vec<f64>) {
     if r.0.min(s.0) > p.0.max(q.0) + near
         || r.0.max(s.0) < p.0.min(q.0) - near
@@ -174,7 +174,7 @@ fn holds(shape: &Shape, p: Point) -> bool {
     list_edges(shape).filter(crosses).count() % 2 == 1
 }
 
-/// Pieces joined to rings; where several go on, the one farthest to the right is next.
+/// Pieces joined to rings; at a branch, the rightmost piece is next.
 fn join(mut pieces: Vec<(usize, usize)>, nodes: &[Point]) -> Shape {
     let angle = |p: usize, q: usize| (nodes[q].1 - nodes[p].1).atan2(nodes[q].0 - nodes[p].0);
     let mut rings = vec![];

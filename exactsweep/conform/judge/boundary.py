@@ -1,11 +1,11 @@
-"""The boundary of the region that rings determine, however they are written.
+"""The boundary of the region that rings enclose, independent of their notation.
 
 A point belongs to the region if an odd number of edges cross a ray from it. So a segment bounds the
 region if and only if an odd number of edges cover it, in either direction:
 
     (1)  two regions differ by a set without area exactly if these segments are the same;
     (2)  segments covered by an even number of edges bound nothing: whiskers, traced in and out;
-         keyholes, by which a ring reaches a hole; borders between pieces of a region.
+         keyholes, which connect a ring to a hole; borders between pieces of a region.
 
 (1) does not depend on crossings, so only edges on the same line are compared.
 """
@@ -114,7 +114,7 @@ def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fi
 
 
 def are_collinear(points: Sequence[Vertex]) -> bool:
-    """Decide whether points lie on one line."""
+    """Decide whether points are collinear."""
     low, high = min(points), max(points)
     return not any(turn(low, high, p) for p in points)
 

@@ -1,11 +1,11 @@
 """Bezier curves and arcs of ellipses as values, and points of them on a decimal grid.
 
-A curve is a function of a parameter from 0 to 1, which a *place* says in units of 2**-30. A point
-at a place is a rational point of the curve, computed in ints and rounded to the grid. So it is off
-by the rounding alone.
+A curve is a function of a parameter from 0 to 1; a *place* is the parameter in units of 2**-30.
+The point at a place is a rational point of the curve, computed in ints and rounded to the grid. So
+rounding is its only error.
 
-(1) Between two parameters h apart, a curve C and its chord, at the same parameter, are at most
-    h**2 / 8 * max |C''| apart (the error of linear interpolation).
+(1) Between two parameters at distance h, a curve C and its chord, at the same parameter, differ by
+    at most h**2 / 8 * max |C''| (the error of linear interpolation).
 (2) (1 - t**2, 2 t) / (1 + t**2) is a rational point of the unit circle, at the angle 2 atan(t). So
     a float t decides only where on an arc a point is. By the angle, |C''| is at most the greatest
     radius. Floats of angles are off by less than 2**-45, which the share of the tolerance for
