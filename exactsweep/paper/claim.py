@@ -1,8 +1,8 @@
 """Claims of the paper, findings of checks, and comparisons of the two.
 
-A check looks for counterexamples to the statement as printed, and to the statement as the ledger
-has it. The first kind makes a row "with a condition" or "refuted"; one of the second kind, or the
-lack of an announced one of the first, makes the row fail.
+A check looks for counterexamples to the statement as printed, and as corrected in the ledger.
+Those of the first kind make a row "with a condition" or "refuted". A row fails if there is one of
+the second kind, or if an announced one of the first kind is not found.
 """
 
 from __future__ import annotations
@@ -66,7 +66,8 @@ class Evidence:
         cases: counterexamples to the statement as printed, or to parts of it.
         tables: measured numbers.
         growth: counted operations or vertices over doubling sizes.
-        sampled: the least number of random pairs for each law; `searched` of cases of finite sets.
+        sampled: the number of random pairs, the minimum over all laws.
+        searched: the number of cases tried of finite sets.
     """
 
     tried: str = ""

@@ -1,8 +1,8 @@
 """The costs that the paper claims for each procedure, with counts and measurements.
 
 Operations and bytes are counted at small sizes, the same on every run; seconds are measured at
-larger ones, in full runs only. Each bound is tried with m and n doubled together, m alone and n
-alone: with m = n, a term m² in place of mn does not show.
+larger ones, in full runs only. Each bound is tested with m and n doubled together, m alone and n
+alone: with m = n, an m² term would pass for mn.
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ from exactsweep.paper.pairs import SweepPair, draw_pairs
 
 
 def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:
-    """Report where an envelope is not the lowest of some chains; empty if nowhere."""
+    """Report where an envelope differs from the minimum of some chains; empty if nowhere."""
     for x in sample_between(envelope, *chains):
         least = min((evaluate(chain, x) for chain in chains if reaches(chain, x)), default=None)
         found = evaluate(envelope, x) if reaches(envelope, x) else None

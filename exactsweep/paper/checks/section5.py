@@ -186,8 +186,8 @@ def edges_are_near(pair: SweepPair) -> Iterator[str]:
         width = _measure_width(normal, s.generatrix)
         if inner and outer and max(outer) - min(inner) < width:
             yield (
-                f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges are there, and apart by "
-                f"{max(outer) - min(inner)} where G is wide by {width}, in units of the edge's "
+                f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges are there, at distance "
+                f"{max(outer) - min(inner)}, but G has width {width}, in units of the edge's "
                 "length"
             )
 
