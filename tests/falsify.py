@@ -1,10 +1,10 @@
 """Falsify certificates, and check that they are rejected: `python -m tests.falsify`.
 
 Changes of one place, mixtures of two certificates about related pairs, and an adversary who moves
-loops and has the finder fill in a proof for them. With --layouts, certificates of layouts instead.
-With --prove, certificates of random pairs and of the corpus are proved by the file alone, in
-processes that cannot see the package. With --weaken, single lines of the checker are weakened, and
-a test has to notice each.
+loops and has the finder fill in a proof for them. With --layouts, certificates of layouts instead;
+with --sums, of sums with paths. With --prove, certificates of random pairs and of the corpus are
+proved by the file alone, in processes that cannot see the package. With --weaken, single lines of
+the checker are weakened, and a test has to notice each.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 
 import click
 
-from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import Polyline, Region, inner_fit_polygon, minkowski_sum, no_fit_polygon, sweep
 from exactsweep.check import standalone
 from exactsweep.check.standalone import Refused, area, edges, prove, read_points
 from exactsweep.check.verify import normalize
@@ -35,6 +35,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from families import random_pair
 from layout_adversary import draw_layouts, is_true_layout, refill
+from paths import draw_path
 from rounded_pieces import claim_valid, draw_rounded, is_true_rounded
 from shape_families import random_shapes
 from tampering import get, put
@@ -81,6 +82,32 @@ def draw(rng: Random) -> Iterator[Certificate]:
             lambda d=still: inner_fit_polygon(d, g).certificate(),
         ]
         yield json.loads(json.dumps(rng.choice(shapes)()))
+
+
+def draw_sums(rng: Random) -> Iterator[Certificate]:
+    """Draw certificates of the sums of one shape with two paths."""
+    shape, _ = draw_pair(rng, rng.random() < 0.5)
+    region = Region(shape)
+    for _ in "12":
+        found = minkowski_sum(region, draw_path(rng, region)).certificate()
+        yield json.loads(json.dumps(found))
+
+
+def reroute_sum(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
+    """Change the path under its old answer, or the answer as `reroute` does; find a new proof."""
+    if rng.random() < 0.5:
+        return reroute(certificate, rng)
+    path = list(certificate["path"])
+    k = rng.randrange(len(path))
+    path[k : k + 1] = rng.choice([[], [path[k - 1]], [path[k], rng.choice(path)]])
+    found = add_proof({**certificate, "path": path})
+    return "another path", json.loads(json.dumps(found))
+
+
+def is_true_sum(certificate: Certificate, known: list[Certificate]) -> bool:
+    """Decide whether the kernel gives the same sum."""
+    found = minkowski_sum(read_region(certificate["shape"]), Polyline(certificate["path"]))
+    return bool(found == read_region(certificate))
 
 
 def draw_classes(rng: Random, pairs: int) -> Iterator[Certificate]:
@@ -250,6 +277,7 @@ def is_true(certificate: Certificate, known: list[Certificate]) -> bool:
 
 
 SHAPES = Family(draw, reroute, is_true)
+SUMS = Family(draw_sums, reroute_sum, is_true_sum)
 LAYOUTS = Family(draw_layouts, refill, is_true_layout)
 ROUNDED = Family(draw_rounded, claim_valid, is_true_rounded)
 
@@ -288,6 +316,7 @@ def list_corpus() -> Iterator[Certificate]:
 @click.option("--changes", default=100, show_default=True, help="How many changes of each pair.")
 @click.option("--seed", default=1, show_default=True)
 @click.option("--layouts", is_flag=True, help="Certificates of layouts.")
+@click.option("--sums", is_flag=True, help="Certificates of sums with paths.")
 @click.option("--rounded", is_flag=True, help="Certificates of layouts of rounded pieces.")
 @click.option("--prove", "proved", is_flag=True, help="Prove certificates, unchanged, instead.")
 @click.option("--corpus", is_flag=True, help="Those of the corpus, with --prove.")
@@ -298,6 +327,7 @@ def main(
     changes: int,
     seed: int,
     layouts: bool,
+    sums: bool,
     rounded: bool,
     proved: bool,
     corpus: bool,
@@ -318,9 +348,8 @@ def main(
             click.echo(f"{count - failed} of {count} proved", err=True)
         click.echo(f"{count - failed} of {count} proved")
         sys.exit(bool(failed))
-    tried, missed = falsify(
-        rng, pairs, changes, LAYOUTS if layouts else ROUNDED if rounded else SHAPES
-    )
+    family = LAYOUTS if layouts else ROUNDED if rounded else SUMS if sums else SHAPES
+    tried, missed = falsify(rng, pairs, changes, family)
     for name, number in sorted(tried.items()):
         click.echo(f"{number:7}  {name}")
     click.echo(f"{tried.total()} tried, {len(missed)} false ones proved")

@@ -413,6 +413,24 @@ function proveSweep(value) {
   return "sweep";
 }
 
+const path = (value) => {
+  const points = listOf(vertex)(value).filter((p, i, all) => i === 0 || !same(p, all[i - 1]));
+  need(points.length >= 2, "a path of fewer than two points");
+  return points;
+};
+
+function proveSum(value) {
+  const proof = object({ shape: pieces, sums, slits: listOf(fit) });
+  const c = object({ ...header, shape, path, exterior: loop, holes: listOf(loop), proof })(value);
+  const first = edgesOf(c.path).slice(0, -1), second = c.proof.shape;
+  checkMakesUp(second, ringsOf(c.shape));
+  checkSums({
+    first, second, sums: c.proof.sums, loops: [c.exterior, ...c.holes.map(reversed)], fits: c.proof.slits, w: 1,
+    groups: [first.slice(0, 1), second],
+  });
+  return "sum of a shape and a path";
+}
+
 function rectangle([left, bottom, right, top]) {
   need(less(left, right) && less(bottom, top), "a rectangle without interior");
   return [[left, bottom], [right, bottom], [right, top], [left, top]].map(([x, y]) => ({ x, y }));
@@ -677,7 +695,7 @@ function proveLayout(value) {
 
 // ---- Main
 
-const PROVERS = { no_fit: proveNoFit, sweep: proveSweep, inner_fit: proveInnerFit, layout: proveLayout };
+const PROVERS = { no_fit: proveNoFit, sweep: proveSweep, sum: proveSum, inner_fit: proveInnerFit, layout: proveLayout };
 
 function prove(bytes) { // what is proved, or an exception
   steps = 5e6 + 150 * bytes.length;

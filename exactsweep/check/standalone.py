@@ -37,7 +37,8 @@ a x + b y + c w > 0. Sections 4 and 5 need 1 to 3; section 6 needs 1 and 2.
    sums D_1 + H_j and D_2 + H_j have p + int H_j in common; so (d) is checked once for pieces that
    vertices connect. `sweep`: what G covers along the exterior T is the closure of the sums of edges
    of T and pieces of G; 3 applies, with slits as fits, which are no part of the answer. Edges of T
-   have common ends, so the sums of one piece of G are connected.
+   have common ends, so the sums of one piece of G are connected. `sum`: likewise, with the segments
+   of any path for T.
 5. `inner_fit`. D is a frame without the container, B the rectangle of all t at which G + t is in
    the frame. L is in B; the four half-planes around B count as listed sums, each with an edge of B
    as its side. In the proof read W + 1 for W; every ray meets a half-plane, so L before it.
@@ -61,7 +62,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
-from itertools import chain, product
+from itertools import chain, pairwise, product
 from math import gcd, lcm
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -539,6 +540,20 @@ def no_fit(c: Any, work: Work) -> str:
     return found
 
 
+def path_sum(c: Any, work: Work) -> str:
+    """Prove the sum of a shape and a path."""
+    names = f"shape path exterior holes proof {HEAD}"
+    given, path, exterior, holes, proof = fields("certificate", c, names)[:5]
+    cut, listed, slits = fields("proof", proof, "shape sums slits")
+    h = solid("shape", shape("shape", given), cut, work)
+    d = [[p, q] for p, q in pairwise(read_points("path", path)) if p != q]
+    need(d and h, "a path of fewer than two points, or no pieces")
+    known = [*loop("exterior", exterior), *loops("holes", holes), *fits("slits", slits)]
+    inner = d[0][:1], [*map(inner_point, h)]
+    boundary(Sums("sums", d, h, work), known, items("sums", listed), inner, 1)
+    return f"sum of a shape and a path of {len(d)} segments: {len(known)} edges and slits"
+
+
 def inner_fit(c: Any, work: Work) -> str:
     """Prove an inner fit."""
     names = f"container part regions exact_fits proof {HEAD}"
@@ -829,7 +844,8 @@ def layout(c: Any, work: Work) -> str:
 # --- Questions ------------------------------------------------------------------------------------
 
 
-PROVERS = {"no_fit": no_fit, "sweep": no_fit, "inner_fit": inner_fit, "layout": layout}
+PROVERS = {"no_fit": no_fit, "sweep": no_fit, "sum": path_sum, "inner_fit": inner_fit}
+PROVERS["layout"] = layout
 
 
 def prove(certificate: Any, max_steps: float | None = None) -> str:

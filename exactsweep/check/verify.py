@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import groupby
 from typing import Any, NamedTuple
 
 from exactsweep.check.standalone import (
@@ -16,7 +17,10 @@ from exactsweep.check.standalone import (
     node,
     place,
     prove,
-    shape,
+    read_points,
+)
+from exactsweep.check.standalone import (
+    shape as read_shape,
 )
 from exactsweep.numbers.error import ExactSweepError, tells_arguments
 from exactsweep.numbers.number import Point, to_fraction
@@ -42,17 +46,21 @@ def verify(
     directrix: Any = None,
     part: Any = None,
     container: Any = None,
+    shape: Any = None,
+    path: Any = None,
     max_steps: int | None = None,
 ) -> Verification:
     """Decide whether a certificate proves its answer.
 
     Args:
         certificate: as `json.loads` gives it, from any source; of a sweep, a no-fit polygon, an
-            inner fit or a layout.
+            inner fit, a sum with a path or a layout.
         generatrix: the required polygon G: a Polygon, its vertices or a Region. By default any.
         directrix: the required polygon D, likewise.
         part: the required part of an inner fit, likewise.
         container: the required container of an inner fit, likewise.
+        shape: the required shape of a sum with a path, likewise.
+        path: its required path: a Polyline, or the points of an open path in order.
         max_steps: the work bound, in steps of at most a microsecond with short numbers. By default
             it grows with the certificate: 100 kB end within half a minute.
 
@@ -72,15 +80,20 @@ def verify(
     """
     if max_steps is not None and (type(max_steps) is not int or max_steps < 1):
         raise ExactSweepError("max_steps must be an int, at least 1")
-    names = "generatrix", "directrix", "part", "container"
-    asked = zip(names, (generatrix, directrix, part, container), strict=True)
+    names = "generatrix", "directrix", "part", "container", "shape"
+    asked = zip(names, (generatrix, directrix, part, container, shape), strict=True)
     given = {name: _read_given(polygon) for name, polygon in asked if polygon is not None}
+    walked = None if path is None else _read_path(path)
     try:
         prove(certificate, max_steps)
         for name, rings in given.items():
             need(name in certificate, f"the certificate has no {name}")
-            is_same = _outline(shape(name, certificate[name])) == _outline(rings)
+            is_same = _outline(read_shape(name, certificate[name])) == _outline(rings)
             need(is_same, f"{name} of the certificate is not the given polygon")
+        if walked is not None:
+            need("path" in certificate, "the certificate has no path")
+            is_same = _drop_repeated(read_points("path", certificate["path"])) == walked
+            need(is_same, "path of the certificate is not the given path")
     except Refused as refused:
         witness = refused.witness and Point(*refused.witness)
         return Verification(False, str(refused), witness)
@@ -98,6 +111,16 @@ def _read_given(polygon: Any) -> list[Ring]:
         raise ExactSweepError(
             f"a {type(polygon).__name__} is neither a polygon nor a Region"
         ) from None
+
+
+def _read_path(path: Any) -> Ring:
+    points = list(getattr(path, "points", path))
+    is_closed = getattr(path, "closed", False)
+    return _drop_repeated(*_read_given([*points, *points[:1]] if is_closed else points))
+
+
+def _drop_repeated(points: Ring) -> Ring:
+    return [point for point, _ in groupby(points)]
 
 
 def _outline(rings: list[Ring]) -> list[Ring]:

@@ -4,7 +4,7 @@ from contextlib import suppress
 
 import click
 
-from exactsweep import Polyline, Region, minkowski_sum, no_fit_polygon
+from exactsweep import Polyline, Region, minkowski_sum
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import PATH, takes_output
 from exactsweep.cli.output import measure_columns, write, write_readable
@@ -97,8 +97,8 @@ def _read_with_path(
 @click.option(
     "--certificate",
     is_flag=True,
-    help="Write a proof for 'exactsweep verify': that of the no-fit polygon of A and -B, which has "
-    "the same boundary. Not for paths.",
+    help="Write a proof for 'exactsweep verify'; of two polygons, that of the no-fit polygon of A "
+    "and -B, which has the same boundary.",
 )
 @takes_format
 @takes_rounding
@@ -145,12 +145,10 @@ def sum_command(
             raise click.UsageError(f"{show_path(a)} is a path; give it second, as B.") from None
         raise
     if certificate:
-        if isinstance(second, Polyline):
-            raise click.UsageError("Sums with a path have no certificate.")
         from exactsweep.text.results import certificate_to_json
 
         with working("proving"):
-            proof = certificate_to_json(no_fit_polygon(first, second.reflected()))
+            proof = certificate_to_json(minkowski_sum(first, second))
         write_readable(proof, output)
         return
     with working("computing"):

@@ -10,9 +10,12 @@ import click
 from exactsweep.cli.options import PATH
 from exactsweep.cli.output import write
 from exactsweep.cli.working import working
-from exactsweep.formats import read_certificate, read_region, show_path
+from exactsweep.formats import read_certificate, read_region, read_text, show_path
+from exactsweep.formats.paths import parse_path
 from exactsweep.text.results import verification_to_json
 from exactsweep.words import count, write_pair
+
+_NAMES = {"inner_fit": ("part", "container"), "sum": ("shape", "path")}
 
 
 @click.command("verify")
@@ -47,14 +50,14 @@ def verify_command(
     """Check a certificate by independent code.
 
     Decides whether the certificate in FILE, or - for standard input, proves its answer: a sweep, a
-    no-fit polygon, an inner fit, or the verdict on a layout. The checker is check/standalone.py,
-    one file without dependencies. Prints "proved" and the answer; or the first failed condition,
-    with a translation or a point as a witness, and exits with 1.
+    no-fit polygon, an inner fit, a sum, or the verdict on a layout. The checker is one file without
+    dependencies, check/standalone.py. Prints "proved" and the answer; or the first failed
+    condition, with a translation or a point as a witness, and exits with 1.
 
     With G and D, the certificate has to be about these polygons: the moving and the stationary one,
-    or the part and the container of an inner fit.
+    the part and the container of an inner fit, or the shape and the path of a sum.
 
-    'exactsweep sweep', 'nfp', 'ifp' and 'layout' write certificates with --certificate.
+    'exactsweep sweep', 'nfp', 'ifp', 'sum' and 'layout' write certificates with --certificate.
 
     Example:
       exactsweep verify proof.json
@@ -68,9 +71,9 @@ def verify_command(
         raise click.ClickException(
             f"{show_path(file)}: not a certificate; commands write one with --certificate"
         )
-    is_inner = type(certificate) is dict and "part" in certificate
-    names = ("part", "container") if is_inner else ("generatrix", "directrix")
-    asked: dict[str, Any] = dict(zip(names, map(read_region, shapes), strict=False))
+    kind = certificate.get("claim")
+    names = _NAMES.get(kind if type(kind) is str else "", ("generatrix", "directrix"))
+    asked = {name: _read(name, file) for name, file in zip(names, shapes, strict=False)}
     with working("checking the certificate"):
         verdict = verify(certificate, **asked, max_steps=max_steps)
     if extracted and verdict.proved:
@@ -94,6 +97,15 @@ def verify_command(
     sys.exit(0 if verdict.proved else 1)
 
 
+def _read(name: str, file: str) -> Any:
+    if name != "path":
+        return read_region(file)
+    path = parse_path(read_text(file), is_list=True)
+    if path is None:
+        raise click.ClickException(f"{show_path(file)}: not a path")
+    return path
+
+
 def _ask_extracted(certificate: Any, verdict: Any) -> Any:
     """Return the verdict, or "not proved" if the extracted checker rejects the certificate."""
     from exactsweep.check.extracted import ask
@@ -114,6 +126,11 @@ def _describe(certificate: dict[str, Any]) -> str:
         kinds = Counter(fault["kind"] for fault in certificate.get("faults", ()))
         faults = ", ".join(f"{number} {kind}" for kind, number in kinds.items())
         return f"layout of {placed}: {faults or 'valid'}"
+    if certificate["claim"] == "sum":
+        shape, points = _count_vertices(certificate["shape"]), len(certificate["path"])
+        question = f"sum of {shape} vertices and a path of {points} points"
+        holes = count(len(certificate["holes"]), "hole")
+        return f"{question}: {len(certificate['exterior'])} vertices, {holes}"
     fits = count(len(certificate["exact_fits"]), "exact fit")
     if certificate["claim"] == "inner_fit":
         sizes = [_count_vertices(certificate[name]) for name in ("part", "container")]

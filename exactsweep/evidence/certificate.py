@@ -18,7 +18,7 @@ from typing import Any
 
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.number import Fit
+from exactsweep.numbers.number import Fit, Point
 
 HEADER = {"format": "exactsweep certificate", "version": 3}
 
@@ -58,6 +58,12 @@ def claim_sweep(
         "unswept": [loop.vertices for loop in unswept],
         "area": area,
     }
+
+
+def claim_sum(shape: Region, path: Iterable[Point], found: Region) -> dict[str, Any]:
+    """Claim the sum of a shape and a path, given as its points; a closed one ends at the first."""
+    question = {"shape": _list_rings(shape), "path": list(path)}
+    return {**HEADER, "claim": "sum", **question, **_list_rings(found)}
 
 
 def claim_inner_fit(

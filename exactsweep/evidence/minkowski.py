@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain
+from typing import Any
 
+from exactsweep.evidence.certificate import claim_no_fit, claim_sum
 from exactsweep.evidence.sweep import Solution, place_loop, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
@@ -21,8 +23,62 @@ from exactsweep.numbers.number import Vertex, ratio
 from exactsweep.procedures.positions import find_sum, path_rings
 
 
+class MinkowskiSum(Region):
+    """A Minkowski sum: a Region with a certificate. Its images are Regions without.
+
+    Attributes:
+        summands: two shapes, or a Region and a Polyline.
+    """
+
+    __slots__ = ("summands",)
+
+    summands: tuple[AnyPolygon, AnyPolygon | Polyline]
+
+    def __init__(self, found: Region, shape: AnyPolygon, other: AnyPolygon | Polyline) -> None:
+        super().__init__(found)
+        object.__setattr__(self, "summands", (shape, other))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return MinkowskiSum, (Region(self), *self.summands)
+
+    def certificate(self) -> dict[str, Any]:
+        """Return plain JSON data that proves the sum to `check/standalone.py`.
+
+        That of two shapes is the certificate of the no-fit polygon of a and -b, which has the same
+        boundary.
+
+        Raises:
+            PolygonError: the path is a single point; the sum is the translated shape.
+
+        Cost: see `evidence.proof.add_proof`.
+
+        Example:
+            >>> swept = minkowski_sum([(0, 0), (1, 0), (0, 1)], Polyline([(0, 0), (2, 2)]))
+            >>> swept.certificate()["path"]
+            [['0', '0'], ['2', '2']]
+        """
+        from exactsweep.evidence.proof import add_proof
+
+        return add_proof(self._claim())
+
+    def _claim(self) -> dict[str, Any]:
+        shape, other = self.summands
+        if isinstance(other, Polyline):
+            if len(other) == 1:
+                raise PolygonError(
+                    "the path is a single point: the sum is the translated shape, and needs no "
+                    "certificate"
+                )
+            points = [*other.points, *other.points[:1]] if other.closed else other.points
+            return claim_sum(Region(shape), points, self)
+        reflected = other.reflected()
+        found = solve_pair(shape, reflected)
+        exterior, holes = place_loop(found.trajectory), map(place_loop, found.holes)
+        return claim_no_fit(Region(shape), Region(reflected), exterior, holes, found.fits)
+
+
 @tells_arguments
-def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyline) -> Region:
+def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyline) -> MinkowskiSum:
     """Find the Minkowski sum of two shapes, or of a shape and a path: all sums of their points.
 
     Args:
@@ -30,7 +86,7 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
         b: likewise; at most one of the two is a Polyline.
 
     Returns:
-        The sum as a Region; a hole encloses points that are no sums.
+        The sum, a Region with a certificate; a hole encloses points that are no sums.
 
     Raises:
         PolygonError: a polygon is not simple; the message begins with "a" or "b"; or both are
@@ -53,12 +109,15 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
     if isinstance(a, Polyline):
         if isinstance(b, Polyline):
             raise PolygonError("a and b are both paths; one of them must be a polygon")
-        return _add_path(to_region(b, "b"), a)
+        shape = to_region(b, "b")
+        return MinkowskiSum(_add_path(shape, a), shape, a)
     if isinstance(b, Polyline):
-        return _add_path(to_region(a, "a"), b)
+        shape = to_region(a, "a")
+        return MinkowskiSum(_add_path(shape, b), shape, b)
     first, second = to_shape(a, "a"), to_shape(b, "b")
     found = solve_pair(first, second.reflected())
-    return Region(place_loop(found.trajectory), map(place_loop, found.holes))
+    region = Region(place_loop(found.trajectory), map(place_loop, found.holes))
+    return MinkowskiSum(region, first, second)
 
 
 def solve_pair(stationary: AnyPolygon, orbiting: AnyPolygon) -> Solution:

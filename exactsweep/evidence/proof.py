@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, pairwise
 from math import lcm
 from typing import Any
 
@@ -39,8 +39,8 @@ def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
     return to_plain({**claim, "proof": _PROVERS[claim["claim"]](claim)})
 
 
-class _PairLattice:
-    """The lattice of two shapes, `scale` units in 1, and their rings, the interior on the left."""
+class _ShapeLattice:
+    """The lattice of shapes, `scale` units in 1, and their rings, the interior on the left."""
 
     def __init__(self, *shapes: dict[str, Any]) -> None:
         listed = [
@@ -89,7 +89,7 @@ def _read(points: Any) -> list[Point]:
 
 
 def _prove_no_fit(claim: dict[str, Any]) -> dict[str, Any]:
-    lattice = _PairLattice(claim["directrix"], claim["generatrix"])
+    lattice = _ShapeLattice(claim["directrix"], claim["generatrix"])
     still, moving = map(_cut, lattice.shapes)
     loops = [lattice.enter_loop(claim["exterior"]), *map(lattice.enter_reversed, claim["holes"])]
     known = [*chain.from_iterable(loops), *lattice.enter_fits(claim["exact_fits"])]
@@ -99,7 +99,7 @@ def _prove_no_fit(claim: dict[str, Any]) -> dict[str, Any]:
 
 
 def _prove_sweep(claim: dict[str, Any]) -> dict[str, Any]:
-    lattice = _PairLattice(claim["directrix"], claim["generatrix"])
+    lattice = _ShapeLattice(claim["directrix"], claim["generatrix"])
     trajectory = [side[:2] for side in lattice.enter_loop(claim["exterior"])]
     holes = claim["inner"], *claim["unswept"]
     loops = [lattice.enter_loop(claim["outer"]), *map(lattice.enter_reversed, holes)]
@@ -108,8 +108,18 @@ def _prove_sweep(claim: dict[str, Any]) -> dict[str, Any]:
     return {**_prove_no_fit(claim), "swept": found.sums, "slits": slits}
 
 
+def _prove_sum(claim: dict[str, Any]) -> dict[str, Any]:
+    lattice = _ShapeLattice(claim["shape"])
+    pieces = _cut(lattice.shapes[0])
+    path = [[p, q] for p, q in pairwise(lattice.enter(claim["path"])) if p != q]
+    loops = [lattice.enter_loop(claim["exterior"]), *map(lattice.enter_reversed, claim["holes"])]
+    found = find_evidence(Sums(path, pieces), [*chain.from_iterable(loops)])
+    slits = lattice.leave(slit[:2] for slit in found.slits)
+    return {"shape": lattice.leave(pieces), "sums": found.sums, "slits": slits}
+
+
 def _prove_inner_fit(claim: dict[str, Any]) -> dict[str, Any]:
-    lattice = _PairLattice(claim["container"], claim["part"])
+    lattice = _ShapeLattice(claim["container"], claim["part"])
     (exterior, *defects), part = lattice.shapes
     ends, frame, positions = _surround(exterior, part[0], lattice.scale)
     # Each hole of the container is cut by itself.
@@ -131,7 +141,12 @@ def _prove_inner_fit(claim: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-_PROVERS = {"no_fit": _prove_no_fit, "inner_fit": _prove_inner_fit, "sweep": _prove_sweep}
+_PROVERS = {
+    "no_fit": _prove_no_fit,
+    "sweep": _prove_sweep,
+    "sum": _prove_sum,
+    "inner_fit": _prove_inner_fit,
+}
 
 
 def _surround(

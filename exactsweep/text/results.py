@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.minkowski import MinkowskiSum
 from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.sweep import SweepAnswer
@@ -120,8 +121,8 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
     return [loop.vertices for loop in loops]
 
 
-def certificate_to_json(result: SweepAnswer | NoFitAnswer | InnerFitAnswer) -> str:
-    """Write the certificate of a Sweep, a NoFitPolygon or an InnerFit as JSON."""
+def certificate_to_json(result: SweepAnswer | NoFitAnswer | InnerFitAnswer | MinkowskiSum) -> str:
+    """Write the certificate of an answer as JSON."""
     found = result.certificate()
     return write_object(
         {name: json.dumps(value, separators=(",", ":")) for name, value in found.items()}

@@ -4,14 +4,14 @@ from random import Random
 from unittest.mock import patch
 
 import pytest
-from falsify import LAYOUTS, ROUNDED, SHAPES, Family, falsify
+from falsify import LAYOUTS, ROUNDED, SHAPES, SUMS, Family, falsify
 from rounded_pieces import draw_rounded, is_true_rounded
 from weakened import list_weakened
 
 from exactsweep.check import standalone
 
 
-@pytest.mark.parametrize("family", [SHAPES, LAYOUTS, ROUNDED])
+@pytest.mark.parametrize("family", [SHAPES, SUMS, LAYOUTS, ROUNDED])
 def test_falsified_certificates_are_refused(family: Family) -> None:
     tried, missed = falsify(Random(8), 2, 20, family)
     assert tried.total() == 40

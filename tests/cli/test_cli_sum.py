@@ -14,6 +14,7 @@ from exactsweep.check import verify
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg">{}</svg>'
 POINTS = [(0, 0), (5, 0), (5, 5)]
+POLYGON = "POLYGON ((0 0, 5 0, 5 5, 0 0))"
 OPEN = '<g transform="translate(1 0)"><polyline points="-1,0 4,0 4,5" {}/></g>'
 
 
@@ -94,5 +95,18 @@ def test_a_certificate_proves_the_boundary_of_a_sum(shape: str, tmp_path: Path) 
     assert verify(found).proved
     expected = minkowski_sum([(0, 0), (1, 0), (1, 2)], Region(frame["exterior"], frame["holes"]))
     assert Region(found["exterior"], found["holes"]) == expected
-    line = write(tmp_path, "l.wkt", "LINESTRING (0 0, 5 0)")
-    assert "have no certificate" in run("sum", shape, line, "--certificate").stderr
+
+
+def test_a_certificate_proves_a_sum_with_a_path(shape: str, tmp_path: Path) -> None:
+    line = write(tmp_path, "l.wkt", "LINESTRING (0 0, 5 0, 5 5)")
+    file = write(tmp_path, "c.json", run("sum", shape, line, "--certificate").stdout)
+    said = f"{file}: proved\nsum of 3 vertices and a path of 3 points: 6 vertices, no holes\n"
+    assert run("verify", file).stdout == said
+    assert run("verify", file, shape, line).exit_code == 0
+    points = write(tmp_path, "p.json", json.dumps(POINTS))
+    assert run("verify", file, shape, points).exit_code == 0
+    other = write(tmp_path, "o.wkt", "LINESTRING (0 0, 5 0)")
+    assert "not the given path" in run("verify", file, shape, other).stdout
+    assert "not a path" in run("verify", file, shape, write(tmp_path, "x.wkt", POLYGON)).stderr
+    alone = write(tmp_path, "1.wkt", "POINT (1 2)")
+    assert "the path is a single point" in refusal(run("sum", shape, alone, "--certificate"))

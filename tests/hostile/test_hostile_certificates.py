@@ -13,14 +13,22 @@ import pytest
 from small_pairs import SmallPair, breed, draw, draw_shapeless
 from tiers import mostly_long
 
-from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import (
+    Polygon,
+    Polyline,
+    Region,
+    inner_fit_polygon,
+    minkowski_sum,
+    no_fit_polygon,
+    sweep,
+)
 from exactsweep.check import verify
 from exactsweep.evidence.proof import add_proof
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import to_fraction
 
 Certificate = dict[str, Any]
-INPUT = {"generatrix", "directrix", "container", "part"}
+INPUT = {"generatrix", "directrix", "container", "part", "shape", "path"}
 TINY = "1/1000000000000000000000"
 
 
@@ -35,8 +43,20 @@ KINDS = {
     "no_fit": draw_shapeless,
     "sweep": draw_shapeless,
     "inner_fit": draw_with_room,
+    "sum": draw_shapeless,
 }
-ANSWERS: dict[str, Any] = {"no_fit": no_fit_polygon, "inner_fit": inner_fit_polygon}
+
+
+def add_outline(d: Any, g: Any) -> Any:
+    """The sum of D and the exterior of G as a path."""
+    return minkowski_sum(d, Polyline(g.exterior.vertices, closed=True))
+
+
+ANSWERS: dict[str, Any] = {
+    "no_fit": no_fit_polygon,
+    "inner_fit": inner_fit_polygon,
+    "sum": add_outline,
+}
 
 
 def certificates(kind: str, count: int) -> Iterator[tuple[SmallPair, Certificate]]:

@@ -6,7 +6,14 @@ import json
 from functools import cache
 from typing import Any
 
-from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import (
+    Polyline,
+    Region,
+    inner_fit_polygon,
+    minkowski_sum,
+    no_fit_polygon,
+    sweep,
+)
 
 Certificate = dict[str, Any]
 Ring = list[list[str]]
@@ -44,6 +51,8 @@ def certificates() -> dict[str, Certificate]:
         "island": inner_fit_polygon(PLATE, SQUARE),
         "inside exactly": inner_fit_polygon(SLOT, SQUARE),
         "nowhere": inner_fit_polygon(SQUARE, HOUSE),
+        "path": minkowski_sum(SLOT, Polyline([(0, 0), (9, 0), (9, 9), (0, 9)], closed=True)),
+        "slit": minkowski_sum(SLOT, Polyline([(0, 0), (1, 0)])),
     }
     return {name: json.loads(json.dumps(a.certificate())) for name, a in made.items()}
 

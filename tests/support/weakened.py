@@ -16,7 +16,13 @@ from exactsweep.check import standalone
 
 TESTS = tuple(
     f"tests/check/test_{name}.py"
-    for name in ("standalone_layouts", "rounded", "standalone", "certificate_reading")
+    for name in (
+        "standalone_layouts",
+        "rounded",
+        "standalone",
+        "certificate_reading",
+        "sums_with_paths",
+    )
 )
 
 
