@@ -1,1 +1,1 @@
-"""Conversion of exact places to pixels, and the one writer of SVG."""
+"""Conversion of exact coordinates to pixels, and the only SVG writer."""

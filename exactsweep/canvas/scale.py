@@ -1,4 +1,4 @@
-"""The exact scale of a picture: from coordinates of any size to floats near 1.
+"""The exact scale of a picture, which maps coordinates of any size to floats near 1.
 
 A coordinate is shifted and divided as a Fraction before it becomes a float. So coordinates around
 10^30, or shapes that differ in the last of 500 digits, are drawn as accurately as small integers.
@@ -16,8 +16,8 @@ from exactsweep.canvas.window import MOST_STRETCHED
 from exactsweep.numbers.digits import find_magnitude, format_fraction
 from exactsweep.numbers.number import Rational, Vertex
 
-# An axis keeps its numbers for these powers of ten, and for an origin within this number of picture
-# sizes.
+# An axis shows the coordinates themselves for these powers of ten, if 0 is within this number of
+# picture sizes.
 _PLAIN = range(-2, 4)
 _NEAR = 1000
 _SHOWN_DIGITS = 12

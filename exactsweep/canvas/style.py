@@ -2,8 +2,8 @@
 
 A colour has one meaning in all pictures, pages and sheets; LIGHT and DARK define the colours for
 the two backgrounds. A test computes that readers who confuse red and green can distinguish any two
-of them. Things also differ in line width, dashes, hatching or markers, so black-and-white prints
-remain readable. Colours that only count things are those of Okabe and Ito.
+of them. Lines and areas also differ in width, dashes, hatching or markers, so black-and-white
+prints remain readable. Colours of numbered items are those of Okabe and Ito.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ RED = "#d55e00"
 PURPLE = "#cc79a7"
 
 PALETTE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
-"""The colours of several things of one kind, such as chains, in order."""
+"""The colours of several objects of one kind, such as chains, in order."""
 
 _DATA: dict[str, Any] = tomllib.loads(
     files("exactsweep.canvas").joinpath("style.toml").read_text(encoding="utf-8")
@@ -57,7 +57,7 @@ def use_style() -> AbstractContextManager[None]:
 
 @dataclass(frozen=True)
 class Look:
-    """The look of one kind of thing.
+    """The look of one kind of object.
 
     Attributes:
         color: the colour of lines, markers and hatching.

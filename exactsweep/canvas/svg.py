@@ -1,4 +1,4 @@
-"""Small SVG pictures without matplotlib, for the display of notebooks.
+"""Small SVG pictures without matplotlib, for notebooks.
 
 Coordinates are scaled exactly and then rounded to a hundredth of a pixel.
 """

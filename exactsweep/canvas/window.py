@@ -10,7 +10,7 @@ from exactsweep.canvas.error import DrawError
 from exactsweep.numbers.number import Vertex
 
 MOST_STRETCHED = 12
-"""The ratio of length to width from which the axes have different units."""
+"""The aspect ratio from which the axes have different units."""
 # Pixels farther outside are clamped.
 _FAR = 100_000
 

@@ -1,4 +1,4 @@
-"""Other implementations, judged by the exact answers."""
+"""Judgement of other implementations by exact answers."""
 
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict, Witness

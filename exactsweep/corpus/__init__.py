@@ -1,4 +1,4 @@
-"""The corpus: pairs with exact answers, against which any implementation can be held."""
+"""The corpus: pairs with exact answers, for tests of any implementation."""
 
 from exactsweep.corpus.case import Case, CaseError
 from exactsweep.corpus.case_json import case_from_json, case_to_json

@@ -1,4 +1,4 @@
-"""Cases, flags and families in words."""
+"""Descriptions of cases, flags and families."""
 
 from collections.abc import Iterator, Sequence
 from textwrap import fill
@@ -16,7 +16,7 @@ _WIDTH = 100
 
 
 def describe(name: str) -> str:
-    """Describe what has this name: a case, a flag or a family of the generator.
+    """Describe the case, the flag or the family of the generator that has a name.
 
     Args:
         name: the id of a shipped or generated case, a flag, or a family.

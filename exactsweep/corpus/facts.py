@@ -1,4 +1,4 @@
-"""Flags that are computed from a pair and its answer, so that a test can check them."""
+"""The flags that can be computed from a pair and its answer."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MANY = 256
 
 
 def find_facts(case: AnsweredPair) -> set[str]:
-    """Find the flags of a pair that can be seen.
+    """Compute flags of a pair.
 
     Args:
         case: a pair with its answers.
@@ -164,7 +164,7 @@ def _directions(rings: PointRings) -> set[Vector]:
 
 
 def _near(u: Vector, v: Vector) -> bool:
-    """Decide whether two directions differ by less than one part in 10**14, and do differ."""
+    """Decide whether two different directions differ by less than one part in 10**14."""
     return 0 < cross(u, v) ** 2 < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
 
 

@@ -25,7 +25,7 @@ class PathCase(NamedTuple):
         sum: a Region.
         data: the case as JSON data: "shape" and "expected" have "exterior" and "holes", "path" has
             "points" and "closed"; numbers are strings.
-        note: why the case is there.
+        note: the purpose of the case.
     """
 
     id: str

@@ -20,7 +20,7 @@ _ANSWERED = (
 
 
 def write_corpus(folder: Path) -> int:
-    """Write all shipped cases and what is needed to read them without this package.
+    """Write all shipped cases, and what programs need to read them without this package.
 
     There are cases by theme as JSON lines, the schema, notes on flags, instructions, the changelog,
     the licence, readers in six languages, and checksums.

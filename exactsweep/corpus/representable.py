@@ -50,7 +50,7 @@ def is_in_range(value: Fraction | int, bits: int) -> bool:
 def _is_binary64(value: Fraction) -> bool:
     if value.denominator == 1 and abs(value.numerator) <= 2**53:
         return True
-    # Division of ints rounds correctly; what comes back unchanged was not rounded.
+    # Division of ints rounds correctly; a value that is unchanged was not rounded.
     try:
         return Fraction(value.numerator / value.denominator) == value
     except OverflowError:

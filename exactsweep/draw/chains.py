@@ -1,4 +1,4 @@
-"""Pictures of chains, of sub-trajectories and of their envelopes."""
+"""Pictures of chains, sub-trajectories and envelopes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Vertices and edges of G and D by their index in contacts, and the places of contact."""
+"""Vertices and edges of G and D by their index in contacts, and the points of contact."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ def read_suffix(path: str) -> str:
 
 @tells_arguments
 def save(figure: Figure, path: str) -> None:
-    """Write a figure in the format of the suffix, with the same bytes for the same matplotlib."""
+    """Write a figure in the format of the suffix; reproducible for one version of matplotlib."""
     suffix = read_suffix(path)
     with use_style():
         figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")

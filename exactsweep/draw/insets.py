@@ -52,7 +52,7 @@ def find_details(
     placed: Sequence[AnyPolygon],
     spots: Iterable[Vertex],
 ) -> list[Detail]:
-    """Choose at most three details: of shapes 25 times as small as the picture, or of spots.
+    """Choose at most three details: shapes less than 1/25 of the picture's size, or spots.
 
     >>> from exactsweep import Polygon
     >>> big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (1000, 1))

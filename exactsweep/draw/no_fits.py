@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 class Positions(NamedTuple):
-    """The content of a picture of a no-fit polygon or an inner fit.
+    """The contents of a picture of a no-fit polygon or an inner fit.
 
     Attributes:
         directrix: the stationary shape, a Region.
@@ -58,7 +58,7 @@ class Positions(NamedTuple):
 
     @classmethod
     def of(cls, found: NoFitAnswer | InnerFitAnswer) -> Positions:
-        """Collect the content of a picture."""
+        """Collect the contents of a picture."""
         from exactsweep.evidence.no_fit import InnerFitAnswer
 
         if isinstance(found, InnerFitAnswer):

@@ -145,7 +145,7 @@ def name_anchor(s: Moving) -> str:
 
 
 def find_shift(s: Moving) -> Point:
-    """Return the vector from a position of the reference point to that of the anchor."""
+    """Return the vector from the reference point to the anchor."""
     x, y = find_anchor(s)
     return Point(x - s.reference.x, y - s.reference.y)
 
@@ -220,7 +220,7 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
 
 @tells_arguments
 def draw_trajectory(picture: Picture, s: SweepAnswer) -> None:
-    """Draw the path of the anchor, each interval in the look of its contact event."""
+    """Draw the path of the anchor, each interval styled by its contact event."""
     of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
     chains: dict[str, list[list[Point]]] = {}
     last = None
@@ -294,7 +294,7 @@ def draw_contacts(picture: Picture, s: SweepAnswer, positions: Iterable[Point]) 
 
 
 def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[Ends]]:
-    """Find the places of contact at positions of the reference point, by event."""
+    """Find the points of contact at positions of the reference point, by event."""
     features = SweepFeatures(s)
     spots: dict[str, list[Ends]] = {}
     for position in positions:
@@ -304,7 +304,7 @@ def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[End
 
 
 def draw_spots(picture: Picture, spots: Mapping[str, list[Ends]]) -> None:
-    """Mark places of contact, by event."""
+    """Mark points of contact, by event."""
     for event, look in style.CONTACTS.items():
         if event in spots:
             picture.lines(spots[event], look, f"contact, {event}")

@@ -1,4 +1,4 @@
-"""Boxes on a grid, and trees of them."""
+"""Boxes on a grid, and trees of boxes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims of certificates, which `check/CERTIFICATES.md` describes.
+"""The claims of certificates, as `check/CERTIFICATES.md` describes them.
 
 A claim is a question and its answer, still in Fractions; `proof.add_proof` makes a certificate of
 it. Positions are translations of the polygon that moves.

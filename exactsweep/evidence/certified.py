@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 
 def refuse_to_set(answer: object, name: str, value: object) -> None:
-    """Raise AttributeError: answers are read-only, because they keep what they have computed.
+    """Raise AttributeError: answers are read-only, because they cache their results.
 
     Example:
         >>> from exactsweep import sweep
@@ -20,7 +20,7 @@ def refuse_to_set(answer: object, name: str, value: object) -> None:
 
 
 class Certified:
-    """An answer. Two answers are equal if they answer the same question about equal polygons.
+    """An answer; equal to another one if both answer the same question about equal polygons.
 
     Polygons are equal as sets of points; the numbers of features depend on the order of vertices.
     """

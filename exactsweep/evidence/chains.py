@@ -1,4 +1,4 @@
-"""Evidence that loops and fits bound sums: listed sums, and chains that cover their sides.
+"""Evidence that loops and fits bound the sums: listed sums, and chains that cover their sides.
 
 (1) For each known edge, of a loop or a fit, sums with a side along it are listed, those with sides
     along the most known edges first.
@@ -32,7 +32,7 @@ from exactsweep.evidence.slits import Gap, unite
 from exactsweep.evidence.sums import Sums
 
 _STRIPS = 8
-"""The number of strips, divided by the root of that of known edges."""
+"""The number of strips divided by the square root of the number of known edges."""
 _WHOLE = Fraction(0), Fraction(1)
 
 
@@ -61,7 +61,7 @@ def find_evidence(
             the sums, the Covering proves nothing.
         beyond: the boundaries of open half-planes, which count as sums.
 
-    Cost: O(1) clipped segments for each side of a listed sum, and for each known edge O(1) for each
+    Cost: O(1) clipped segments for each side of a listed sum, and for each known edge O(1) per
     sum whose box touches it.
     """
     finder = _Finder(sums, beyond)
@@ -277,5 +277,5 @@ def _shorten(entries: list[int]) -> list[int] | int:
 
 
 def _continues(low: Fraction, n: int, reach: Fraction, closed: bool) -> bool:
-    """Return whether an entry of a chain that begins at low continues what is covered."""
+    """Return whether an entry of a chain that begins at low continues the covered range."""
     return low < reach or (low == reach and (closed or n < 0))

@@ -155,8 +155,8 @@ def _surround(
     """Put a frame around a container, with room for a part on each side.
 
     Returns:
-        Its ends, whole numbers; its ring on the lattice; the corners of the positions at which the
-        part is in it.
+        The ends of the frame, whole numbers; its ring on the lattice; the corners of the rectangle
+        of positions at which the part is inside it.
     """
     lows, highs, ends = [], [], []
     for k in (0, 1):

@@ -1,7 +1,7 @@
 """Slits: positions between sums that none of them contains.
 
-A swept area has one where an edge of the trajectory is parallel to a cut between two pieces of the
-generatrix. It is no part of the answer.
+A swept area has a slit where an edge of the trajectory is parallel to a cut between two pieces of
+the generatrix. It does not belong to the answer.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _PlanePoint = tuple[Fraction, Fraction]
 def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[DirectedSegment]:
     """Join gaps on a line; drop points on others or on known edges.
 
-    Gaps are segments or points that have at most ends in common with known edges; any two slits
+    Gaps are segments or points that share at most ends with known edges; any two slits
     have at most a point in common. Cost: O(n log n), and O(1) for each point and each edge.
 
     >>> a, b, c = (0, 0, 1), (1, 0, 1), (2, 0, 1)

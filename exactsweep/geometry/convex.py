@@ -2,7 +2,7 @@
 
 (1) Near a vertex the interior consists of open *cones*. Each runs counter-clockwise from an edge
     that starts there to an edge that ends there. A diagonal runs from a vertex to a vertex through
-    the interior, and halves a cone at both.
+    the interior, and splits a cone at both.
 (2) Every cone wider than a half turn has a diagonal into it. If no cone is that wide, every face is
     convex: a hole in a face would have such a cone at one of its corners.
 (3) So the edges of the pieces are those of the shape, and the diagonals once in each direction. If

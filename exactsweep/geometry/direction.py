@@ -28,7 +28,7 @@ Y_AXIS: Vector = (0, 1)
 
 
 class DirectionError(ExactSweepError):
-    """Polygons that are not monotone to a shared direction, or not to the one asked for."""
+    """Polygons that are not monotone to a shared direction, or not to the requested one."""
 
 
 @dataclass(frozen=True)
@@ -233,7 +233,7 @@ def _turn(u: Vector, v: Vector) -> int:
     return u[1] * v[0] - u[0] * v[1]
 
 
-# Both in the half plane of `reduce_direction`, so that the sign of the cross product orders them.
+# Both are in the half plane of `reduce_direction`, so the sign of the cross product orders them.
 angle_key = cmp_to_key(_turn)
 
 

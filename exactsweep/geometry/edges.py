@@ -1,4 +1,4 @@
-"""The edges of a shape: searches for those near a place, and where two of them touch."""
+"""The edges of a shape: search near a place, and the contact of two edges."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MANY_EDGES = 64
 
 
 class EdgeIndex:
-    """The boundary of a shape or of a path, for searches of the edges near a place.
+    """The boundary of a shape or of a path, for searches for edges near a place.
 
     The interior is on the left of the rings.
     """

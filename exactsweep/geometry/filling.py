@@ -1,4 +1,4 @@
-"""The regions that rings fill which cross or touch themselves or each other.
+"""The regions filled by rings that may cross or touch themselves or each other.
 
 All edges are cut where they meet. A sweep line finds the winding numbers on both sides of each
 piece; pieces with the filled area on one side are its boundary. Followed with the area on the left,
@@ -37,7 +37,7 @@ _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
 
 
 class Filled(NamedTuple):
-    """Regions that rings fill.
+    """The regions that some rings fill.
 
     Attributes:
         regions: of each, the exterior, counter-clockwise, and the holes.

@@ -1,7 +1,7 @@
 """Shapes and exact fits as GeoJSON objects, the form of `__geo_interface__`.
 
 Coordinates are ints or floats where these are the exact number, else Fractions. Nothing is rounded
-here; a library of floats rounds by itself.
+here; a floating-point library rounds when it reads them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The search for boxes that meet: rows of boxes, each row in the order of the left ends.
+"""The search for boxes that meet: rows of boxes, each row sorted by left ends.
 
 (1) A row is at least as high as the mean box. So n boxes have at most 2 n entries in all rows.
 (2) The lower side of the intersection of two boxes lies in one row. So each pair is found once.
@@ -93,7 +93,7 @@ class BoxRows:
 
 
 def find_near(boxes: Sequence[Bounds], reach: int = 0) -> Iterator[tuple[int, int]]:
-    """Yield the pairs of boxes that meet, or are within reach in both coordinates, each pair once.
+    """Yield the pairs of boxes that are within reach in both coordinates, each pair once.
 
     The lesser number comes first. Cost: O(n log n + k) for n boxes and k pairs, if the boxes are
     not much longer than their distances.

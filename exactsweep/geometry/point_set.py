@@ -88,7 +88,7 @@ class PointSet:
         raise NotImplementedError
 
     def _facts(self) -> list[tuple[str, str]]:
-        """List what the table of a notebook says of the shape, with its name."""
+        """List the shape's rows of the table in a notebook, as names and texts."""
         raise NotImplementedError
 
     def _repr_svg_(self) -> str:

@@ -1,4 +1,4 @@
-"""The test for closed polygonal lines that meet themselves: a Shamos-Hoey sweep on ints.
+"""The test for closed polygonal lines that touch or cross themselves: a Shamos-Hoey sweep on ints.
 
 M. I. Shamos and D. Hoey, "Geometric intersection problems", 17th FOCS (1976).
 """
@@ -23,7 +23,7 @@ class Conflict(NamedTuple):
 
 
 def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
-    """Find two features of a ring that meet though they must not; None if the ring is simple.
+    """Find two features of a ring that meet and should not; None if the ring is simple.
 
     The ring has at least three integer points, not all collinear, no two neighbours equal, no edge
     that turns back onto the edge before it; collinear vertices are allowed. Edge i runs from vertex

@@ -1,1 +1,1 @@
-"""Exact numbers and points: reading, limits, writing. This package imports no other one."""
+"""Exact numbers and points: reading, limits, writing. This package imports no other package."""

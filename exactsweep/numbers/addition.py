@@ -1,8 +1,8 @@
-"""Sums of many fractions, in time proportional to that of the last addition.
+"""Sums of many fractions, in about twice the time of the last addition.
 
 A running sum of n fractions with unrelated denominators grows at each step, and its greatest common
 divisor takes quadratic time, n times. `add_up` adds in pairs, then the sums in pairs again. So the
-last addition, which is unavoidable, takes half of the time. Short fractions stay unreduced.
+last addition, which is unavoidable, takes half the time. Short fractions stay unreduced.
 """
 
 from collections.abc import Callable, Iterable

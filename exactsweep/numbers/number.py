@@ -74,7 +74,7 @@ class Area(Fraction):
 
 
 _make_point = partial(tuple.__new__, Point)
-"""A faster `Point._make`, which is written in Python."""
+"""Makes a Point of a pair, faster than `Point._make`, which is Python code."""
 
 ORIGIN = Point(Fraction(0), Fraction(0))
 

@@ -117,10 +117,10 @@ def sweep_inner_mm(
 def find_untouched(
     generatrix: Chain, directrix: Chain, trajectory: Graph
 ) -> list[tuple[Piece, Break, Piece, Break]]:
-    """Find x-ranges of D_b that hold all that G does not touch, from left to right.
+    """Find x-ranges of D_b, from left to right, that contain all points that G does not touch.
 
-    They are the undercuts, and what G touches only while another piece of T hides it. The result
-    has the first four items of a `Closing` for each. Cost: O(t log t) for t pieces of T.
+    They are the undercuts, and parts of D_b that G touches only where another piece of T hides the
+    contact. Each item has the first four items of a `Closing`. Cost: O(t log t) for t pieces of T.
     """
     touched = [
         (*find_touched(generatrix, directrix, piece, start, end), piece)

@@ -1,4 +1,4 @@
-"""The pruning step for thin shapes: ends of contact segments that the next edges prove to be in O.
+"""The pruning step for thin shapes: adjacent edges that prove ends of segments to be in O.
 
 Let a be an edge of D, v a vertex of H, and c and c' the two edges after v. For any edge p of D and
 any edge q of H, O holds the inside of the parallelogram p + q: there p crosses an edge of G.
@@ -25,7 +25,7 @@ _Vectors = tuple[int, int, int, int]
 """Two vectors."""
 
 _FEW = 250
-"""The product of facing edges and vertices up to which it is faster to keep all parts."""
+"""The product of numbers of facing edges and vertices up to which keeping all parts is faster."""
 
 
 def leave_out_overlapped(

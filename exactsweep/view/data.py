@@ -1,4 +1,4 @@
-"""Data of the page: places as floats, scaled exactly, and exact coordinates as text.
+"""Data of the page: exactly scaled coordinates as floats, and exact coordinates as text.
 
 A stop is a vertex of a track, or a point of an edge where a contact begins or ends, two vertices
 meet, or G closes an undercut. Contacts are constant between stops. Large pairs have no stops where
@@ -119,10 +119,10 @@ def gather_page_data(
         s: a Sweep.
         names: the names of G and D.
         y_down: whether Y points down.
-        tell: a function that gets the name of each long step before it begins.
+        tell: a function called with the name of each long step before it begins.
 
     Returns:
-        A dict. Places are flat lists x, y, x, y, ... of floats; those of G are relative to the
+        A dict. Scaled coordinates are flat lists x, y, x, y, ... of floats, for G relative to the
         anchor. "exact" has the coordinates as strings in the same order.
 
     Cost: that of `track_stops` and of the loops.
@@ -273,13 +273,13 @@ def gather_shapes(
 
 
 def show_points(scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
-    """Return the places of points, and their coordinates as text."""
+    """Return the scaled coordinates of points, and the exact ones as text."""
     places = [c for point in points for c in scale.place(point)]
     return {"places": places, "exact": _exact(points)}
 
 
 def show_positions(s: Moving, scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
-    """Return the places of the anchor for positions of the reference point."""
+    """Return the scaled positions of the anchor for positions of the reference point."""
     return {**show_points(scale, move_to_anchor(points, s)), "exact": _exact(points)}
 
 

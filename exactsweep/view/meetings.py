@@ -18,7 +18,7 @@ from exactsweep.geometry.region import AnyPolygon, share_lattice, to_region
 from exactsweep.geometry.vectors import cross, minus, turn
 from exactsweep.numbers.number import Point
 
-# Numbers of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
+# The numbers of vertex pairs, and of tests of a pair with an edge, that take about a second.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
 
 

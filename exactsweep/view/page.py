@@ -44,7 +44,7 @@ def make_page(
         s: a Sweep, a NoFitPolygon or an InnerFit.
         names: the names of G and D, such as their files.
         y_down: whether Y points down, as in viewers of SVG.
-        tell: a function that gets the name of each long step before it begins.
+        tell: a function called with the name of each long step before it begins.
 
     Returns:
         An HTML document that needs no network and no other file. Its content security policy allows

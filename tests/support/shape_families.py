@@ -28,7 +28,7 @@ class ShapePair(NamedTuple):
 
 
 def untangled(rng: Random, most: int = 12, side: int = 9) -> Polygon:
-    """A random simple polygon: of a random walk, parts are turned until no edges cross."""
+    """A random simple polygon: reverse parts of a random tour until no edges cross."""
     while True:
         n = rng.randint(3, most)
         points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(n)]

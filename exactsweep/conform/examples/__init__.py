@@ -1,4 +1,4 @@
-"""Programs that speak the protocol of `exactsweep conform`, to begin with."""
+"""Template programs that speak the protocol of `exactsweep conform`."""
 
 SUMMARIES = {
     "doubles.cpp": "C++: no-fit polygons and Minkowski sums of any shapes with holes, in doubles",

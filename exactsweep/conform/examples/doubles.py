@@ -130,7 +130,7 @@ def turn(p: XY, q: XY, r: XY) -> float:
 
 
 def holds(shape: Contours, p: XY) -> bool:
-    """Decide whether a point is inside a shape: a ray from it crosses an odd number of edges."""
+    """Decide whether a point is inside a shape, by the parity of crossings of a ray."""
     inside = False
     for ring in shape:
         for k, b in enumerate(ring):
@@ -162,7 +162,7 @@ def join(pieces: set[tuple[XY, XY]]) -> Contours:
 
 
 def answer(case: dict[str, Any]) -> dict[str, Any]:
-    """Answer all that a case asks."""
+    """Answer all questions of a case."""
 
     def read(name: str) -> Contours:
         rings = [case[name], *case.get(f"{name}_holes", [])]

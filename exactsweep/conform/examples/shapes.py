@@ -1,6 +1,6 @@
-"""A program for polygons of any shape, with holes, that can be asked everything.
+"""A program for polygons of any shape, with holes, that answers all questions.
 
-The answers are those of exactsweep itself: to begin with, put your own in the place of `answer`.
+The answers are those of exactsweep itself; replace `answer` with your own code.
 """
 
 import json
@@ -21,7 +21,7 @@ HELLO = {
 
 
 def answer(part: str, d: Region, g: Region, reference: list[str]) -> dict[str, Any]:
-    """Answer one part of the question: rings, and exact fits where there may be some."""
+    """Answer one part of the question: rings, and exact fits if the part has any."""
     if part == "no_fit":
         n = no_fit_polygon(d, g, reference=reference)
         loops = [loop.vertices for loop in (n.exterior, *n.holes)]

@@ -128,7 +128,7 @@ def take_pairs(
 
 
 def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool:
-    """Decide whether each point of some edges is closer than a positive bound to target edges.
+    """Decide whether all points of some edges are closer than a positive bound to target edges.
 
     An edge may be a point. Cost: linear if edges of the same index in both lists are close, else
     O(m n).

@@ -69,7 +69,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         return () if rings else ("reports that G does not fit",)
     low, high = find_box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
-        # Within so large a rounding, nearly everything equals everything.
+        # With so large a rounding, nearly all rings are equal.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
     if not exact:
@@ -81,7 +81,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         return counted
     spoilt = name_arithmetic(exact, rings)
     if rounding and theirs.are(exact, _NEARLY):
-        # So small an error could pass for another reference point or scale.
+        # So small an error could be mistaken for another reference point or scale.
         named = spoilt or tuple(_name_vertices(exact, rings))
         return *named, f"exact except for {_NEARLY} times the rounding granted"
     found = [*_other_loops(theirs)]
@@ -117,7 +117,7 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
 
 
 def _find_inside(case: Case, reference: Point) -> PointRings:
-    """Find the positions at which G is inside D, or D inside G, so boundaries do not meet."""
+    """Find the positions at which G is inside D, or D inside G, with disjoint boundaries."""
     shapes = case.directrix, case.generatrix
     inside = inner_fit_polygon(*shapes, reference=reference)
     around = inner_fit_polygon(*shapes[::-1])
@@ -136,7 +136,7 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
     elif not added:
         yield f"lacks {'one vertex' if len(missing) == 1 else 'vertices'}, the others are exact"
     elif not missing:
-        yield "has more vertices than the exact one, and all of its own"
+        yield "has all vertices of the exact one, and more"
 
 
 def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:

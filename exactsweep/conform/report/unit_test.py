@@ -1,4 +1,4 @@
-"""A failure as text to paste into a unit test, in the language of the program."""
+"""A failure as source text for a unit test, in the language of the program."""
 
 from __future__ import annotations
 

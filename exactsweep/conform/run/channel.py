@@ -201,7 +201,7 @@ class Channel:
         try:
             del self._outgoing[: os.write(self._stdin, self._outgoing[:_CHUNK])]
         except BrokenPipeError:
-            # It may still answer what it has read.
+            # It may still answer a line that it has read.
             self._outgoing.clear()
         if not self._outgoing:
             self._selector.unregister(self._stdin)
@@ -217,7 +217,7 @@ class Channel:
 
     def _end(self) -> str:
         code = self._started.wait(_TO_EXIT)
-        # Its last words are in the pipe; a descendant may still be writing.
+        # Its last output is in the pipe; a descendant may still be writing.
         with suppress(OSError, KeyError):
             for _ in range(_LAST_CHUNKS):
                 self._stderr = (self._stderr + self._read(self._errors))[-MAX_STDERR:]

@@ -1,4 +1,4 @@
-"""Cases without end: named families, each from a seed, the same on every machine."""
+"""Unlimited cases: named families, seeded, the same on every machine."""
 
 from exactsweep.corpus.generator.families import FAMILIES, Family, generate, generate_case
 

@@ -1,7 +1,7 @@
 """Families of shapes of any kind: caves, holes, and parts that fit into each other.
 
-Most are sets of squares, which fit each other as a matter of course, or random polygons on small
-grids. Each family draws a pair; `place` shears, scales and moves both polygons.
+Most are sets of squares, which often fit each other, or random polygons on small grids. Each family
+draws a pair; `place` shears, scales and moves both polygons.
 """
 
 from collections.abc import Callable, Sequence
@@ -106,7 +106,7 @@ def rings_pair(random: Prng) -> Regions:
 
 
 def stars_pair(random: Prng) -> Regions:
-    """Two polygons that are seen whole from a point inside, with spikes and notches all round."""
+    """Two star-shaped polygons, with spikes and notches all round."""
     return _draw_star(random), _draw_star(random)
 
 
@@ -136,7 +136,7 @@ def plate_pair(random: Prng) -> Regions:
 
 
 def container_pair(random: Prng) -> Regions:
-    """A container, with a defect or without, that the part fits with play, exactly, or not."""
+    """A container, perhaps with a defect, that the part fits with play, exactly, or not at all."""
     part = _draw_untangled(random, 7, 5)
     low, high = part.bounding_box
     width, height = int(high.x - low.x), int(high.y - low.y)
@@ -165,7 +165,7 @@ def combs_pair(random: Prng) -> Regions:
 
 
 def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regions:
-    """Draw a pair, and shear, scale and move both of it; now and then with exchanged roles."""
+    """Draw a pair, and shear, scale and move both polygons; sometimes with exchanged roles."""
     while True:
         try:
             g, d = draw(random)
@@ -201,7 +201,7 @@ def _draw_star(random: Prng) -> Region:
 
 
 def sort_by_angle(points: set[Cell]) -> list[Cell]:
-    """Sort points around the origin; of those in one direction only the first is kept."""
+    """Sort points around the origin, and keep the first in each direction."""
     found: list[Cell] = []
     for p in sorted(sorted(points), key=angle_key):
         if not found or compare_angles(found[-1], p):
@@ -210,7 +210,7 @@ def sort_by_angle(points: set[Cell]) -> list[Cell]:
 
 
 def _draw_untangled(random: Prng, most: int, side: int) -> Polygon:
-    """A random simple polygon: of a random walk, parts are turned until no edges cross."""
+    """A random simple polygon: reverse parts of a random tour until no edges cross."""
     while True:
         n = random.between(3, most)
         points = [(random.between(0, side), random.between(0, side)) for _ in range(n)]

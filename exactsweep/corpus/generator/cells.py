@@ -1,4 +1,4 @@
-"""Sets of unit squares, which meet and fit each other as a matter of course, and their shapes."""
+"""Sets of unit squares, which often touch and fit each other, and their shapes."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
@@ -66,7 +66,7 @@ def move(cells: Iterable[Cell], by: Sequence[int]) -> set[Cell]:
 def trace_outline(cells: Iterable[Cell]) -> Region:
     """Return the shape of a connected set of squares.
 
-    Where two squares meet in a corner only, the walk continues along the other square. So a shape
+    Where two squares meet only in a corner, the walk continues along the other square. So a shape
     that touches itself becomes rings that touch.
 
     Cost: linear, and that of `Region`.

@@ -26,7 +26,7 @@ class Family(NamedTuple):
         level: the kind of difficulty: "easy", "degenerate", "numeric", "large" or "any shape".
         make: draws generatrix and directrix, as lists of pairs of numbers or as Regions.
         flags: flags of all its cases in addition to those of `find_facts`.
-        respelled: whether the vertices stay as drawn instead of canonical.
+        respelled: whether the vertices stay as generated, not canonical.
     """
 
     name: str

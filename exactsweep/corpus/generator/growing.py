@@ -1,4 +1,4 @@
-"""Named families of pairs on which the counts of the ledger are made.
+"""Named families of pairs on which the counts of the ledger are based.
 
 A seeded family takes (m, n, seed), m and n even, and returns a generatrix of n and a directrix of m
 vertices, as counter-clockwise lists of pairs of ints. The only source of randomness is

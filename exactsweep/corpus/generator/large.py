@@ -1,4 +1,4 @@
-"""Families whose answers are as large as can be, and pairs of unequal size."""
+"""Families with answers of maximum size, and pairs of unequal size."""
 
 from fractions import Fraction
 
@@ -23,7 +23,7 @@ def lower_bound_pair(random: Prng) -> RingPair:
 
 
 def long_pair(random: Prng) -> RingPair:
-    """Two monotone polygons of up to 60 vertices, with a wall here and there."""
+    """Two monotone polygons of up to 60 vertices, with some vertical edges."""
     grid = Grid(cells=(10, 25), widths=(1, 2, 3), height=9, walls=1)
     return draw_monotone(random, grid), draw_monotone(random, grid)
 

@@ -1,4 +1,4 @@
-"""Families aimed at the numbers: rounding, cancellation, overflow, slopes that hardly differ."""
+"""Families that stress arithmetic: rounding, cancellation, overflow, nearly equal slopes."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -22,7 +22,7 @@ RationalRings = Sequence[Rationals]
 
 
 def rounded_crossings_pair(random: Prng) -> RingPair:
-    """Steep edges over widths that are prime to one another: the answer is not on the grid.
+    """Steep edges over coprime widths: the answer is not on the grid.
 
     Crossings have denominators of some 7 digits. On the steepest edges, rounding their x to an
     integer takes them off the edge by thousands in y.
@@ -75,7 +75,7 @@ def int64_edge_pair(random: Prng) -> RingPair:
 
 
 def far_pair(random: Prng) -> RingPair:
-    """A small pair, each polygon moved by up to 2**52: the digits that count are the last ones."""
+    """A small pair, each polygon moved by up to 2**52: only the last digits matter."""
     rings = random.choice([grid_pair, monotone_pair, fits_pair])(random)
     return [_move(random, ring, 2**52) for ring in rings]
 
@@ -118,7 +118,7 @@ def _perturb(random: Prng, rings: RingPair) -> RingPair:
 
 
 def _nudge(random: Prng, ring: Ring, scale: int) -> Ring:
-    # All vertices of one x move alike, so that walls stay upright and the ring monotone.
+    # All vertices of one x move alike, so vertical edges stay vertical and the ring monotone.
     aside = {x: random.between(-1, 1) for x in sorted({x for x, _ in ring})}
     return [(scale * x + aside[x], scale * y + random.between(-1, 1)) for x, y in ring]
 
@@ -147,7 +147,7 @@ def _move(random: Prng, ring: Ring, most: int) -> Ring:
 
 
 def _fractional(random: Prng, ring: Ring, most: int) -> Rationals:
-    # All vertices of one x move alike, and none by as much as to the middle of the next.
+    # All vertices of one x move alike, and by less than half the distance to the next x.
     def share() -> Fraction:
         denominator = random.between(3, most)
         return Fraction(random.between(0, (denominator - 1) // 3), denominator)

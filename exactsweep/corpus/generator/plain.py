@@ -1,4 +1,4 @@
-"""Families without malice, and families where features coincide."""
+"""Families of generic pairs, and families where features coincide."""
 
 from collections.abc import Sequence
 
@@ -19,7 +19,7 @@ RingPair = Sequence[Ring]
 """A generatrix and a directrix."""
 
 TINY_GRID = Grid(cells=(1, 5), widths=(1, 1, 1, 2), height=2, walls=2)
-# Rows of invertible integer matrices, one of them turning the plane over.
+# Rows of invertible integer matrices; one of them reverses orientation.
 MATRICES = [
     ((0, -1), (1, 0)),
     ((1, 1), (0, 1)),
@@ -49,7 +49,7 @@ def monotone_pair(random: Prng) -> RingPair:
 
 
 def grid_pair(random: Prng) -> RingPair:
-    """Two polygons on a grid of 3, where edges are parallel, collinear and equal more than not."""
+    """Two polygons on a grid of 3, most of whose edges are parallel, collinear or equal."""
     directrix = _on_grid(random)
     chosen = random.between(0, 7)
     if chosen == 0:
@@ -67,7 +67,7 @@ def rectilinear_pair(random: Prng) -> RingPair:
 
 
 def fits_pair(random: Prng) -> RingPair:
-    """A block with slots as wide as G, or as parts of it, and as deep, or deeper, or less deep."""
+    """A block with slots as wide as G or a part of it, of equal, greater or less depth."""
     widths = [random.between(1, 3) for _ in range(random.between(1, 3))]
     heights = [random.between(1, 4) for _ in widths]
     generatrix = build_columns(widths, heights)
@@ -98,7 +98,7 @@ def equal_slopes_pair(random: Prng) -> RingPair:
 
 
 def tangent_pair(random: Prng) -> RingPair:
-    """D's bottom is moulded over G's top in several places: G touches it in many points at once."""
+    """D's bottom is moulded over G's top in several places: G touches it in many points."""
     width = random.between(2, 6)
     top = [random.between(0, 4) for _ in range(width + 1)]
     places = [(random.between(0, 5), random.between(-1, 1)) for _ in range(random.between(2, 4))]
@@ -116,7 +116,7 @@ def tangent_pair(random: Prng) -> RingPair:
 def turned_pair(random: Prng) -> RingPair:
     """A pair of the family "grid", "monotone" or "fits", mapped by an integer matrix.
 
-    As a rule it is then no longer monotone to the x-axis.
+    It is then usually not monotone to the X axis.
     """
     rings = random.choice([grid_pair, monotone_pair, fits_pair])(random)
     (a, b), (c, d) = random.choice(MATRICES)
@@ -124,7 +124,7 @@ def turned_pair(random: Prng) -> RingPair:
 
 
 def respelled_pair(random: Prng) -> RingPair:
-    """A pair of the family "grid", doubled, with collinear and repeated vertices, either way round.
+    """A pair of the family "grid", doubled, with collinear and repeated vertices, in any order.
 
     Any vertex may be the first.
     """

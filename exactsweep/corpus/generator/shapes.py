@@ -1,6 +1,6 @@
-"""Rings drawn at random on integer coordinates: convex, or monotone to the x-axis at least weakly.
+"""Random rings with integer coordinates: convex, or weakly monotone to the X axis.
 
-All are counter-clockwise as they are built, simple by construction, and not closed.
+All are counter-clockwise, simple by construction, and not closed.
 """
 
 from collections.abc import Iterable, Sequence
@@ -20,9 +20,9 @@ class Grid(NamedTuple):
     Attributes:
         cells: the least and the greatest number of cells of each chain.
         widths: the widths that a cell may have.
-        height: vertices of each chain lie on heights from 0 to this one.
-        walls: how many times in eight there is a vertical edge between cells.
-        pointed: how many times in eight an end is a point and not a vertical edge.
+        height: vertices of each chain lie on heights from 0 to this.
+        walls: the probability, in eighths, of a vertical edge between cells.
+        pointed: the probability, in eighths, that an end is a point, not a vertical edge.
     """
 
     cells: tuple[int, int]
@@ -47,12 +47,12 @@ def draw_convex(random: Prng, most: int, side: int) -> Ring:
 def walk(
     steps: Iterable[tuple[Any, Any]], start: tuple[Any, Any] = (0, 0)
 ) -> list[tuple[Any, Any]]:
-    """The points that steps lead to, from the origin or another start on."""
+    """The points that steps reach, from the origin or another start."""
     return list(accumulate(steps, lambda p, step: (p[0] + step[0], p[1] + step[1]), initial=start))
 
 
 def draw_monotone(random: Prng, grid: Grid) -> Ring:
-    """A bottom and a top chain with breakpoints of their own."""
+    """A bottom and a top chain with independent breakpoints."""
     bottom, top = _chain(random, grid), _chain(random, grid)
     return close_between(random, bottom, top, grid.pointed)
 
@@ -88,7 +88,7 @@ def build_columns(widths: Sequence[int], heights: Sequence[int]) -> Ring:
 
 
 def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
-    """The ring between two chains that run from x = 0 to the right, the top one lifted clear."""
+    """The ring between two chains from x = 0 to the right, the top one raised to be disjoint."""
     last = max(bottom[-1][0], top[-1][0])
     bottom, top = (
         chain if chain[-1][0] == last else [*chain, (last, chain[0][1])] for chain in (bottom, top)
@@ -97,7 +97,7 @@ def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ri
     unit = max(1, last // 8)
     tips: list[Ring] = []
     for x, low, high in (last + unit, bottom[-1], top[-1]), (-unit, bottom[0], top[0]):
-        # Above and below the chains' ends as well as between them.
+        # A tip may be above or below both chains' ends, not only between them.
         y = random.between(low[1] - 1, high[1] + lift + 1)
         tips.append([(x, y)] if random.chance(pointed, 8) else [])
     right, left = tips
@@ -110,9 +110,9 @@ def turn_half(ring: Ring) -> Ring:
 
 
 def untangle(points: Iterable[IntegerPoint]) -> Ring:
-    """A way through points on which parts are turned round until no two edges cross.
+    """Order points on a closed path without crossing edges, by reversing parts (2-opt).
 
-    Each turn makes the way shorter, so that it ends. Edges may still touch one another.
+    Each reversal shortens the path, so the search ends. Edges may still touch each other.
 
     >>> untangle([(0, 0), (2, 2), (2, 0), (0, 2)])
     [(0, 0), (2, 0), (2, 2), (0, 2)]
