@@ -124,7 +124,7 @@ def turned_pair(random: Prng) -> RingPair:
 
 
 def respelled_pair(random: Prng) -> RingPair:
-    """A pair of the family "grid", doubled, with collinear and repeated vertices, in any order.
+    """A pair of the family "grid", doubled, with collinear and repeated vertices, clockwise or not.
 
     Any vertex may be the first.
     """
