@@ -1,4 +1,4 @@
-"""Convex pieces of the outside of a container, in a frame around it.
+"""Convex pieces of the complement of a container, within a frame.
 
 Four rectangles surround the box of the container. A part inside the box needs no normal with them.
 The rest are pockets between the border of the box and chains of the container. Each chain leads
@@ -34,7 +34,7 @@ def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[Con
     corners = _rectangle(left, low, right, high)
 
     def find_side(p: IntVertex) -> int | None:
-        """Return the number of the box side of a point; a corner is on the side that ends there."""
+        """Return the index of the box side of a point; a corner ends its side."""
         x, y = p
         sides = [y == low and x > left, x == right and y > low, y == high and x < right, x == left]
         return sides.index(True) if any(sides) else None

@@ -1,12 +1,11 @@
 """Layouts repaired by small moves, judged valid before they are returned.
 
-The repair of a fault is a move in the direction n by d: the placements of the fault are to move
-apart by at least d in this direction. The shortest moves that do so for all faults are found by
-Hildreth's method, in floats, which decide nothing: the layout is moved and judged again, and new
-faults add their own conditions. That ends soon where parts have room of the size of the faults, as
-after rounding. It may not end: the least moves that free all parts need not exist nearby, and
-finding them is a hard problem. After some rounds, each placement with a fault moves to the nearest
-position that is free of all neighbours, if there is any.
+Each fault requires its placements to move apart by at least d in a direction n. Hildreth's method
+finds the shortest moves that do so for all faults, in floats, which decide nothing: the moved
+layout is judged again, and new faults add conditions. This ends soon if parts have room of the size
+of the faults, as after rounding. It may not end: a free layout nearby need not exist, and finding
+one is a hard problem. After some rounds, each placement with a fault moves to the nearest position
+free of all neighbours, if there is one.
 
 Source: Hildreth, "A quadratic programming procedure", Naval Research Logistics Quarterly 4, 1957.
 """
@@ -28,14 +27,14 @@ from exactsweep.numbers.digits import find_magnitude
 from exactsweep.numbers.number import ORIGIN, Point
 
 _ROUNDS, _SINGLE_ROUNDS, _MOST, _SWEEPS = 24, 3, 1000, 4000
-# Moves are longer by this share, so that rounds do not only approach a free layout.
+# Moves overshoot by this factor, to reach a free layout instead of converging to it.
 _MORE, _NEARLY = 1 + 2.0**-10, 2.0**-12
 _DIGITS = 6
 _MOVABLE = {"overlap", "outside", "too close", "undecided"}
 
 
 class _Condition(NamedTuple):
-    """Two placements, or one, that are to move apart by a length in a direction."""
+    """Two placements, or one, that must move apart by a length in a direction."""
 
     first: int | None
     last: int
@@ -68,7 +67,7 @@ def repair_layout(judgement: Judgement) -> RepairedLayout | None:
 
     None if no such moves were found, or a fault has no position.
 
-    Cost: up to some thirty judgements, and the repairs of all faults of each.
+    Cost: up to about thirty judgements, and the repairs of all faults of each.
 
     Example:
         >>> from exactsweep.layout import Layout
@@ -120,7 +119,7 @@ def _move(layout: Layout, moves: dict[int, Point]) -> Layout:
 
 
 def _list_conditions(faults: Iterable[Fault], moves: dict[int, Point]) -> Iterator[_Condition]:
-    """Make conditions of faults that are left after some moves."""
+    """Turn the faults that remain after some moves into conditions."""
     for fault in faults:
         if not (move := fault.move) or move == ORIGIN:
             continue
@@ -139,7 +138,7 @@ def _list_conditions(faults: Iterable[Fault], moves: dict[int, Point]) -> Iterat
 
 
 def _find_least_moves(conditions: Sequence[_Condition]) -> dict[int, Point]:
-    """Find nearly the shortest moves that meet all conditions, if there are any."""
+    """Find nearly shortest moves that satisfy all conditions, if any exist."""
     unit = max((abs(one.length) for one in conditions), default=Fraction(0))
     if not unit:
         return {}
@@ -171,7 +170,7 @@ def _find_least_moves(conditions: Sequence[_Condition]) -> dict[int, Point]:
 
 
 def _move_one_by_one(judgement: Judgement) -> dict[int, Point]:
-    """Find for one placement of each fault the nearest position free of everything else."""
+    """For one placement of each fault, find the nearest position free of everything else."""
     moves: dict[int, Point] = {}
     for fault in judgement.faults:
         if moves.keys() & set(fault.placements):

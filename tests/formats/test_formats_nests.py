@@ -44,7 +44,7 @@ def test_items_are_not_moved_away_from_their_container() -> None:
 @pytest.mark.parametrize(
     ("attribute", "reason"),
     [
-        ('x="99"', "not a move and a turn"),
+        ('x="99"', "not a translation and a rotation"),
         ('style="transform: translate(99px, 0)"', "transformations in a style"),
         ('transform-origin="9 9"', "transform-origin is not supported"),
     ],

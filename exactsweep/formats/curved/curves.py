@@ -42,7 +42,7 @@ class Curve(Protocol):
         """Bound the second derivative by the parameter."""
 
     def least(self) -> int:
-        """Return the least number of chords."""
+        """Return the minimum number of chords."""
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
         """Return the points at some parameters, rounded to multiples of 1 / grid."""
@@ -86,7 +86,7 @@ class Bezier(NamedTuple):
         return (twice + 2 * n * _largest(first_w) * speed) / least / scale
 
     def least(self) -> int:
-        """Return the least number of chords: 1."""
+        """Return the minimum number of chords: 1."""
         return 1
 
     def _lattice(self) -> tuple[int, list[tuple[int, int]]]:
@@ -157,7 +157,7 @@ class Arc(NamedTuple):
         return self.radius * Fraction(self.span) ** 2 * _MARGIN
 
     def least(self) -> int:
-        """Return the least number of chords: one for each started quarter."""
+        """Return the minimum number of chords: one per quarter turn, rounded up."""
         return max(1, ceil(self.span / (pi / 2) - 2**-30))
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:

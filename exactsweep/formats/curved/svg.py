@@ -125,7 +125,7 @@ class Document:
         }
 
     def shapes(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
-        """Find the shapes inside an element; a fault of a `use` is that of the one returned."""
+        """Find the shapes inside an element; errors of a `use` are reported at its shapes."""
         for child in placed.element:
             yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
 
@@ -172,7 +172,7 @@ class Document:
 
 
 def find_reason_hidden(placed: PlacedElement) -> str:
-    """Return why an element is hidden, as `Reading.hides` counts it; "" for none."""
+    """Return why an element is hidden, as counted by `Reading.hides`; "" if it is visible."""
     name = name_kind(placed.element)
     if name in SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
         return f"{name} that is not visible"

@@ -3,7 +3,7 @@
 sparrow and jagua-rs draw the container as a group `container_N`, formerly `bin_N`, and place
 definitions `item_K` by `use`. SVGnest and Deepnest put each part into a group of its own, next to
 a sheet of class `bin`, or with a stroke of #00ff00. All write `translate(x y) rotate(degrees)` and
-mean the turn first. Angles stay as they are written, so that none needs a tolerance.
+apply the rotation first. Angles are kept as written, so none needs a tolerance.
 
 Source: `io/svg/layout_to_svg.rs` of jagua-rs, `svgnest.js` of SVGnest, `export.service.ts` of
 Deepnest.
@@ -47,10 +47,10 @@ def read_nest(
     Args:
         root: of the document, as `parse_xml` parsed it.
         reading: how its shapes are read.
-        containers: those of an instance, by id, which go before the ones that are drawn.
+        containers: those of an instance, by id, which override the drawn ones.
 
     Returns:
-        The parts, without demands, and the sheets; None if no program that is known wrote it.
+        The parts, without demands, and the sheets; None if no known program wrote it.
 
     Raises:
         FormatError: a part or a sheet cannot be read.
@@ -81,7 +81,7 @@ class _NestDrawing:
         self.named = {e.attrib["id"]: e for e in reversed(self.placed) if "id" in e.attrib}
 
     def one_shape(self, elements: Iterable[Element], within: Element) -> Data:
-        """Read what elements draw together within another one, without the motion of that."""
+        """Read what elements inside another one draw together, without its own transformation."""
         rule = self.placed[within].inherited("fill-rule", "nonzero")
         place = Element("svg", {"#line": "1", "style": f"fill-rule: {rule}"})
         place.extend(elements)
@@ -93,17 +93,17 @@ class _NestDrawing:
         return write_rings(found[0])
 
     def motion(self, element: Element) -> Data:
-        """Read the move and the turn of a part."""
+        """Read the translation and the rotation of a part."""
         placed = self.placed[element]
         with name_refusals(placed.place, FormatError):
             match = _MOTION.fullmatch(placed.transform)
         if match is None or not element.attrib.keys().isdisjoint("xy"):
-            raise FormatError(f"{placed.place}: not a move and a turn")
+            raise FormatError(f"{placed.place}: not a translation and a rotation")
         x, y, turn = (format_fraction(read_decimal(number or "0")) for number in match.groups())
         return {"turn": turn, "move": [x, y]}
 
     def require_all(self, within: Element, read: Iterable[Element]) -> None:
-        """Refuse shapes within an element that are in none of those that were read."""
+        """Reject shapes inside an element that no element already read contains."""
         known = {*read}
         for element in within.iter():
             placed, kind = self.placed[element], name_kind(element)
@@ -124,7 +124,7 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
     container = containers.get(around.attrib["id"].rpartition("_")[2])
     zones = named.get("quality_zones")
     if container is None and zones is not None and len(zones):
-        # Those of quality 0 are defects of the container, which is drawn without them.
+        # Zones of quality 0 are defects of the container, which is drawn without them.
         raise FormatError(f"line {line(zones)}: zones of quality are read with --instance only")
     container = container or drawing.one_shape([around], around)
     items, outer = placed[named["items"]], placed[around].parent

@@ -1,4 +1,4 @@
-"""Layouts of any program, in whichever format the content shows."""
+"""Reader of layouts of any program; the content determines the format."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class LayoutOptions(Options, total=False):
 
 @tells_arguments
 def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
-    """Read the only layout of a file, as `read_layouts` does.
+    """Read a file with a single layout, as `read_layouts` does.
 
     Returns:
         Layout JSON.
@@ -203,7 +203,7 @@ def _parse_each(
         for one in found:
             one.data.pop("container", None)
     if text.lstrip()[:1] in "[{":
-        # Layout JSON has its errors as they are.
+        # Layout JSON states its own errors.
         return found
 
     def flatten(
@@ -277,7 +277,7 @@ def _read_json(
 
 
 def _with_counts(document: JsonNode) -> Data:
-    """Make ints of demands, which `parse_json` leaves as text."""
+    """Convert demands, which `parse_json` leaves as text, to ints."""
     parts = []
     for part in (document / "parts").each():
         counts = {"demand": (part / "demand").whole} if part.has("demand") else {}
@@ -297,7 +297,7 @@ def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
     if not others:
         return []
     what = f"part {others[0]} is" if len(others) == 1 else f"parts {', '.join(others)} are"
-    return [f"{what} drawn otherwise than in the instance, which counts"]
+    return [f"{what} drawn differently from the instance, which is used"]
 
 
 def _make_shape(part: Data) -> object:

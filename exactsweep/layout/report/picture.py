@@ -1,6 +1,6 @@
-"""Pictures of judged layouts: all parts, faults in red, and the place of each fault enlarged.
+"""Pictures of judged layouts: all parts, faults in red, and each fault enlarged.
 
-Places are clipped and scaled exactly, and converted to floats last. So the enlarged place shows
+Coordinates are clipped and scaled exactly, and converted to floats last. So the enlargement shows
 even an overlap of 10^-15 of the picture.
 """
 
@@ -38,7 +38,7 @@ _MARGIN, _GAP, _LINE = 14, 20, 20
 _MOST_ENLARGED, _MOST_LABELLED = 12, 150
 
 SIDE = 218
-"""Of the square picture of a place, in pixels."""
+"""The side of the enlarged square, in pixels."""
 
 _ROUND = 3
 _BITS = 64
@@ -137,7 +137,7 @@ def draw_parts(
     The numbers in the parts are those of the placements.
 
     Returns:
-        The width and the height, in pixels, and elements of SVG.
+        The width and height in pixels, and the SVG elements.
     """
     layout = judgement.layout
     placed = [place_shape(layout, k) for k in range(len(layout.placements))]
@@ -153,7 +153,7 @@ def draw_parts(
     window = Window.around(points, width, height, _MARGIN)
     if y_down:
         window = window.turned()
-    # That there are too few, or too many, is no fault of one of them.
+    # Missing and surplus placements are not the fault of a single one.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
     drawn = [_draw("defect", shape, window) for shape in defects]
     for is_bad in (False, True):
@@ -182,7 +182,7 @@ def enlarge_faults(
     y_down: bool = False,
     context: ReportContext = NO_CONTEXT,
 ) -> list[Enlarged]:
-    """Draw the places of the worst faults, each large enough to show the fault."""
+    """Draw the worst faults, each enlarged."""
     layout = judgement.layout
     found = []
     shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
@@ -230,7 +230,7 @@ class DrawnShape(NamedTuple):
         return [*chain.from_iterable(self.rings), *list_corners(self.pieces)]
 
     def list_rings(self, center: Point, near: Fraction) -> list[Sequence[Vertex]]:
-        """List the rings, or polygons in the pieces that are fine at a place."""
+        """List the rings, or polygons that approximate the pieces closely at a place."""
         return [*self.rings, *(list_vertices(piece, center, near) for piece in self.pieces)]
 
 
@@ -268,9 +268,9 @@ def place_shape(layout: Layout, k: int) -> DrawnShape:
 
 
 def place_part(layout: Layout, k: int) -> list[list[Point]]:
-    """Return the rings of a placement after mirroring, turning and moving.
+    """Return the rings of a placement after mirroring, rotation and translation.
 
-    For an angle without a rational turn, the function uses a turn off by at most 2**-64.
+    An irrational rotation is replaced by a rational one off by at most 2**-64.
     """
     placement = layout.placements[k]
     part = layout.part_by_id[placement.part]
@@ -318,7 +318,7 @@ def _write(name: str, data: str, named: tuple[int, str] | None = None) -> str:
 
 
 def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:
-    """Clip rings exactly, far outside a window, so that the cuts are out of sight."""
+    """Clip rings exactly, so far outside a window that the cuts are out of sight."""
     room = window.longest
     sides = (window.left, window.right), sorted((window.bottom, window.top))
     for axis, (low, high) in enumerate(sides):
