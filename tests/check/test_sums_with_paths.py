@@ -143,8 +143,8 @@ def test_a_point_twice_in_a_row_is_no_segment() -> None:
 
 
 @needs_node
-def test_a_part_of_the_shape_is_not_left_out(tmp_path: Path) -> None:
-    """A hole parts the shape; the sum of one part alone has all sides covered."""
+def test_all_parts_of_the_shape_are_covered(tmp_path: Path) -> None:
+    """A hole divides the shape; the sum of one part alone has all sides covered."""
     left, right = rect(0, 0, 4, 1), rect(6, 0, 9, 1)
     path = [["0", "0"], ["1", "0"]]
     proof = {"shape": [left], "sums": [[0, -1, -2, -3, -4]], "slits": []}
