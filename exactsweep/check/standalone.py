@@ -11,7 +11,7 @@ a x + b y + c w > 0. Sections 4 and 5 need 1 to 3; section 6 needs 1 and 2.
    one.
 2. Pieces, convex and counter-clockwise, make up a shape if on every line, at every point, starts
    less ends of edges are the same for the pieces and for the rings (`cancel`), and any two pieces
-   lie on two sides of a line (`apart`). By the first, as many edges are right of any z, so the
+   lie on opposite sides of a line (`apart`). By the first, as many edges are right of any z, so the
    indicators of the pieces add up to the winding number; by the second, the sum is 0 or 1. So each
    point of the shape is in exactly one piece.
 3. The lemma. Let O be a union of open convex polygons, the sums; U the union of the listed ones; L
@@ -25,20 +25,20 @@ a x + b y + c w > 0. Sections 4 and 5 need 1 to 3; section 6 needs 1 and 2.
    (e) two edges or fits have at most one common point.
    Then O = U, L is the boundary of O, and off L, W is 1 on O and 0 elsewhere.
    Proof. By (a), W is constant on each sum, so by (d) it is 1 on O. By (b), U and L together are
-   closed. Let t be in neither; move it a little, so that its level meets no end of a segment and no
-   common point of two. Look right from t. If L is not there, W is 0 at t. Else let y be the first
-   point of L, on e. Before y there is no point of U: the leftmost one of a sum there would be on a
-   side, so in L, or in another sum, which begins farther left. If e were a fit or went up, a sum
-   along its left would be seen before y, by (c). So e goes down, and just behind y is a sum, where
-   W is 1; hence W is 0 at t. As W is 1 on O, O is in U or L, by (a) in U. Points of L are limits of
-   O by (c), and not in O by (a); all other limits of U are in U by (b).
+   closed. Let t be in neither; perturb it so that the horizontal ray from t to the right avoids
+   ends and crossings of segments. If the ray misses L, W is 0 at t. Else let y be its first point
+   of L, on e. Before y the ray misses U: the leftmost point of a sum on it would be on a side, so
+   in L, or in another sum, which begins farther left. If e were a fit or went up, the ray would
+   meet a sum along its left before y, by (c). So e goes down, and just behind y is a sum, where W
+   is 1; hence W is 0 at t. As W is 1 on O, O is in U or L, by (a) in U. Points of L are limits of O
+   by (c), and not in O by (a); all other limits of U are in U by (b).
 4. `no_fit`. By 1 and 2, D and G + t overlap if and only if t is in the interior of D_i + H_j, for
    pieces D_i of D and H_j of H = -G: these are the sums. If D_1 and D_2 have a common vertex p, the
-   sums D_1 + H_j and D_2 + H_j have p + int H_j in common; so (d) is checked once for pieces that
-   vertices connect. `sweep`: what G covers along the exterior T is the closure of the sums of edges
-   of T and pieces of G; 3 applies, with slits as fits, which are no part of the answer. Edges of T
-   have common ends, so the sums of one piece of G are connected. `sum`: likewise, with the segments
-   of any path for T.
+   sums D_1 + H_j and D_2 + H_j have p + int H_j in common; so (d) is checked once for pieces
+   connected by vertices. `sweep`: what G covers along the exterior T is the closure of the sums of
+   edges of T and pieces of G; 3 applies, with slits as fits, which are no part of the answer. Edges
+   of T have common ends, so the sums of one piece of G are connected. `sum`: likewise, with the
+   segments of any path for T.
 5. `inner_fit`. D is a frame without the container, B the rectangle of all t at which G + t is in
    the frame. L is in B; the four half-planes around B count as listed sums, each with an edge of B
    as its side. In the proof read W + 1 for W; every ray meets a half-plane, so L before it.
@@ -46,10 +46,10 @@ a x + b y + c w > 0. Sections 4 and 5 need 1 to 3; section 6 needs 1 and 2.
    pieces of 2. For vertices a and b of two pieces, a normal n with gap = min n.b - max n.a >= 0 and
    gap^2 >= (s + r_a + r_b)^2 |n|^2 proves that they are s apart and do not overlap. The errors of
    shapes add to s. The complement of the container in a frame is a shape, and so is each defect; in
-   a rounded container, depth is concave, so the vertices of a piece decide. A rotation that is off
-   by d moves a point at distance r from the origin by d r or less. A point deeper in two bodies
-   than their errors proves that they overlap; one nearer to both than half of s less the errors,
-   that they are too close.
+   a rounded container, depth is concave, so the vertices of a piece decide. A rotation with error d
+   displaces a point at distance r from the origin by at most d r. A point deeper in two bodies than
+   their errors proves that they overlap; one nearer to both than half of s less the errors, that
+   they are too close.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ class Work:
 
 
 def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
-    """Return the values of an object; a missing or null optional one is its default or None."""
+    """Return the values of an object; missing or null optional values become defaults or None."""
     known = f"{names} {optional}".split()
     right = type(item) is dict and item.keys() <= {*known}
     right = right and all(item.get(key) is not None for key in names.split())
@@ -131,7 +131,7 @@ def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
 
 
 def items(name: str, item: Any, size: int | None = None) -> list[Any]:
-    """Require a list, perhaps of a given size."""
+    """Require a list, optionally of a given size."""
     right = type(item) is list and size in (None, len(item))
     need(right, f"{name}: not a list{'' if size is None else f' of {size} entries'}")
     return list(item)
@@ -222,7 +222,7 @@ def add(p: Point, q: Point) -> Point:
 
 
 def reflect(pieces: list[Ring]) -> list[Ring]:
-    """Negate all points of pieces."""
+    """Reflect pieces in the origin."""
     return [[(-x, -y, w) for x, y, w in piece] for piece in pieces]
 
 
@@ -295,7 +295,7 @@ def is_convex(points: Ring) -> bool:
 
 
 def cancel(name: str, pieces: list[Ring], rings: list[Ring]) -> None:
-    """Require the same starts less ends of edges of pieces and of rings on every line."""
+    """Require that on every line edge starts less ends agree for pieces and rings."""
     left = Counter[tuple[Line, Point]]()
     for p, q, (a, b, c) in chain(*map(edges, pieces + [points[::-1] for points in rings])):
         line = max((a, b, c), (-a, -b, -c))
@@ -333,7 +333,7 @@ def inner_point(piece: Ring) -> Point:
 
 
 def groups(pieces: list[Ring], work: Work) -> list[Point]:
-    """Return a point inside a piece of each group that common vertices connect."""
+    """Return a point inside a piece of each group connected by common vertices."""
     found = list[set[Point]]()
     for piece in pieces:
         met = [group for group in found if not group.isdisjoint(piece)]
@@ -513,7 +513,7 @@ def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, wo
 
 
 def no_fit(c: Any, work: Work) -> str:
-    """Prove a no-fit polygon, and of a sweep the swept area."""
+    """Prove a no-fit polygon, and the swept area of a sweep."""
     more, lists = "inner outer unswept area", "swept slits"
     more, lists = (more, lists) if c["claim"] == "sweep" else ("", "")
     names = f"directrix generatrix exterior holes exact_fits proof {more} {HEAD}"
@@ -733,7 +733,7 @@ class Layout:
         return Body(name, found, known, distance, int(not is_outside))
 
     def read_placement(self, name: str, item: Any, rational: Any) -> Body:
-        """Read a placement; return its part there."""
+        """Read a placement; return its placed part."""
         key, by, turn, flag = fields(name, item, "part move", "turn mirrored")
         need(type(key) is str and key in self.parts, f"{name}: unknown part")
         need(flag is None or type(flag) is bool, f"{name}, mirrored: neither true nor false")
