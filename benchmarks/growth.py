@@ -1,4 +1,4 @@
-"""Seconds and memory of hard shapes over doubling sizes, each pair in a process of its own.
+"""Seconds and memory of hard shapes over doubling sizes, each pair in a separate process.
 
     python -m benchmarks.growth CASE SIZE
 

@@ -1,7 +1,7 @@
 """Transcripts of commands, with what they write; `python -m tests.goldens` rewrites them.
 
 A transcript is a text file in a folder `transcripts`. A line of it that begins with "$ " is a
-command of a shell: exactsweep, cat, echo or python, perhaps with `<<< TEXT`, `< FILE` or `> FILE`.
+command of a shell: exactsweep, cat, echo or python, and maybe `<<< TEXT`, `< FILE` or `> FILE`.
 Below it stands, indented, what the command wrote: lines of standard error after "! ", and the
 exit code after "= ", unless it is 0. All other lines are comments. Dots stand for the common point
 of an overlap.

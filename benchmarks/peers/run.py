@@ -126,7 +126,7 @@ def measure(family: str, m: int, n: int, peers: Iterable[str], limit: float) -> 
 
 
 class Ran(NamedTuple):
-    """One operation in a process of its own: milliseconds of each run, loops, bytes at most."""
+    """One operation in a separate process: milliseconds of each run, loops, bytes at most."""
 
     times: list[float]
     loops: list[Loop]
@@ -136,7 +136,7 @@ class Ran(NamedTuple):
 def run_on(
     pair: tuple[Ring, Ring], module: str, operation: str, limit: float, seconds: float = SECONDS
 ) -> Ran:
-    """Run one operation on a pair in a process of its own.
+    """Run one operation on a pair in a separate process.
 
     Raises StoppedError when it takes too long or fails.
     """

@@ -1,4 +1,4 @@
-"""Runs one operation of one program in a process of its own, so that it can be stopped.
+"""Runs one operation of one program in a separate process, so that it can be stopped.
 
     python -m benchmarks.peers.worker MODULE OPERATION SECONDS < pair.json > result.json
 

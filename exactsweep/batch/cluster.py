@@ -87,7 +87,7 @@ class Cluster:
 
 
 def _require_address(address: str) -> None:
-    """Reject what cannot be a host, perhaps with a port."""
+    """Reject what cannot be a host, optionally with a port."""
     match = _ADDRESS.fullmatch(address)
     if not match or match["host"].isdigit() or not 0 < int(match["port"] or 1) < 2**16:
         raise BatchError(f"no Dask scheduler at {quote(address)}: not as in tcp://host:8786")

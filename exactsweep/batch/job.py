@@ -108,7 +108,7 @@ def take_listed_pairs(
 
     Args:
         path: a file of objects with "generatrix" and "directrix", each the name of a part, or a
-            polygon as exact JSON or GeoJSON; and perhaps "id", "reference", and "direction", not
+            polygon as exact JSON or GeoJSON; and optionally "id", "reference", and "direction", not
             for "nfp".
         parts: the parts that the lines may name.
         what: as for `take_all_pairs`.
@@ -134,7 +134,7 @@ def take_listed_pairs(
 
 def _require_known(what: str) -> Quantities:
     if what not in QUANTITIES:
-        raise BatchError(f"{quote(what)} is none of {', '.join(QUANTITIES)}")
+        raise BatchError(f"{quote(what)} is not one of {', '.join(QUANTITIES)}")
     return what
 
 

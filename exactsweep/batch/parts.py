@@ -28,7 +28,7 @@ def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) 
     """Read a part list, each polygon once.
 
     Args:
-        path: as for `exactsweep.formats.folder.find_files`, perhaps with "#" and a choice.
+        path: as for `exactsweep.formats.folder.find_files`, optionally with "#" and a choice.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
 

@@ -41,7 +41,7 @@ def ifp_command(
     parts of a layout. With --turns or --mirrored, the report and --json have one line per pose.
 
     Holes of CONTAINER are defects, which PART avoids. The answer consists of regions of positions,
-    perhaps with holes, and of exact fits, where CONTAINER is exactly as wide as PART. It is empty
+    possibly with holes, and of exact fits, where CONTAINER is exactly as wide as PART. It is empty
     if PART does not fit.
 
     The command reads files as 'exactsweep sweep' does. --wkt writes a POLYGON for each region, and

@@ -20,7 +20,7 @@ class LayoutCase(NamedTuple):
         id: the name of the case; it never changes its meaning.
         title: one line for people.
         data: the layout as JSON data.
-        expected: "valid"; "faults", each with its "kind" and "placements", perhaps the "part", the
+        expected: "valid"; "faults", each with its "kind" and "placements", maybe the "part", the
             "number" of placements, the "distance_squared", and in "move_squared" the squared length
             of the shortest move that repairs it, null if there is none or it is irrational;
             "contacts"; and for some cases the "density" and the least "distance_squared" of two

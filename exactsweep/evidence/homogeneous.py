@@ -20,7 +20,7 @@ Interval = tuple[Fraction, Fraction]
 
 
 class DirectedSegment(NamedTuple):
-    """A directed segment, perhaps a point, with its primitive direction and its line."""
+    """A directed segment, possibly a point, with its primitive direction and its line."""
 
     start: Node
     end: Node

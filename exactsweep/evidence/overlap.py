@@ -73,12 +73,12 @@ class Overlap:
 
     @cached_property
     def _boundary(self) -> list[Edge]:
-        """The boundary of the common part, on the lattice."""
+        """The boundary of the intersection, on the lattice."""
         return find_common_boundary(*self._lattice[1]) if self.verdict == "OVERLAP" else []
 
     @cached_property
     def area(self) -> Fraction:
-        """The area of the common part."""
+        """The area of the intersection."""
         return Area(measure_common_area(self._boundary) / self._lattice[0] ** 2)
 
     @cached_property

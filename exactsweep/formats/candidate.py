@@ -261,7 +261,7 @@ class Candidate(NamedTuple):
 
 
 def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
-    """Yield candidates, perhaps among others; raises FormatError for too many rejected ones."""
+    """Yield candidates, possibly among others; raises FormatError for too many rejected ones."""
     number, first = 0, ""
     for one in drawn:
         if isinstance(one, Candidate) and one.fault:

@@ -98,7 +98,7 @@ def list_parts(
     """Find the polygons of files, folders and patterns, and name them.
 
     Args:
-        paths: each as for `find_files`, perhaps with "#" and a choice that applies to each file.
+        paths: each as for `find_files`, optionally with "#" and a choice that applies to each file.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: likewise.
 

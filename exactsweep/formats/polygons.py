@@ -125,7 +125,7 @@ def read_polygon(
     """Read one polygon from a file, or from standard input.
 
     Args:
-        path: a path, or "-" for standard input, perhaps with "#" and a choice as for
+        path: a path, or "-" for standard input, optionally with "#" and a choice as for
             `parse_polygon`.
         tolerance: as for `parse_polygon`.
         options: as for `parse_polygon`.

@@ -110,7 +110,7 @@ class Reading:
         clean: object = None,
     ) -> None:
         if unit is not None and not (isinstance(unit, str) and unit in UNITS):
-            raise FormatError(f"the unit {quote(unit)} is none of {', '.join(UNITS)}")
+            raise FormatError(f"the unit {quote(unit)} is not one of {', '.join(UNITS)}")
         self.tolerance = self.joining = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the distance of ends that are joined")
         self.clean = read_positive(clean, "the least area") or Fraction(0)

@@ -13,7 +13,7 @@ _NUMBER = 4
 
 
 def measure_text(text: str, vertices: int) -> int:
-    """Count the bytes of a text, or those of its vertices and numbers, whichever is more."""
+    """Return the greater of the bytes of a text and those of its vertices and numbers."""
     return weigh(_count_bytes(text), vertices, text.count(","))
 
 

@@ -58,7 +58,7 @@ def format_polygons(
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
     """
     if form not in FORMATS:
-        raise FormatError(f"{quote(form)} is none of the formats {', '.join(FORMATS)}")
+        raise FormatError(f"{quote(form)} is not one of the formats {', '.join(FORMATS)}")
     named = [_name(polygon) for polygon in polygons]
     if not named and not fits:
         raise FormatError("no polygon to write")

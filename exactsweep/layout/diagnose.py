@@ -49,7 +49,7 @@ def diagnose(judgement: Judgement) -> list[str]:
         Sentences, that of the fewest remaining faults first; none if few placements have faults, no
         convention explains them, or a shape is rounded.
 
-    Cost: that of `judge_layout` for each of some thirty conventions, if many are at fault.
+    Cost: that of `judge_layout` for each of about thirty conventions, if many are at fault.
     """
     layout, faults = judgement.layout, _count_faults(judgement)
     if any(part.pieces for part in layout.parts) or isinstance(layout.container, RoundedPiece):

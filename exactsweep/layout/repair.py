@@ -54,7 +54,7 @@ def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point
 def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | None:
     """Find a shortest move that the judge accepts, for two placements, or one and the container.
 
-    Cost: that of two no-fit polygons, and for r > 0 of some 30 judgements of the pair.
+    Cost: that of two no-fit polygons, and for r > 0 of about 30 judgements of the pair.
     """
     k = placements[-1]
     solid = board.solid(k, bits)

@@ -1,4 +1,4 @@
-"""The relation of two solids as they are meant, proved by increasingly precise rational turns.
+"""The relation of two solids as intended, proved by increasingly precise rational turns.
 
 Let d be the sum of the slacks of two solids, and s their required distance.
 
@@ -156,7 +156,7 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
 
 
 def _cut(piece: ConvexRing, box: LatticeBox) -> Sequence[Vertex]:
-    """Cut a piece to a box around its common part with another one."""
+    """Clip a piece to a box around its intersection with another one."""
     if len(piece) < _MANY:
         return piece
     left, right, low, high = box

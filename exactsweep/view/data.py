@@ -35,7 +35,7 @@ class Track(NamedTuple):
 
     Attributes:
         name: the name of the track.
-        corners: the vertices of the loop; of an exact fit the two ends, there and back.
+        corners: the vertices of the loop; for an exact fit the two ends, traced in both directions.
     """
 
     name: str

@@ -117,7 +117,7 @@ def test_parts_are_read_once_and_bad_ones_are_kept(tmp_path: Path) -> None:
 
 
 def test_invalid_batches_are_rejected(tmp_path: Path) -> None:
-    with pytest.raises(BatchError, match=r"^'all' is none of trajectory, loops, areas, nfp$"):
+    with pytest.raises(BatchError, match=r"^'all' is not one of trajectory, loops, areas, nfp$"):
         take_all_pairs([], [], "all")
     (tmp_path / "pairs").write_text("")
     with pytest.raises(BatchError, match=r"^2 parts have the name 'square'$"):

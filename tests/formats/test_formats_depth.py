@@ -20,7 +20,7 @@ boxes = st.tuples(st.integers(0, 8), st.integers(0, 8), st.integers(1, 6), st.in
 
 
 def write_svg(*rects: Any) -> str:
-    """Draw boxes, perhaps with attributes."""
+    """Draw boxes, optionally with attributes."""
     drawn = []
     for left, low, right, high, *rest in rects:
         size = f'x="{left}" y="{low}" width="{right - left}" height="{high - low}"'

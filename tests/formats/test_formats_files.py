@@ -90,7 +90,7 @@ def test_other_fractions_are_never_rounded_silently(form: str) -> None:
 def test_empty_lists_and_unknown_formats_are_rejected() -> None:
     with pytest.raises(FormatError, match=r"^no polygon to write$"):
         format_polygons([], "json")
-    with pytest.raises(FormatError, match=r"^'png' is none of the formats json, wkt, geojson, svg"):
+    with pytest.raises(FormatError, match=r"^'png' is not one of the formats json, wkt, geojson"):
         format_polygons([TRIANGLE], "png")
     for form in ("svg", "dxf"):
         with pytest.raises(FormatError, match=r"^the name 'a\\nb' cannot be written in"):

@@ -36,7 +36,7 @@ def read(drawn: str, **options: Any) -> FoundLayout:
 
 def test_items_are_not_moved_away_from_their_container() -> None:
     assert len(read_sparrow(USE).data["placements"]) == 1
-    with pytest.raises(FormatError, match="g 'items': moved otherwise than the container"):
+    with pytest.raises(FormatError, match="g 'items': moved differently from the container"):
         read_sparrow(USE, ' transform="translate(99 0)"')
 
 

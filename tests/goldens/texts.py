@@ -382,4 +382,4 @@ TEXTS: dict[str, Callable[[], Iterator[str]]] = {
     "report": list_report,
     "scales": list_scales,
 }
-"""The texts that `test_goldens.py` makes again; `tests/paper/test_paper.py` compares the rows."""
+"""The texts that `test_goldens.py` regenerates; `tests/paper/test_paper.py` compares the rows."""

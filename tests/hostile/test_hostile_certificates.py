@@ -33,7 +33,7 @@ TINY = "1/1000000000000000000000"
 
 
 def draw_with_room(rng: Random) -> SmallPair:
-    """A pair of which G fits into D, as a rule."""
+    """A pair in which G usually fits into D."""
     generatrix, directrix = draw(rng)
     return SmallPair(generatrix, [[(5 * x, 5 * y) for x, y in ring] for ring in directrix])
 

@@ -88,7 +88,7 @@ def test_faults_of_parts_at_any_angle_are_proved(kind: str) -> None:
 @pytest.mark.parametrize("digits", range(17, 23))
 @pytest.mark.parametrize("kind", ["spacing", "margin"])
 def test_gaps_at_the_limit_of_rational_turns_are_proved(kind: str, digits: int) -> None:
-    """Squares that reach sqrt(2), or twice that; the first rational turns are off by some 1e-19."""
+    """Squares that reach sqrt(2) or twice that; the first rational turns are off by about 1e-19."""
     root = Fraction(isqrt(2 * 100**digits), 10**digits)
     for reach in (root, root + Fraction(1, 10**digits)):
         gap = str(2 * (3 - reach))

@@ -1,4 +1,4 @@
-"""Crossings of segments, and what is left of segments by them: small cases, all of them."""
+"""Crossings of segments, and the remaining pieces: exhaustive over small cases."""
 
 from fractions import Fraction
 from itertools import pairwise, product

@@ -128,7 +128,7 @@ def simple_polygons() -> st.SearchStrategy[Polygon]:
 def pairs(draw: st.DrawFn, kind: Kind) -> tuple[Polygon, Polygon]:
     """Generatrix and directrix, both x-monotone.
 
-    On one grid as a rule, so that edges are parallel, equal or fit exactly; sometimes one polygon
+    Usually on one grid, so that edges are parallel, equal or fit exactly; sometimes one polygon
     twice, or one that is far larger than the other. In "CM" the generatrix is the convex one.
     """
     first, second = (

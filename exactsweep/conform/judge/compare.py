@@ -66,7 +66,7 @@ _MOST_SHOWN = 100
 """Number of trapezoids that a witness is chosen from."""
 
 JudgedLoop = tuple[PartComparison, Sequence[Fit]]
-"""A comparison, and the segments on exact fits that the rings trace there and back."""
+"""A comparison, and the segments on exact fits that the rings trace in both directions."""
 
 
 @tells_arguments

@@ -140,7 +140,7 @@ def _find_nearest(place: Place, edges: list[LoopEdge]) -> tuple[Fraction, LoopEd
         if dx * dx + dy * dy <= bound and (distance := edge.distance(place)) < best:
             best, nearest = distance, edge
             bound = floor(best * w * w)
-    # The next place is close as a rule: it begins with this edge.
+    # The next place is usually close, so its search begins with this edge.
     edges.remove(nearest)
     edges.insert(0, nearest)
     return best, nearest

@@ -1,4 +1,4 @@
-"""Loops that equal the exact ones except for rounding, whichever rings touch."""
+"""Loops equal to the exact ones up to rounding, which may change the rings that touch."""
 
 from __future__ import annotations
 

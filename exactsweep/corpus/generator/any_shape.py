@@ -136,7 +136,7 @@ def plate_pair(random: Prng) -> Regions:
 
 
 def container_pair(random: Prng) -> Regions:
-    """A container, perhaps with a defect, that the part fits with play, exactly, or not at all."""
+    """A container, possibly with a defect, that the part fits loosely, exactly, or not at all."""
     part = _draw_untangled(random, 7, 5)
     low, high = part.bounding_box
     width, height = int(high.x - low.x), int(high.y - low.y)

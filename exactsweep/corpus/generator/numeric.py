@@ -24,7 +24,7 @@ RationalRings = Sequence[Rationals]
 def rounded_crossings_pair(random: Prng) -> RingPair:
     """Steep edges over coprime widths: the answer is not on the grid.
 
-    Crossings have denominators of some 7 digits. On the steepest edges, rounding their x to an
+    Crossings have denominators of about 7 digits. On the steepest edges, rounding their x to an
     integer takes them off the edge by thousands in y.
     """
     grid = Grid(cells=(2, 6), widths=(997, 1009, 1013, 2003, 3), height=100_003, pointed=5)

@@ -32,7 +32,7 @@ class Affine(NamedTuple):
         x, y = self.vector(first.a, first.b), self.vector(first.c, first.d)
         off = Fraction(0)
         if self.off or first.off:
-            # A number of the product is a sum of two products, and perhaps of one more number.
+            # A number of the product is a sum of two products, plus at most one more number.
             largest, other = max(map(abs, self[:4])), max(map(abs, first[:6]))
             off = 2 * (largest * first.off + other * self.off + self.off * first.off) + self.off
         return Affine(*x, *y, *self.point(first.e, first.f), off)

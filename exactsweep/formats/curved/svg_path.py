@@ -26,7 +26,7 @@ from exactsweep.numbers.number import ORIGIN, Point, divide_all, make_points
 
 _GAP = re.compile(r"[\s,]*")
 _NUMBER = re.compile(rf"[\s,]*({DECIMAL})")
-# Runs of pairs of lines, perhaps with the command between them; bounded, so that vertices are
+# Runs of pairs of lines, optionally with the command between them; bounded, so that vertices are
 # counted in time.
 _PAIR = rf"[\s,]*+{DECIMAL}[\s,]*+{DECIMAL}"
 _LINES = {letter: re.compile(rf"(?:[\s,]*+{letter}?+{_PAIR}){{1,4096}}+") for letter in "Ll"}

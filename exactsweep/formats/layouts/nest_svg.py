@@ -129,7 +129,7 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
     container = container or drawing.one_shape([around], around)
     items, outer = placed[named["items"]], placed[around].parent
     if outer is None or items.matrix != outer.matrix:
-        raise FormatError(f"{items.place}: moved otherwise than the container")
+        raise FormatError(f"{items.place}: moved differently from the container")
     uses = [child for child in items.element if name_kind(child) == "use"]
     drawing.require_all(items.element, uses)
     placements = []

@@ -147,7 +147,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
 def _read_table(
     text: str, parts: Mapping[str, Data] | None, known: NestingInstance | None, *, radians: bool
 ) -> list[FoundLayout]:
-    """Read a table of placements; an instance has its parts, and perhaps the only container."""
+    """Read a table of placements; an instance has its parts, and possibly a single container."""
     if parts is None:
         parts = {} if known is None else known.parts
     found = read_table(text, parts, radians=radians)
