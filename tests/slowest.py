@@ -153,6 +153,18 @@ def long_numbers(n: int, digits: int) -> Certificate:
     return claim_no_fit(shape, shape, loop, (), [[0, chain, *[0] * 5]])
 
 
+def zigzags(n: int, digits: int) -> Certificate:
+    """A path of many segments, a strip of pieces, and an edge whose box holds all of their sums."""
+    count, far = digits * 10, 9 * n + 99
+    shape = {"exterior": rectangle(0, 0, count, 1)}
+    path = write([(2 * far + 3 * k, k % 2 * digits) for k in range(n)])
+    loop = write([(-far, -far), (9 * far, -far), (9 * far, far)])
+    pieces = [rectangle(k, 0, k + 1, 1) for k in range(count)]
+    proof = {"shape": pieces, "sums": [], "slits": []}
+    answer = {"exterior": loop, "holes": [], "proof": proof}
+    return {**HEAD, "claim": "sum", "shape": shape, "path": path, **answer}
+
+
 def layout(
     parts: list[Any], placements: list[Any], proof: Any = None, faults: Any = None, **more: Any
 ) -> Certificate:
@@ -208,7 +220,7 @@ def rounded(n: int, digits: int) -> Certificate:
 
 KINDS: Mapping[str, Callable[[int, int], Certificate]] = {
     kind.__name__: kind
-    for kind in (crowd, strips, corners, slices, islands, fits_in_a_cell, chains)
+    for kind in (crowd, strips, corners, slices, islands, fits_in_a_cell, chains, zigzags)
 } | {kind.__name__: kind for kind in (long_numbers, placements, faults, rotations, rounded)}
 
 

@@ -844,8 +844,8 @@ def layout(c: Any, work: Work) -> str:
 # --- Questions ------------------------------------------------------------------------------------
 
 
-PROVERS = {"no_fit": no_fit, "sweep": no_fit, "sum": path_sum, "inner_fit": inner_fit}
-PROVERS["layout"] = layout
+PROVERS = {"no_fit": no_fit, "sweep": no_fit, "sum": path_sum}
+PROVERS |= {"inner_fit": inner_fit, "layout": layout}
 
 
 def prove(certificate: Any, max_steps: float | None = None) -> str:
