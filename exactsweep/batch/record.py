@@ -63,12 +63,12 @@ def write_error_line(index: int, names: Mapping[str, object], reason: str) -> by
 
 
 def is_record(line: bytes, index: int) -> bool:
-    """Whether a line is the complete record of a pair."""
+    """Decide whether a line is the complete record of a pair."""
     return line.startswith(b'{"index": %d, ' % index) and line.endswith(b"}\n")
 
 
 def is_error(line: bytes) -> bool:
-    """Whether a record is an error."""
+    """Decide whether a record is an error."""
     return line.partition(b", ")[2].startswith(b'"error": ')
 
 

@@ -39,9 +39,9 @@ class Work:
 
     Attributes:
         what: the quantities.
-        generatrices: the swept parts, each around each directrix; or those that lines of a file
-            name.
-        directrices: the parts that they sweep around, or the same again.
+        generatrices: the moving parts, each around each directrix; or the parts that a file of
+            pairs names.
+        directrices: the parts that they sweep around, or the same parts.
         rounding: how to round numbers; None to leave them.
         limits: the limits where the batch was made.
     """

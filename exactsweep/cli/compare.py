@@ -45,7 +45,7 @@ def compare_command(
       wrong          both
       malformed      no region: nan, too few vertices, edges that cross, ...
       unsupported    nothing to compare
-      undecided      not compared in 60 seconds of the processor
+      undecided      not compared within 60 CPU seconds
 
     For each part, the report has the distance of the loops, the area between them, and a place to
     check by hand. The exit code is 0 for a verdict no worse than --accept, and 1 otherwise.

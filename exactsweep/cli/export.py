@@ -122,7 +122,7 @@ def export(
 def enlarge(
     regions: Sequence[NamedRegion], side_of: Callable[[NamedRegion], Side]
 ) -> Iterator[NamedRegion]:
-    """Move boundaries by the errors of curves, so that they hold for the curves.
+    """Offset boundaries by the errors of curves, so that the result holds for the curves, too.
 
     Forbidden regions grow by the Minkowski sum with an octagon around a disc of the error; free
     regions shrink by the erosion.

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 
 _UNCHECKED = 3
-"""The exit code of --strict if all is valid, but not everything was judged."""
+"""The exit code of --strict if all layouts are valid, but not all rules were judged."""
 
 
 def _choose_container(container: str | None, no_container: bool) -> str | Literal[False] | None:
@@ -65,7 +65,7 @@ class _TableOptions(NamedTuple):
 
 
 class _Wanted(NamedTuple):
-    """The outputs that are asked for of a layout, and their files."""
+    """The requested outputs of a layout, and their files."""
 
     as_json: bool
     everything: bool
@@ -81,8 +81,8 @@ class _Wanted(NamedTuple):
 @click.argument("files", nargs=-1, required=True, type=PATH)
 @takes_file(
     "--instance",
-    "The instance of a solution, with its parts, their number and their allowed turns; or a "
-    "drawing, a file or a folder of parts, each to be placed once.",
+    "The instance of a solution, with its parts, their quantities and their allowed rotations; or "
+    "a drawing, a file or a folder of parts, each to be placed once.",
 )
 @gather(
     "table",
@@ -104,10 +104,10 @@ class _Wanted(NamedTuple):
     click.option(
         "--container",
         metavar="ID",
-        help="The outline of a drawing that is the container, by name, index or layer; by default "
-        "one called sheet, bin, board, container or stock, or the outline around all others.",
+        help="Name, index or layer of the container's outline in a drawing; default: sheet, bin, "
+        "board, container or stock, or else the outline around all others.",
     ),
-    click.option("--no-container", is_flag=True, help="Judge only the parts among themselves."),
+    click.option("--no-container", is_flag=True, help="Judge the parts only against each other."),
 )
 @gather(
     "gaps",
@@ -116,13 +116,13 @@ class _Wanted(NamedTuple):
         "--spacing",
         callback=checked(to_gap),
         metavar="DISTANCE",
-        help="The least distance of any two parts; by default that of the file, or 0.",
+        help="Minimum distance between parts; default: that of the file, or 0.",
     ),
     click.option(
         "--margin",
         callback=checked(to_gap),
         metavar="DISTANCE",
-        help="The least distance of parts from the edge of the container and from its defects.",
+        help="Minimum distance of parts from the boundary of the container and from its defects.",
     ),
 )
 @gather(
@@ -132,7 +132,7 @@ class _Wanted(NamedTuple):
         "--accept",
         callback=checked(to_gap),
         metavar="DEPTH",
-        help="Accept overlaps up to this depth, and distances that are short by up to this much.",
+        help="Accept overlaps up to this depth, and distances too small by up to this amount.",
     ),
     click.option("--strict", is_flag=True, help="Exit with 3 if a rule of the file is not judged."),
 )
@@ -148,13 +148,13 @@ class _Wanted(NamedTuple):
     ),
     takes_file("--html", "Write a page with pictures of faults."),
     takes_file("--svg", "Write a picture with enlarged faults below."),
-    takes_file("--repair", "Write the layout, moved by small moves to be valid, as Layout JSON."),
+    takes_file("--repair", "Write the layout, made valid by small moves, as Layout JSON."),
     takes_file(
         "--shrink",
-        "Write a valid layout with its convex container shrunk about a corner, or a disc about its "
-        "center, as far as is proved.",
+        "Write a valid layout with its container shrunk as far as proved: a convex one about a "
+        "corner, a disc about its center.",
     ),
-    takes_workers("The number of processes for several files; by default one per processor."),
+    takes_workers("Number of processes for several files; default: one per CPU."),
     takes_output,
 )
 def layout_command(
@@ -201,7 +201,7 @@ def layout_command(
 
     found = [path for given in files for path in find_files(given)]
     if "-" in found and len(found) > 1:
-        raise click.UsageError("Standard input is read alone, without other files.")
+        raise click.UsageError("Standard input (-) cannot be combined with other files.")
     options = {"instance": instance, "container": container, **reading}
     options |= {"part": table.part, "radians": table.turns_in == "radians"}
     layouts: list[FoundLayout] = []
@@ -244,7 +244,7 @@ def _judge_one(
     *,
     y_down: bool,
 ) -> int:
-    """Judge a layout, write what is wanted, and return the exit code."""
+    """Judge a layout, write the requested outputs, and return the exit code."""
     from exactsweep.layout import LayoutError, report
 
     placed = len(found.data["placements"])

@@ -124,7 +124,7 @@ _WRITERS = {
 
 
 def describe_error(error: Fraction) -> str:
-    """Describe for the end of a report what holds for curves; "" without curves."""
+    """Describe the errors of curves for the end of a report; "" without curves."""
     if not error:
         return ""
     about = approximate(error, up=True)

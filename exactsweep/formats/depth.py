@@ -278,6 +278,6 @@ class _Nesting:
 
 
 def is_within(inner: Polygon, outer: Polygon) -> bool:
-    """Whether a polygon lies inside another one, whose boundary it may touch."""
+    """Decide whether a polygon lies inside another one, whose boundary it may touch."""
     _, (around, within) = common_lattice([outer, inner])
     return contains([around], [within])

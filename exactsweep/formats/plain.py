@@ -38,7 +38,7 @@ def require_known(text: str) -> None:
 
 
 def is_plain(text: str) -> bool:
-    """Whether a text consists of numbers, separators and brackets."""
+    """Decide whether a text consists of numbers, separators and brackets."""
     return bool(_PLAIN.fullmatch(text))
 
 
@@ -86,6 +86,6 @@ def _read_counted(numbers: Sequence[Fraction]) -> Iterator[Candidate]:
         size, first = numbers[k], k + 1
         k = first + 2 * int(size)
         if size.denominator != 1 or not first < k <= len(numbers):
-            raise FormatError("neither pairs of numbers, one a line, nor a count and as many pairs")
+            raise FormatError("neither one pair of numbers per line, nor a count and as many pairs")
         points = make_points(numbers[first:k:2], numbers[first + 1 : k : 2])
         yield Candidate("", points.copy)

@@ -189,7 +189,7 @@ class Reading:
         return unit / self.found_unit
 
     def hides(self, reason: str) -> bool:
-        """Whether to omit an element for a reason ("" for none); counts it if so."""
+        """Decide whether to omit an element for a reason ("" for none); count it if so."""
         if not reason or self.hidden:
             return False
         self.passed[reason] += 1

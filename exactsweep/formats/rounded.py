@@ -1,7 +1,7 @@
 """Closed paths of arcs of one radius and their tangents: discs, slots, rounded polygons.
 
 Such a path is the boundary of all points at distance at most r from a convex hull if (1) its arcs
-have one radius, turn the same way, and turn by 360 degrees together; (2) the centers of its arcs,
+have one radius, turn in one direction, and by 360 degrees together; (2) the centers of its arcs,
 in order, are the corners of a convex polygon, the two ends of a segment, or one point; and (3) each
 line between two arcs is the side between their centers, moved outwards by r.
 """
@@ -52,7 +52,7 @@ def find_rounded(path: Path) -> RoundedOutline | None:
         path: a closed path.
 
     Returns:
-        A RoundedOutline; None if the path is another one, or its numbers are irrational.
+        A RoundedOutline; None for other paths, and for irrational numbers.
 
     Cost: linear.
 

@@ -96,7 +96,7 @@ class Board:
         return None if scale is None or scale.bit_length() > _SHARED_BITS else scale
 
     def solid(self, k: int, bits: int = TURN_BITS) -> Solid:
-        """Return the solid of a placement, with a turn off by at most 2**-bits."""
+        """Return the solid of a placement, with a rotation error of at most 2**-bits."""
         return self._placed(k, bits)
 
     def _place(self, k: int, bits: int) -> Solid:
@@ -104,7 +104,7 @@ class Board:
         return self._put(k, self.layout.placements[k].move, bits, shared)
 
     def solid_at(self, k: int, move: Point, bits: int = TURN_BITS) -> Solid:
-        """Return the solid of a placement with another move, on a lattice of its own."""
+        """Return the solid of a placement at another position, on its own lattice."""
         return self._put(k, move, bits, None)
 
     def _put(self, k: int, move: Point, bits: int, shared: int | None) -> Solid:

@@ -31,7 +31,7 @@ from exactsweep.numbers.number import Point
 _PieceRings = list[list[Point]] | None
 
 _LEAST = 3
-"""The number of vertices that a ring of a certificate has at least."""
+"""The least number of vertices of a ring in a certificate."""
 
 
 def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:

@@ -1,8 +1,8 @@
 """Other conventions of placements that would explain a layout with many faults.
 
-Each convention makes another exact layout of the same numbers, and the judge judges it. A turn R
-about a center c is R (P - c) + c + t. So the layout shifts parts, and moves with them, and no angle
-needs to be rational.
+Each convention makes another exact layout of the same numbers, and the judge judges it. A
+rotation R about a center c maps P to R (P - c) + c + t. So the layout shifts the part and its move,
+and no angle needs to be rational.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
         yield f"turns about {name}", _shift_by(find, move=True)
         yield f"moves that give the position of {name}", _shift_by(find, move=False)
     yield "moves that give the lower left corner of the rotated box", _from_turned_corner
-    yield "the move before the turn", _move_first
+    yield "translation before rotation", _move_first
     yield "parts with Y down", _flip
     yield "moves with Y down", move(mirror)
     yield "parts and moves with Y down", lambda part, p: move(mirror)(*_flip(part, p))

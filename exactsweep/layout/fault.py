@@ -114,7 +114,7 @@ class Fault:
     def depth_squared(self) -> Fraction | None:
         """The squared length of the shortest move to contact, for "overlap" and "outside".
 
-        It does not regard the spacing or the margin. It is None if the part fits nowhere. For turns
+        It ignores the spacing and the margin. It is None if the part fits nowhere. For turns
         without a rational value and for flattened curves, the length may be off by the bound; for
         rounded parts it is rounded up, and an upper bound if one of the parts is not convex.
 
@@ -129,7 +129,7 @@ class Fault:
     def clearance(self) -> Clearance | None:
         """The exact distance or depth of two rounded bodies; None for polygons.
 
-        It is a root less a radius. Of bodies of several pieces it is that of the two pieces that
+        It is a square root minus a radius. For several pieces, it is that of the two that
         overlap most, or are nearest.
         """
         if self._board is None or self.kind not in _REPAIRED:

@@ -22,7 +22,7 @@ _PartEdge = tuple[Point, Point]
 
 
 def find_misfit(part: LayoutPart) -> Point | None:
-    """Find a point around which the rings of a part go neither 0 times nor once.
+    """Find a point whose winding number by the rings of a part is neither 0 nor 1.
 
     None if rings only touch.
 

@@ -78,7 +78,7 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
 
 
 def find_free_move(board: Board, k: int) -> Point | None:
-    """Find the shortest move of a placement that frees it of all others and the container.
+    """Find the shortest move that frees a placement from all others and the container.
 
     It is at most half the size of the part in x and y, and longer than the shortest one as by
     `find_repair`; None if there is none.

@@ -36,8 +36,8 @@ class RoundedPiece(NamedTuple):
     """All points at distance at most `radius` from the convex hull of some points.
 
     Attributes:
-        points: the corners of the hull, counter-clockwise; one or two of a degenerate hull.
-        radius: at least 0; more than 0 for a degenerate hull.
+        points: the corners of the hull, counter-clockwise; one or two for a degenerate hull.
+        radius: at least 0; positive for a degenerate hull.
     """
 
     points: Loop

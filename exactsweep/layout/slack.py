@@ -144,7 +144,7 @@ def _round_up(value: Fraction) -> Fraction:
 
 
 def _find_growth(judgement: Judgement, solids: list[Solid]) -> Fraction:
-    """Return half of what the nearest two parts have to spare."""
+    """Return half the distance that the nearest two parts have to spare."""
     nearest = judgement.distance
     if nearest is None:
         return Fraction(0)

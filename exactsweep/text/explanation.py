@@ -195,14 +195,14 @@ class _Teller:
         event, i, j = contact
         g, d = self._name(contact)
         if event == "EE":
-            return f"{g}, closes flat on {d}"
+            return f"{g}, comes flush with {d}"
         if event == "VE":
             (x, y), (tx, ty), (rx, ry) = self.g.corners[i], position, self.sweep.reference
             return f"{g}, runs into {d}, at {write_pair((x + tx - rx, y + ty - ry))}"
         if event == "VV" and i in self.g.reflex:
-            return f"{d}, comes into the reflex corner at {g}"
+            return f"{d}, enters the reflex corner at {g}"
         if event == "VV" and j in self.d.reflex:
-            return f"{g}, comes into the reflex corner at {d}"
+            return f"{g}, enters the reflex corner at {d}"
         return f"{g}, runs into {d}"
 
     def _choose_telling(self, contacts: Iterable[Contact]) -> list[Contact]:

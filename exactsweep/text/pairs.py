@@ -40,7 +40,7 @@ def sum_to_json(a: AnyPolygon, b: AnyPolygon | Polyline, found: Region) -> str:
 
 
 def sum_to_wkt(found: Region) -> str:
-    """Write a Minkowski sum as a WKT POLYGON; raises FormatError for 1/3."""
+    """Write a Minkowski sum as a WKT POLYGON; raise FormatError for numbers such as 1/3."""
     rings = {"exterior": found.exterior.vertices}
     return write_wkt_polygon(rings | {f"hole {k}": h.vertices for k, h in enumerate(found.holes)})
 

@@ -41,8 +41,8 @@ def report(
 ) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
-    Areas are exact, with a decimal approximation if that differs. Of a long loop, the first
-    vertices and the number of others are shown.
+    Areas are exact, with a decimal approximation if that differs. A long loop is
+    shown by its first vertices and the number of the others.
 
     Args:
         sweep: a Sweep.

@@ -65,7 +65,7 @@ def test_several_sheets_are_read_from_standard_input(nest: Path) -> None:
     for other in ("-", str(nest / "sparrow.json")):
         done = run("layout", "-", other, stdin=text)
         assert done.exit_code == 2
-        assert "Standard input is read alone" in done.stderr
+        assert "cannot be combined with other files" in done.stderr
 
 
 def test_everything_is_written(tmp_path: Path) -> None:

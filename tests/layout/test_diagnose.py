@@ -62,7 +62,7 @@ def turned_back(turn: str, x: int, y: int) -> dict[str, Any]:
         (lambda turn, x, y: place(turn, x, 4 - y), "moves with Y down"),
         (lambda turn, x, y: place(f"-{turn}", x, 4 - y), "moves with Y down and clockwise turns"),
         (lower_left, "moves that give the lower left corner of the rotated box"),
-        (turned_back, "the move before the turn"),
+        (turned_back, "translation before rotation"),
         (place, "parts with Y down"),
         (lambda turn, x, y: place(turn, x, 4 - y), "parts and moves with Y down"),
     ],

@@ -36,7 +36,7 @@ def test_a_stop_at_a_wall_omits_the_ends_of_its_edges(height: int) -> None:
     g = [(0, 0), (3, 0), (3, 3), (0, 3)]
     d = [(0, -1), (10, -1), (10, 0), (4, 0), (4, height), (0, height)]
     (stop,) = (line for line in tell(sweep(g, d)) if "Stop: " in line)
-    line = f"edge 3 of G, (0,3)-(0,0), closes flat on edge 3 of D, (4,0)-(4,{height})"
+    line = f"edge 3 of G, (0,3)-(0,0), comes flush with edge 3 of D, (4,0)-(4,{height})"
     assert stop.split(";")[0] == f"  Stop: {line}"
 
 

@@ -1,4 +1,4 @@
-"""Dots of SVG: paths without length, which round caps draw as discs of the width of the stroke."""
+"""Dots of SVG: zero-length paths, which round caps draw as discs as wide as the stroke."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _UNPAINTED = ("none", "transparent")
 
 
 def draw_dot(path: Path, shape: PlacedElement, matrix: Affine) -> Path | None:
-    """Return the disc that a path without length draws; None for all other paths.
+    """Return the disc that a zero-length path draws; None for all other paths.
 
     Raises FormatError if the width of the stroke is not a number.
     """

@@ -1,4 +1,4 @@
-"""Blocks of DXF: what INSERT draws, wherever it moves, rotates, mirrors and scales it."""
+"""Blocks of DXF, as INSERTs move, rotate, mirror and scale them."""
 
 from __future__ import annotations
 

@@ -136,7 +136,7 @@ class Entity:
         return points, bulges[:-1]
 
     def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
-        """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
+        """Return the same for a POLYLINE, from the VERTEX entities that follow it."""
         points, bulges, heights = [], [], []
         for vertex in self.vertices:
             with name_refusals(vertex.place):

@@ -72,7 +72,7 @@ class _Joined(NamedTuple):
 
 
 def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Candidate]:
-    """List what a file draws, in order, with the open lines of each layer joined."""
+    """List the outlines of a file in order, with the open lines of each layer joined."""
     found: list[tuple[int, Candidate]] = []
     lines: defaultdict[str | None, dict[int, OpenLine]] = defaultdict(dict)
     for order, one in enumerate(drawn):

@@ -62,7 +62,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
         FormatError: not XML or not SVG, entities, too deep nesting, no unit where one is wanted, or
             limits exceeded.
 
-    Cost: linear in the length of the text and in what uses draw; that of
+    Cost: linear in the length of the text and in the drawn copies; that of
         `exactsweep.geometry.filling.fill` for paths with several subpaths.
 
     Example:
@@ -218,7 +218,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
 
 
 def is_filled(shape: PlacedElement) -> bool:
-    """Whether a shape is filled."""
+    """Decide whether a shape is filled."""
     return shape.inherited("fill", "black") not in _UNPAINTED
 
 

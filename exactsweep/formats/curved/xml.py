@@ -82,7 +82,7 @@ def parse_xml(text: str) -> Element:
     except EntitiesForbidden as error:
         raise FormatError(f"declares the entity {error.name!a}, which is not allowed") from None
     except DefusedXmlException as error:
-        raise FormatError(f"refers to something outside of it: {error}") from None
+        raise FormatError(f"refers to an external resource: {error}") from None
     # With an external document type, the parser skips references that it might declare.
     for match in _REFERENCE.finditer(text):
         if match["entity"] not in {None, *declared}:

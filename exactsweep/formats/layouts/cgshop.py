@@ -1,7 +1,7 @@
 """JSON of the CG:SHOP challenge 2024, maximum polygon packing.
 
-Polygons are lists of x and of y, which solutions only move. At most `quantity` of an item may be
-placed, and none need be. A solution has no polygons: its instance has them.
+A polygon is a list of x and a list of y; solutions only translate it. At most `quantity` of an item
+may be placed, and none need be. A solution has no polygons: its instance has them.
 
 Source: the verifier of the challenge, `CG-SHOP/pyutils24`.
 """
@@ -42,7 +42,7 @@ def read_solution(document: JsonNode, known: NestingInstance | None) -> list[Fou
     names = "item_indices", "x_translations", "y_translations"
     indices, xs, ys = ([*(document / name).each()] for name in names)
     if not len(indices) == len(xs) == len(ys):
-        raise FormatError(f"$: {', '.join(names)} are not of one length")
+        raise FormatError(f"$: {', '.join(names)} differ in length")
     placements = []
     for index, x, y in zip(indices, xs, ys, strict=True):
         find_named(instance.parts, index, "item")

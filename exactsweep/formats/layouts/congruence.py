@@ -1,4 +1,4 @@
-"""Congruent regions: the turn and the move that take one region to another."""
+"""Congruent regions: the rotation and the translation that map one region to another."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Congruence(NamedTuple):
 
 
 def find_congruence(part: Region, drawn: Region) -> Congruence | None:
-    """Find a map that takes a part to a region; exactly, or else nearly.
+    """Find a map from a part to a region, exact or else approximate.
 
     Args:
         part: a Region.
@@ -59,7 +59,7 @@ def find_congruence(part: Region, drawn: Region) -> Congruence | None:
 
 
 def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Congruence | None:
-    """Find a map that takes a rounded outline to another one, exactly.
+    """Find an exact map from a rounded outline to another one.
 
     >>> discs = [RoundedOutline((Point(Fraction(k), Fraction(0)),), Fraction(1)) for k in (0, 2)]
     >>> find_rounded_congruence(*discs).move

@@ -1,4 +1,4 @@
-"""Layouts of drawings: every outline is a part where it stands, or a hole of one."""
+"""Layouts of drawings: each outline is a placed part, or a hole of one."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def draw_layouts(
         reading: its settings; outlines are nested unless `nested` is False.
 
     Raises:
-        FormatError: an outline cannot be read: with it, the layout may be wrong.
+        FormatError: an outline cannot be read: without it the layout might be wrong.
 
     Cost: linear, and that of `nest_outlines`.
     """
@@ -85,7 +85,7 @@ def _leave_open_layers(outlines: Sequence[Candidate]) -> tuple[list[Candidate], 
     for one in outlines:
         if one.fault and one.layer in closed:
             hint = (
-                "" if one.layer is None else f" (--ignore-layer {one.layer} leaves its layer out)"
+                "" if one.layer is None else f" (--ignore-layer {one.layer} skips its layer)"
             )
             raise FormatError(f"{one.fault}{hint}")
         if one.fault and not closed:

@@ -20,7 +20,7 @@ from exactsweep.numbers.number import Point
 _INDEX = re.compile(r"\[\d+\]")
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
-"""The placement of a part that stands as drawn."""
+"""The placement of a part that is placed as drawn."""
 
 
 Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
@@ -56,10 +56,10 @@ class NestingInstance(NamedTuple):
 
     Attributes:
         kind: "jagua", "packingsolver" or "cgshop", after the program whose format it is.
-        parts: by id, each as in Layout JSON, with the demand that may be placed at most.
-        least: by id, how many have to be placed.
+        parts: by id, each as in Layout JSON, with the maximum number of placements as its demand.
+        least: by id, the minimum number of placements.
         containers: by id, each as in Layout JSON; none where a strip has a free width.
-        rest: what goes into each layout as it is: "spacing", "margin".
+        rest: members that are copied to each layout: "spacing", "margin".
         notes: remarks of the reader.
         unchecked: rules that are not judged, a phrase each.
         height: that of a strip with a free width.
@@ -80,7 +80,7 @@ class NestingInstance(NamedTuple):
 
 
 class FilledSheet(NamedTuple):
-    """A container with what is placed in it, before parts and demands are added.
+    """A container with its placements, before parts and demands are added.
 
     Attributes:
         container: as in Layout JSON.
@@ -105,9 +105,9 @@ def make_layouts(
 ) -> list[FoundLayout]:
     """Make a layout of each sheet.
 
-    The sheets share one demand: each is asked for what is placed on it, up to what is left, and the
-    last one for what has to be placed and is not. So the sum is as wanted exactly if no sheet has a
-    part missing or too many. A layout has the parts that are placed or asked for.
+    The sheets share one demand. Each demands the parts placed on it, up to the remaining demand;
+    the last one also demands those that are still missing. So the total is right exactly if no
+    sheet has missing or surplus parts. A layout has the parts that are placed or demanded.
 
     Cost: linear.
     """
@@ -198,7 +198,7 @@ def read_rounded(part: Data) -> RoundedOutline | None:
 
 
 def list_unknown(nodes: Iterable[JsonNode], *known: str) -> list[str]:
-    """List the members of objects that are not understood, each once, as a phrase."""
+    """List the unknown members of objects, each once, as a phrase."""
     found = {
         f"{_INDEX.sub('', node.path).removeprefix('$').removeprefix('.')}.{name}".removeprefix(".")
         for node in nodes

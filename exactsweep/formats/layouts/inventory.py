@@ -28,13 +28,13 @@ from exactsweep.words import count
 
 
 class WantedPart(NamedTuple):
-    """A part that is to be placed.
+    """A part to be placed.
 
     Attributes:
         name: its name.
         region: its shape.
         error: the error of its curves.
-        number: how often it is to be placed.
+        number: the required number of placements.
         rounded: its hull and radius, if it is a rounded outline.
     """
 

@@ -4,9 +4,9 @@ An instance has items with a demand and orientations in degrees, any where none 
 strip or bins. A solution turns items counter-clockwise about their origin, then moves them. From
 version 1.0.0 on, an instance has the least distance of items from each other and from the
 container, and each item an `orientation`: its rotations, and the axes about which it may be
-reflected before. A placement that is `reflected` is so at the X axis, before it is turned. spyrrow
+reflected before. A `reflected` placement is mirrored in the X axis before it is turned. spyrrow
 writes no file: the attributes of its solution are the members here. All convert an angle of the
-instance to radians and back in single precision: of 30 degrees they write 30.000002.
+instance to radians and back in single precision: 30 degrees become 30.000002.
 
 Source: `io/ext_repr.rs` and `probs/*/io/ext_repr.rs` of jagua-rs, `util/io.rs` of sparrow, `lib.rs`
 of spyrrow.
@@ -133,7 +133,7 @@ def read_solution(document: JsonNode, known: NestingInstance | None) -> list[Fou
         boxes = [find_named(containers, one / "container_id", "container") for one in layouts]
         used.update((one / "container_id").name for one in layouts)
     elif instance.height is None:
-        raise FormatError(f"{solution.path} is a strip, and nothing says how high (--instance)")
+        raise FormatError(f"{solution.path} is a strip of unknown height (--instance)")
     else:
         layouts = [solution.either("layout")]
         width = solution / ("width" if solution.has("width") else "strip_width")
@@ -167,7 +167,7 @@ def _placed(layout: JsonNode) -> list[Data]:
 
 
 def _allow_rounded(instance: NestingInstance, placements: Iterable[Data]) -> Iterator[str]:
-    """Allow turns that are allowed ones as the program rounds them, and name them."""
+    """Allow turns that equal allowed ones after the program's rounding, and name them."""
     exact: dict[tuple[str, str], set[Fraction]] = {
         (name, key): {Fraction(turn) % 360 for turn in part[key]}
         for name, part in instance.parts.items()
@@ -190,7 +190,7 @@ def _allow_rounded(instance: NestingInstance, placements: Iterable[Data]) -> Ite
 
 
 def _is_rounded(degrees: str, written: str) -> bool:
-    """Decide whether a turn is another one as the program rounds it."""
+    """Decide whether a turn equals another one after the program's rounding."""
     return _round(degrees) == _read_single(written)
 
 
@@ -212,7 +212,7 @@ def _read_single(number: str) -> float:
 
 
 def _container(value: JsonNode, unchecked: list[str]) -> Data:
-    """Read a container, of which zones of quality 0 are holes."""
+    """Read a container, whose zones of quality 0 are holes."""
     found = _shape(value / "shape")
     for zone in value.get("zones", []).each():
         quality = (zone / "quality").whole

@@ -1,8 +1,8 @@
 """Tables of placements: a row for each placed part, in CSV, TSV or a list of JSON objects.
 
 Columns have the usual names, in any order and case; `COLUMNS` lists them. Numbers may have letters
-before them, as in "s0.125", which some contests want. A column of groups, or ids such as 002_0 and
-002_1, gives one layout for each group. With a column of radii the parts are discs.
+before them, as in "s0.125", which some contests require. A column of groups, or ids such as 002_0
+and 002_1, gives one layout for each group. With a column of radii the parts are discs.
 """
 
 from __future__ import annotations

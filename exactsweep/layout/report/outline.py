@@ -1,4 +1,4 @@
-"""The outlines of rounded pieces in pictures: true arcs, or polygons that are fine at one place."""
+"""The outlines of rounded pieces in pictures: true arcs, or polygons that are fine near a point."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ def write_style() -> str:
 
 
 class Enlarged(NamedTuple):
-    """The place of a fault, enlarged.
+    """An enlarged detail of a fault.
 
     Attributes:
         number: the number of the fault, from 1.
