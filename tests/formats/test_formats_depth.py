@@ -186,7 +186,7 @@ def test_a_fault_on_a_layer_names_the_option() -> None:
     text = on_layers(layer("cut", SHEET, PART)).replace(
         "</g>", '<path fill="none" d="M5 5H6V6"/></g>'
     )
-    with pytest.raises(FormatError, match=r"\(--ignore-layer cut leaves its layer out\)"):
+    with pytest.raises(FormatError, match=r"\(--ignore-layer cut skips its layer\)"):
         parse_layouts(text)
 
 

@@ -29,7 +29,7 @@ def test_several_pasted_polygons_are_read() -> None:
     found = parse_polygons("0 0\n1 0\n0 1\n\n5 5\n7 5\n5 7\n")
     assert [part.polygon.area for part in found] == [Fraction(1, 2), 2]
     assert len(parse_polygons("3 0 0 1 0 0 1 4 0 0 1 0 1 1 0 1")) == 2
-    with pytest.raises(FormatError, match="neither pairs of numbers"):
+    with pytest.raises(FormatError, match="neither one pair of numbers"):
         parse_polygons("3 0 0 1 0")
 
 

@@ -84,9 +84,7 @@ def _leave_open_layers(outlines: Sequence[Candidate]) -> tuple[list[Candidate], 
     found, left = [], Counter[str | None]()
     for one in outlines:
         if one.fault and one.layer in closed:
-            hint = (
-                "" if one.layer is None else f" (--ignore-layer {one.layer} skips its layer)"
-            )
+            hint = "" if one.layer is None else f" (--ignore-layer {one.layer} skips its layer)"
             raise FormatError(f"{one.fault}{hint}")
         if one.fault and not closed:
             raise FormatError(one.fault)
